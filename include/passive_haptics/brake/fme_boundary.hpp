@@ -1,0 +1,38 @@
+/// @file
+/// Outlines of passive FMEs of two brakes in a plane, for drawing.
+#pragma once
+
+#include <passive_haptics/brake/passive_fme.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace passive_haptics {
+
+/// Closed outline [N] of the passive FME of one region: the origin, then the arc of the ellipse
+/// G (cos a, sin a) over the region's quadrant in `segments` >= 1 chords, then the origin again.
+/// G (2 x 2) from reference_forces. Allocates; for pictures.
+template <class T>
+std::vector<vector<T, 2>> passive_fme_outline(const matrix<T, 2, 2>& G, const torque_signs<2>& region,
+                                              int segments = 32) {
+  std::vector<vector<T, 2>> outline{vector<T, 2>::Zero()};
+  for (int k = 0; k <= segments; ++k) {
+    const T a = std::numbers::pi_v<T> / T(2) * static_cast<T>(k) / static_cast<T>(segments);
+    const vector<T, 2> t(static_cast<T>(region[0]) * std::cos(a), static_cast<T>(region[1]) * std::sin(a));
+    outline.push_back(G * t);
+  }
+  outline.push_back(vector<T, 2>::Zero());
+  return outline;
+}
+
+/// Closed outline [N] of what brakes with these limits [N m] can produce in one region: a parallelogram.
+template <class T>
+std::vector<vector<T, 2>> torque_box_outline(const matrix<T, 2, 2>& G, const torque_signs<2>& region,
+                                             const vector<T, 2>& limit) {
+  const vector<T, 2> a = static_cast<T>(region[0]) * limit[0] * G.col(0);
+  const vector<T, 2> b = static_cast<T>(region[1]) * limit[1] * G.col(1);
+  return {vector<T, 2>::Zero(), a, a + b, b, vector<T, 2>::Zero()};
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,60 @@
+/// @file
+/// Passive force manipulability ellipsoids: the forces a set of brakes can produce (Figs. 2 and 3).
+#pragma once
+
+#include <passive_haptics/brake/brake_jacobian.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace passive_haptics {
+
+/// Signs (-1 or 1) of the torques of m brakes in one passive FME.
+template <int Brakes>
+using torque_signs = std::array<int, Brakes>;
+
+/// The 2^m passive FMEs, named by the signs of their torques; for two brakes (+,+), (+,-), (-,+), (-,-).
+/// Numbered from 1 the second is the paper's passive FME 2, the only one whose signs it prints.
+template <int Brakes>
+constexpr std::array<torque_signs<Brakes>, (1u << Brakes)> passive_fme_regions() {
+  std::array<torque_signs<Brakes>, (1u << Brakes)> regions{};
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    for (std::size_t i = 0; i < Brakes; ++i) regions[k][i] = (k >> (Brakes - 1 - i)) & 1u ? -1 : 1;
+  }
+  return regions;
+}
+
+/// Signs of the torques that brakes moving with signs s can produce: -s. For s without zeros.
+template <class T, int Brakes>
+constexpr torque_signs<Brakes> producible_signs(const vector<T, Brakes>& s) {
+  torque_signs<Brakes> signs{};
+  for (int i = 0; i < Brakes; ++i) signs[static_cast<std::size_t>(i)] = s[i] > T(0) ? -1 : 1;
+  return signs;
+}
+
+namespace detail {
+template <class T, int Brakes>
+bool has_signs(const vector<T, Brakes>& t, const torque_signs<Brakes>& signs) {
+  bool all = true;
+  for (int i = 0; i < Brakes; ++i) all &= static_cast<T>(signs[static_cast<std::size_t>(i)]) * t[i] >= T(0);
+  return all;
+}
+}  // namespace detail
+
+/// True if F [N] lies in the passive FME { F : |t| <= 1 N m, t_i of the region's sign }, t = E^T F. Exact on faces.
+template <class EMatrix, class T, int D, std::size_t Brakes>
+bool in_passive_fme(const EMatrix& E, const std::array<int, Brakes>& region, const vector<T, D>& F) {
+  const vector<T, static_cast<int>(Brakes)> t = brake_torque(E, F);
+  return t.norm() <= T(1) && detail::has_signs<T, static_cast<int>(Brakes)>(t, region);
+}
+
+/// True if F [N] can be produced within torque limits [N m]: t_i of the region's sign and |t_i| <= limit_i.
+template <class EMatrix, class T, int D, std::size_t Brakes>
+bool in_torque_box(const EMatrix& E, const std::array<int, Brakes>& region, const vector<T, D>& F,
+                   const vector<T, static_cast<int>(Brakes)>& limit) {
+  const vector<T, static_cast<int>(Brakes)> t = brake_torque(E, F);
+  return (t.cwiseAbs().array() <= limit.array()).all() &&
+         detail::has_signs<T, static_cast<int>(Brakes)>(t, region);
+}
+
+}  // namespace passive_haptics

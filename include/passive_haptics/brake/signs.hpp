@@ -1,0 +1,46 @@
+/// @file
+/// Which way each brake can pull: the sign rule with Karnopp's dead band.
+#pragma once
+
+#include <passive_haptics/brake/brake_parameters.hpp>
+
+#include <cmath>
+
+namespace passive_haptics {
+
+/// True where a brake turns faster than its dead band (slip); else it is at rest (stick).
+template <class T>
+bool slips(T rate, T rate_dead_band) {
+  return std::abs(rate) > rate_dead_band;
+}
+
+/// Sign s of one brake: that of its rate w in slip, else that of the hand torque th on it, else 0.
+/// A brake produces only torques with s t <= 0 (3); s = 0 (at rest, nobody pushes) restricts nothing.
+template <class T>
+T brake_sign(T w, T th, T rate_dead_band, T torque_dead_band) {
+  if (slips(w, rate_dead_band)) return sgn(w);
+  if (std::abs(th) > torque_dead_band) return sgn(th);
+  return T(0);
+}
+
+/// Signs s (m) of all brakes from their rates w [rad/s] and the hand torques th [N m] on their axes.
+/// Entries are exactly -1, 0 or 1. Pass th = 0 where no hand force is known.
+template <class T, int Brakes>
+vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes>& th,
+                              const brake_parameters<T, Brakes>& brakes) {
+  vector<T, Brakes> s;
+  for (int i = 0; i < Brakes; ++i) {
+    s[i] = brake_sign(w[i], th[i], brakes.rate_dead_band[i], brakes.torque_dead_band[i]);
+  }
+  return s;
+}
+
+/// True if some brake is at rest, so that hand torques decide its sign.
+template <class T, int Brakes>
+bool any_sticks(const vector<T, Brakes>& w, const brake_parameters<T, Brakes>& brakes) {
+  bool sticks = false;
+  for (int i = 0; i < Brakes; ++i) sticks |= !slips(w[i], brakes.rate_dead_band[i]);
+  return sticks;
+}
+
+}  // namespace passive_haptics

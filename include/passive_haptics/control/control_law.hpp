@@ -1,0 +1,40 @@
+/// @file
+/// The ControlLaw concept: how much of the approximated force is displayed.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+
+#include <concepts>
+
+namespace passive_haptics {
+
+/// What a law sees of the governing contact.
+template <class T, int D>
+struct contact_situation {
+  const vector<T, D>& normal;      ///< n = Fd / |Fd|, unit, out of the wall.
+  T desired_magnitude;             ///< |Fd| [N], > 0.
+  T normal_velocity;               ///< n . (v - v_wall) [m/s], > 0 where the handle leaves.
+  const vector<T, D>& hand_force;  ///< Fh [N]; zero for laws that do not need it.
+};
+
+/// A control law.
+///
+/// Minimal complete definition:
+///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag`: what it reads. A law that needs
+///     no hand force runs on a device without a force sensor;
+///   - `struct memory`: what it remembers from cycle to cycle, default-constructible (may be empty);
+///   - `T scale(const contact_situation<T, d>&, memory&) const noexcept`: alpha in [0, 1], Fc' = alpha Fc (7).
+template <class L>
+concept ControlLaw = requires {
+  { L::needs_hand_force } -> std::convertible_to<bool>;
+  { L::needs_dynamics } -> std::convertible_to<bool>;
+  { L::needs_brake_lag } -> std::convertible_to<bool>;
+  typename L::memory;
+  requires std::default_initializable<typename L::memory>;
+}
+&&requires(const L law, const contact_situation<double, 2> situation, typename L::memory memory) {
+  { law.scale(situation, memory) }
+  noexcept->std::same_as<double>;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,44 @@
+/// @file
+/// What a device measures, once a control cycle.
+#pragma once
+
+#include <passive_haptics/mechanism/mechanism.hpp>
+
+#include <concepts>
+
+namespace passive_haptics {
+
+/// State of a device with a force sensor at the handle.
+template <class M>
+struct device_state {
+  static_assert(mechanism_requirements<M>::met);
+  double time = 0;                                     ///< [s], any origin.
+  joint_vector<M> q = joint_vector<M>::Zero();         ///< Joint positions [rad or m].
+  joint_vector<M> qd = joint_vector<M>::Zero();        ///< Joint rates [rad/s or m/s].
+  task_vector<M> hand_force = task_vector<M>::Zero();  ///< What the hand does to the handle [N], base frame.
+};
+
+/// State of a device without a force sensor. A brake at rest then never knows which way it is pushed.
+template <class M>
+struct sensorless_device_state {
+  static_assert(mechanism_requirements<M>::met);
+  double time = 0;                               ///< [s], any origin.
+  joint_vector<M> q = joint_vector<M>::Zero();   ///< Joint positions [rad or m].
+  joint_vector<M> qd = joint_vector<M>::Zero();  ///< Joint rates [rad/s or m/s].
+};
+
+/// A state of mechanism M: anything with the members time, q and qd of exactly these types.
+template <class S, class M>
+concept DeviceState = requires(const S state) {
+  { state.time } -> std::convertible_to<double>;
+  { state.q } -> ExactVector<typename M::scalar, M::dof>;
+  { state.qd } -> ExactVector<typename M::scalar, M::dof>;
+};
+
+/// A state that also has the hand force.
+template <class S, class M>
+concept HandForceState = DeviceState<S, M> && requires(const S state) {
+  { state.hand_force } -> ExactVector<typename M::scalar, M::task_dimension>;
+};
+
+}  // namespace passive_haptics

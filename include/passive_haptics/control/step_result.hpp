@@ -1,0 +1,69 @@
+/// @file
+/// What one control cycle decides, and why.
+#pragma once
+
+#include <passive_haptics/core/status.hpp>
+#include <passive_haptics/force/classification.hpp>
+#include <passive_haptics/mechanism/mechanism.hpp>
+
+#include <cmath>
+
+namespace passive_haptics {
+
+/// Stages of a step that may be skipped, in their order.
+enum class stage : unsigned {
+  jacobian = 1u << 0,     ///< J and T were evaluated.
+  signs = 1u << 1,        ///< The brakes' signs were found.
+  hand_torque = 1u << 2,  ///< The hand's torque on brakes at rest was evaluated.
+  projection = 1u << 3,   ///< The nearest force was computed.
+  law = 1u << 4,          ///< The law scaled the force.
+};
+
+/// Stages that ran.
+class stage_set {
+ public:
+  /// Notes that s ran.
+  constexpr void add(stage s) { bits_ |= static_cast<unsigned>(s); }
+  /// True if s ran.
+  constexpr bool contains(stage s) const { return (bits_ & static_cast<unsigned>(s)) != 0; }
+  /// True if none ran.
+  constexpr bool empty() const { return bits_ == 0; }
+
+ private:
+  unsigned bits_ = 0;
+};
+
+/// Result of step(). Unless outcome is ok, capacity and torque are zero and the rest has no meaning.
+template <class M>
+struct step_result {
+  static_assert(mechanism_requirements<M>::met);
+  using scalar = typename M::scalar;  ///< Scalar of the mechanism.
+
+  /// What the driver commands: the most each brake may hold [N m], 0 <= capacity_i <= limit_i. A brake's
+  /// electricity sets a magnitude, its motion the sign.
+  brake_vector<M> capacity = brake_vector<M>::Zero();
+  /// What the mechanism is predicted to feel by the passive constraint (3) [N m], s_i t_i <= 0.
+  brake_vector<M> torque = brake_vector<M>::Zero();
+  status outcome = status::ok;  ///< ok, or why the brakes were released.
+
+  power_class power = power_class::none;         ///< Of the desired force and the device's own velocity.
+  display_class display = display_class::exact;  ///< No desired force is displayed exactly, by no torque.
+  bool saturated = false;                        ///< A torque limit was reached.
+  int wall = -1;                                 ///< Wall that asks for the force; -1 in free space.
+  scalar alpha = scalar(1);                      ///< Scale factor of the law (12).
+  scalar approximation_cosine = scalar(1);       ///< cos(gamma); 0 where nothing is displayed.
+  task_vector<M> desired_force = task_vector<M>::Zero();  ///< Fd [N], base frame.
+  task_vector<M> control_force = task_vector<M>::Zero();  ///< Fc [N], base frame, before alpha and limits.
+  /// Brake torques that make Fc [N m], before alpha and limits: its coefficients on the reference forces,
+  /// Fc = sum_i c_i R_i+; those of a brake with sign s_i fulfil s_i c_i <= 0.
+  brake_vector<M> cone_coefficients = brake_vector<M>::Zero();
+  brake_vector<M> signs = brake_vector<M>::Zero();  ///< s: -1, 0 or 1 for each brake.
+  stage_set stages;                                 ///< What ran; the rest was not needed.
+
+  /// gamma, the angle between Fd and Fc [rad]; pi/2 where nothing is displayed.
+  scalar approximation_angle() const {
+    return std::acos(approximation_cosine < scalar(1) ? approximation_cosine : scalar(1));
+  }
+};
+
+}  // namespace passive_haptics

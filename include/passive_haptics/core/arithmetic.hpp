@@ -1,0 +1,41 @@
+/// @file
+/// What the library asks of floating-point arithmetic, and its named tolerances.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+// With -ffinite-math-only the tests for NaN are compiled away and sign regions come out wrong.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
+#error "passive_haptics needs IEEE arithmetic: compile this file without -ffast-math / -ffinite-math-only."
+#endif
+
+namespace passive_haptics {
+
+/// Rounding of a short sum of products of length n, relative to the norms of its data: 4 n eps.
+/// Everything under it is indistinguishable from zero; it is the library's only numerical tolerance.
+template <class T>
+constexpr T rounding_tolerance(int n) {
+  return static_cast<T>(4 * n) * std::numeric_limits<T>::epsilon();
+}
+
+/// Radians of an angle given in degrees.
+template <class T>
+constexpr T radians(T degrees) {
+  return degrees * (std::numbers::pi_v<T> / T(180));
+}
+
+/// Degrees of an angle given in radians.
+template <class T>
+constexpr T degrees(T radians) {
+  return radians * (T(180) / std::numbers::pi_v<T>);
+}
+
+/// Sign of x: -1, 0 or 1; 0 for NaN.
+template <class T>
+constexpr T sgn(T x) {
+  return static_cast<T>((x > T(0)) - (x < T(0)));
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,65 @@
+/// @file
+/// Fixed-size vectors and matrices, and concepts that check their shape exactly.
+///
+/// Eigen converts any fixed-size expression to any other in an unevaluated context, so
+/// std::convertible_to checks nothing; these concepts compare scalar, rows and columns.
+#pragma once
+
+#include <passive_haptics/core/arithmetic.hpp>
+
+#include <Eigen/Core>
+
+#include <concepts>
+#include <type_traits>
+
+namespace passive_haptics {
+
+/// Column of N scalars.
+template <class T, int N>
+using vector = Eigen::Matrix<T, N, 1>;
+
+/// R x C matrix.
+template <class T, int R, int C>
+using matrix = Eigen::Matrix<T, R, C>;
+
+/// N x N diagonal matrix.
+template <class T, int N>
+using diagonal_matrix = Eigen::DiagonalMatrix<T, N>;
+
+namespace detail {
+template <class X, class T, int R, int C>
+inline constexpr bool is_matrix = false;
+template <class T, int R, int C, int Options>
+inline constexpr bool is_matrix<Eigen::Matrix<T, R, C, Options, R, C>, T, R, C> = true;
+
+template <class X, class T, int N>
+inline constexpr bool is_diagonal_matrix = false;
+template <class T, int N>
+inline constexpr bool is_diagonal_matrix<Eigen::DiagonalMatrix<T, N, N>, T, N> = true;
+}  // namespace detail
+
+/// An R x C Eigen::Matrix of T: a value, not an expression (which could refer to dead temporaries).
+template <class X, class T, int R, int C>
+concept ExactMatrix = detail::is_matrix<std::remove_cvref_t<X>, T, R, C>;
+
+/// A column of exactly N scalars T.
+template <class X, class T, int N>
+concept ExactVector = ExactMatrix<X, T, N, 1>;
+
+/// An N x N Eigen::DiagonalMatrix of T.
+template <class X, class T, int N>
+concept ExactDiagonal = detail::is_diagonal_matrix<std::remove_cvref_t<X>, T, N>;
+
+/// True if no entry is NaN or infinite.
+template <class Derived>
+bool all_finite(const Eigen::DenseBase<Derived>& x) {
+  return x.allFinite();
+}
+
+/// True if no diagonal entry is NaN or infinite.
+template <class T, int N>
+bool all_finite(const diagonal_matrix<T, N>& x) {
+  return x.diagonal().allFinite();
+}
+
+}  // namespace passive_haptics

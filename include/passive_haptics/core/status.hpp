@@ -1,0 +1,36 @@
+/// @file
+/// What can go wrong inside a control cycle, as a value.
+#pragma once
+
+#include <string_view>
+
+namespace passive_haptics {
+
+/// Outcome of a calculation. Nothing in the fast path throws; a status other than ok comes with zero capacity.
+enum class status {
+  ok,                     ///< The result is valid.
+  state_not_finite,       ///< NaN or infinity in time, q, qd or hand_force.
+  contact_not_finite,     ///< NaN or infinity in a contact, or k * depth overflows.
+  parameters_not_finite,  ///< NaN or infinity in the brakes' or the law's parameters.
+  jacobian_undefined,     ///< The mechanism has no finite Jacobian or transmission inverse at this pose.
+  result_not_finite,      ///< Finite input whose result overflows.
+  singular_jacobian,      ///< J is not invertible to working accuracy; only what needs its inverse says so.
+  out_of_reach,           ///< No pose of the mechanism reaches the point.
+};
+
+/// The status in words, for a log or a message.
+constexpr std::string_view to_string(status s) {
+  switch (s) {
+    case status::ok: return "ok";
+    case status::state_not_finite: return "NaN or infinity in the device state";
+    case status::contact_not_finite: return "NaN or infinity in a contact";
+    case status::parameters_not_finite: return "NaN or infinity in the brake or law parameters";
+    case status::jacobian_undefined: return "no finite Jacobian at this pose";
+    case status::result_not_finite: return "overflow";
+    case status::singular_jacobian: return "singular Jacobian";
+    case status::out_of_reach: return "out of reach";
+  }
+  return "unknown status";
+}
+
+}  // namespace passive_haptics

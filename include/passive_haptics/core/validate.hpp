@@ -1,0 +1,63 @@
+/// @file
+/// How parameters are checked, once, before anything runs.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace passive_haptics {
+namespace detail {
+
+template <class T>
+std::string complaint(std::string_view name, T value, std::string_view expected) {
+  std::ostringstream text;
+  text << name << " = " << value << ", expected " << expected;
+  return text.str();
+}
+
+template <class T>
+std::string check_positive(std::string_view name, T value) {
+  return std::isfinite(value) && value > T(0) ? "" : complaint(name, value, "a finite number > 0");
+}
+
+template <class T>
+std::string check_not_negative(std::string_view name, T value) {
+  return std::isfinite(value) && value >= T(0) ? "" : complaint(name, value, "a finite number >= 0");
+}
+
+template <class T>
+std::string check_finite(std::string_view name, T value) {
+  return std::isfinite(value) ? "" : complaint(name, value, "a finite number");
+}
+
+/// The first complaint that is not empty.
+template <class... Strings>
+std::string first_complaint(Strings... complaints) {
+  std::string first;
+  ((first.empty() ? void(first = std::move(complaints)) : void()), ...);
+  return first;
+}
+
+}  // namespace detail
+
+/// Throws std::invalid_argument with the text of validate(parameters) if there is any; under
+/// -fno-exceptions prints it and ends the program. For constructors, never for a control cycle.
+template <class Parameters>
+const Parameters& require_valid(const Parameters& parameters) {
+  if (const std::string text = validate(parameters); !text.empty()) {
+#if defined(__cpp_exceptions)
+    throw std::invalid_argument("passive_haptics: " + text);
+#else
+    std::fprintf(stderr, "passive_haptics: %s\n", text.c_str());
+    std::abort();
+#endif
+  }
+  return parameters;
+}
+
+}  // namespace passive_haptics

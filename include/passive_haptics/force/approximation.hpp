@@ -1,0 +1,62 @@
+/// @file
+/// Force approximation: what is displayed for a desired force (sections 2 and 4, Fig. 3).
+#pragma once
+
+#include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/force/classification.hpp>
+#include <passive_haptics/force/nearest_force.hpp>
+
+#include <cmath>
+
+namespace passive_haptics {
+
+/// Options of the approximation.
+template <class T>
+struct approximation_parameters {
+  /// Beyond this angle between desired and producible force nothing is displayed [rad]: 1 / cos^2 explodes
+  /// near 90 degrees. In (0, pi/2).
+  T max_approximation_angle = radians(T(89));
+};
+
+/// What is wrong with the parameters; empty if nothing.
+template <class T>
+std::string validate(const approximation_parameters<T>& p) {
+  const T angle = p.max_approximation_angle;
+  return angle > T(0) && angle < radians(T(90))
+             ? ""
+             : detail::complaint("max_approximation_angle [rad]", angle, "an angle between 0 and pi/2");
+}
+
+/// What brakes can display of a unit desired force n.
+template <class T, int D, int Brakes>
+struct approximated_force {
+  display_class display = display_class::none;
+  vector<T, D> force = vector<T, D>::Zero();             ///< Fc / |Fd|; Fc . n = |Fd|. Zero if none.
+  vector<T, Brakes> torque = vector<T, Brakes>::Zero();  ///< E^T Fc / |Fd| [N m per N]; s_i t_i <= 0 exactly.
+  T cosine = T(0);                                       ///< cos(gamma) = |Fp| / |Fd|; 1 if exact.
+};
+
+/// Fc for a unit desired force n (base frame), its torques t = E^T n already known, and signs s.
+///
+/// Exact (Fc = n) where all s_i t_i <= 0. Else Fc = Fp / |Fp|^2 with Fp the nearest displayable force, "so
+/// that its component in the normal direction becomes Fd" (section 4); cos(gamma) = |Fp|. None where |Fp| is
+/// of rounding size or gamma is over the limit. Feasible to rounding: Fp = Fc cos^2(gamma), not Fc itself.
+template <class EMatrix, class T, int D, int Brakes>
+approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
+                                             const vector<T, D>& n, const vector<T, Brakes>& t,
+                                             T min_cosine) {
+  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
+
+  const auto nearest = nearest_force(E, s, n);
+  const vector<T, D>& Fp = nearest.force;
+  const T cosine = Fp.norm();
+  if (!(cosine > rounding_tolerance<T>(D) && cosine >= min_cosine)) return {};
+
+  approximated_force<T, D, Brakes> result{display_class::approximate, Fp / (cosine * cosine), {}, cosine};
+  // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0.
+  const vector<T, Brakes> tc = brake_torque(E, result.force);
+  result.torque = (nearest.idle || s.array() * tc.array() > T(0)).select(vector<T, Brakes>::Zero(), tc);
+  return result;
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,38 @@
+/// @file
+/// The force a wall asks for.
+#pragma once
+
+#include <passive_haptics/scene/contacts.hpp>
+
+namespace passive_haptics {
+
+/// Fd = magnitude * direction, kept apart: a wall of 1e7 N/m asks for 5e4 N where 2 N are displayed, so
+/// everything but the magnitude is computed for a unit force.
+template <class T, int D>
+struct desired_force {
+  vector<T, D> direction;  ///< n = Fd / |Fd|.
+  T magnitude;             ///< |Fd| [N].
+};
+
+/// Fd = k depth n of a frictionless elastic wall (section 5.1), base frame.
+template <class T, int D>
+desired_force<T, D> force_of(const contact<D>& c) {
+  return {c.normal.template cast<T>(), static_cast<T>(c.stiffness * c.depth)};
+}
+
+/// Index of the contact that asks for the largest force; -1 if there is none. NaN counts as largest.
+template <int D, int Capacity>
+int governing_contact(const contacts<D, Capacity>& touched) {
+  int governing = -1;
+  double largest = -1;
+  for (int i = 0; i < touched.size(); ++i) {
+    const double force = touched[i].stiffness * touched[i].depth;
+    if (!(force <= largest)) {
+      governing = i;
+      largest = force;
+    }
+  }
+  return governing;
+}
+
+}  // namespace passive_haptics

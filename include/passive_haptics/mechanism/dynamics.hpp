@@ -1,0 +1,27 @@
+/// @file
+/// The optional Dynamics concept: what a simulation and an acceleration-level law have to know.
+#pragma once
+
+#include <passive_haptics/mechanism/mechanism.hpp>
+
+namespace passive_haptics {
+
+/// A mechanism with inertia:  M(q) qdd + c(q, qd) = J^T F + T^T t  and  xdd = J qdd + Jd qd.
+///
+/// Minimal complete definition, beside that of Mechanism:
+///   - `matrix<scalar, n, n> mass_matrix(q) const`: M, symmetric and positive definite, rotors included
+///     [kg m^2, kg m or kg];
+///   - `vector<scalar, n> bias_torque(q, qd) const`: c, Coriolis, centrifugal and gravity torque [N m or N];
+///   - `vector<scalar, d> bias_acceleration(q, qd) const`: Jd qd [m/s^2].
+///
+/// Laws: M is symmetric positive definite; Jd qd is the derivative of J along qd; without gravity
+/// qd . (Md qd / 2 - c) = 0, so that kinetic energy changes by outside work only.
+template <class M>
+concept Dynamics = Mechanism<M> &&
+    requires(const M mechanism, const joint_vector<M> q, const joint_vector<M> qd) {
+  { mechanism.mass_matrix(q) } -> ExactMatrix<typename M::scalar, M::dof, M::dof>;
+  { mechanism.bias_torque(q, qd) } -> ExactVector<typename M::scalar, M::dof>;
+  { mechanism.bias_acceleration(q, qd) } -> ExactVector<typename M::scalar, M::task_dimension>;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,69 @@
+/// @file
+/// The Jacobian and the transmission of any mechanism, from whatever the mechanism gives.
+#pragma once
+
+#include <passive_haptics/mechanism/mechanism.hpp>
+
+#include <unsupported/Eigen/AutoDiff>
+
+namespace passive_haptics {
+namespace detail {
+
+template <class M>
+using derivative_scalar = Eigen::AutoDiffScalar<joint_vector<M>>;
+
+template <class M>
+concept differentiates_itself = names_sizes<M> &&
+    requires(const M mechanism, const vector<derivative_scalar<M>, M::dof> q) {
+  { mechanism.position(q) } -> ExactVector<derivative_scalar<M>, M::task_dimension>;
+};
+
+}  // namespace detail
+
+/// A mechanism whose Jacobian can be had: it gives one, or its position is templated on the scalar.
+template <class M>
+concept DifferentiableMechanism = Mechanism<M> &&
+    (detail::has_exact_jacobian<M> || detail::differentiates_itself<M>);
+
+/// J (d x n) by forward-mode automatic differentiation of position(q); exact to rounding.
+/// Cost: one position with n derivatives carried along.
+template <class M>
+matrix<typename M::scalar, M::task_dimension, M::dof> automatic_jacobian(const M& mechanism,
+                                                                         const joint_vector<M>& q) {
+  using scalar = detail::derivative_scalar<M>;
+  vector<scalar, M::dof> seeded;
+  for (int i = 0; i < M::dof; ++i) seeded[i] = scalar(q[i], M::dof, i);
+  const vector<scalar, M::task_dimension> x = mechanism.position(seeded);
+  matrix<typename M::scalar, M::task_dimension, M::dof> J;
+  for (int i = 0; i < M::task_dimension; ++i) J.row(i) = x[i].derivatives();
+  return J;
+}
+
+/// J in v = J qd, d x n, base frame [m/rad or 1]: a matrix, or a diagonal_matrix where the mechanism says so.
+template <class M>
+auto jacobian(const M& mechanism, const joint_vector<M>& q) {
+  static_assert(mechanism_requirements<M>::met);
+  static_assert(DifferentiableMechanism<M>,
+                "passive_haptics: the mechanism needs jacobian(q), or position(q) templated on the scalar "
+                "(`template <class S> vector<S, d> position(const vector<S, n>& q) const`).");
+  if constexpr (detail::jacobian_is_constant<M>) return mechanism.jacobian();
+  else if constexpr (detail::jacobian_depends_on_pose<M>) return mechanism.jacobian(q);
+  else return automatic_jacobian(mechanism, q);
+}
+
+/// T in w = T qd, m x n: a matrix or a diagonal_matrix. Only for mechanisms that name a transmission.
+template <class M>
+requires detail::has_exact_transmission<M>
+auto transmission(const M& mechanism, const joint_vector<M>& q) {
+  if constexpr (detail::transmission_is_constant<M>) return mechanism.transmission();
+  else return mechanism.transmission(q);
+}
+
+/// Rates of the brakes' axes, w = T qd [rad/s or m/s].
+template <class M>
+brake_vector<M> brake_rates(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
+  if constexpr (detail::has_exact_transmission<M>) return transmission(mechanism, q) * qd;
+  else return qd;
+}
+
+}  // namespace passive_haptics

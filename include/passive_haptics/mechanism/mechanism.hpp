@@ -1,0 +1,153 @@
+/// @file
+/// The Mechanism concept: what the library has to know about a device's geometry.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+
+#include <concepts>
+#include <type_traits>
+
+namespace passive_haptics {
+
+/// Joint positions q [rad or m] or rates qd [rad/s or m/s] of M.
+template <class M>
+using joint_vector = vector<typename M::scalar, M::dof>;
+
+/// Point [m], velocity [m/s] or force [N] at the end effector of M, in the base frame.
+template <class M>
+using task_vector = vector<typename M::scalar, M::task_dimension>;
+
+/// Rates w [rad/s or m/s] or torques t [N m or N] of the brakes of M, on the brakes' own axes.
+template <class M>
+using brake_vector = vector<typename M::scalar, M::brake_count>;
+
+namespace detail {
+
+template <class M>
+concept names_scalar = requires {
+  requires std::floating_point<typename M::scalar>;
+};
+template <class M>
+concept names_dof = requires {
+  requires(std::integral_constant<int, M::dof>::value > 0);
+};
+template <class M>
+concept names_task_dimension = requires {
+  requires(std::integral_constant<int, M::task_dimension>::value > 0);
+};
+template <class M>
+concept names_brake_count = requires {
+  requires(std::integral_constant<int, M::brake_count>::value > 0);
+};
+template <class M>
+concept names_sizes = names_scalar<M> && names_dof<M> && names_task_dimension<M> && names_brake_count<M>;
+
+template <class M>
+concept has_supported_sizes = names_sizes<M> && M::dof >= M::task_dimension&& M::brake_count == M::dof;
+
+template <class M>
+concept has_position = names_sizes<M> && requires(const M mechanism, const joint_vector<M> q) {
+  { mechanism.position(q) } -> ExactVector<typename M::scalar, M::task_dimension>;
+};
+
+// The three ways to call an optional member f: with q, without (constant), or not at all.
+template <class M>
+concept jacobian_depends_on_pose = requires(const M mechanism, const joint_vector<M> q) {
+  mechanism.jacobian(q);
+};
+template <class M>
+concept jacobian_is_constant = requires(const M mechanism) {
+  mechanism.jacobian();
+};
+template <class M>
+concept names_jacobian = jacobian_depends_on_pose<M> || jacobian_is_constant<M> || requires {
+  &M::jacobian;
+};
+
+template <class M>
+concept transmission_depends_on_pose = requires(const M mechanism, const joint_vector<M> q) {
+  mechanism.transmission(q);
+};
+template <class M>
+concept transmission_is_constant = requires(const M mechanism) {
+  mechanism.transmission();
+};
+template <class M>
+concept names_transmission = transmission_depends_on_pose<M> || transmission_is_constant<M> || requires {
+  &M::transmission;
+};
+
+template <class X, class T, int R, int C>
+concept exact_or_diagonal = ExactMatrix<X, T, R, C> ||(R == C && ExactDiagonal<X, T, R>);
+
+template <class M>
+concept has_exact_jacobian = requires(const M mechanism, const joint_vector<M> q) {
+  { mechanism.jacobian(q) } -> exact_or_diagonal<typename M::scalar, M::task_dimension, M::dof>;
+}
+|| requires(const M mechanism) {
+  { mechanism.jacobian() } -> exact_or_diagonal<typename M::scalar, M::task_dimension, M::dof>;
+};
+
+template <class M>
+concept has_exact_transmission = requires(const M mechanism, const joint_vector<M> q) {
+  { mechanism.transmission(q) } -> exact_or_diagonal<typename M::scalar, M::brake_count, M::dof>;
+}
+|| requires(const M mechanism) {
+  { mechanism.transmission() } -> exact_or_diagonal<typename M::scalar, M::brake_count, M::dof>;
+};
+
+}  // namespace detail
+
+/// A mechanism: joint positions in, end effector out.
+///
+/// Minimal complete definition (n = dof, d = task_dimension, m = brake_count):
+///   - `using scalar`: float, double or long double;
+///   - `static constexpr int dof, task_dimension, brake_count`, with m = n >= d;
+///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`, the end effector [m] in the base frame.
+///     If it is templated on the scalar, the Jacobian is had by automatic differentiation (jacobian.hpp).
+///
+/// Optional, each exploited at compile time where it is constant (takes no q) or a diagonal_matrix:
+///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
+///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, where w are the
+///     rates of the brakes' own axes; invertible. Without it brake i sits on joint i.
+///
+/// Laws: jacobian is the derivative of position; both are pure; finite q gives a finite position.
+/// testing/mechanism_laws.hpp checks them for any model.
+template <class M>
+concept Mechanism = detail::has_supported_sizes<M> && detail::has_position<M> &&
+    (!detail::names_jacobian<M> || detail::has_exact_jacobian<M>)&&(!detail::names_transmission<M> ||
+                                                                    detail::has_exact_transmission<M>);
+
+/// The same requirements, one short message for each: a class or function template that takes a mechanism
+/// begins with `static_assert(mechanism_requirements<M>::met)`.
+template <class M>
+struct mechanism_requirements {
+  static_assert(detail::names_scalar<M>,
+                "passive_haptics: the mechanism needs `using scalar = double;` (or float).");
+  static_assert(detail::names_dof<M>,
+                "passive_haptics: the mechanism needs `static constexpr int dof`, its number of joints.");
+  static_assert(
+      detail::names_task_dimension<M>,
+      "passive_haptics: the mechanism needs `static constexpr int task_dimension`, the size of position(q).");
+  static_assert(
+      detail::names_brake_count<M>,
+      "passive_haptics: the mechanism needs `static constexpr int brake_count`, its number of brakes.");
+  static_assert(
+      !detail::names_sizes<M> || detail::has_supported_sizes<M>,
+      "passive_haptics: unsupported sizes; needed are brake_count == dof and dof >= task_dimension.");
+  static_assert(
+      !detail::has_supported_sizes<M> || detail::has_position<M>,
+      "passive_haptics: position(q) must be const and return vector<scalar, task_dimension> exactly "
+      "(not an Eigen expression) for a vector<scalar, dof>.");
+  static_assert(!detail::has_position<M> || !detail::names_jacobian<M> || detail::has_exact_jacobian<M>,
+                "passive_haptics: jacobian must be const, take q or nothing, and return "
+                "matrix<scalar, task_dimension, dof> exactly (or diagonal_matrix<scalar, dof>).");
+  static_assert(!detail::has_position<M> || !detail::names_transmission<M> ||
+                    detail::has_exact_transmission<M>,
+                "passive_haptics: transmission must be const, take q or nothing, and return "
+                "matrix<scalar, brake_count, dof> exactly (or diagonal_matrix<scalar, dof>).");
+  /// True; the messages above stop the compiler first.
+  static constexpr bool met = true;
+};
+
+}  // namespace passive_haptics

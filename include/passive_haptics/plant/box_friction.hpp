@@ -1,0 +1,79 @@
+/// @file
+/// Coulomb friction of several brakes at once, with exact stick.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+
+#include <Eigen/Cholesky>
+
+#include <array>
+#include <cstddef>
+
+namespace passive_haptics {
+
+/// Impulses of m brakes over one time step.
+template <class T, int Brakes>
+struct friction_impulses {
+  vector<T, Brakes> impulse;        ///< p [N m s], |p_i| <= limit_i.
+  std::array<bool, Brakes> sticks;  ///< True where the brake ends the step at rest.
+  bool solved = true;               ///< False if rounding kept the pivoting from ending.
+};
+
+/// Solves w = w0 + A p with |p_i| <= limit_i such that each brake either sticks (w_i = 0) or slips with the
+/// full impulse against its motion (p_i = -limit_i sgn(w_i)): a box-constrained linear complementarity problem.
+///
+/// A = T M^-1 T^T (m x m) symmetric positive definite, w0 [rad/s] the rates without brakes, limit [N m s] >= 0.
+/// The solution exists and is unique. Least-index principal pivoting: exact and finite for any such A
+/// (Murty 1974; with bounds: Judice and Pires 1992). Cost: one Cholesky of m x m for each pivot, few in practice.
+template <class T, int Brakes>
+friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>& A,
+                                                const vector<T, Brakes>& w0, const vector<T, Brakes>& limit) {
+  enum class mode { stick, upper, lower };
+  std::array<mode, Brakes> modes;
+  modes.fill(mode::stick);
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const T slack = rounding_tolerance<T>(Brakes);
+
+  vector<T, Brakes> p, w;
+  const int most_pivots = 1 << (2 * Brakes + 2);
+  for (int pivot = 0; pivot < most_pivots; ++pivot) {
+    // Members of the stick set solve w_i = 0; the others keep p_i at its bound.
+    matrix<T, Brakes, Brakes> K = A;
+    vector<T, Brakes> rhs = -w0;
+    for (int i = 0; i < Brakes; ++i) {
+      if (modes[at(i)] == mode::stick && limit[i] > T(0)) continue;
+      const T bound =
+          modes[at(i)] == mode::lower ? -limit[i] : (modes[at(i)] == mode::upper ? limit[i] : T(0));
+      rhs -= A.col(i) * bound;
+      K.row(i).setZero();
+      K.col(i).setZero();
+      K(i, i) = T(1);
+      p[i] = bound;
+    }
+    for (int i = 0; i < Brakes; ++i) {
+      if (modes[at(i)] != mode::stick || !(limit[i] > T(0))) rhs[i] = p[i];
+    }
+    p = K.ldlt().solve(rhs);
+    w = w0 + A * p;
+
+    int violating = -1;
+    for (int i = 0; i < Brakes && violating < 0; ++i) {
+      if (!(limit[i] > T(0))) continue;
+      const T rate_slack = slack * (std::abs(w0[i]) + A.row(i).cwiseAbs().dot(limit));
+      const bool over = modes[at(i)] == mode::stick
+                            ? std::abs(p[i]) > limit[i] * (T(1) + slack)
+                            : (modes[at(i)] == mode::upper ? w[i] > rate_slack : w[i] < -rate_slack);
+      if (over) violating = i;
+    }
+    if (violating < 0) {
+      friction_impulses<T, Brakes> result{p.cwiseMin(limit).cwiseMax(-limit), {}, true};
+      for (int i = 0; i < Brakes; ++i) result.sticks[at(i)] = modes[at(i)] == mode::stick && limit[i] > T(0);
+      return result;
+    }
+    mode& m = modes[at(violating)];
+    m = m != mode::stick ? mode::stick : (p[violating] > T(0) ? mode::upper : mode::lower);
+  }
+  return {p.cwiseMin(limit).cwiseMax(-limit), {}, false};
+}
+
+}  // namespace passive_haptics

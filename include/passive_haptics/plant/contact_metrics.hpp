@@ -1,0 +1,89 @@
+/// @file
+/// How smoothly a wall was followed: one definition for all experiments.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace passive_haptics {
+
+/// Figures of one run along a wall, counted from the first contact.
+struct contact_metrics {
+  int separations = 0;         ///< Contact followed by a depth under -10 um.
+  int recontacts = 0;          ///< Separation followed by a depth over +10 um.
+  double depth_rms = 0;        ///< Standard deviation of the depth after the first 10 % of the path [m].
+  double depth_range = 0;      ///< Largest less smallest depth there [m].
+  double depth_max = 0;        ///< Largest depth on the whole path [m].
+  double stick_share = 0;      ///< Share of time that the watched brake is slower than 1e-3 rad/s [1].
+  double retarding_force = 0;  ///< Mean force of the brakes against the motion along the wall [N].
+  double duration = 0;         ///< From the first contact to the end [s].
+  bool arrived = false;        ///< The end of the path was reached.
+};
+
+/// Collects contact_metrics sample by sample at equal time steps; no allocation.
+class contact_meter {
+ public:
+  static constexpr double hysteresis = 10e-6;    ///< Of the depth [m]: less is no separation.
+  static constexpr double settling_share = 0.1;  ///< Of the path, left out of the depth's statistics.
+  static constexpr double stick_rate = 1e-3;     ///< Slower counts as stuck [rad/s].
+
+  /// For a path that ends where progress reaches path_end [m], sampled every dt [s].
+  contact_meter(double path_end, double dt) : path_end_(path_end), dt_(dt) {}
+
+  /// One sample: way made [m], depth [m], rate of the watched brake [rad/s], brakes' force along the wall [N].
+  void add(double progress, double depth, double rate, double retarding_force) {
+    if (progress >= path_end_) result_.arrived = true;
+    if (!touched_) {
+      if (!(depth > 0)) return;
+      touched_ = in_contact_ = true;
+      settled_at_ = progress + settling_share * (path_end_ - progress);
+    }
+    if (in_contact_ && depth < -hysteresis) {
+      in_contact_ = false;
+      ++result_.separations;
+    } else if (!in_contact_ && depth > hysteresis) {
+      in_contact_ = true;
+      ++result_.recontacts;
+    }
+    ++samples_;
+    stuck_ += std::abs(rate) < stick_rate ? 1 : 0;
+    force_sum_ += retarding_force;
+    result_.depth_max = std::max(result_.depth_max, depth);
+    if (progress >= settled_at_) add_settled(depth);
+  }
+
+  /// The figures so far.
+  contact_metrics result() const {
+    contact_metrics r = result_;
+    if (samples_ > 0) {
+      r.stick_share = static_cast<double>(stuck_) / static_cast<double>(samples_);
+      r.retarding_force = force_sum_ / static_cast<double>(samples_);
+      r.duration = static_cast<double>(samples_) * dt_;
+    }
+    if (settled_ > 0) {
+      r.depth_rms = std::sqrt(square_sum_ / static_cast<double>(settled_));
+      r.depth_range = deepest_ - shallowest_;
+    }
+    return r;
+  }
+
+ private:
+  void add_settled(double depth) {  // Welford: stable mean and sum of squared deviations
+    ++settled_;
+    const double before = depth - mean_;
+    mean_ += before / static_cast<double>(settled_);
+    square_sum_ += before * (depth - mean_);
+    deepest_ = settled_ == 1 ? depth : std::max(deepest_, depth);
+    shallowest_ = settled_ == 1 ? depth : std::min(shallowest_, depth);
+  }
+
+  double path_end_, dt_;
+  contact_metrics result_;
+  bool touched_ = false, in_contact_ = false;
+  double settled_at_ = 0;
+  std::size_t samples_ = 0, stuck_ = 0, settled_ = 0;
+  double force_sum_ = 0, mean_ = 0, square_sum_ = 0, deepest_ = 0, shallowest_ = 0;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,75 @@
+/// @file
+/// A simple hand that moves along a wall and presses on it.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/validate.hpp>
+
+#include <algorithm>
+
+namespace passive_haptics {
+
+/// Impedance of the hand along the wall and its push on it. The paper prints neither; with these the hand force
+/// stays below the paper's 2 N (Fig. 8) in the wall's normal direction.
+template <class T>
+struct following_hand_parameters {
+  T speed = T(0.05);         ///< Intended speed along the wall [m/s].
+  T stiffness = T(200);      ///< Towards the intended place along the wall [N/m].
+  T damping = T(20);         ///< Towards the intended speed along the wall [N s/m].
+  T push = T(2);             ///< Force into the wall [N].
+  T normal_damping = T(20);  ///< Normal to the wall [N s/m].
+  T mass = T(0.5);           ///< What moves with the handle [kg].
+};
+
+/// What is wrong with the parameters; empty if nothing.
+template <class T>
+std::string validate(const following_hand_parameters<T>& p) {
+  return detail::first_complaint(detail::check_finite("speed [m/s]", p.speed),
+                                 detail::check_not_negative("stiffness [N/m]", p.stiffness),
+                                 detail::check_not_negative("damping [N s/m]", p.damping),
+                                 detail::check_finite("push [N]", p.push),
+                                 detail::check_not_negative("normal_damping [N s/m]", p.normal_damping),
+                                 detail::check_not_negative("mass [kg]", p.mass));
+}
+
+/// A hand that intends to move along `direction` at constant speed while it presses on the wall:
+///
+///     F = (K (s0 + speed t - s) / max(0.3, u . t) + B (speed - v . t)) t  -  (push + Bn (v . n)) n
+///
+/// with n out of the wall, t the direction u projected on the wall, s = u . x the way made.
+template <class T, int D>
+class following_hand {
+ public:
+  /// Starts at x0 [m] at time 0. direction: any length > 0. Throws std::invalid_argument with the text of validate(p).
+  following_hand(const vector<T, D>& direction, const vector<T, D>& x0,
+                 const following_hand_parameters<T>& p = {})
+      : p_(require_valid(p)), direction_(direction.normalized()), start_(direction_.dot(x0)) {}
+
+  /// Muscle force [N] at time [s], handle at x [m] with velocity v [m/s], beside a wall with normal n.
+  vector<T, D> force(T time, const vector<T, D>& x, const vector<T, D>& v, const vector<T, D>& n) const {
+    const vector<T, D> t = tangent(n);
+    const T lag = start_ + p_.speed * time - direction_.dot(x);
+    const T along =
+        p_.stiffness * lag / std::max(T(0.3), t.dot(direction_)) + p_.damping * (p_.speed - v.dot(t));
+    return along * t - (p_.push + p_.normal_damping * v.dot(n)) * n;
+  }
+
+  /// Unit direction along a wall with normal n; the intended direction itself where that is normal to the wall.
+  vector<T, D> tangent(const vector<T, D>& n) const {
+    const vector<T, D> t = direction_ - n * n.dot(direction_);
+    const T length = t.norm();
+    return length > rounding_tolerance<T>(D) ? vector<T, D>(t / length) : direction_;
+  }
+
+  /// Way made along the intended direction at x [m].
+  T progress(const vector<T, D>& x) const { return direction_.dot(x); }
+  /// The parameters as given.
+  const following_hand_parameters<T>& parameters() const { return p_; }
+
+ private:
+  following_hand_parameters<T> p_;
+  vector<T, D> direction_;
+  T start_;
+};
+
+}  // namespace passive_haptics

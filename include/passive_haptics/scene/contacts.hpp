@@ -1,0 +1,56 @@
+/// @file
+/// What the end effector touches, as a value: all that a control step knows of a scene.
+#pragma once
+
+#include <passive_haptics/scene/shape.hpp>
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+
+namespace passive_haptics {
+
+/// One touched wall.
+template <int D>
+struct contact {
+  point<D> normal = point<D>::UnitX();        ///< Unit vector out of the wall, base frame.
+  double depth = 0;                           ///< Penetration [m], > 0.
+  double stiffness = 0;                       ///< Of the wall [N/m].
+  point<D> wall_velocity = point<D>::Zero();  ///< Of the touched surface [m/s].
+  int wall = 0;                               ///< Which wall of the scene.
+};
+
+/// Up to Capacity touched walls; no allocation.
+template <int D, int Capacity>
+class contacts {
+ public:
+  static constexpr int dimension = D;        ///< d
+  static constexpr int capacity = Capacity;  ///< Most contacts at once.
+
+  /// Adds a contact; false, and nothing added, if Capacity are there already.
+  constexpr bool push_back(const contact<D>& c) {
+    if (size_ == Capacity) return false;
+    items_[static_cast<std::size_t>(size_++)] = c;
+    return true;
+  }
+
+  /// Number of contacts.
+  constexpr int size() const { return size_; }
+  /// True in free space.
+  constexpr bool empty() const { return size_ == 0; }
+  /// Contact i, 0 <= i < size().
+  constexpr const contact<D>& operator[](int i) const {
+    assert(0 <= i && i < size_);
+    return items_[static_cast<std::size_t>(i)];
+  }
+  /// First contact.
+  constexpr const contact<D>* begin() const { return items_.data(); }
+  /// One past the last contact.
+  constexpr const contact<D>* end() const { return items_.data() + size_; }
+
+ private:
+  std::array<contact<D>, static_cast<std::size_t>(Capacity)> items_{};
+  int size_ = 0;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,59 @@
+/// @file
+/// A scene that is sampled more slowly than the brakes are controlled.
+#pragma once
+
+#include <passive_haptics/scene/scene.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace passive_haptics {
+
+/// Period of a held scene.
+struct hold_parameters {
+  double period =
+      0;  ///< Between two samples [s]; 0 samples every time. Section 5.2 uses 1 ms and 50 ms (20 Hz).
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const hold_parameters& p) {
+  return detail::check_not_negative("period of a held_scene [s]", p.period);
+}
+
+/// Zero-order hold of a scene: what a virtual environment that updates at its own rate tells a faster loop.
+template <class Scene>
+class held_scene {
+ public:
+  static constexpr int dimension = Scene::dimension;    ///< d
+  using contacts_type = typename Scene::contacts_type;  ///< As of the scene.
+
+  /// Throws std::invalid_argument if the period is negative or not finite.
+  held_scene(Scene scene, double period) : scene_(std::move(scene)), period_(period) {
+    require_valid(hold_parameters{period});
+  }
+
+  /// The contacts at the latest sample; samples first if a period has passed since, or time runs backwards.
+  const contacts_type& sample(const point<dimension>& x, double time) {
+    const double slack = 1e-9 * period_;  // a loop whose period divides this one must not sample a cycle late
+    if (!(time - sampled_at_ < period_ - slack) || time < sampled_at_) {
+      contacts_ = sense(scene_, x);
+      sampled_at_ = time;
+    }
+    return contacts_;
+  }
+
+ private:
+  Scene scene_;
+  double period_;
+  double sampled_at_ = -std::numeric_limits<double>::infinity();
+  contacts_type contacts_{};
+};
+
+/// The contacts of the latest sample at or before time [s].
+template <class Scene>
+const typename Scene::contacts_type& sense(held_scene<Scene>& held, const point<Scene::dimension>& x,
+                                           double time) {
+  return held.sample(x, time);
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,79 @@
+/// @file
+/// A scene of walls known at compile time.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/contacts.hpp>
+
+#include <boost/hana/for_each.hpp>
+#include <boost/hana/tuple.hpp>
+
+#include <utility>
+
+namespace passive_haptics {
+
+/// A shape that resists with F = stiffness * depth along its gradient; frictionless.
+template <class S>
+struct wall {
+  static_assert(Shape<S>,
+                "passive_haptics: a wall needs a Shape: `static constexpr int dimension`, "
+                "`double distance(x) const`, `point<dimension> gradient(x) const`.");
+  /// Throws std::invalid_argument if the stiffness [N/m] is negative or not finite; section 5.1: 1e7 N/m.
+  explicit wall(S geometry, double newton_per_metre = 1e7)
+      : shape(std::move(geometry)), stiffness(newton_per_metre) {
+    require_valid(*this);
+  }
+  S shape;           ///< Geometry.
+  double stiffness;  ///< [N/m]
+};
+
+/// What is wrong with the wall; empty if nothing.
+template <class S>
+std::string validate(const wall<S>& w) {
+  return detail::check_not_negative("stiffness of a wall [N/m]", w.stiffness);
+}
+
+/// Fixed walls of any shapes and one dimension. Only the code for the shapes it names exists.
+template <class First, class... Rest>
+class scene {
+ public:
+  static constexpr int dimension = First::dimension;                        ///< d
+  static constexpr int wall_count = 1 + static_cast<int>(sizeof...(Rest));  ///< Walls, so most contacts.
+  static_assert(((Rest::dimension == dimension) && ...),
+                "passive_haptics: all walls of a scene need the same dimension.");
+
+  /// What sensing this scene gives.
+  using contacts_type = contacts<dimension, wall_count>;
+
+  /// The walls, in the order of their numbers.
+  explicit scene(wall<First> first, wall<Rest>... rest) : walls_(std::move(first), std::move(rest)...) {}
+
+  /// Calls f(wall) for each wall, in the order of construction.
+  template <class F>
+  void for_each_wall(F&& f) const {
+    boost::hana::for_each(walls_, std::forward<F>(f));
+  }
+
+ private:
+  boost::hana::tuple<wall<First>, wall<Rest>...> walls_;
+};
+
+/// The walls touched at x [m] (distance < 0). A NaN in x gives a contact with a NaN depth, which the step
+/// reports. Cost: one distance for each wall, one gradient for each contact.
+template <class... Shapes>
+typename scene<Shapes...>::contacts_type sense(const scene<Shapes...>& walls,
+                                               const point<scene<Shapes...>::dimension>& x) {
+  typename scene<Shapes...>::contacts_type touched;
+  int number = 0;
+  walls.for_each_wall([&](const auto& w) {
+    const double distance = w.shape.distance(x);
+    if (!(distance >= 0)) {
+      touched.push_back(
+          {.normal = w.shape.gradient(x), .depth = -distance, .stiffness = w.stiffness, .wall = number});
+    }
+    ++number;
+  });
+  return touched;
+}
+
+}  // namespace passive_haptics

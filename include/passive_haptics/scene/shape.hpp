@@ -1,0 +1,38 @@
+/// @file
+/// The Shape concept: a virtual wall as a signed distance.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+
+#include <concepts>
+
+namespace passive_haptics {
+
+/// A point or direction of a scene [m]. Distances are always in double, whatever the scalar of the forces:
+/// a depth is the difference of nearly equal numbers.
+template <int D>
+using point = vector<double, D>;
+
+namespace detail {
+template <class S>
+concept names_dimension = requires {
+  requires(std::integral_constant<int, S::dimension>::value > 0);
+};
+}  // namespace detail
+
+/// A wall's geometry.
+///
+/// Minimal complete definition:
+///   - `static constexpr int dimension`;
+///   - `double distance(const point<dimension>& x) const`: signed distance [m], positive in free space;
+///   - `point<dimension> gradient(const point<dimension>& x) const`: its gradient, a unit vector out of the wall.
+///
+/// Laws: |distance(x) - distance(y)| <= |x - y| (1-Lipschitz); gradient is the derivative of distance where
+/// that exists and any unit vector pointing to free space elsewhere. testing/shape_laws.hpp checks them.
+template <class S>
+concept Shape = detail::names_dimension<S> && requires(const S shape, const point<S::dimension> x) {
+  { shape.distance(x) } -> std::same_as<double>;
+  { shape.gradient(x) } -> ExactVector<double, S::dimension>;
+};
+
+}  // namespace passive_haptics
