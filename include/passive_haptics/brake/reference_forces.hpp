@@ -20,9 +20,8 @@ struct reference_force_set {
 /// G = E^-T, the forces (4) for unit torque of one brake with the others released. For n = d.
 /// For looking at the device (passive FME): the control step never needs this inverse. Cost: one LU of d x d.
 template <class M>
-requires(M::dof == M::task_dimension &&
-         M::brake_count == M::dof) reference_force_set<M> reference_forces(const M& mechanism,
-                                                                           const joint_vector<M>& q) {
+  requires(M::dof == M::task_dimension && M::brake_count == M::dof)
+reference_force_set<M> reference_forces(const M& mechanism, const joint_vector<M>& q) {
   using T = typename M::scalar;
   constexpr int d = M::task_dimension;
   using square = matrix<T, d, d>;

@@ -31,10 +31,8 @@ concept ControlLaw = requires {
   { L::needs_brake_lag } -> std::convertible_to<bool>;
   typename L::memory;
   requires std::default_initializable<typename L::memory>;
-}
-&&requires(const L law, const contact_situation<double, 2> situation, typename L::memory memory) {
-  { law.scale(situation, memory) }
-  noexcept->std::same_as<double>;
+} && requires(const L law, const contact_situation<double, 2> situation, typename L::memory memory) {
+  { law.scale(situation, memory) } noexcept -> std::same_as<double>;
 };
 
 }  // namespace passive_haptics

@@ -17,11 +17,11 @@ namespace passive_haptics {
 /// Laws: M is symmetric positive definite; Jd qd is the derivative of J along qd; without gravity
 /// qd . (Md qd / 2 - c) = 0, so that kinetic energy changes by outside work only.
 template <class M>
-concept Dynamics = Mechanism<M> &&
-    requires(const M mechanism, const joint_vector<M> q, const joint_vector<M> qd) {
-  { mechanism.mass_matrix(q) } -> ExactMatrix<typename M::scalar, M::dof, M::dof>;
-  { mechanism.bias_torque(q, qd) } -> ExactVector<typename M::scalar, M::dof>;
-  { mechanism.bias_acceleration(q, qd) } -> ExactVector<typename M::scalar, M::task_dimension>;
-};
+concept Dynamics =
+    Mechanism<M> && requires(const M mechanism, const joint_vector<M> q, const joint_vector<M> qd) {
+      { mechanism.mass_matrix(q) } -> ExactMatrix<typename M::scalar, M::dof, M::dof>;
+      { mechanism.bias_torque(q, qd) } -> ExactVector<typename M::scalar, M::dof>;
+      { mechanism.bias_acceleration(q, qd) } -> ExactVector<typename M::scalar, M::task_dimension>;
+    };
 
 }  // namespace passive_haptics

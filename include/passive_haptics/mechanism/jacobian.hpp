@@ -13,17 +13,17 @@ template <class M>
 using derivative_scalar = Eigen::AutoDiffScalar<joint_vector<M>>;
 
 template <class M>
-concept differentiates_itself = names_sizes<M> &&
-    requires(const M mechanism, const vector<derivative_scalar<M>, M::dof> q) {
-  { mechanism.position(q) } -> ExactVector<derivative_scalar<M>, M::task_dimension>;
-};
+concept differentiates_itself =
+    names_sizes<M> && requires(const M mechanism, const vector<derivative_scalar<M>, M::dof> q) {
+      { mechanism.position(q) } -> ExactVector<derivative_scalar<M>, M::task_dimension>;
+    };
 
 }  // namespace detail
 
 /// A mechanism whose Jacobian can be had: it gives one, or its position is templated on the scalar.
 template <class M>
-concept DifferentiableMechanism = Mechanism<M> &&
-    (detail::has_exact_jacobian<M> || detail::differentiates_itself<M>);
+concept DifferentiableMechanism =
+    Mechanism<M> && (detail::has_exact_jacobian<M> || detail::differentiates_itself<M>);
 
 /// J (d x n) by forward-mode automatic differentiation of position(q); exact to rounding.
 /// Cost: one position with n derivatives carried along.
@@ -53,7 +53,7 @@ auto jacobian(const M& mechanism, const joint_vector<M>& q) {
 
 /// T in w = T qd, m x n: a matrix or a diagonal_matrix. Only for mechanisms that name a transmission.
 template <class M>
-requires detail::has_exact_transmission<M>
+  requires detail::has_exact_transmission<M>
 auto transmission(const M& mechanism, const joint_vector<M>& q) {
   if constexpr (detail::transmission_is_constant<M>) return mechanism.transmission();
   else return mechanism.transmission(q);

@@ -24,26 +24,19 @@ using brake_vector = vector<typename M::scalar, M::brake_count>;
 namespace detail {
 
 template <class M>
-concept names_scalar = requires {
-  requires std::floating_point<typename M::scalar>;
-};
+concept names_scalar = requires { requires std::floating_point<typename M::scalar>; };
 template <class M>
-concept names_dof = requires {
-  requires(std::integral_constant<int, M::dof>::value > 0);
-};
+concept names_dof = requires { requires(std::integral_constant<int, M::dof>::value > 0); };
 template <class M>
-concept names_task_dimension = requires {
-  requires(std::integral_constant<int, M::task_dimension>::value > 0);
-};
+concept names_task_dimension =
+    requires { requires(std::integral_constant<int, M::task_dimension>::value > 0); };
 template <class M>
-concept names_brake_count = requires {
-  requires(std::integral_constant<int, M::brake_count>::value > 0);
-};
+concept names_brake_count = requires { requires(std::integral_constant<int, M::brake_count>::value > 0); };
 template <class M>
 concept names_sizes = names_scalar<M> && names_dof<M> && names_task_dimension<M> && names_brake_count<M>;
 
 template <class M>
-concept has_supported_sizes = names_sizes<M> && M::dof >= M::task_dimension&& M::brake_count == M::dof;
+concept has_supported_sizes = names_sizes<M> && M::dof >= M::task_dimension && M::brake_count == M::dof;
 
 template <class M>
 concept has_position = names_sizes<M> && requires(const M mechanism, const joint_vector<M> q) {
@@ -52,47 +45,36 @@ concept has_position = names_sizes<M> && requires(const M mechanism, const joint
 
 // The three ways to call an optional member f: with q, without (constant), or not at all.
 template <class M>
-concept jacobian_depends_on_pose = requires(const M mechanism, const joint_vector<M> q) {
-  mechanism.jacobian(q);
-};
+concept jacobian_depends_on_pose =
+    requires(const M mechanism, const joint_vector<M> q) { mechanism.jacobian(q); };
 template <class M>
-concept jacobian_is_constant = requires(const M mechanism) {
-  mechanism.jacobian();
-};
+concept jacobian_is_constant = requires(const M mechanism) { mechanism.jacobian(); };
 template <class M>
-concept names_jacobian = jacobian_depends_on_pose<M> || jacobian_is_constant<M> || requires {
-  &M::jacobian;
-};
+concept names_jacobian = jacobian_depends_on_pose<M> || jacobian_is_constant<M> || requires { &M::jacobian; };
 
 template <class M>
-concept transmission_depends_on_pose = requires(const M mechanism, const joint_vector<M> q) {
-  mechanism.transmission(q);
-};
+concept transmission_depends_on_pose =
+    requires(const M mechanism, const joint_vector<M> q) { mechanism.transmission(q); };
 template <class M>
-concept transmission_is_constant = requires(const M mechanism) {
-  mechanism.transmission();
-};
+concept transmission_is_constant = requires(const M mechanism) { mechanism.transmission(); };
 template <class M>
-concept names_transmission = transmission_depends_on_pose<M> || transmission_is_constant<M> || requires {
-  &M::transmission;
-};
+concept names_transmission =
+    transmission_depends_on_pose<M> || transmission_is_constant<M> || requires { &M::transmission; };
 
 template <class X, class T, int R, int C>
-concept exact_or_diagonal = ExactMatrix<X, T, R, C> ||(R == C && ExactDiagonal<X, T, R>);
+concept exact_or_diagonal = ExactMatrix<X, T, R, C> || (R == C && ExactDiagonal<X, T, R>);
 
 template <class M>
 concept has_exact_jacobian = requires(const M mechanism, const joint_vector<M> q) {
   { mechanism.jacobian(q) } -> exact_or_diagonal<typename M::scalar, M::task_dimension, M::dof>;
-}
-|| requires(const M mechanism) {
+} || requires(const M mechanism) {
   { mechanism.jacobian() } -> exact_or_diagonal<typename M::scalar, M::task_dimension, M::dof>;
 };
 
 template <class M>
 concept has_exact_transmission = requires(const M mechanism, const joint_vector<M> q) {
   { mechanism.transmission(q) } -> exact_or_diagonal<typename M::scalar, M::brake_count, M::dof>;
-}
-|| requires(const M mechanism) {
+} || requires(const M mechanism) {
   { mechanism.transmission() } -> exact_or_diagonal<typename M::scalar, M::brake_count, M::dof>;
 };
 
@@ -115,8 +97,8 @@ concept has_exact_transmission = requires(const M mechanism, const joint_vector<
 /// testing/mechanism_laws.hpp checks them for any model.
 template <class M>
 concept Mechanism = detail::has_supported_sizes<M> && detail::has_position<M> &&
-    (!detail::names_jacobian<M> || detail::has_exact_jacobian<M>)&&(!detail::names_transmission<M> ||
-                                                                    detail::has_exact_transmission<M>);
+                    (!detail::names_jacobian<M> || detail::has_exact_jacobian<M>) &&
+                    (!detail::names_transmission<M> || detail::has_exact_transmission<M>);
 
 /// The same requirements, one short message for each: a class or function template that takes a mechanism
 /// begins with `static_assert(mechanism_requirements<M>::met)`.

@@ -15,9 +15,7 @@ using point = vector<double, D>;
 
 namespace detail {
 template <class S>
-concept names_dimension = requires {
-  requires(std::integral_constant<int, S::dimension>::value > 0);
-};
+concept names_dimension = requires { requires(std::integral_constant<int, S::dimension>::value > 0); };
 }  // namespace detail
 
 /// A wall's geometry.

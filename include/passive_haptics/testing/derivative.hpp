@@ -1,0 +1,33 @@
+/// @file
+/// Numerical derivatives to check analytical ones against.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace passive_haptics::testing {
+
+/// Step of central_difference that balances its truncation against rounding in T: eps^(1/7).
+template <class T>
+T difference_step() {
+  return std::pow(std::numeric_limits<T>::epsilon(), T(1) / T(7));
+}
+
+/// Accuracy of central_difference with that step, relative to the size of f and of its derivatives: eps^(6/7).
+template <class T>
+T difference_accuracy() {
+  return std::pow(std::numeric_limits<T>::epsilon(), T(6) / T(7));
+}
+
+/// df/ds at s = 0 by the central difference of sixth order; f maps a T to a number or an Eigen value.
+/// Truncation h^6 f^(7) / 140, rounding about eps |f| / h. Six evaluations.
+template <class T, class F>
+auto central_difference(F&& f, T h) {
+  using value = decltype(f(h));
+  const value near = f(h) - f(-h);
+  const value middle = f(T(2) * h) - f(T(-2) * h);
+  const value far = f(T(3) * h) - f(T(-3) * h);
+  return value((near * T(45) - middle * T(9) + far) / (T(60) * h));
+}
+
+}  // namespace passive_haptics::testing

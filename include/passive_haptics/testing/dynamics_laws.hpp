@@ -1,0 +1,119 @@
+/// @file
+/// The laws of the Dynamics concept as a GoogleTest suite for any model.
+///
+/// The case is that of mechanism_laws.hpp; one whose bias torque includes gravity adds
+/// `static constexpr bool has_gravity = true;`.
+#pragma once
+
+#include <passive_haptics/mechanism/dynamics.hpp>
+#include <passive_haptics/mechanism/jacobian.hpp>
+#include <passive_haptics/testing/derivative.hpp>
+#include <passive_haptics/testing/random.hpp>
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace passive_haptics::testing {
+
+/// Suite of a mechanism's dynamics; Case as described at the top of this file.
+template <class Case>
+class dynamics_laws : public ::testing::Test {
+ protected:
+  using M = typename Case::mechanism;  ///< The mechanism.
+  using T = typename M::scalar;        ///< Its scalar.
+  static_assert(Dynamics<M>, "passive_haptics: dynamics_laws needs a mechanism that models Dynamics.");
+
+  static constexpr unsigned seed = 20040627;  ///< Of the motions.
+
+  /// True if c(q, 0) may be other than 0.
+  static constexpr bool has_gravity() {
+    if constexpr (requires { Case::has_gravity; }) return Case::has_gravity;
+    else return false;
+  }
+
+  /// A pose and a unit rate.
+  struct motion {
+    joint_vector<M> q;   ///< [rad or m]
+    joint_vector<M> qd;  ///< [rad/s or m/s]
+  };
+
+  /// Random motions. Unit rates: all laws are homogeneous in qd.
+  static std::vector<motion> motions() {
+    random_source random(seed);
+    const joint_vector<M> margin = (Case::upper() - Case::lower()) / T(4);
+    std::vector<motion> all;
+    for (int k = 0; k < 200; ++k) {
+      const auto q = random.between<T, M::dof>(Case::lower() + margin, Case::upper() - margin);
+      all.push_back({q, random.direction<T, M::dof>()});
+    }
+    return all;
+  }
+
+  /// Step of the differences along qd, short enough not to leave the bounds.
+  static T step() {
+    return difference_step<T>() * std::min(T(1), T((Case::upper() - Case::lower()).minCoeff()) / T(4));
+  }
+
+  /// Accuracy of the differences relative to the size of what is differentiated.
+  static T accuracy() { return T(64) * difference_accuracy<T>() * difference_step<T>() / step(); }
+};
+
+TYPED_TEST_SUITE_P(dynamics_laws);
+
+/// M(q) is symmetric, exactly, and positive definite.
+TYPED_TEST_P(dynamics_laws, mass_matrix_is_symmetric_positive_definite) {
+  using M = typename TypeParam::mechanism;
+  using T = typename M::scalar;
+  const M mechanism = TypeParam::make();
+  for (const auto& [q, qd] : this->motions()) {
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    const matrix<T, M::dof, M::dof> mass = mechanism.mass_matrix(q);
+    ASSERT_LE((mass - mass.transpose()).norm(), rounding_tolerance<T>(1) * mass.norm());
+    const Eigen::LLT<matrix<T, M::dof, M::dof>> factor(mass);
+    ASSERT_EQ(factor.info(), Eigen::Success) << mass;
+    ASSERT_GT(qd.dot(mass * qd), T(0));
+  }
+}
+
+/// bias_acceleration is Jd qd, the derivative of J along qd.
+TYPED_TEST_P(dynamics_laws, bias_acceleration_is_the_change_of_the_jacobian) {
+  using M = typename TypeParam::mechanism;
+  using T = typename M::scalar;
+  const M mechanism = TypeParam::make();
+  for (const auto& [q0, rate] : this->motions()) {
+    const joint_vector<M> q = q0, qd = rate;
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
+    const auto velocity = [&](T s) { return task_vector<M>(jacobian(mechanism, joint_vector<M>(q + s * qd)) * qd); };
+    const task_vector<M> expected = central_difference(velocity, this->step());
+    const T size = matrix<T, M::task_dimension, M::dof>(jacobian(mechanism, q)).norm();
+    ASSERT_LE((mechanism.bias_acceleration(q, qd) - expected).norm(), this->accuracy() * size)
+        << "bias_acceleration " << mechanism.bias_acceleration(q, qd).transpose() << ", differences give "
+        << expected.transpose();
+    ASSERT_TRUE(mechanism.bias_acceleration(q, joint_vector<M>::Zero()).isZero(T(0)));
+  }
+}
+
+/// Inertial forces do no work of their own: qd . (Md qd / 2 - (c(q, qd) - c(q, 0))) = 0; without gravity c(q, 0) = 0.
+TYPED_TEST_P(dynamics_laws, bias_torque_keeps_the_kinetic_energy) {
+  using M = typename TypeParam::mechanism;
+  using T = typename M::scalar;
+  const M mechanism = TypeParam::make();
+  for (const auto& [q0, rate] : this->motions()) {
+    const joint_vector<M> q = q0, qd = rate;
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
+    const joint_vector<M> at_rest = mechanism.bias_torque(q, joint_vector<M>::Zero());
+    const joint_vector<M> motion_torque = mechanism.bias_torque(q, qd) - at_rest;
+    const auto twice_energy = [&](T s) { return qd.dot(mechanism.mass_matrix(joint_vector<M>(q + s * qd)) * qd); };
+    const T growth = central_difference(twice_energy, this->step()) / T(2);
+    ASSERT_NEAR(growth, qd.dot(motion_torque), this->accuracy() * mechanism.mass_matrix(q).norm());
+    if constexpr (!TestFixture::has_gravity()) ASSERT_TRUE(at_rest.isZero(T(0))) << at_rest.transpose();
+  }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(dynamics_laws, mass_matrix_is_symmetric_positive_definite,
+                            bias_acceleration_is_the_change_of_the_jacobian, bias_torque_keeps_the_kinetic_energy);
+
+}  // namespace passive_haptics::testing

@@ -1,0 +1,208 @@
+/// @file
+/// The laws of the Mechanism concept as a GoogleTest suite for any model.
+///
+/// A case names the mechanism, makes one and bounds the poses that are tried (lower < upper in each joint):
+///
+///     struct my_case {
+///       using mechanism = my_arm<double>;
+///       static mechanism make() { return mechanism(); }
+///       static ph::joint_vector<mechanism> lower() { return {-3, -3}; }
+///       static ph::joint_vector<mechanism> upper() { return {3, 3}; }
+///     };
+///     using namespace passive_haptics::testing;
+///     INSTANTIATE_TYPED_TEST_SUITE_P(my_arm, mechanism_laws, my_case);
+///
+/// The same case serves dynamics_laws and step_laws. Poses with J singular are welcome; poses where J does not
+/// exist are not. Cost: some thousand evaluations of position and jacobian.
+#pragma once
+
+#include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/testing/derivative.hpp>
+#include <passive_haptics/testing/random.hpp>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+namespace passive_haptics::testing {
+
+/// Suite of a mechanism's laws; Case as described at the top of this file.
+template <class Case>
+class mechanism_laws : public ::testing::Test {
+ protected:
+  using M = typename Case::mechanism;  ///< The mechanism.
+  using T = typename M::scalar;        ///< Its scalar.
+
+  static constexpr int pose_count = 200;  ///< Poses that are tried.
+  static constexpr unsigned seed = 20040627;  ///< Of the poses.
+
+  /// Scalar of the reference derivative: long double where position takes it.
+  using reference_scalar = std::conditional_t<
+      requires(const M mechanism, const vector<long double, M::dof> q) {
+        { mechanism.position(q) } -> ExactVector<long double, M::task_dimension>;
+      },
+      long double, T>;
+  using P = reference_scalar;  ///< The same.
+
+  /// Step of the differences in joint i.
+  static P step(int i) {
+    return difference_step<P>() * std::min(P(1), static_cast<P>(Case::upper()[i] - Case::lower()[i]) / P(8));
+  }
+
+  /// Random poses, far enough from the bounds for differences.
+  static std::vector<joint_vector<M>> poses() {
+    random_source random(seed);
+    joint_vector<M> margin;
+    for (int i = 0; i < M::dof; ++i) margin[i] = static_cast<T>(3 * step(i));
+    std::vector<joint_vector<M>> all;
+    for (int k = 0; k < pose_count; ++k)
+      all.push_back(random.between<T, M::dof>(Case::lower() + margin, Case::upper() - margin));
+    return all;
+  }
+
+  /// dx/dq by differences of position.
+  static matrix<P, M::task_dimension, M::dof> difference_jacobian(const M& mechanism, const joint_vector<M>& q) {
+    matrix<P, M::task_dimension, M::dof> J;
+    for (int i = 0; i < M::dof; ++i) {
+      const auto along = [&](P s) {
+        vector<P, M::dof> moved = q.template cast<P>();
+        moved[i] += s;
+        return vector<P, M::task_dimension>(mechanism.position(moved));
+      };
+      J.col(i) = central_difference(along, step(i));
+    }
+    return J;
+  }
+
+  /// J as a dense matrix.
+  static matrix<T, M::task_dimension, M::dof> dense_jacobian(const M& mechanism, const joint_vector<M>& q) {
+    return matrix<T, M::task_dimension, M::dof>(jacobian(mechanism, q));
+  }
+
+  /// Largest entry of position and of J over all poses: what rounding errors are relative to.
+  static T size_of(const M& mechanism) {
+    T size = T(0);
+    for (const joint_vector<M>& q : poses()) {
+      const task_vector<M> x = mechanism.position(q);
+      size = std::max({size, x.cwiseAbs().maxCoeff(), dense_jacobian(mechanism, q).cwiseAbs().maxCoeff()});
+    }
+    return size;
+  }
+};
+
+TYPED_TEST_SUITE_P(mechanism_laws);
+
+/// Finite q gives a finite position, the same one each time.
+TYPED_TEST_P(mechanism_laws, position_is_finite_and_pure) {
+  using M = typename TypeParam::mechanism;
+  const M mechanism = TypeParam::make();
+  std::vector<task_vector<M>> first;
+  for (const joint_vector<M>& q : this->poses()) {
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    first.push_back(mechanism.position(q));
+    ASSERT_TRUE(all_finite(first.back()));
+  }
+  std::size_t k = 0;
+  for (const joint_vector<M>& q : this->poses()) {
+    const task_vector<M> again = mechanism.position(q);
+    ASSERT_EQ(again, first[k++]) << "seed " << this->seed << ", q = " << q.transpose();
+  }
+}
+
+/// J is the derivative of position and pure. Against differences of sixth order, in long double if position takes
+/// it: then the tolerance is rounding alone, else what such differences can resolve, eps^(6/7).
+TYPED_TEST_P(mechanism_laws, jacobian_is_the_derivative_of_position) {
+  using M = typename TypeParam::mechanism;
+  using T = typename M::scalar;
+  using P = typename TestFixture::reference_scalar;
+  const M mechanism = TypeParam::make();
+  const P size = static_cast<P>(this->size_of(mechanism));
+  for (const joint_vector<M>& q : this->poses()) {
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    const auto J = this->dense_jacobian(mechanism, q);
+    const P rounding = static_cast<P>(rounding_tolerance<T>(4) * (T(1) + q.cwiseAbs().maxCoeff()));
+    for (int i = 0; i < M::dof; ++i) {
+      const P resolved = P(16) * difference_accuracy<P>() * difference_step<P>() / this->step(i);
+      const vector<P, M::task_dimension> expected = this->difference_jacobian(mechanism, q).col(i);
+      ASSERT_LE((J.col(i).template cast<P>() - expected).cwiseAbs().maxCoeff(), (rounding + resolved) * size)
+          << "column " << i << ": " << J.col(i).transpose() << ", differences give " << expected.transpose();
+    }
+    ASSERT_EQ(this->dense_jacobian(mechanism, q), J);
+  }
+}
+
+/// A Jacobian that the mechanism gives is that of automatic differentiation, where there are both; where there is
+/// one, jacobian() returns it.
+TYPED_TEST_P(mechanism_laws, given_and_automatic_jacobian_agree) {
+  using M = typename TypeParam::mechanism;
+  using T = typename M::scalar;
+  const M mechanism = TypeParam::make();
+  const T size = this->size_of(mechanism);
+  for (const joint_vector<M>& q : this->poses()) {
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    const auto J = this->dense_jacobian(mechanism, q);
+    if constexpr (detail::differentiates_itself<M>) {
+      const T tolerance = rounding_tolerance<T>(4) * (T(1) + q.cwiseAbs().maxCoeff()) * size;
+      ASSERT_LE((J - automatic_jacobian(mechanism, q)).cwiseAbs().maxCoeff(), tolerance);
+    } else if constexpr (detail::jacobian_is_constant<M>) {
+      ASSERT_EQ(J, (matrix<T, M::task_dimension, M::dof>(mechanism.jacobian())));
+    } else {
+      ASSERT_EQ(J, (matrix<T, M::task_dimension, M::dof>(mechanism.jacobian(q))));
+    }
+  }
+}
+
+/// T is invertible, and E = J T^-1 maps the rates of the brakes to the velocity, v = E w.
+TYPED_TEST_P(mechanism_laws, brake_jacobian_maps_brake_rates_to_velocity) {
+  using M = typename TypeParam::mechanism;
+  using T = typename M::scalar;
+  const M mechanism = TypeParam::make();
+  random_source random(this->seed);
+  for (const joint_vector<M>& q : this->poses()) {
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    const joint_vector<M> qd = random.normal_vector<T, M::dof>();
+    const brake_vector<M> w = brake_rates(mechanism, q, qd);
+    const auto E = matrix<T, M::task_dimension, M::brake_count>(brake_jacobian(mechanism, q));
+    T condition = T(1);
+    if constexpr (detail::has_exact_transmission<M>) {
+      const matrix<T, M::brake_count, M::dof> A(transmission(mechanism, q));
+      const Eigen::FullPivLU<matrix<T, M::brake_count, M::dof>> lu(A);
+      ASSERT_TRUE(lu.isInvertible()) << "transmission\n" << A;
+      condition = A.norm() * lu.inverse().norm();
+    }
+    const auto J = this->dense_jacobian(mechanism, q);
+    ASSERT_LE((E * w - J * qd).norm(), rounding_tolerance<T>(4 * M::dof) * condition * J.norm() * qd.norm());
+  }
+}
+
+/// Virtual work: torques t = E^T F do at the brakes what F does at the end effector, t . w = F . v.
+TYPED_TEST_P(mechanism_laws, brake_torques_do_the_work_of_the_force) {
+  using M = typename TypeParam::mechanism;
+  using T = typename M::scalar;
+  const M mechanism = TypeParam::make();
+  random_source random(this->seed);
+  for (const joint_vector<M>& q : this->poses()) {
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    const joint_vector<M> qd = random.normal_vector<T, M::dof>();
+    const task_vector<M> F = random.normal_vector<T, M::task_dimension>();
+    const brake_vector<M> w = brake_rates(mechanism, q, qd);
+    const brake_vector<M> t = brake_torque(brake_jacobian(mechanism, q), F);
+    const auto J = this->dense_jacobian(mechanism, q);
+    T condition = T(1);
+    if constexpr (detail::has_exact_transmission<M>) {
+      const matrix<T, M::brake_count, M::dof> A(transmission(mechanism, q));
+      condition = A.norm() * A.inverse().norm();
+    }
+    ASSERT_NEAR(t.dot(w), F.dot(J * qd),
+                rounding_tolerance<T>(4 * M::dof) * condition * F.norm() * J.norm() * qd.norm());
+  }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(mechanism_laws, position_is_finite_and_pure, jacobian_is_the_derivative_of_position,
+                            given_and_automatic_jacobian_agree, brake_jacobian_maps_brake_rates_to_velocity,
+                            brake_torques_do_the_work_of_the_force);
+
+}  // namespace passive_haptics::testing

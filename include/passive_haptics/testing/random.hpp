@@ -1,0 +1,78 @@
+/// @file
+/// Seeded random data for law suites.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+
+namespace passive_haptics::testing {
+
+/// A source of random numbers that gives the same ones on every platform for the same seed (the
+/// distributions of the standard library do not). Not for control loops.
+class random_source {
+ public:
+  /// Starts the sequence that belongs to `seed`.
+  explicit random_source(std::uint64_t seed) : bits_(seed) {}
+
+  /// Uniform in [low, high).
+  template <class T>
+  T uniform(T low, T high) {
+    const double unit = static_cast<double>(bits_() >> 11) * 0x1p-53;
+    return static_cast<T>(static_cast<double>(low) + unit * static_cast<double>(high - low));
+  }
+
+  /// Of either sign, the logarithm of its magnitude uniform between those of low and high (both > 0).
+  template <class T>
+  T wide(T low, T high) {
+    const T magnitude = positive(low, high);
+    return coin() ? magnitude : -magnitude;
+  }
+
+  /// Positive, its logarithm uniform between those of low and high (both > 0).
+  template <class T>
+  T positive(T low, T high) {
+    return static_cast<T>(std::exp(uniform(std::log(static_cast<double>(low)), std::log(static_cast<double>(high)))));
+  }
+
+  /// Normal, mean 0 and standard deviation 1 (Box and Muller).
+  template <class T>
+  T normal() {
+    const double radius = std::sqrt(-2 * std::log(1 - uniform(0.0, 1.0)));
+    return static_cast<T>(radius * std::cos(2 * std::numbers::pi * uniform(0.0, 1.0)));
+  }
+
+  /// True every other time.
+  bool coin() { return (bits_() & 1u) != 0; }
+
+  /// Entries uniform between those of low and high.
+  template <class T, int N>
+  vector<T, N> between(const vector<T, N>& low, const vector<T, N>& high) {
+    vector<T, N> x;
+    for (int i = 0; i < N; ++i) x[i] = uniform(low[i], high[i]);
+    return x;
+  }
+
+  /// Normal entries.
+  template <class T, int N>
+  vector<T, N> normal_vector() {
+    vector<T, N> x;
+    for (int i = 0; i < N; ++i) x[i] = normal<T>();
+    return x;
+  }
+
+  /// Unit vector, every direction alike.
+  template <class T, int N>
+  vector<T, N> direction() {
+    const vector<double, N> x = normal_vector<double, N>();
+    return (x / x.norm()).template cast<T>();
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+}  // namespace passive_haptics::testing
