@@ -5,6 +5,7 @@
 #include <passive_haptics/core/matrix.hpp>
 #include <passive_haptics/core/validate.hpp>
 
+#include <sstream>
 #include <string>
 
 namespace passive_haptics {
@@ -29,16 +30,17 @@ using brakes_of = brake_parameters<typename M::scalar, M::brake_count>;
 /// What is wrong with the parameters; empty if nothing.
 template <class T, int Brakes>
 std::string validate(const brake_parameters<T, Brakes>& p) {
-  for (int i = 0; i < Brakes; ++i) {
-    const std::string number = "[" + std::to_string(i) + "]";
-    std::string text = detail::first_complaint(
-        detail::check_not_negative("torque_limit" + number + " [N m]", p.torque_limit[i]),
-        detail::check_not_negative("rate_dead_band" + number + " [rad/s]", p.rate_dead_band[i]),
-        detail::check_not_negative("torque_dead_band" + number + " [N m]", p.torque_dead_band[i]),
-        detail::check_not_negative("time_constant" + number + " [s]", p.time_constant[i]));
-    if (!text.empty()) return text;
-  }
-  return {};
+  const auto check = [](const char* name, const char* unit, const vector<T, Brakes>& values) {
+    for (int i = 0; i < Brakes; ++i) {
+      std::ostringstream element;
+      element << name << "[" << i << "] [" << unit << "]";
+      if (std::string text = detail::check_not_negative(element.str(), values[i]); !text.empty()) return text;
+    }
+    return std::string();
+  };
+  return detail::first_complaint(
+      check("torque_limit", "N m", p.torque_limit), check("rate_dead_band", "rad/s", p.rate_dead_band),
+      check("torque_dead_band", "N m", p.torque_dead_band), check("time_constant", "s", p.time_constant));
 }
 
 }  // namespace passive_haptics

@@ -14,7 +14,7 @@ template <class M>
 struct reference_force_set {
   /// G = J^-T T^T (d x m) [N per N m]: R_i+ is column i, R_i- its negative. NaN unless outcome is ok.
   matrix<typename M::scalar, M::task_dimension, M::brake_count> G;
-  status outcome = status::ok;  ///< ok, jacobian_undefined, or singular_jacobian.
+  status outcome = status::ok;  ///< ok, pose_undefined, or singular_jacobian.
 };
 
 /// G = E^-T, the forces (4) for unit torque of one brake with the others released. For n = d.
@@ -27,7 +27,7 @@ reference_force_set<M> reference_forces(const M& mechanism, const joint_vector<M
   using square = matrix<T, d, d>;
   const square E = square(brake_jacobian(mechanism, q));
   const square none = square::Constant(std::numeric_limits<T>::quiet_NaN());
-  if (!all_finite(E)) return {none, status::jacobian_undefined};
+  if (!all_finite(E)) return {none, status::pose_undefined};
   const Eigen::FullPivLU<square> lu(E.transpose());
   if (!lu.isInvertible()) return {none, status::singular_jacobian};
   return {square(lu.solve(square::Identity())), status::ok};

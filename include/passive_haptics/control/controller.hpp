@@ -30,15 +30,12 @@ class controller {
         law_(std::move(law)),
         options_(options) {}
 
-  /// One control cycle; see step(). A state that is not finite is not shown to the scene.
+  /// One control cycle; see step(). A state or position that is not finite is not shown to the scene.
   template <class State>
   step_result<M> operator()(const State& state) noexcept {
-    if (const status s = check_state<L, M>(state); s != status::ok) {
-      step_result<M> released;
-      released.outcome = s;
-      return released;
-    }
+    if (const status s = check_state<L, M>(state); s != status::ok) return released_by<M>(s);
     const auto x = mechanism_.position(state.q).template cast<double>().eval();
+    if (!all_finite(x)) return released_by<M>(status::pose_undefined);
     if constexpr (requires { sense(scene_, x, state.time); }) {
       return step(mechanism_, brakes_, sense(scene_, x, state.time), law_, state, memory_, options_);
     } else {

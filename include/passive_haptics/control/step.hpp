@@ -16,16 +16,18 @@
 
 namespace passive_haptics {
 
-/// Options of a step; make it once, outside the loop.
+/// Options of a step; made once, outside the loop.
 template <class T>
 struct step_options {
+  /// The defaults of approximation_parameters; torques keep their direction at a limit.
+  step_options() = default;
   /// Throws std::invalid_argument with the text of validate(approximation).
-  explicit step_options(const approximation_parameters<T>& approximation = {},
+  explicit step_options(const approximation_parameters<T>& approximation,
                         saturation on_limit = saturation::keep_direction)
       : min_cosine(std::cos(require_valid(approximation).max_approximation_angle)), limits(on_limit) {}
 
-  T min_cosine;       ///< Cosine of the largest approximation angle.
-  saturation limits;  ///< What gives way at a torque limit.
+  T min_cosine = T(0.0174524064372835128L);        ///< Cosine of the largest approximation angle, 89 deg.
+  saturation limits = saturation::keep_direction;  ///< What gives way at a torque limit.
 };
 
 /// What a step remembers; start a motion with a fresh one.
@@ -48,8 +50,8 @@ status check_state(const State& state) {
 /// Of several contacts the one that asks for the largest force governs, the others are ignored.
 /// If the state has no hand force, a brake at rest has sign 0: it may hold either way.
 ///
-/// Errors: NaN or infinity in what is read, or a pose without a finite Jacobian, gives zero capacity and the
-/// reason in outcome. Cost: nothing but checks in free space; no projection where Fd can be displayed exactly.
+/// Errors: NaN or infinity in what is read, a pose without a finite Jacobian or a law's scale outside [0, 1] gives
+/// zero capacity and the reason in outcome. Cost: nothing but checks in free space; no projection where Fd can be displayed exactly.
 template <class M, class Contacts, class L, class State>
 step_result<M> step(
     const M& mechanism, const brakes_of<M>& brakes, const Contacts& touched, const L& law, const State& state,
@@ -72,25 +74,20 @@ step_result<M> step(
   constexpr bool feels_hand = HandForceState<State, M>;
 
   step_result<M> result;
-  const auto fault = [](status reason) {
-    step_result<M> released;
-    released.outcome = reason;
-    return released;
-  };
-  if (const status s = check_state<L, M>(state); s != status::ok) return fault(s);
+  if (const status s = check_state<L, M>(state); s != status::ok) return released_by<M>(s);
   if (touched.empty()) return result;
 
   bool known = all_finite(brakes.torque_limit) && all_finite(brakes.rate_dead_band) &&
                all_finite(brakes.torque_dead_band);
   if constexpr (L::needs_brake_lag) known = known && all_finite(brakes.time_constant);
-  if (!known) return fault(status::parameters_not_finite);
+  if (!known) return released_by<M>(status::parameters_not_finite);
 
   // Desired force, as a unit force n and a magnitude
   const auto& contact = touched[governing_contact(touched)];
   const auto [n, magnitude] = force_of<T>(contact);
   const auto v_wall = contact.wall_velocity.template cast<T>().eval();
   if (!std::isfinite(magnitude) || !all_finite(n) || !all_finite(v_wall))
-    return fault(status::contact_not_finite);
+    return released_by<M>(status::contact_not_finite);
   result.wall = contact.wall;
   if (!(magnitude > T(0))) return result;
   result.desired_force = magnitude * n;
@@ -99,7 +96,7 @@ step_result<M> step(
   const auto E = brake_jacobian(mechanism, state.q);
   const brake_vector<M> w = brake_rates(mechanism, state.q, state.qd);
   result.stages.add(stage::jacobian);
-  if (!all_finite(E) || !all_finite(w)) return fault(status::jacobian_undefined);
+  if (!all_finite(E) || !all_finite(w)) return released_by<M>(status::pose_undefined);
 
   brake_vector<M> th = brake_vector<M>::Zero();
   if constexpr (feels_hand) {
@@ -128,12 +125,13 @@ step_result<M> step(
   result.alpha = law.scale(
       contact_situation<T, M::task_dimension>{n, magnitude, outward - n.dot(v_wall), *Fh}, memory.law);
   result.stages.add(stage::law);
+  if (!(result.alpha >= T(0) && result.alpha <= T(1))) return released_by<M>(status::scale_out_of_range);
   result.control_force = magnitude * Fc.force;
   result.cone_coefficients = magnitude * Fc.torque;
 
   const auto command = saturate(Fc.torque, result.alpha * magnitude, brakes.torque_limit, options.limits);
   if (!all_finite(command.torque) || !all_finite(result.control_force))
-    return fault(status::result_not_finite);
+    return released_by<M>(status::result_not_finite);
   result.saturated = command.limited;
   result.capacity = command.torque.cwiseAbs();
   result.torque = passive_torque(command.torque, w, th, brakes);

@@ -66,4 +66,13 @@ struct step_result {
   }
 };
 
+/// The result of a cycle that ends with a fault: all brakes released, and why.
+template <class M>
+step_result<M> released_by(status reason) {
+  step_result<M> result;
+  result.display = display_class::none;
+  result.outcome = reason;
+  return result;
+}
+
 }  // namespace passive_haptics

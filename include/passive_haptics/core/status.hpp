@@ -12,10 +12,11 @@ enum class status {
   state_not_finite,       ///< NaN or infinity in time, q, qd or hand_force.
   contact_not_finite,     ///< NaN or infinity in a contact, or k * depth overflows.
   parameters_not_finite,  ///< NaN or infinity in the brakes' or the law's parameters.
-  jacobian_undefined,     ///< The mechanism has no finite Jacobian or transmission inverse at this pose.
-  result_not_finite,      ///< Finite input whose result overflows.
-  singular_jacobian,      ///< J is not invertible to working accuracy; only what needs its inverse says so.
-  out_of_reach,           ///< No pose of the mechanism reaches the point.
+  pose_undefined,  ///< The mechanism has no finite position, Jacobian or transmission inverse at this pose.
+  scale_out_of_range,  ///< The law returned a scale that is NaN or outside [0, 1].
+  result_not_finite,   ///< Finite input whose result overflows.
+  singular_jacobian,   ///< J is not invertible to working accuracy; only what needs its inverse says so.
+  out_of_reach,        ///< No pose of the mechanism reaches the point.
 };
 
 /// The status in words, for a log or a message.
@@ -25,7 +26,8 @@ constexpr std::string_view to_string(status s) {
     case status::state_not_finite: return "NaN or infinity in the device state";
     case status::contact_not_finite: return "NaN or infinity in a contact";
     case status::parameters_not_finite: return "NaN or infinity in the brake or law parameters";
-    case status::jacobian_undefined: return "no finite Jacobian at this pose";
+    case status::pose_undefined: return "no finite position or Jacobian at this pose";
+    case status::scale_out_of_range: return "the law's scale is not in [0, 1]";
     case status::result_not_finite: return "overflow";
     case status::singular_jacobian: return "singular Jacobian";
     case status::out_of_reach: return "out of reach";

@@ -45,18 +45,22 @@ std::string first_complaint(Strings... complaints) {
 
 }  // namespace detail
 
-/// Throws std::invalid_argument with the text of validate(parameters) if there is any; under
-/// -fno-exceptions prints it and ends the program. For constructors, never for a control cycle.
+/// Throws std::invalid_argument with this complaint unless it is empty; under -fno-exceptions prints it and ends
+/// the program. For constructors, never for a control cycle.
+inline void require_no_complaint(const std::string& complaint) {
+  if (complaint.empty()) return;
+#if defined(__cpp_exceptions)
+  throw std::invalid_argument("passive_haptics: " + complaint);
+#else
+  std::fprintf(stderr, "passive_haptics: %s\n", complaint.c_str());
+  std::abort();
+#endif
+}
+
+/// The parameters themselves, if validate(parameters) has no complaint; else see require_no_complaint().
 template <class Parameters>
 const Parameters& require_valid(const Parameters& parameters) {
-  if (const std::string text = validate(parameters); !text.empty()) {
-#if defined(__cpp_exceptions)
-    throw std::invalid_argument("passive_haptics: " + text);
-#else
-    std::fprintf(stderr, "passive_haptics: %s\n", text.c_str());
-    std::abort();
-#endif
-  }
+  require_no_complaint(validate(parameters));
   return parameters;
 }
 

@@ -31,13 +31,15 @@ class simulated_device {
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
   /// At rest at q. hand_mass [kg] moves with the handle. Throws std::invalid_argument with the text of
-  /// validate(brakes), or if the mass is negative.
+  /// validate(brakes), or if the mass is negative or not finite.
   simulated_device(M mechanism, const brakes_of<M>& brakes, scalar hand_mass, const joint_vector<M>& q)
       : mechanism_(std::move(mechanism)),
         brakes_(require_valid(brakes)),
         strength_(brakes.time_constant),
         hand_mass_(hand_mass),
-        q_(q) {}
+        q_(q) {
+    require_no_complaint(detail::check_not_negative("hand_mass [kg]", hand_mass));
+  }
 
   /// Sets the motion, for example at the start of an experiment.
   void set_motion(const joint_vector<M>& q, const joint_vector<M>& qd) {

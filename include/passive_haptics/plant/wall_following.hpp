@@ -52,6 +52,7 @@ struct wall_following_sample {
 /// the path. control(device_state<M>) is called once a control period; observe(wall_following_sample<M>) once a
 /// time step. Ideal encoders. For n = d.
 template <class M, class Shape, class Control, class Observer>
+  requires(M::dof == M::task_dimension)
 contact_metrics follow_wall(simulated_device<M>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,
                             const wall_following_parameters& parameters, Observer&& observe) {
@@ -100,6 +101,7 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
 
 /// The same without an observer.
 template <class M, class Shape, class Control>
+  requires(M::dof == M::task_dimension)
 contact_metrics follow_wall(simulated_device<M>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,
                             const wall_following_parameters& parameters) {
