@@ -36,7 +36,18 @@ template <class M>
 concept names_sizes = names_scalar<M> && names_dof<M> && names_task_dimension<M> && names_brake_count<M>;
 
 template <class M>
-concept has_supported_sizes = names_sizes<M> && M::dof >= M::task_dimension && M::brake_count == M::dof;
+concept transmission_depends_on_pose =
+    requires(const M mechanism, const joint_vector<M> q) { mechanism.transmission(q); };
+template <class M>
+concept transmission_is_constant = requires(const M mechanism) { mechanism.transmission(); };
+template <class M>
+concept names_transmission =
+    transmission_depends_on_pose<M> || transmission_is_constant<M> || requires { &M::transmission; };
+
+template <class M>
+concept has_supported_sizes =
+    names_sizes<M> && ((M::brake_count == M::dof && M::dof >= M::task_dimension) ||
+                       (M::brake_count > M::dof && M::dof == M::task_dimension && names_transmission<M>));
 
 template <class M>
 concept has_position = names_sizes<M> && requires(const M mechanism, const joint_vector<M> q) {
@@ -51,15 +62,6 @@ template <class M>
 concept jacobian_is_constant = requires(const M mechanism) { mechanism.jacobian(); };
 template <class M>
 concept names_jacobian = jacobian_depends_on_pose<M> || jacobian_is_constant<M> || requires { &M::jacobian; };
-
-template <class M>
-concept transmission_depends_on_pose =
-    requires(const M mechanism, const joint_vector<M> q) { mechanism.transmission(q); };
-template <class M>
-concept transmission_is_constant = requires(const M mechanism) { mechanism.transmission(); };
-template <class M>
-concept names_transmission =
-    transmission_depends_on_pose<M> || transmission_is_constant<M> || requires { &M::transmission; };
 
 template <class X, class T, int R, int C>
 concept exact_or_diagonal = ExactMatrix<X, T, R, C> || (R == C && ExactDiagonal<X, T, R>);
@@ -84,14 +86,14 @@ concept has_exact_transmission = requires(const M mechanism, const joint_vector<
 ///
 /// Minimal complete definition (n = dof, d = task_dimension, m = brake_count):
 ///   - `using scalar`: float, double or long double;
-///   - `static constexpr int dof, task_dimension, brake_count`, with m = n >= d;
+///   - `static constexpr int dof, task_dimension, brake_count`, with m = n >= d, or redundant brakes m > n = d;
 ///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`, the end effector [m] in the base frame.
 ///     If it is templated on the scalar, the Jacobian is had by automatic differentiation (jacobian.hpp).
 ///
 /// Optional, each exploited at compile time where it is constant (takes no q) or a diagonal_matrix:
 ///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
 ///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, where w are the
-///     rates of the brakes' own axes; invertible. Without it brake i sits on joint i.
+///     rates of the brakes' own axes; of full column rank n. Without it brake i sits on joint i (m = n).
 ///
 /// Laws: jacobian is the derivative of position; both are pure; finite q gives a finite position.
 /// testing/mechanism_laws.hpp checks them for any model.
@@ -114,9 +116,10 @@ struct mechanism_requirements {
   static_assert(
       detail::names_brake_count<M>,
       "passive_haptics: the mechanism needs `static constexpr int brake_count`, its number of brakes.");
-  static_assert(
-      !detail::names_sizes<M> || detail::has_supported_sizes<M>,
-      "passive_haptics: unsupported sizes; needed are brake_count == dof and dof >= task_dimension.");
+  static_assert(!detail::names_sizes<M> || detail::has_supported_sizes<M>,
+                "passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension, or "
+                "brake_count > dof == "
+                "task_dimension with a transmission.");
   static_assert(
       !detail::has_supported_sizes<M> || detail::has_position<M>,
       "passive_haptics: position(q) must be const and return vector<scalar, task_dimension> exactly "
