@@ -1,18 +1,20 @@
 /// @file
-/// E = J T^-1, which maps brake rates to end-effector velocity and forces to brake torques.
+/// E = J T^+, which maps brake rates to end-effector velocity and forces to brake torques.
 #pragma once
 
 #include <passive_haptics/mechanism/jacobian.hpp>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 namespace passive_haptics {
 
-/// E = J T^-1 (d x m, base frame): E e_i is the end-effector velocity for unit rate of brake i, so
-/// v = E w and, by virtual work, t = E^T F. Needs no inverse of J, which may be singular.
+/// E = J T^+ (d x m, base frame), T^+ = T^-1 for square T: v = E w and, by virtual work, t = E^T F balances F.
+/// Needs no inverse of J, which may be singular. For redundant brakes T^+ = (T^T T)^-1 T^T, so t = E^T F has the
+/// least norm of all torques that balance F.
 ///
 /// A diagonal_matrix where J and T are; J itself where the mechanism names no transmission. Not finite where
-/// J is undefined or T singular. Cost for a dense T: one LU of m x m.
+/// J is undefined or T singular. Cost for a dense T: one LU of m x m, for redundant brakes one QR of m x n.
 template <class M>
 auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
   using T = typename M::scalar;
@@ -22,6 +24,7 @@ auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
   } else {
     using dense = matrix<T, M::task_dimension, M::brake_count>;
     const auto A = transmission(mechanism, q);
+    constexpr bool redundant = M::brake_count > M::dof;
     constexpr bool diagonal_J = ExactDiagonal<decltype(J), T, M::dof>;
     constexpr bool diagonal_T = ExactDiagonal<decltype(A), T, M::dof>;
     if constexpr (diagonal_J && diagonal_T) {
@@ -30,7 +33,17 @@ auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
       return dense(J.array().rowwise() / A.diagonal().transpose().array());
     } else {  // E T = J, so T^T E^T = J^T
       const matrix<T, M::dof, M::task_dimension> Jt = matrix<T, M::task_dimension, M::dof>(J).transpose();
-      return dense(matrix<T, M::dof, M::dof>(A.transpose()).partialPivLu().solve(Jt).transpose());
+      if constexpr (redundant) {  // T = Q R, E^T = Q R^-T J^T
+        const Eigen::HouseholderQR<matrix<T, M::brake_count, M::dof>> qr(A);
+        matrix<T, M::brake_count, M::task_dimension> Et =
+            matrix<T, M::brake_count, M::task_dimension>::Zero();
+        const auto R = qr.matrixQR().template topRows<M::dof>().template triangularView<Eigen::Upper>();
+        Et.template topRows<M::dof>() = R.transpose().solve(Jt);
+        Et.applyOnTheLeft(qr.householderQ());
+        return dense(Et.transpose());
+      } else {
+        return dense(matrix<T, M::dof, M::dof>(A.transpose()).partialPivLu().solve(Jt).transpose());
+      }
     }
   }
 }

@@ -5,8 +5,10 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/force/classification.hpp>
 #include <passive_haptics/force/nearest_force.hpp>
+#include <passive_haptics/force/nearest_torque.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -57,6 +59,24 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
   const vector<T, Brakes> tc = brake_torque(E, result.force);
   result.torque = (nearest.idle || s.array() * tc.array() > T(0)).select(vector<T, Brakes>::Zero(), tc);
   return result;
+}
+
+/// The same in generator form, F = G t, for redundant brakes and for devices with self-motion: exact where n is in the
+/// cone, the torques those of least norm.
+template <class T, int D, int Brakes>
+approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Brakes>& G,
+                                                           const vector<T, Brakes>& s, const vector<T, D>& n,
+                                                           T min_cosine) {
+  const vector<T, Brakes> unlimited = vector<T, Brakes>::Constant(std::numeric_limits<T>::infinity());
+  const auto nearest = nearest_torque(G, torques_within(s, unlimited), n);
+  const T cosine = nearest.force.norm();
+  if (!(cosine > rounding_tolerance<T>(D) && cosine >= min_cosine)) return {};
+  // What is left of n, against the size of the terms that were added up
+  const T rounding =
+      rounding_tolerance<T>(D + Brakes) * (T(1) + (G.cwiseAbs() * nearest.torque.cwiseAbs()).norm());
+  if ((n - nearest.force).norm() <= rounding) return {display_class::exact, n, nearest.torque, T(1)};
+  const T scale = T(1) / (cosine * cosine);
+  return {display_class::approximate, scale * nearest.force, scale * nearest.torque, cosine};
 }
 
 }  // namespace passive_haptics

@@ -10,8 +10,8 @@
 #include <passive_haptics/testing/derivative.hpp>
 #include <passive_haptics/testing/random.hpp>
 
-#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <vector>
@@ -85,8 +85,11 @@ TYPED_TEST_P(dynamics_laws, bias_acceleration_is_the_change_of_the_jacobian) {
   const M mechanism = TypeParam::make();
   for (const auto& [q0, rate] : this->motions()) {
     const joint_vector<M> q = q0, qd = rate;
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
-    const auto velocity = [&](T s) { return task_vector<M>(jacobian(mechanism, joint_vector<M>(q + s * qd)) * qd); };
+    SCOPED_TRACE(::testing::Message()
+                 << "seed " << this->seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
+    const auto velocity = [&](T s) {
+      return task_vector<M>(jacobian(mechanism, joint_vector<M>(q + s * qd)) * qd);
+    };
     const task_vector<M> expected = central_difference(velocity, this->step());
     const T size = matrix<T, M::task_dimension, M::dof>(jacobian(mechanism, q)).norm();
     ASSERT_LE((mechanism.bias_acceleration(q, qd) - expected).norm(), this->accuracy() * size)
@@ -103,10 +106,13 @@ TYPED_TEST_P(dynamics_laws, bias_torque_keeps_the_kinetic_energy) {
   const M mechanism = TypeParam::make();
   for (const auto& [q0, rate] : this->motions()) {
     const joint_vector<M> q = q0, qd = rate;
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
+    SCOPED_TRACE(::testing::Message()
+                 << "seed " << this->seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
     const joint_vector<M> at_rest = mechanism.bias_torque(q, joint_vector<M>::Zero());
     const joint_vector<M> motion_torque = mechanism.bias_torque(q, qd) - at_rest;
-    const auto twice_energy = [&](T s) { return qd.dot(mechanism.mass_matrix(joint_vector<M>(q + s * qd)) * qd); };
+    const auto twice_energy = [&](T s) {
+      return qd.dot(mechanism.mass_matrix(joint_vector<M>(q + s * qd)) * qd);
+    };
     const T growth = central_difference(twice_energy, this->step()) / T(2);
     ASSERT_NEAR(growth, qd.dot(motion_torque), this->accuracy() * mechanism.mass_matrix(q).norm());
     if constexpr (!TestFixture::has_gravity()) ASSERT_TRUE(at_rest.isZero(T(0))) << at_rest.transpose();
@@ -114,6 +120,7 @@ TYPED_TEST_P(dynamics_laws, bias_torque_keeps_the_kinetic_energy) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(dynamics_laws, mass_matrix_is_symmetric_positive_definite,
-                            bias_acceleration_is_the_change_of_the_jacobian, bias_torque_keeps_the_kinetic_energy);
+                            bias_acceleration_is_the_change_of_the_jacobian,
+                            bias_torque_keeps_the_kinetic_energy);
 
 }  // namespace passive_haptics::testing

@@ -20,8 +20,8 @@
 #include <passive_haptics/testing/derivative.hpp>
 #include <passive_haptics/testing/random.hpp>
 
-#include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <type_traits>
@@ -36,15 +36,14 @@ class mechanism_laws : public ::testing::Test {
   using M = typename Case::mechanism;  ///< The mechanism.
   using T = typename M::scalar;        ///< Its scalar.
 
-  static constexpr int pose_count = 200;  ///< Poses that are tried.
+  static constexpr int pose_count = 200;      ///< Poses that are tried.
   static constexpr unsigned seed = 20040627;  ///< Of the poses.
 
   /// Scalar of the reference derivative: long double where position takes it.
-  using reference_scalar = std::conditional_t<
-      requires(const M mechanism, const vector<long double, M::dof> q) {
+  using reference_scalar =
+      std::conditional_t<requires(const M mechanism, const vector<long double, M::dof> q) {
         { mechanism.position(q) } -> ExactVector<long double, M::task_dimension>;
-      },
-      long double, T>;
+      }, long double, T>;
   using P = reference_scalar;  ///< The same.
 
   /// Step of the differences in joint i.
@@ -64,7 +63,8 @@ class mechanism_laws : public ::testing::Test {
   }
 
   /// dx/dq by differences of position.
-  static matrix<P, M::task_dimension, M::dof> difference_jacobian(const M& mechanism, const joint_vector<M>& q) {
+  static matrix<P, M::task_dimension, M::dof> difference_jacobian(const M& mechanism,
+                                                                  const joint_vector<M>& q) {
     matrix<P, M::task_dimension, M::dof> J;
     for (int i = 0; i < M::dof; ++i) {
       const auto along = [&](P s) {
@@ -201,8 +201,9 @@ TYPED_TEST_P(mechanism_laws, brake_torques_do_the_work_of_the_force) {
   }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(mechanism_laws, position_is_finite_and_pure, jacobian_is_the_derivative_of_position,
-                            given_and_automatic_jacobian_agree, brake_jacobian_maps_brake_rates_to_velocity,
+REGISTER_TYPED_TEST_SUITE_P(mechanism_laws, position_is_finite_and_pure,
+                            jacobian_is_the_derivative_of_position, given_and_automatic_jacobian_agree,
+                            brake_jacobian_maps_brake_rates_to_velocity,
                             brake_torques_do_the_work_of_the_force);
 
 }  // namespace passive_haptics::testing

@@ -1,0 +1,53 @@
+/// @file
+/// Generators of the displayable forces, for devices whose cone has no half-space form.
+#pragma once
+
+#include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/mechanism/dynamics.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace passive_haptics {
+
+/// G = J^-T T^T (d x m) [N per N m] for n = d: brake torques t make the force F = G t at the end effector, however
+/// many brakes there are. Not finite at a singular J. Cost: one LU of d x d.
+template <class M>
+  requires(M::dof == M::task_dimension)
+matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(const M& mechanism,
+                                                                               const joint_vector<M>& q) {
+  using T = typename M::scalar;
+  using square = matrix<T, M::dof, M::dof>;
+  const square Jt = square(jacobian(mechanism, q)).transpose();
+  if constexpr (detail::has_exact_transmission<M>) {
+    const matrix<T, M::dof, M::brake_count> Tt =
+        matrix<T, M::brake_count, M::dof>(transmission(mechanism, q)).transpose();
+    return Jt.partialPivLu().solve(Tt);
+  } else {
+    return Jt.partialPivLu().solve(square::Identity());
+  }
+}
+
+/// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d): the force at the end effector that
+/// accelerates it as the brake torques t do, with Lambda = (J M^-1 J^T)^-1 the task inertia. The brakes may
+/// drive the self-motion meanwhile: it is the power t . w of the joints, not F . v, that is never positive.
+/// Not finite at a singular J. Cost: two Cholesky decompositions, n x n and d x d.
+/// Reference: Khatib, A unified approach for motion and force control, IEEE J. Robotics and Automation 3 (1), 1987.
+template <class M>
+  requires(M::dof > M::task_dimension && Dynamics<M>)
+matrix<typename M::scalar, M::task_dimension, M::brake_count> inertial_force_generators(
+    const M& mechanism, const joint_vector<M>& q) {
+  using T = typename M::scalar;
+  const matrix<T, M::task_dimension, M::dof> J(jacobian(mechanism, q));
+  matrix<T, M::dof, M::brake_count> Tt = matrix<T, M::dof, M::brake_count>::Identity();
+  if constexpr (detail::has_exact_transmission<M>) {
+    Tt = matrix<T, M::brake_count, M::dof>(transmission(mechanism, q)).transpose();
+  }
+  // M = L L^T and L^-1 J^T = Q R: Lambda J M^-1 T^T = (R^T R)^-1 R^T Q^T L^-1 T^T, a least-squares solution.
+  const Eigen::LLT<matrix<T, M::dof, M::dof>> mass(mechanism.mass_matrix(q));
+  const matrix<T, M::dof, M::task_dimension> A = mass.matrixL().solve(J.transpose().eval());
+  const matrix<T, M::dof, M::brake_count> B = mass.matrixL().solve(Tt);
+  return A.householderQr().solve(B);
+}
+
+}  // namespace passive_haptics

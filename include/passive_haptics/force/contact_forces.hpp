@@ -1,0 +1,87 @@
+/// @file
+/// One set of brake torques for several contacts.
+#pragma once
+
+#include <passive_haptics/force/nearest_torque.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace passive_haptics {
+
+/// What one of several contacts asks of the brakes.
+template <class T, int D>
+struct contact_demand {
+  vector<T, D> normal;  ///< n_j, unit, out of the wall.
+  T force;              ///< a_j, wanted n_j . F [N], >= 0.
+  bool first;           ///< Met before the others: a contact being left, where nothing may remain normal.
+};
+
+/// What the force F of the brakes at the end effector can be: F = G t, where P t = 0.
+template <class T, int D, int Brakes>
+struct force_map {
+  matrix<T, D, Brakes> G;       ///< [N per N m]
+  matrix<T, Brakes, Brakes> P;  ///< Of torques, what moves the device without moving the end effector.
+  bool self_motion;             ///< False if P = 0: n = d away from singular poses, and redundant brakes.
+};
+
+/// The force map of a device whose torques and forces are tied by t = E^T F: G is the pseudo-inverse of E^T, so it
+/// also answers at singular poses, for the forces that brakes can make there. Cost: one decomposition of m x d.
+template <class T, int D, int Brakes>
+force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
+  const orthogonal_decomposition<T, Brakes, D> Et(E.transpose(), Brakes, rounding_tolerance<T>(Brakes));
+  force_map<T, D, Brakes> map{
+      {}, matrix<T, Brakes, Brakes>::Identity() - Et.column_projection(), Et.rank() < Brakes};
+  for (int i = 0; i < Brakes; ++i) map.G.col(i) = Et.solve(vector<T, Brakes>::Unit(i));
+  return map;
+}
+
+/// Torques for several contacts and what became of each.
+template <class T, int D, int Brakes, int Capacity>
+struct contact_forces_result {
+  vector<T, Brakes> torque;                                     ///< t [N m], in the box exactly.
+  vector<T, D> force;                                           ///< F = G t [N].
+  std::array<T, static_cast<std::size_t>(Capacity)> displayed;  ///< n_j . F [N]; 0 beyond the demands.
+};
+
+/// Torques t in the box whose force F = G t gives, in this order of priority: n_j . F = a_j for every demand that is
+/// first; as near as possible for the others, in the sum of squares; the least |F| (least drag); the least |t|.
+/// One demand that is first gives F = alpha Fc of (12). Opposed walls do not cancel, and a demand of 5e4 N
+/// does not drown one of 2 N that is first. Cost: core/prioritised_least_squares.hpp, four levels.
+template <class T, int D, int Brakes, int Capacity>
+contact_forces_result<T, D, Brakes, Capacity> contact_forces(
+    const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
+    const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count) {
+  using solver = prioritised_least_squares<T, Brakes, Brakes + Capacity + D>;
+  using rows = typename solver::rows;
+  using targets = typename solver::targets;
+  solver t(box.lower, box.upper);
+  rows A = rows::Zero();
+  if (map.self_motion) {
+    A.template topRows<Brakes>() = map.P;
+    t.minimise(A, targets::Zero(), Brakes);
+  }
+  for (const bool first : {true, false}) {
+    targets a = targets::Zero();
+    int count_here = 0;
+    for (int j = 0; j < count; ++j) {
+      const auto& demand = demands[static_cast<std::size_t>(j)];
+      if (demand.first != first) continue;
+      A.row(count_here) = demand.normal.transpose() * map.G;
+      a[count_here++] = demand.force;
+    }
+    if (count_here > 0) t.minimise(A, a, count_here);
+  }
+  A.template topRows<D>() = map.G;
+  t.minimise(A, targets::Zero(), D);
+  t.minimise(rows::Identity(), targets::Zero(), Brakes);
+
+  contact_forces_result<T, D, Brakes, Capacity> result{t.solution(), map.G * t.solution(), {}};
+  for (int j = 0; j < count; ++j) {
+    result.displayed[static_cast<std::size_t>(j)] =
+        demands[static_cast<std::size_t>(j)].normal.dot(result.force);
+  }
+  return result;
+}
+
+}  // namespace passive_haptics
