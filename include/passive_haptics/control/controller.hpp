@@ -12,7 +12,8 @@ namespace passive_haptics {
 
 /// Owns all that a control loop needs but the state, which comes in each cycle.
 ///
-/// S: a scene<...> or a held_scene<...>, or any type for which sense(s, x) or sense(s, x, time) gives contacts.
+/// S: a scene<...> or a held_scene<...>, or any type with a contacts_type for which sense(s, x) or
+/// sense(s, x, time) gives such contacts.
 template <class M, class S, class L>
 class controller {
   static_assert(mechanism_requirements<M>::met);
@@ -32,10 +33,11 @@ class controller {
 
   /// One control cycle; see step(). A state or position that is not finite is not shown to the scene.
   template <class State>
-  step_result<M> operator()(const State& state) noexcept {
-    if (const status s = check_state<L, M>(state); s != status::ok) return released_by<M>(s);
+  step_result<M, S::contacts_type::capacity> operator()(const State& state) noexcept {
+    constexpr int most = S::contacts_type::capacity;
+    if (const status s = check_state<M>(state); s != status::ok) return released_by<M, most>(s);
     const auto x = mechanism_.position(state.q).template cast<double>().eval();
-    if (!all_finite(x)) return released_by<M>(status::pose_undefined);
+    if (!all_finite(x)) return released_by<M, most>(status::pose_undefined);
     if constexpr (requires { sense(scene_, x, state.time); }) {
       return step(mechanism_, brakes_, sense(scene_, x, state.time), law_, state, memory_, options_);
     } else {

@@ -9,6 +9,7 @@ namespace passive_haptics {
 /// The approximated force as it is, alpha = 1: what makes the hand bounce off a wall (section 3).
 struct no_direct_control {
   static constexpr bool needs_hand_force = false;  ///< Runs without a force sensor.
+  static constexpr bool gives_way = false;         ///< Displays all that is desired.
   static constexpr bool needs_dynamics = false;    ///< Knows no inertia.
   static constexpr bool needs_brake_lag = false;   ///< Knows no lag.
   struct memory {};                                ///< None.
@@ -26,6 +27,7 @@ struct no_direct_control {
 /// Since Fc . Fd = |Fd|^2 after the approximation, (12) reads alpha = -Fh . n / |Fd|, limited to [0, 1].
 struct direct_control {
   static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
+  static constexpr bool gives_way = true;         ///< Leaves nothing normal where the handle moves out.
   static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
   static constexpr bool needs_brake_lag = false;  ///< Knows no lag.
   struct memory {};                               ///< None.

@@ -6,7 +6,9 @@
 #include <passive_haptics/force/classification.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace passive_haptics {
 
@@ -33,8 +35,17 @@ class stage_set {
   unsigned bits_ = 0;
 };
 
-/// Result of step(). Unless outcome is ok, capacity and torque are zero and the rest has no meaning.
-template <class M>
+/// What became of one of several contacts.
+template <class T>
+struct contact_report {
+  int wall = -1;       ///< Wall of the scene.
+  T wanted = T(0);     ///< Normal force that the law wanted [N].
+  T displayed = T(0);  ///< Normal force n_j . F that is commanded [N].
+  bool first = false;  ///< It was being left under a law that gives way, so it was met before the others.
+};
+
+/// Result of step() for up to MaxContacts contacts at once. Unless outcome is ok, capacity and torque are zero and the rest has no meaning.
+template <class M, int MaxContacts = 1>
 struct step_result {
   static_assert(mechanism_requirements<M>::met);
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
@@ -58,7 +69,10 @@ struct step_result {
   /// Fc = sum_i c_i R_i+; those of a brake with sign s_i fulfil s_i c_i <= 0.
   brake_vector<M> cone_coefficients = brake_vector<M>::Zero();
   brake_vector<M> signs = brake_vector<M>::Zero();  ///< s: -1, 0 or 1 for each brake.
-  stage_set stages;                                 ///< What ran; the rest was not needed.
+  std::array<contact_report<scalar>, static_cast<std::size_t>(MaxContacts)>
+      contacts{};         ///< Of several contacts, each; see contact_count.
+  int contact_count = 0;  ///< Reports in contacts: 0 unless several walls were touched.
+  stage_set stages;       ///< What ran; the rest was not needed.
 
   /// gamma, the angle between Fd and Fc [rad]; pi/2 where nothing is displayed.
   scalar approximation_angle() const {
@@ -67,9 +81,9 @@ struct step_result {
 };
 
 /// The result of a cycle that ends with a fault: all brakes released, and why.
-template <class M>
-step_result<M> released_by(status reason) {
-  step_result<M> result;
+template <class M, int MaxContacts = 1>
+step_result<M, MaxContacts> released_by(status reason) {
+  step_result<M, MaxContacts> result;
   result.display = display_class::none;
   result.outcome = reason;
   return result;

@@ -19,7 +19,8 @@ enum class power_class {
 /// How the desired force is displayed. An outward-moving contact can be active and yet be displayed
 /// approximately: direct control lives there.
 enum class display_class {
-  none,         ///< No producible force has a component along the desired one (or none is desired).
+  none,        ///< No producible force has a component along the desired one.
+  empty_cone,  ///< None whatever: leaving its self-motion alone (n > d), the device can produce no force at all.
   approximate,  ///< The nearest producible force, scaled so that its component along Fd is |Fd|.
   exact,        ///< Fd itself.
 };
@@ -39,6 +40,7 @@ constexpr std::string_view to_string(power_class c) {
 constexpr std::string_view to_string(display_class c) {
   switch (c) {
     case display_class::none: return "none";
+    case display_class::empty_cone: return "empty cone";
     case display_class::approximate: return "approximate";
     case display_class::exact: return "exact";
   }
@@ -51,11 +53,22 @@ bool producible(const vector<T, Brakes>& s, const vector<T, Brakes>& t) {
   return (s.array() * t.array() <= T(0)).all();
 }
 
+/// True where some force is displayed.
+constexpr bool is_displayed(display_class c) {
+  return c == display_class::exact || c == display_class::approximate;
+}
+
+/// Power class from the sign of n . v and whether every brake alone is passive.
+template <class T>
+power_class classify_power(T power, bool producible_alone) {
+  if (power > T(0)) return power_class::active;
+  return producible_alone ? power_class::passive_1 : power_class::passive_2;
+}
+
 /// Power class from the power of a unit desired force, n . v, the signs s and its torques t = E^T n.
 template <class T, int Brakes>
 power_class classify_power(T power, const vector<T, Brakes>& s, const vector<T, Brakes>& t) {
-  if (power > T(0)) return power_class::active;
-  return producible(s, t) ? power_class::passive_1 : power_class::passive_2;
+  return classify_power(power, producible(s, t));
 }
 
 }  // namespace passive_haptics

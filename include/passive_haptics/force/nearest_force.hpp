@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/cone.hpp>
+#include <passive_haptics/core/orthogonal_decomposition.hpp>
 
 namespace passive_haptics {
 
@@ -32,6 +33,21 @@ nearest_force_result<T, D, D> nearest_force(const diagonal_matrix<T, D>& E, cons
                                             const vector<T, D>& Fd) {
   const Eigen::Array<bool, D, 1> idle = s.array() * E.diagonal().array() * Fd.array() > T(0);
   return {idle.select(vector<T, D>::Zero(), Fd), idle};
+}
+
+/// True if C = {0}: no force at all can be displayed. Only with self-motion (n > d). If C held some F != 0, F would
+/// have a component against the sum of the half-spaces' normals, and the projection of that sum would not vanish.
+template <class T, int D, int Brakes>
+bool cone_is_zero(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s) {
+  matrix<T, D, Brakes> B = E * s.asDiagonal();
+  for (int i = 0; i < Brakes; ++i) B.col(i).stableNormalize();
+  const vector<T, D> against = -B.rowwise().sum();
+  const T size = against.norm();
+  const auto tolerance = rounding_tolerance<T>(D + Brakes);
+  if (size > tolerance && project_onto_half_spaces(B, vector<T, D>(against / size)).point.norm() > tolerance)
+    return false;
+  // The normals may also cancel: then C is the space normal to all of them.
+  return orthogonal_decomposition<T, Brakes, D>(B.transpose(), Brakes, tolerance).rank() == D;
 }
 
 }  // namespace passive_haptics

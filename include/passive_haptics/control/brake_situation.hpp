@@ -1,0 +1,22 @@
+/// @file
+/// What a control cycle has found out about the brakes when it turns to the contacts.
+#pragma once
+
+#include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/mechanism/mechanism.hpp>
+
+namespace passive_haptics {
+
+/// The device at one instant; E from brake_jacobian. Lives no longer than the values that it refers to.
+template <class M, class EMatrix>
+struct brake_situation {
+  const M& mechanism;                ///< The mechanism,
+  const brakes_of<M>& brakes;        ///< its brakes,
+  const joint_vector<M>& q;          ///< its joint positions [rad or m].
+  const EMatrix& E;                  ///< E = J T^+.
+  const brake_vector<M>& w;          ///< Rates of the brakes [rad/s or m/s].
+  const brake_vector<M>& s;          ///< Signs of the brakes.
+  const task_vector<M>& hand_force;  ///< Fh [N]; zero for laws that do not need it.
+};
+
+}  // namespace passive_haptics
