@@ -2,10 +2,10 @@
 /// E = J T^+, which maps brake rates to end-effector velocity and forces to brake torques.
 #pragma once
 
+#include <passive_haptics/core/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -14,7 +14,7 @@ namespace passive_haptics {
 /// least norm of all torques that balance F.
 ///
 /// A diagonal_matrix where J and T are; J itself where the mechanism names no transmission. Not finite where
-/// J is undefined or T singular. Cost for a dense T: one LU of m x m, for redundant brakes one QR of m x n.
+/// J is undefined or T singular. Cost for a dense T: one orthogonal decomposition of n x m.
 template <class M>
 auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
   using T = typename M::scalar;
@@ -24,26 +24,20 @@ auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
   } else {
     using dense = matrix<T, M::task_dimension, M::brake_count>;
     const auto A = transmission(mechanism, q);
-    constexpr bool redundant = M::brake_count > M::dof;
     constexpr bool diagonal_J = ExactDiagonal<decltype(J), T, M::dof>;
     constexpr bool diagonal_T = ExactDiagonal<decltype(A), T, M::dof>;
     if constexpr (diagonal_J && diagonal_T) {
       return diagonal_matrix<T, M::dof>(J.diagonal().cwiseQuotient(A.diagonal()));
     } else if constexpr (diagonal_T) {
       return dense(J.array().rowwise() / A.diagonal().transpose().array());
-    } else {  // E T = J, so T^T E^T = J^T
-      const matrix<T, M::dof, M::task_dimension> Jt = matrix<T, M::task_dimension, M::dof>(J).transpose();
-      if constexpr (redundant) {  // T = Q R, E^T = Q R^-T J^T
-        const Eigen::HouseholderQR<matrix<T, M::brake_count, M::dof>> qr(A);
-        matrix<T, M::brake_count, M::task_dimension> Et =
-            matrix<T, M::brake_count, M::task_dimension>::Zero();
-        const auto R = qr.matrixQR().template topRows<M::dof>().template triangularView<Eigen::Upper>();
-        Et.template topRows<M::dof>() = R.transpose().solve(Jt);
-        Et.applyOnTheLeft(qr.householderQ());
-        return dense(Et.transpose());
-      } else {
-        return dense(matrix<T, M::dof, M::dof>(A.transpose()).partialPivLu().solve(Jt).transpose());
-      }
+    } else {  // E T = J, so each row e of E is the shortest solution of T^T e = j
+      const matrix<T, M::dof, M::brake_count> Tt = matrix<T, M::brake_count, M::dof>(A).transpose();
+      const matrix<T, M::task_dimension, M::dof> full(J);
+      const orthogonal_decomposition<T, M::dof, M::brake_count> decomposition(Tt, M::dof, T(0));
+      dense E = dense::Constant(std::numeric_limits<T>::quiet_NaN());
+      if (decomposition.rank() < M::dof) return E;
+      for (int i = 0; i < M::task_dimension; ++i) E.row(i) = decomposition.solve(full.row(i).transpose());
+      return E;
     }
   }
 }

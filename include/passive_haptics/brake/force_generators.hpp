@@ -6,26 +6,29 @@
 #include <passive_haptics/mechanism/dynamics.hpp>
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
+
+#include <limits>
 
 namespace passive_haptics {
 
 /// G = J^-T T^T (d x m) [N per N m] for n = d: brake torques t make the force F = G t at the end effector, however
-/// many brakes there are. Not finite at a singular J. Cost: one LU of d x d.
+/// many brakes there are. Not finite at a singular J. Cost: one orthogonal decomposition
+/// of d x d.
 template <class M>
   requires(M::dof == M::task_dimension)
 matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(const M& mechanism,
                                                                                const joint_vector<M>& q) {
   using T = typename M::scalar;
-  using square = matrix<T, M::dof, M::dof>;
-  const square Jt = square(jacobian(mechanism, q)).transpose();
-  if constexpr (detail::has_exact_transmission<M>) {
-    const matrix<T, M::dof, M::brake_count> Tt =
-        matrix<T, M::brake_count, M::dof>(transmission(mechanism, q)).transpose();
-    return Jt.partialPivLu().solve(Tt);
-  } else {
-    return Jt.partialPivLu().solve(square::Identity());
-  }
+  const matrix<T, M::dof, M::dof> Jt = matrix<T, M::dof, M::dof>(jacobian(mechanism, q)).transpose();
+  const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, M::dof, T(0));
+  matrix<T, M::brake_count, M::dof> A = matrix<T, M::brake_count, M::dof>::Identity();
+  if constexpr (detail::has_exact_transmission<M>)
+    A = matrix<T, M::brake_count, M::dof>(transmission(mechanism, q));
+  using generators = matrix<T, M::task_dimension, M::brake_count>;
+  generators G = generators::Constant(std::numeric_limits<T>::quiet_NaN());
+  if (decomposition.rank() < M::dof) return G;
+  for (int i = 0; i < M::brake_count; ++i) G.col(i) = decomposition.solve(A.row(i).transpose());
+  return G;
 }
 
 /// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d): the force at the end effector that

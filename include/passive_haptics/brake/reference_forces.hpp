@@ -5,6 +5,8 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/core/status.hpp>
 
+#include <Eigen/LU>
+
 #include <limits>
 
 namespace passive_haptics {
