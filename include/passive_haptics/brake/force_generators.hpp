@@ -19,7 +19,8 @@ template <class M>
 matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(const M& mechanism,
                                                                                const joint_vector<M>& q) {
   using T = typename M::scalar;
-  const matrix<T, M::dof, M::dof> Jt = matrix<T, M::dof, M::dof>(jacobian(mechanism, q)).transpose();
+  const matrix<T, M::dof, M::dof> J(jacobian(mechanism, q));
+  const matrix<T, M::dof, M::dof> Jt(J.transpose());
   const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, M::dof, T(0));
   matrix<T, M::brake_count, M::dof> A = matrix<T, M::brake_count, M::dof>::Identity();
   if constexpr (detail::has_exact_transmission<M>)
