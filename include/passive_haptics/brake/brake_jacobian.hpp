@@ -31,8 +31,7 @@ auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
     } else if constexpr (diagonal_T) {
       return dense(J.array().rowwise() / A.diagonal().transpose().array());
     } else {  // E T = J, so each row e of E is the shortest solution of T^T e = j
-      const matrix<T, M::brake_count, M::dof> full_T(A);
-      const matrix<T, M::dof, M::brake_count> Tt(full_T.transpose());
+      const auto Tt = transposed(matrix<T, M::brake_count, M::dof>(A));
       const matrix<T, M::task_dimension, M::dof> full_J(J);
       const orthogonal_decomposition<T, M::dof, M::brake_count> decomposition(Tt, M::dof, T(0));
       dense E = dense::Constant(std::numeric_limits<T>::quiet_NaN());

@@ -19,8 +19,7 @@ template <class M>
 matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(const M& mechanism,
                                                                                const joint_vector<M>& q) {
   using T = typename M::scalar;
-  const matrix<T, M::dof, M::dof> J(jacobian(mechanism, q));
-  const matrix<T, M::dof, M::dof> Jt(J.transpose());
+  const auto Jt = transposed(matrix<T, M::dof, M::dof>(jacobian(mechanism, q)));
   const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, M::dof, T(0));
   matrix<T, M::brake_count, M::dof> A = matrix<T, M::brake_count, M::dof>::Identity();
   if constexpr (detail::has_exact_transmission<M>)
@@ -45,11 +44,11 @@ matrix<typename M::scalar, M::task_dimension, M::brake_count> inertial_force_gen
   const matrix<T, M::task_dimension, M::dof> J(jacobian(mechanism, q));
   matrix<T, M::dof, M::brake_count> Tt = matrix<T, M::dof, M::brake_count>::Identity();
   if constexpr (detail::has_exact_transmission<M>) {
-    Tt = matrix<T, M::brake_count, M::dof>(transmission(mechanism, q)).transpose();
+    Tt = transposed(matrix<T, M::brake_count, M::dof>(transmission(mechanism, q)));
   }
   // M = L L^T and L^-1 J^T = Q R: Lambda J M^-1 T^T = (R^T R)^-1 R^T Q^T L^-1 T^T, a least-squares solution.
   const Eigen::LLT<matrix<T, M::dof, M::dof>> mass(mechanism.mass_matrix(q));
-  const matrix<T, M::dof, M::task_dimension> A = mass.matrixL().solve(J.transpose().eval());
+  const matrix<T, M::dof, M::task_dimension> A = mass.matrixL().solve(transposed(J));
   const matrix<T, M::dof, M::brake_count> B = mass.matrixL().solve(Tt);
   return A.householderQr().solve(B);
 }

@@ -50,6 +50,14 @@ concept ExactVector = ExactMatrix<X, T, N, 1>;
 template <class X, class T, int N>
 concept ExactDiagonal = detail::is_diagonal_matrix<std::remove_cvref_t<X>, T, N>;
 
+/// A^T as a value. (Constructing it from A.transpose() makes g++ 12 warn of uninitialised memory inside Eigen.)
+template <class T, int R, int C>
+matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
+  matrix<T, C, R> At;
+  for (int i = 0; i < R; ++i) At.col(i) = A.row(i);
+  return At;
+}
+
 /// True if no entry is NaN or infinite.
 template <class Derived>
 bool all_finite(const Eigen::DenseBase<Derived>& x) {

@@ -29,7 +29,7 @@ struct force_map {
 /// also answers at singular poses, for the forces that brakes can make there. Cost: one decomposition of m x d.
 template <class T, int D, int Brakes>
 force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
-  const orthogonal_decomposition<T, Brakes, D> Et(E.transpose(), Brakes, rounding_tolerance<T>(Brakes));
+  const orthogonal_decomposition<T, Brakes, D> Et(transposed(E), Brakes, rounding_tolerance<T>(Brakes));
   force_map<T, D, Brakes> map{
       {}, matrix<T, Brakes, Brakes>::Identity() - Et.column_projection(), Et.rank() < Brakes};
   for (int i = 0; i < Brakes; ++i) map.G.col(i) = Et.solve(vector<T, Brakes>::Unit(i));
