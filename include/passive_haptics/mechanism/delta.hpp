@@ -142,7 +142,7 @@ class delta {
   vector<S, 3> elbow_at(int i, const S& angle) const {
     using std::cos, std::sin;
     const vector<T, 3> e = radial(i);
-    const S out = p_.upper_arm * cos(angle) + (p_.base_radius - p_.platform_radius);
+    const S out = p_.upper_arm * cos(angle) + (S(p_.base_radius) - S(p_.platform_radius));
     return {e[0] * out, e[1] * out, -p_.upper_arm * sin(angle)};
   }
 

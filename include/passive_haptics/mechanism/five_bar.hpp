@@ -48,7 +48,7 @@ class five_bar {
     const vector<S, 2> apart(P2[0] - P1[0], P2[1] - P1[1]);
     const S square = apart[0] * apart[0] + apart[1] * apart[1];
     const S distance = sqrt(square);
-    const T sum = p_.distal_1 + p_.distal_2, difference = p_.distal_1 - p_.distal_2;
+    const S sum = S(p_.distal_1) + S(p_.distal_2), difference = S(p_.distal_1) - S(p_.distal_2);
     const S along = difference * sum / (T(2) * square);
     const S stretched = (sum - distance) * (sum + distance);
     const S folded = (distance - difference) * (distance + difference);
