@@ -69,13 +69,13 @@ template <class Case>
 class closed_chain : public ::testing::Test {
  protected:
   using mechanism = typename Case::mechanism;
-  static constexpr int N = mechanism::dof;
-  using joints = ph::vector<double, N>;
+  static constexpr int dof = mechanism::dof;
+  using joints = ph::vector<double, dof>;
   const oracle<mechanism> truth{Case::parameters()};
   const mechanism chain{Case::parameters()};
   random_source random{seed};
 
-  joints any_pose() { return random.between<double, N>(joints::Constant(-pi), joints::Constant(pi)); }
+  joints any_pose() { return random.between<double, dof>(joints::Constant(-pi), joints::Constant(pi)); }
 
   // A pose where the loop closes and both figures are at least `least`
   joints closed_pose(double least = 0.05) {
@@ -87,7 +87,7 @@ class closed_chain : public ::testing::Test {
   }
 
   // Handle of the chain's own assembly in 50 digits: the library's formula, which the constraints below confirm
-  vec<N> handle(const vec<N>& q) const { return chain.position(q); }
+  vec<dof> handle(const vec<dof>& q) const { return chain.position(q); }
 
   double length() const { return double(truth.distal(0)); }
 };
@@ -97,7 +97,7 @@ using chains = ::testing::Types<pantograph, pantograph_behind, lopsided_five_bar
 TYPED_TEST_SUITE(closed_chain, chains);
 
 TYPED_TEST(closed_chain, position_fulfils_the_constraints_on_its_own_side_or_is_not_a_number) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   int closed = 0, open = 0;
   for (int k = 0; k < 1000; ++k) {
     const auto q = this->any_pose();
@@ -128,7 +128,7 @@ TYPED_TEST(closed_chain, position_fulfils_the_constraints_on_its_own_side_or_is_
 }
 
 TYPED_TEST(closed_chain, jacobian_and_its_inverse_are_the_derivatives) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   for (int k = 0; k < 60; ++k) {
     const auto q = this->closed_pose(1e-3);
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose());
@@ -145,7 +145,7 @@ TYPED_TEST(closed_chain, jacobian_and_its_inverse_are_the_derivatives) {
 }
 
 TYPED_TEST(closed_chain, conditioning_is_the_angle_between_links_and_the_volume_of_distal_links) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   for (int k = 0; k < 100; ++k) {
     const auto q = this->closed_pose(1e-3);
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose());
@@ -159,7 +159,7 @@ TYPED_TEST(closed_chain, conditioning_is_the_angle_between_links_and_the_volume_
 }
 
 TYPED_TEST(closed_chain, mass_matrix_gives_the_kinetic_energy_of_the_links) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   for (int k = 0; k < 60; ++k) {
     const auto q = this->closed_pose();
     const ph::vector<double, N> qd = this->random.template normal_vector<double, N>();
@@ -178,7 +178,7 @@ TYPED_TEST(closed_chain, mass_matrix_gives_the_kinetic_energy_of_the_links) {
 }
 
 TYPED_TEST(closed_chain, bias_torque_at_rest_is_the_gradient_of_the_potential_energy) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   const bool weighs = !TypeParam::parameters().gravity.isZero(0);
   for (int k = 0; k < 60; ++k) {
     const auto q = this->closed_pose();
@@ -195,7 +195,7 @@ TYPED_TEST(closed_chain, bias_torque_at_rest_is_the_gradient_of_the_potential_en
 }
 
 TYPED_TEST(closed_chain, bias_acceleration_is_the_second_derivative_of_position) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   for (int k = 0; k < 60; ++k) {
     const auto q = this->closed_pose();
     const ph::vector<double, N> qd = this->random.template normal_vector<double, N>();
@@ -232,7 +232,7 @@ auto other_assembly(ph::delta_assembly a) {
 }
 
 TYPED_TEST(closed_chain, forward_undoes_inverse_with_every_choice_of_elbows) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   auto mirrored = TypeParam::parameters();
   mirrored.assembly = other_assembly(mirrored.assembly);
   const typename TypeParam::mechanism mirror(mirrored);
@@ -263,7 +263,7 @@ TYPED_TEST(closed_chain, forward_undoes_inverse_with_every_choice_of_elbows) {
 }
 
 TYPED_TEST(closed_chain, inverse_says_what_is_out_of_reach_or_not_finite) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   using point = ph::vector<double, N>;
   for (int k = 0; k < 100; ++k) {
     const point far = this->random.template direction<double, N>();
@@ -290,7 +290,7 @@ real root(F&& f, real a, real b) {
 }
 
 TYPED_TEST(closed_chain, near_type_1_conditioning_falls_linearly_and_only_the_inverse_is_unbounded) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   int found = 0;
   for (int k = 0; k < 20000 && found < 5; ++k) {
     // Two poses between which leg 1 passes the singularity, all else well away from one
@@ -336,7 +336,7 @@ TYPED_TEST(closed_chain, near_type_1_conditioning_falls_linearly_and_only_the_in
 }
 
 TYPED_TEST(closed_chain, near_type_2_the_inverse_jacobian_stays_finite_and_beyond_it_there_is_no_pose) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   int found = 0;
   for (int k = 0; k < 20000 && found < 5; ++k) {
     ph::vector<double, N> q = this->closed_pose(0.1), end = q;

@@ -123,17 +123,17 @@ template <class Case>
 class chain_oracle : public ::testing::Test {
  protected:
   using mechanism = typename Case::mechanism;
-  static constexpr int N = mechanism::dof, D = mechanism::task_dimension;
-  const oracle<double, N, D> truth{Case::geometry(), Case::inertia()};
+  static constexpr int dof = mechanism::dof, dimension = mechanism::task_dimension;
+  const oracle<double, dof, dimension> truth{Case::geometry(), Case::inertia()};
   const mechanism chain = Case::make();
   random_source random{seed};
 
-  ph::vector<double, N> pose() { return random.between<double, N>(Case::lower(), Case::upper()); }
+  ph::vector<double, dof> pose() { return random.between<double, dof>(Case::lower(), Case::upper()); }
 };
 TYPED_TEST_SUITE(chain_oracle, sampled_chains);
 
 TYPED_TEST(chain_oracle, position_is_the_product_of_exponentials) {
-  constexpr int N = TestFixture::N, D = TestFixture::D;
+  constexpr int N = TestFixture::dof, D = TestFixture::dimension;
   for (int k = 0; k < 100; ++k) {
     const ph::vector<double, N> q = this->pose();
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose());
@@ -145,7 +145,7 @@ TYPED_TEST(chain_oracle, position_is_the_product_of_exponentials) {
 }
 
 TYPED_TEST(chain_oracle, jacobian_is_the_derivative_of_the_product_of_exponentials) {
-  constexpr int N = TestFixture::N, D = TestFixture::D;
+  constexpr int N = TestFixture::dof, D = TestFixture::dimension;
   for (int k = 0; k < 50; ++k) {
     const ph::vector<double, N> q = this->pose();
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose());
@@ -158,7 +158,7 @@ TYPED_TEST(chain_oracle, jacobian_is_the_derivative_of_the_product_of_exponentia
 }
 
 TYPED_TEST(chain_oracle, mass_matrix_gives_the_kinetic_energy_of_the_links) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   for (int k = 0; k < 20; ++k) {
     const ph::vector<double, N> q = this->pose(), qd = this->random.template normal_vector<double, N>();
     SCOPED_TRACE(::testing::Message()
@@ -170,7 +170,7 @@ TYPED_TEST(chain_oracle, mass_matrix_gives_the_kinetic_energy_of_the_links) {
 }
 
 TYPED_TEST(chain_oracle, bias_torque_at_rest_is_the_gradient_of_the_potential_energy) {
-  constexpr int N = TestFixture::N;
+  constexpr int N = TestFixture::dof;
   for (int k = 0; k < 20; ++k) {
     const ph::vector<double, N> q = this->pose();
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose());

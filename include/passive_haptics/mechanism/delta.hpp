@@ -50,18 +50,8 @@ class delta {
   /// The height is a product of differences of lengths, so no squares cancel. Any scalar S that multiplies with T.
   template <class S>
   vector<S, 3> position(const vector<S, 3>& q) const {
-    using std::sqrt;
-    const vector<S, 3> P1 = elbow_at(0, q[0]), P2 = elbow_at(1, q[1]), P3 = elbow_at(2, q[2]);
-    const vector<S, 3> a = P2 - P1, b = P3 - P1, c = P3 - P2;
-    const vector<S, 3> n = detail::cross(a, b);
-    const S aa = dot(a, a), bb = dot(b, b), nn = dot(n, n);
-    const vector<S, 3> bn = detail::cross(b, n), na = detail::cross(n, a);
-    const S circumradius = sqrt(S(aa * bb * dot(c, c) / nn)) / T(2);
-    const S height = side_ * sqrt(S((p_.forearm - circumradius) * (p_.forearm + circumradius) / nn));
-    const S to_centre = T(1) / (T(2) * nn);
-    vector<S, 3> x;
-    for (int k = 0; k < 3; ++k) x[k] = P1[k] + (aa * bn[k] + bb * na[k]) * to_centre + height * n[k];
-    return x;
+    return handle(elbow_point(0, lever(0, q[0])), elbow_point(1, lever(1, q[1])),
+                  elbow_point(2, lever(2, q[2])));
   }
 
   /// J = A^-1 B [m/rad].
@@ -93,7 +83,7 @@ class delta {
       if (solution.outcome == status::ok && square < T(0)) solution.outcome = status::out_of_reach;
     }
     if (solution.outcome != status::ok) return solution;
-    const T above = side_ * legs(solution.q, x).link.determinant();
+    const T above = side_ * legs(solution.q, &x).link.determinant();
     if (above < -rounding_tolerance<T>(3) * p_.forearm * p_.forearm * p_.forearm)
       solution.outcome = status::out_of_reach;
     return solution;
@@ -139,24 +129,48 @@ class delta {
   }
 
   template <class S>
-  vector<S, 3> elbow_at(int i, const S& angle) const {
+  vector<S, 3> lever(int i, const S& angle) const {
     using std::cos, std::sin;
     const vector<T, 3> e = radial(i);
-    const S out = p_.upper_arm * cos(angle) + (S(p_.base_radius) - S(p_.platform_radius));
+    const S out = p_.upper_arm * cos(angle);
     return {e[0] * out, e[1] * out, -p_.upper_arm * sin(angle)};
   }
 
-  distal_links<T, 3> legs(const vector<T, 3>& q) const { return legs(q, position(q)); }
+  // Moved inwards by the platform's radius
+  template <class S>
+  vector<S, 3> elbow_point(int i, const vector<S, 3>& arm) const {
+    const vector<T, 3> e = radial(i);
+    const S radius = S(p_.base_radius) - S(p_.platform_radius);
+    return {arm[0] + e[0] * radius, arm[1] + e[1] * radius, arm[2]};
+  }
 
-  distal_links<T, 3> legs(const vector<T, 3>& q, const vector<T, 3>& x) const {
+  template <class S>
+  vector<S, 3> handle(const vector<S, 3>& P1, const vector<S, 3>& P2, const vector<S, 3>& P3) const {
+    using std::sqrt;
+    const vector<S, 3> a = P2 - P1, b = P3 - P1, c = P3 - P2;
+    const vector<S, 3> n = detail::cross(a, b);
+    const S aa = dot(a, a), bb = dot(b, b), nn = dot(n, n);
+    const vector<S, 3> bn = detail::cross(b, n), na = detail::cross(n, a);
+    const S circumradius = sqrt(S(aa * bb * dot(c, c) / nn)) / T(2);
+    const S height = side_ * sqrt(S((p_.forearm - circumradius) * (p_.forearm + circumradius) / nn));
+    const S to_centre = T(1) / (T(2) * nn);
+    vector<S, 3> x;
+    for (int k = 0; k < 3; ++k) x[k] = P1[k] + (aa * bn[k] + bb * na[k]) * to_centre + height * n[k];
+    return x;
+  }
+
+  // With the platform at x, or else where it is
+  distal_links<T, 3> legs(const vector<T, 3>& q, const vector<T, 3>* x = nullptr) const {
     distal_links<T, 3> at;
+    std::array<vector<T, 3>, 3> P;
     for (int i = 0; i < 3; ++i) {
-      const vector<T, 3> e = radial(i);
-      const T out = p_.upper_arm * std::cos(q[i]), down = p_.upper_arm * std::sin(q[i]);
-      at.lever.col(i) = out * e - down * vector<T, 3>::UnitZ();
-      at.tangent.col(i) = -down * e - out * vector<T, 3>::UnitZ();
-      at.link.row(i) = x - (p_.base_radius - p_.platform_radius) * e - at.lever.col(i);
+      const vector<T, 3> a = lever(i, q[i]), e = radial(i);
+      P[std::size_t(i)] = elbow_point(i, a);
+      at.lever.col(i) = a;
+      at.tangent.col(i) = a[2] * e - a.dot(e) * vector<T, 3>::UnitZ();
     }
+    const vector<T, 3> end = x != nullptr ? *x : handle(P[0], P[1], P[2]);
+    for (int i = 0; i < 3; ++i) at.link.row(i) = end - P[std::size_t(i)];
     return at;
   }
 

@@ -41,21 +41,7 @@ class five_bar {
   /// a product of differences of lengths, so no squares cancel. Any scalar S that multiplies with T.
   template <class S>
   vector<S, 2> position(const vector<S, 2>& q) const {
-    using std::cos, std::sin, std::sqrt;
-    const T half_base = p_.base_distance / T(2);
-    const vector<S, 2> P1(p_.proximal_1 * cos(q[0]) - half_base, p_.proximal_1 * sin(q[0]));
-    const vector<S, 2> P2(p_.proximal_2 * cos(q[1]) + half_base, p_.proximal_2 * sin(q[1]));
-    const vector<S, 2> apart(P2[0] - P1[0], P2[1] - P1[1]);
-    const S square = apart[0] * apart[0] + apart[1] * apart[1];
-    const S distance = sqrt(square);
-    const S sum = S(p_.distal_1) + S(p_.distal_2), difference = S(p_.distal_1) - S(p_.distal_2);
-    const S along = difference * sum / (T(2) * square);
-    const S stretched = (sum - distance) * (sum + distance);
-    const S folded = (distance - difference) * (distance + difference);
-    const S across = side_ * sqrt(S(stretched * folded)) / (T(2) * square);
-    const T half = T(1) / T(2);
-    return {half * (P1[0] + P2[0]) + along * apart[0] - across * apart[1],
-            half * (P1[1] + P2[1]) + along * apart[1] + across * apart[0]};
+    return handle(elbow_point(0, lever(0, q[0])), elbow_point(1, lever(1, q[1])));
   }
 
   /// J = A^-1 B [m/rad].
@@ -86,7 +72,7 @@ class five_bar {
     const vector<T, 2> q(detail::principal_angle(q1.q[0]), detail::principal_angle(q2.q[0]));
     if (q1.outcome != status::ok) return {q, q1.outcome};
     if (q2.outcome != status::ok) return {q, q2.outcome};
-    const T left_of = side_ * legs(q, x).link.determinant();
+    const T left_of = side_ * legs(q, &x).link.determinant();
     const bool other_side = left_of < -rounding_tolerance<T>(2) * p_.distal_1 * p_.distal_2;
     return {q, other_side ? status::out_of_reach : status::ok};
   }
@@ -131,17 +117,46 @@ class five_bar {
  private:
   static constexpr T third = T(1) / T(3);  // a uniform rod about its end: m l^2 / 3
 
-  distal_links<T, 2> legs(const vector<T, 2>& q) const { return legs(q, position(q)); }
+  template <class S>
+  vector<S, 2> lever(int i, const S& angle) const {
+    using std::cos, std::sin;
+    const T l = i == 0 ? p_.proximal_1 : p_.proximal_2;
+    return {l * cos(angle), l * sin(angle)};
+  }
 
-  distal_links<T, 2> legs(const vector<T, 2>& q, const vector<T, 2>& x) const {
+  template <class S>
+  vector<S, 2> elbow_point(int i, const vector<S, 2>& arm) const {
+    const T half_base = p_.base_distance / T(2);
+    return {arm[0] + (i == 0 ? -half_base : half_base), arm[1]};
+  }
+
+  template <class S>
+  vector<S, 2> handle(const vector<S, 2>& P1, const vector<S, 2>& P2) const {
+    using std::sqrt;
+    const vector<S, 2> apart(P2[0] - P1[0], P2[1] - P1[1]);
+    const S square = apart[0] * apart[0] + apart[1] * apart[1];
+    const S distance = sqrt(square);
+    const S sum = S(p_.distal_1) + S(p_.distal_2), difference = S(p_.distal_1) - S(p_.distal_2);
+    const S along = difference * sum / (T(2) * square);
+    const S stretched = (sum - distance) * (sum + distance);
+    const S folded = (distance - difference) * (distance + difference);
+    const S across = side_ * sqrt(S(stretched * folded)) / (T(2) * square);
+    const T half = T(1) / T(2);
+    return {half * (P1[0] + P2[0]) + along * apart[0] - across * apart[1],
+            half * (P1[1] + P2[1]) + along * apart[1] + across * apart[0]};
+  }
+
+  // With the handle at x, or else where it is
+  distal_links<T, 2> legs(const vector<T, 2>& q, const vector<T, 2>* x = nullptr) const {
     distal_links<T, 2> at;
-    const vector<T, 2> arm_1(std::cos(q[0]), std::sin(q[0])), arm_2(std::cos(q[1]), std::sin(q[1]));
-    at.lever << p_.proximal_1 * arm_1, p_.proximal_2 * arm_2;
+    const vector<T, 2> a1 = lever(0, q[0]), a2 = lever(1, q[1]);
+    const vector<T, 2> P1 = elbow_point(0, a1), P2 = elbow_point(1, a2);
+    const vector<T, 2> end = x != nullptr ? *x : handle(P1, P2);
+    at.lever << a1, a2;
     at.tangent.row(0) = -at.lever.row(1);
     at.tangent.row(1) = at.lever.row(0);
-    const vector<T, 2> base_2(p_.base_distance / T(2), T(0));
-    at.link.row(0) = x + base_2 - at.lever.col(0);
-    at.link.row(1) = x - base_2 - at.lever.col(1);
+    at.link.row(0) = end - P1;
+    at.link.row(1) = end - P2;
     return at;
   }
 
