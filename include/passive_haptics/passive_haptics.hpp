@@ -4,6 +4,10 @@
 
 #include <passive_haptics/core/version.hpp>
 
+#include <passive_haptics/mechanism/delta.hpp>
+#include <passive_haptics/mechanism/denavit_hartenberg.hpp>
+#include <passive_haptics/mechanism/five_bar.hpp>
+#include <passive_haptics/mechanism/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/two_link.hpp>
 #include <passive_haptics/mechanism/xy_table.hpp>

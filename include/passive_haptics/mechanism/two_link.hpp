@@ -4,9 +4,8 @@
 
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
-#include <passive_haptics/mechanism/joint_solution.hpp>
+#include <passive_haptics/mechanism/two_link_inverse.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace passive_haptics {
@@ -34,12 +33,6 @@ std::string validate(const two_link_parameters<T>& p) {
       detail::check_not_negative("rotor_inertia_1 [kg m^2]", p.rotor_inertia_1),
       detail::check_not_negative("rotor_inertia_2 [kg m^2]", p.rotor_inertia_2));
 }
-
-/// The branch of a two-link arm, seen from the base towards the handle.
-enum class elbow {
-  left,   ///< q2 <= 0: the elbow lies left of the line from base to handle.
-  right,  ///< q2 >= 0: it lies right of it.
-};
 
 /// Two-link arm in a horizontal plane, q1 from the x axis, q2 from link 1 [rad]:
 ///
@@ -80,16 +73,7 @@ class two_link {
   /// Joint positions that put the handle at x [m]. Out of reach gives the nearest reach in the same
   /// direction; at x = 0 (l1 = l2) q1 is free and 0 is taken for the direction.
   joint_solution<T, 2> inverse(const vector<T, 2>& x, elbow branch) const {
-    const T l1 = p_.length_1, l2 = p_.length_2;
-    const T r = std::hypot(x[0], x[1]);
-    const T outside = (l1 + l2 - r) * (l1 + l2 + r);     // 0 where straight
-    const T inside = (r - (l1 - l2)) * (r + (l1 - l2));  // 0 where folded
-    if (!std::isfinite(outside))
-      return {vector<T, 2>::Constant(std::numeric_limits<T>::quiet_NaN()), status::state_not_finite};
-    const T bend = T(2) * std::atan2(std::sqrt(std::max(outside, T(0))), std::sqrt(std::max(inside, T(0))));
-    const T q2 = branch == elbow::left ? -bend : bend;
-    const T q1 = std::atan2(x[1], x[0]) - std::atan2(l2 * std::sin(q2), l1 + l2 * std::cos(q2));
-    return {{q1, q2}, outside < T(0) || inside < T(0) ? status::out_of_reach : status::ok};
+    return two_link_inverse(p_.length_1, p_.length_2, x, branch);
   }
 
   /// M(q) [kg m^2], rotors on the joint axes included.

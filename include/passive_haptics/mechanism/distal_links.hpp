@@ -1,0 +1,70 @@
+/// @file
+/// The constraint of legs that meet at the handle: the distal link of each keeps its length.
+#pragma once
+
+#include <passive_haptics/mechanism/closed_chain.hpp>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace passive_haptics {
+
+/// N legs in N dimensions. Leg i has a lever a_i from its base joint to its elbow, which turns at rate qd_i, and a
+/// distal link r_i from the elbow to the handle. As |r_i| is constant,
+///
+///     A v = B qd,   A = [r_i^T],   B = diag(r_i . a'_i),   a'_i = da_i / dq_i,   a''_i = -a_i.
+template <class T, int N>
+struct distal_links {
+  matrix<T, N, N> link;     ///< A [m]: row i is r_i^T.
+  matrix<T, N, N> lever;    ///< Column i is a_i [m].
+  matrix<T, N, N> tangent;  ///< Column i is a'_i [m/rad].
+
+  /// Diagonal of B [m^2/rad].
+  vector<T, N> drive() const {
+    vector<T, N> B;
+    for (int i = 0; i < N; ++i) B[i] = link.row(i).dot(tangent.col(i));
+    return B;
+  }
+
+  /// J = A^-1 B [m/rad]; not finite, or of no accuracy, where A is singular. One LU of N x N.
+  matrix<T, N, N> jacobian() const {
+    return link.partialPivLu().solve(matrix<T, N, N>(drive().asDiagonal()));
+  }
+
+  /// J^-1 = B^-1 A [rad/m]; not finite where B is singular.
+  matrix<T, N, N> inverse_jacobian() const { return drive().cwiseInverse().asDiagonal() * link; }
+
+  /// |B_ii| / (|r_i| |a'_i|), the least, and |det A| / prod |r_i|.
+  chain_conditioning<T> conditioning() const {
+    const vector<T, N> length = link.rowwise().norm();
+    const vector<T, N> sine = drive().cwiseAbs().cwiseQuotient(length).cwiseQuotient(
+        vector<T, N>(tangent.colwise().norm().transpose()));
+    const matrix<T, N, N> unit = length.cwiseInverse().asDiagonal() * link;
+    // In this order std::min keeps a NaN
+    return {std::min(sine.template minCoeff<Eigen::PropagateNaN>(), T(1)),
+            std::min(std::abs(unit.determinant()), T(1))};
+  }
+
+  /// Jd qd [m/s^2] from the second derivative of the constraint: r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.
+  vector<T, N> bias_acceleration(const matrix<T, N, N>& J, const vector<T, N>& qd) const {
+    const vector<T, N> v = J * qd;
+    vector<T, N> right;
+    for (int i = 0; i < N; ++i) {
+      const vector<T, N> relative = v - qd[i] * tangent.col(i);
+      right[i] = -qd[i] * qd[i] * link.row(i).dot(lever.col(i)) - relative.squaredNorm();
+    }
+    return link.partialPivLu().solve(right);
+  }
+};
+
+namespace detail {
+
+/// The angle in [-pi, pi].
+template <class T>
+T principal_angle(T angle) {
+  return std::remainder(angle, T(2) * std::numbers::pi_v<T>);
+}
+
+}  // namespace detail
+}  // namespace passive_haptics
