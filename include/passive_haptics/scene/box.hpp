@@ -56,7 +56,7 @@ class box {
   /// Signed distance [m]; one square root outside, D^2 multiplications.
   double distance(const point<D>& x) const {
     const point<D> q = beyond_faces(local(x));
-    const double inside = q.template maxCoeff<Eigen::PropagateNaN>();
+    const double inside = q.maxCoeff();
     return inside > 0 ? q.cwiseMax(0).norm() : inside;
   }
 
