@@ -16,8 +16,23 @@
 #include <passive_haptics/brake/reference_forces.hpp>
 
 #include <passive_haptics/scene/ball.hpp>
+#include <passive_haptics/scene/box.hpp>
+#include <passive_haptics/scene/capsule.hpp>
+#include <passive_haptics/scene/complement.hpp>
+#include <passive_haptics/scene/convex_polygon.hpp>
+#include <passive_haptics/scene/convex_polytope.hpp>
 #include <passive_haptics/scene/half_space.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/moving.hpp>
+#include <passive_haptics/scene/offset.hpp>
+#include <passive_haptics/scene/room.hpp>
+#include <passive_haptics/scene/virtual_fixtures.hpp>
+
+#include <passive_haptics/force/effects/detents.hpp>
+#include <passive_haptics/force/effects/end_stops.hpp>
+#include <passive_haptics/force/effects/guide.hpp>
+#include <passive_haptics/force/effects/viscous_field.hpp>
+#include <passive_haptics/force/effects/wall_friction.hpp>
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws.hpp>

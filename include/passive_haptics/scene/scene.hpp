@@ -5,6 +5,7 @@
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
+#include <boost/hana/at.hpp>
 #include <boost/hana/for_each.hpp>
 #include <boost/hana/tuple.hpp>
 
@@ -54,12 +55,20 @@ class scene {
     boost::hana::for_each(walls_, std::forward<F>(f));
   }
 
+  /// Wall Number, to move its shape between two cycles: `scene.template get<0>().shape.set_motion(...)`.
+  template <int Number>
+  auto& get() {
+    static_assert(0 <= Number && Number < wall_count,
+                  "passive_haptics: the scene has no wall of this number.");
+    return boost::hana::at_c<Number>(walls_);
+  }
+
  private:
   boost::hana::tuple<wall<First>, wall<Rest>...> walls_;
 };
 
-/// The walls touched at x [m] (distance < 0). A NaN in x gives a contact with a NaN depth, which the step
-/// reports. Cost: one distance for each wall, one gradient for each contact.
+/// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a contact with
+/// a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for each contact.
 template <class... Shapes>
 typename scene<Shapes...>::contacts_type sense(const scene<Shapes...>& walls,
                                                const point<scene<Shapes...>::dimension>& x) {
@@ -68,8 +77,11 @@ typename scene<Shapes...>::contacts_type sense(const scene<Shapes...>& walls,
   walls.for_each_wall([&](const auto& w) {
     const double distance = w.shape.distance(x);
     if (!(distance >= 0)) {
-      touched.push_back(
-          {.normal = w.shape.gradient(x), .depth = -distance, .stiffness = w.stiffness, .wall = number});
+      touched.push_back({.normal = w.shape.gradient(x),
+                         .depth = -distance,
+                         .stiffness = w.stiffness,
+                         .wall_velocity = surface_velocity(w.shape, x),
+                         .wall = number});
     }
     ++number;
   });

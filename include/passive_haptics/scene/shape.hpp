@@ -26,11 +26,30 @@ concept names_dimension = requires { requires(std::integral_constant<int, S::dim
 ///   - `point<dimension> gradient(const point<dimension>& x) const`: its gradient, a unit vector out of the wall.
 ///
 /// Laws: |distance(x) - distance(y)| <= |x - y| (1-Lipschitz); gradient is the derivative of distance where
-/// that exists and any unit vector pointing to free space elsewhere. testing/shape_laws.hpp checks them.
+/// that exists and any unit vector pointing to free space elsewhere. testing/shape_laws.hpp checks them. A NaN in x
+/// gives a NaN distance, so that no step mistakes it for free space.
 template <class S>
 concept Shape = detail::names_dimension<S> && requires(const S shape, const point<S::dimension> x) {
   { shape.distance(x) } -> std::same_as<double>;
   { shape.gradient(x) } -> ExactVector<double, S::dimension>;
 };
+
+/// A shape that moves. Minimal complete definition, beyond Shape:
+///   - `point<dimension> velocity(const point<dimension>& x) const`: velocity [m/s] of the surface nearest to x,
+///     base frame.
+template <class S>
+concept MovingShape = Shape<S> && requires(const S shape, const point<S::dimension> x) {
+  { shape.velocity(x) } -> ExactVector<double, S::dimension>;
+};
+
+/// Velocity [m/s] of the surface of a shape nearest to x; zero for one that does not move.
+template <Shape S>
+point<S::dimension> surface_velocity(const S& shape, const point<S::dimension>& x) {
+  if constexpr (MovingShape<S>) {
+    return shape.velocity(x);
+  } else {
+    return point<S::dimension>::Zero();
+  }
+}
 
 }  // namespace passive_haptics

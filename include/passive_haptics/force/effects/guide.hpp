@@ -1,0 +1,83 @@
+/// @file
+/// Guidance along a line or in a plane by resistance to what leaves it.
+#pragma once
+
+#include <passive_haptics/force/effects/effect.hpp>
+#include <passive_haptics/force/effects/resistance.hpp>
+
+namespace passive_haptics {
+
+/// What a guide leads along.
+enum class guide_along {
+  line,   ///< The line through `point` along `direction`.
+  plane,  ///< The plane through `point` with the normal `direction`.
+};
+
+/// Where a guide is and how it resists.
+template <class T, int D>
+struct guide_parameters {
+  guide_along along = guide_along::line;           ///< Line or plane.
+  vector<T, D> point = vector<T, D>::Zero();       ///< Any point of it [m].
+  vector<T, D> direction = vector<T, D>::UnitX();  ///< Along the line or normal to the plane; any length > 0.
+  T stiffness = T(0);                              ///< Growth of the resistance to leaving [N/m], >= 0.
+  T tolerance = T(0);                              ///< Way off that is not resisted by stiffness [m], >= 0.
+  T viscosity = T(0);                              ///< Across the guide, either way [N s/m], >= 0.
+  T velocity_dead_band = default_velocity_dead_band<T>;  ///< Slower counts as at rest [m/s], > 0.
+};
+
+/// What is wrong with the parameters; empty if nothing.
+template <class T, int D>
+std::string validate(const guide_parameters<T, D>& p) {
+  if (!all_finite(p.point)) return "point of a guide is not finite, expected metres";
+  return detail::first_complaint(
+      detail::check_direction("|direction| of a guide", p.direction),
+      detail::check_not_negative("stiffness of a guide [N/m]", p.stiffness),
+      detail::check_not_negative("tolerance of a guide [m]", p.tolerance),
+      detail::check_not_negative("viscosity of a guide [N s/m]", p.viscosity),
+      detail::check_positive("velocity_dead_band of a guide [m/s]", p.velocity_dead_band));
+}
+
+/// A virtual fixture as a resistance. With e the way off the guide, v_e the velocity across it, u = e / |e|:
+///
+///   F = -k max(|e| - tolerance, 0) u  while u . v > 0, else 0;   and -b v_e always.
+///
+/// Motion along the guide and back to it is free of stiffness; nothing pulls the handle back. Continuous in x; in v
+/// outside the dead band, where the first part is a one_way_resistance() and holds against a hand force under its limit.
+/// scene/virtual_fixtures.hpp has the same as walls.
+/// References: L. B. Rosenberg, Virtual fixtures: perceptual tools for telerobotic manipulation, IEEE VRAIS 1993, pp.
+/// 76-82; D. K. Swanson, W. J. Book, Path-following control for dissipative passive haptic displays, 11th Symposium on
+/// Haptics, 2003, pp. 101-108 (the paper's [5]).
+template <class T, int D>
+class guide {
+ public:
+  using scalar = T;                    ///< Scalar of forces.
+  static constexpr int dimension = D;  ///< d
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit guide(const guide_parameters<T, D>& p) : p_(require_valid(p)) { p_.direction.stableNormalize(); }
+
+  /// Way off the guide [m], at right angles to it.
+  vector<T, D> deviation(const vector<T, D>& x) const { return across(x - p_.point); }
+
+  /// Force [N] at x [m] with velocity v [m/s]; the hand force [N] matters in the dead band only.
+  vector<T, D> force(const vector<T, D>& x, const vector<T, D>& v,
+                     const vector<T, D>& hand_force = vector<T, D>::Zero()) const {
+    const vector<T, D> drag = -p_.viscosity * across(v);
+    const vector<T, D> e = deviation(x);
+    const T way_off = e.norm();
+    if (way_off <= p_.tolerance) return drag;
+    const vector<T, D> u = e / way_off;
+    const T limit = p_.stiffness * (way_off - p_.tolerance);
+    return drag - one_way_resistance(limit, u.dot(v), p_.velocity_dead_band, u.dot(hand_force)) * u;
+  }
+
+ private:
+  vector<T, D> across(const vector<T, D>& r) const {
+    const vector<T, D> along = p_.direction * p_.direction.dot(r);
+    return p_.along == guide_along::line ? vector<T, D>(r - along) : along;
+  }
+
+  guide_parameters<T, D> p_;
+};
+
+}  // namespace passive_haptics
