@@ -1,9 +1,11 @@
 // Several contacts: the torques are the best in the stated order of priority, against every face of the torque box.
 #include "priorities_oracle.hpp"
 
+#include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/contact_forces.hpp>
 
 #include <gtest/gtest.h>
+#include <Eigen/SVD>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <random>
@@ -183,4 +185,33 @@ TEST(contact_forces, are_the_best_in_50_digits) {
   compare<real, 2, 2>(300, 31, 1e-30, sum);
   compare<real, 3, 3>(100, 32, 1e-30, sum);
   record(sum);
+}
+
+// One contact being left, within the limits: F = alpha Fc (12), in half-space form as in generator form.
+TEST(contact_forces, of_one_contact_are_those_of_direct_control) {
+  std::mt19937_64 engine(41);
+  std::normal_distribution<double> gauss;
+  int displayed = 0;
+  for (int k = 0; k < 20000; ++k) {
+    SCOPED_TRACE(::testing::Message() << "case " << k << ", seed 41");
+    ph::matrix<double, 3, 3> E;
+    for (auto& x : E.reshaped()) x = 0.2 * gauss(engine);
+    ph::vector<double, 3> s, n;
+    for (int i = 0; i < 3; ++i) s[i] = gauss(engine) > 0 ? 1 : -1;
+    for (auto& x : n) x = gauss(engine);
+    n.normalize();
+    const auto Fc = ph::approximate(E, s, n, ph::brake_torque(E, n), 0.0174);
+    if (!ph::is_displayed(Fc.display)) continue;
+    ++displayed;
+    const double wanted = 2;
+    const auto unlimited = ph::vector<double, 3>::Constant(HUGE_VAL);
+    const auto answer = ph::contact_forces<double, 3, 3, 1>(
+        ph::invert_brake_jacobian(E), ph::torques_within<double, 3>(s, unlimited), {{{n, wanted, true}}}, 1);
+    const Eigen::JacobiSVD<ph::matrix<double, 3, 3>> svd(E);
+    const double condition = svd.singularValues()[0] / svd.singularValues()[2];
+    const double size = wanted * Fc.force.norm() / Fc.cosine;
+    ASSERT_LE((answer.force - wanted * Fc.force).norm(), 1e-14 * condition * size);
+    ASSERT_NEAR(answer.displayed[0], wanted, 1e-13 * condition);
+  }
+  EXPECT_GT(displayed, 5000);
 }

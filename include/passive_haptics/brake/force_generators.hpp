@@ -11,24 +11,35 @@
 
 namespace passive_haptics {
 
+namespace detail {
+template <class M>
+concept has_inverse_jacobian = requires(const M mechanism, const joint_vector<M> q) {
+  { mechanism.inverse_jacobian(q) } -> ExactMatrix<typename M::scalar, M::dof, M::task_dimension>;
+};
+}  // namespace detail
+
 /// G = J^-T T^T (d x m) [N per N m] for n = d: brake torques t make the force F = G t at the end effector, however
-/// many brakes there are. Not finite at a singular J. Cost: one orthogonal decomposition
+/// many brakes there are. From inverse_jacobian where the mechanism has one (closed chains). Not finite at a singular J. Cost: one orthogonal decomposition
 /// of d x d.
 template <class M>
   requires(M::dof == M::task_dimension)
 matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(const M& mechanism,
                                                                                const joint_vector<M>& q) {
   using T = typename M::scalar;
-  const auto Jt = transposed(matrix<T, M::dof, M::dof>(jacobian(mechanism, q)));
-  const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, M::dof, T(0));
+  using generators = matrix<T, M::task_dimension, M::brake_count>;
   matrix<T, M::brake_count, M::dof> A = matrix<T, M::brake_count, M::dof>::Identity();
   if constexpr (detail::has_exact_transmission<M>)
     A = matrix<T, M::brake_count, M::dof>(transmission(mechanism, q));
-  using generators = matrix<T, M::task_dimension, M::brake_count>;
-  generators G = generators::Constant(std::numeric_limits<T>::quiet_NaN());
-  if (decomposition.rank() < M::dof) return G;
-  for (int i = 0; i < M::brake_count; ++i) G.col(i) = decomposition.solve(A.row(i).transpose());
-  return G;
+  if constexpr (detail::has_inverse_jacobian<M>) {
+    return transposed(matrix<T, M::brake_count, M::task_dimension>(A * mechanism.inverse_jacobian(q)));
+  } else {
+    const auto Jt = transposed(matrix<T, M::dof, M::dof>(jacobian(mechanism, q)));
+    const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, M::dof, T(0));
+    generators G = generators::Constant(std::numeric_limits<T>::quiet_NaN());
+    if (decomposition.rank() < M::dof) return G;
+    for (int i = 0; i < M::brake_count; ++i) G.col(i) = decomposition.solve(A.row(i).transpose());
+    return G;
+  }
 }
 
 /// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d): the force at the end effector that

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/force/classification.hpp>
 #include <passive_haptics/force/nearest_force.hpp>
 #include <passive_haptics/force/nearest_torque.hpp>
