@@ -35,4 +35,18 @@ int governing_contact(const contacts<D, Capacity>& touched) {
   return governing;
 }
 
+/// The contact that asks for a force F [N], base frame: how an effect (force/effects) joins the walls of a step. An effect
+/// that resists motion has F . v <= 0, so no law ever scales it.
+template <class T, int D>
+contact<D> contact_asking_for(const vector<T, D>& F) {
+  const point<D> force = F.template cast<double>();
+  const double magnitude = force.stableNorm();
+  contact<D> c;
+  if (magnitude > 0) c.normal = force / magnitude;
+  c.depth = magnitude;  // [m], with 1 N/m
+  c.stiffness = 1;
+  c.wall = -1;
+  return c;
+}
+
 }  // namespace passive_haptics

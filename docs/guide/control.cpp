@@ -1,0 +1,40 @@
+#include <passive_haptics/passive_haptics.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace ph = passive_haptics;
+using device = ph::tendon_two_link<double>;
+
+// A law of one's own: direct control that also eases the brakes while the handle moves in slowly.
+struct soft_landing {
+  static constexpr bool needs_hand_force = true, gives_way = true;
+  static constexpr bool needs_dynamics = false, needs_brake_lag = false;
+  struct memory {};
+  template <class T, int D>
+  T scale(const ph::contact_situation<T, D>& c, memory&) const noexcept {
+    const T full = c.normal_velocity < T(-0.02) ? T(1) : T(0.5);  // faster than 2 cm/s
+    ph::direct_control::memory none;
+    return std::min(full, ph::direct_control().scale(c, none));
+  }
+};
+static_assert(ph::ControlLaw<soft_landing>);
+
+int main() {
+  const device arm;
+  const ph::half_space<2> top({0, 0.225}, {0, -1}), right({0.13, 0}, {-1, 0});
+  ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(top), ph::wall(right)),
+                         soft_landing());
+
+  ph::device_state<device> state;
+  state.q = arm.inverse({0.1301, 0.2251}, ph::elbow::left).q;  // in the corner, inside both walls
+  state.qd = {-0.3, 0.4};
+  state.hand_force = {1, 1};
+  const auto result = control(state);
+  for (int j = 0; j < result.contact_count; ++j) {
+    const auto& report = result.contacts[static_cast<std::size_t>(j)];
+    std::cout << "wall " << report.wall << ": wanted " << report.wanted << " N, displayed "
+              << report.displayed << " N\n";
+  }
+  return result.outcome == ph::status::ok && result.contact_count == 2 ? 0 : 1;
+}
