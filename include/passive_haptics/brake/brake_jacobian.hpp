@@ -28,9 +28,14 @@ auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
       return diagonal_matrix<T, M::dof>(J.diagonal().cwiseQuotient(A.diagonal()));
     } else if constexpr (diagonal_T) {
       return dense(J.array().rowwise() / A.diagonal().transpose().array());
-    } else {  // E T = J, so T^T E^T = J^T
-      const matrix<T, M::dof, M::task_dimension> Jt = matrix<T, M::task_dimension, M::dof>(J).transpose();
-      return dense(matrix<T, M::dof, M::dof>(A.transpose()).partialPivLu().solve(Jt).transpose());
+    } else {  // E T = J, so each row e of E solves T^T e = j
+      const Eigen::PartialPivLU<matrix<T, M::dof, M::dof>> lu(A);
+      const matrix<T, M::task_dimension, M::dof> full(J);
+      dense E;
+      for (int i = 0; i < M::task_dimension; ++i) {
+        E.row(i) = lu.transpose().solve(vector<T, M::dof>(full.row(i)));
+      }
+      return E;
     }
   }
 }

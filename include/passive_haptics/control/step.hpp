@@ -33,6 +33,7 @@ struct step_options {
 /// What a step remembers; start a motion with a fresh one.
 template <class L>
 struct step_memory {
+  static_assert(ControlLaw<L>, "passive_haptics: the law must model ControlLaw (control/control_law.hpp).");
   [[no_unique_address]] typename L::memory law = {};  ///< The law's own part.
 };
 
@@ -58,7 +59,6 @@ step_result<M> step(
     step_memory<L>& memory,
     const step_options<typename M::scalar>& options = step_options<typename M::scalar>()) noexcept {
   static_assert(mechanism_requirements<M>::met);
-  static_assert(ControlLaw<L>, "passive_haptics: the law must model ControlLaw (control/control_law.hpp).");
   static_assert(DeviceState<State, M>,
                 "passive_haptics: the state must be a device_state<M>, or have its members "
                 "time, q and qd with exactly its types.");

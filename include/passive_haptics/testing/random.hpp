@@ -35,7 +35,8 @@ class random_source {
   /// Positive, its logarithm uniform between those of low and high (both > 0).
   template <class T>
   T positive(T low, T high) {
-    return static_cast<T>(std::exp(uniform(std::log(static_cast<double>(low)), std::log(static_cast<double>(high)))));
+    return static_cast<T>(
+        std::exp(uniform(std::log(static_cast<double>(low)), std::log(static_cast<double>(high)))));
   }
 
   /// Normal, mean 0 and standard deviation 1 (Box and Muller).
