@@ -9,6 +9,10 @@
 #include <utility>
 
 namespace passive_haptics {
+namespace detail {
+template <class S, int D>
+concept has_another_dimension = requires { requires S::dimension != D; };
+}  // namespace detail
 
 /// Owns all that a control loop needs but the state, which comes in each cycle.
 ///
@@ -17,6 +21,8 @@ namespace passive_haptics {
 template <class M, class S, class L>
 class controller {
   static_assert(mechanism_requirements<M>::met);
+  static_assert(!detail::has_another_dimension<S, M::task_dimension>,
+                "passive_haptics: the scene's dimension must be the mechanism's task_dimension.");
 
  public:
   using mechanism_type = M;                               ///< The mechanism.

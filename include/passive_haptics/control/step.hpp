@@ -52,7 +52,6 @@ step_result<M, Contacts::capacity> step(
     step_memory<L>& memory,
     const step_options<typename M::scalar>& options = step_options<typename M::scalar>()) noexcept {
   static_assert(mechanism_requirements<M>::met);
-  static_assert(ControlLaw<L>, "passive_haptics: the law must model ControlLaw (control/control_law.hpp).");
   static_assert(DeviceState<State, M>,
                 "passive_haptics: the state must be a device_state<M>, or have its members "
                 "time, q and qd with exactly its types.");

@@ -2,6 +2,7 @@
 /// Options of a control cycle and what it remembers.
 #pragma once
 
+#include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/saturation.hpp>
 #include <passive_haptics/force/approximation.hpp>
 
@@ -26,6 +27,7 @@ struct step_options {
 /// What a step remembers; start a motion with a fresh one.
 template <class L>
 struct step_memory {
+  static_assert(ControlLaw<L>, "passive_haptics: the law must model ControlLaw (control/control_law.hpp).");
   [[no_unique_address]] typename L::memory law = {};  ///< The law's own part.
 };
 

@@ -19,7 +19,7 @@ class growing_qr {
   int size() const { return size_; }
   const vector<T, Rows>& residual() const { return r_; }
 
-  /// Appends a column; refuses one that depends on the others to working accuracy.
+  /// Appends a column; refuses one that depends on the others to rounding: r is orthogonal to it as well, then.
   bool append(const vector<T, Rows>& column, T norm) {
     vector<T, Rows> v = column;
     vector<T, MaxColumns> h = vector<T, MaxColumns>::Zero();
@@ -32,7 +32,7 @@ class growing_qr {
       if (pass == 1 && v.norm() > T(1e-4) * norm) break;
     }
     const T rest = v.norm();
-    if (!(rest > T(16) * rounding_tolerance<T>(Rows) * norm)) return false;
+    if (!(rest > rounding_tolerance<T>(Rows) * norm)) return false;
     q_.col(size_) = v / rest;
     upper_.col(size_) = h;
     upper_(size_, size_) = rest;

@@ -26,21 +26,10 @@ using matrix = Eigen::Matrix<T, R, C>;
 template <class T, int N>
 using diagonal_matrix = Eigen::DiagonalMatrix<T, N>;
 
-namespace detail {
+/// An R x C matrix of T in Eigen's default storage: a value, not an expression (which could refer to dead
+/// temporaries).
 template <class X, class T, int R, int C>
-inline constexpr bool is_matrix = false;
-template <class T, int R, int C, int Options>
-inline constexpr bool is_matrix<Eigen::Matrix<T, R, C, Options, R, C>, T, R, C> = true;
-
-template <class X, class T, int N>
-inline constexpr bool is_diagonal_matrix = false;
-template <class T, int N>
-inline constexpr bool is_diagonal_matrix<Eigen::DiagonalMatrix<T, N, N>, T, N> = true;
-}  // namespace detail
-
-/// An R x C Eigen::Matrix of T: a value, not an expression (which could refer to dead temporaries).
-template <class X, class T, int R, int C>
-concept ExactMatrix = detail::is_matrix<std::remove_cvref_t<X>, T, R, C>;
+concept ExactMatrix = std::same_as<std::remove_cvref_t<X>, matrix<T, R, C>>;
 
 /// A column of exactly N scalars T.
 template <class X, class T, int N>
@@ -48,7 +37,7 @@ concept ExactVector = ExactMatrix<X, T, N, 1>;
 
 /// An N x N Eigen::DiagonalMatrix of T.
 template <class X, class T, int N>
-concept ExactDiagonal = detail::is_diagonal_matrix<std::remove_cvref_t<X>, T, N>;
+concept ExactDiagonal = std::same_as<std::remove_cvref_t<X>, diagonal_matrix<T, N>>;
 
 /// A^T as a value. (Constructing it from A.transpose() makes g++ 12 warn of uninitialised memory inside Eigen.)
 template <class T, int R, int C>

@@ -33,7 +33,7 @@ std::string validate(const approximation_parameters<T>& p) {
 /// What brakes can display of a unit desired force n.
 template <class T, int D, int Brakes>
 struct approximated_force {
-  display_class display = display_class::none;
+  display_class display = display_class::none;           ///< How n is displayed.
   vector<T, D> force = vector<T, D>::Zero();             ///< Fc / |Fd|; Fc . n = |Fd|. Zero if none.
   vector<T, Brakes> torque = vector<T, Brakes>::Zero();  ///< E^T Fc / |Fd| [N m per N]; s_i t_i <= 0 exactly.
   T cosine = T(0);                                       ///< cos(gamma) = |Fp| / |Fd|; 1 if exact.

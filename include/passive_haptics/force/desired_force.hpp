@@ -4,6 +4,8 @@
 
 #include <passive_haptics/scene/contacts.hpp>
 
+#include <cmath>
+
 namespace passive_haptics {
 
 /// Fd = magnitude * direction, kept apart: a wall of 1e7 N/m asks for 5e4 N where 2 N are displayed, so
@@ -20,14 +22,16 @@ desired_force<T, D> force_of(const contact<D>& c) {
   return {c.normal.template cast<T>(), static_cast<T>(c.stiffness * c.depth)};
 }
 
-/// Index of the contact that asks for the largest force; -1 if there is none. NaN counts as largest.
+/// Index of the contact that asks for the largest force; -1 if there is none. A force that is not finite governs,
+/// so that the step reports it.
 template <int D, int Capacity>
 int governing_contact(const contacts<D, Capacity>& touched) {
   int governing = -1;
-  double largest = -1;
+  double largest = 0;
   for (int i = 0; i < touched.size(); ++i) {
     const double force = touched[i].stiffness * touched[i].depth;
-    if (!(force <= largest)) {
+    if (!std::isfinite(force)) return i;
+    if (governing < 0 || force > largest) {
       governing = i;
       largest = force;
     }

@@ -24,7 +24,7 @@ joint_solution<T, 2> two_link_inverse(T l1, T l2, const vector<T, 2>& x, elbow b
   const T r = std::hypot(x[0], x[1]);
   const T outside = (l1 + l2 - r) * (l1 + l2 + r);     // 0 where straight
   const T inside = (r - (l1 - l2)) * (r + (l1 - l2));  // 0 where folded
-  if (!std::isfinite(outside))
+  if (!all_finite(x))
     return {vector<T, 2>::Constant(std::numeric_limits<T>::quiet_NaN()), status::state_not_finite};
   const T bend = T(2) * std::atan2(std::sqrt(std::max(outside, T(0))), std::sqrt(std::max(inside, T(0))));
   const T q2 = branch == elbow::left ? -bend : bend;

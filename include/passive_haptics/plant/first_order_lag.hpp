@@ -19,8 +19,8 @@ class first_order_lag {
   /// y after dt [s] of constant input u.
   const vector<T, N>& advance(T dt, const vector<T, N>& u) {
     for (int i = 0; i < N; ++i) {
-      const T gain = time_constant_[i] > T(0) ? -std::expm1(-dt / time_constant_[i]) : T(1);
-      y_[i] += gain * (u[i] - y_[i]);
+      if (time_constant_[i] > T(0)) y_[i] -= std::expm1(-dt / time_constant_[i]) * (u[i] - y_[i]);
+      else y_[i] = u[i];
     }
     return y_;
   }

@@ -7,6 +7,7 @@
 #include <passive_haptics/plant/contact_metrics.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
+#include <passive_haptics/scene/shape.hpp>
 
 #include <cmath>
 

@@ -29,48 +29,52 @@
 
 namespace passive_haptics::testing {
 
+/// True where position is templated on the scalar, so that a reference in higher precision can be had.
+template <class M>
+concept PositionTakesLongDouble = requires(const M mechanism, const vector<long double, M::dof> q) {
+  { mechanism.position(q) } -> ExactVector<long double, M::task_dimension>;
+};
+
 /// Suite of a mechanism's laws; Case as described at the top of this file.
 template <class Case>
 class mechanism_laws : public ::testing::Test {
  protected:
-  using M = typename Case::mechanism;  ///< The mechanism.
-  using T = typename M::scalar;        ///< Its scalar.
+  using model = typename Case::mechanism;  ///< The mechanism.
+  using number = typename model::scalar;   ///< Its scalar.
 
   static constexpr int pose_count = 200;      ///< Poses that are tried.
   static constexpr unsigned seed = 20040627;  ///< Of the poses.
 
   /// Scalar of the reference derivative: long double where position takes it.
-  using reference_scalar =
-      std::conditional_t<requires(const M mechanism, const vector<long double, M::dof> q) {
-        { mechanism.position(q) } -> ExactVector<long double, M::task_dimension>;
-      }, long double, T>;
-  using P = reference_scalar;  ///< The same.
+  using reference_scalar = std::conditional_t<PositionTakesLongDouble<model>, long double, number>;
 
   /// Step of the differences in joint i.
-  static P step(int i) {
-    return difference_step<P>() * std::min(P(1), static_cast<P>(Case::upper()[i] - Case::lower()[i]) / P(8));
+  static reference_scalar step(int i) {
+    return difference_step<reference_scalar>() *
+           std::min(reference_scalar(1),
+                    static_cast<reference_scalar>(Case::upper()[i] - Case::lower()[i]) / reference_scalar(8));
   }
 
   /// Random poses, far enough from the bounds for differences.
-  static std::vector<joint_vector<M>> poses() {
+  static std::vector<joint_vector<model>> poses() {
     random_source random(seed);
-    joint_vector<M> margin;
-    for (int i = 0; i < M::dof; ++i) margin[i] = static_cast<T>(3 * step(i));
-    std::vector<joint_vector<M>> all;
+    joint_vector<model> margin;
+    for (int i = 0; i < model::dof; ++i) margin[i] = static_cast<number>(3 * step(i));
+    std::vector<joint_vector<model>> all;
     for (int k = 0; k < pose_count; ++k)
-      all.push_back(random.between<T, M::dof>(Case::lower() + margin, Case::upper() - margin));
+      all.push_back(random.between<number, model::dof>(Case::lower() + margin, Case::upper() - margin));
     return all;
   }
 
   /// dx/dq by differences of position.
-  static matrix<P, M::task_dimension, M::dof> difference_jacobian(const M& mechanism,
-                                                                  const joint_vector<M>& q) {
-    matrix<P, M::task_dimension, M::dof> J;
-    for (int i = 0; i < M::dof; ++i) {
-      const auto along = [&](P s) {
-        vector<P, M::dof> moved = q.template cast<P>();
+  static matrix<reference_scalar, model::task_dimension, model::dof> difference_jacobian(
+      const model& mechanism, const joint_vector<model>& q) {
+    matrix<reference_scalar, model::task_dimension, model::dof> J;
+    for (int i = 0; i < model::dof; ++i) {
+      const auto along = [&](reference_scalar s) {
+        vector<reference_scalar, model::dof> moved = q.template cast<reference_scalar>();
         moved[i] += s;
-        return vector<P, M::task_dimension>(mechanism.position(moved));
+        return vector<reference_scalar, model::task_dimension>(mechanism.position(moved));
       };
       J.col(i) = central_difference(along, step(i));
     }
@@ -78,15 +82,16 @@ class mechanism_laws : public ::testing::Test {
   }
 
   /// J as a dense matrix.
-  static matrix<T, M::task_dimension, M::dof> dense_jacobian(const M& mechanism, const joint_vector<M>& q) {
-    return matrix<T, M::task_dimension, M::dof>(jacobian(mechanism, q));
+  static matrix<number, model::task_dimension, model::dof> dense_jacobian(const model& mechanism,
+                                                                          const joint_vector<model>& q) {
+    return matrix<number, model::task_dimension, model::dof>(jacobian(mechanism, q));
   }
 
   /// Largest entry of position and of J over all poses: what rounding errors are relative to.
-  static T size_of(const M& mechanism) {
-    T size = T(0);
-    for (const joint_vector<M>& q : poses()) {
-      const task_vector<M> x = mechanism.position(q);
+  static number size_of(const model& mechanism) {
+    number size = number(0);
+    for (const joint_vector<model>& q : poses()) {
+      const task_vector<model> x = mechanism.position(q);
       size = std::max({size, x.cwiseAbs().maxCoeff(), dense_jacobian(mechanism, q).cwiseAbs().maxCoeff()});
     }
     return size;

@@ -1,0 +1,100 @@
+/// @file
+/// Random control cycles in contact, for the law suites.
+#pragma once
+
+#include <passive_haptics/control/step.hpp>
+#include <passive_haptics/testing/random.hpp>
+
+#include <Eigen/LU>
+
+#include <array>
+#include <cstddef>
+
+namespace passive_haptics::testing {
+
+/// All that a step is given, with one contact.
+template <class M>
+struct step_sample {
+  device_state<M> state;                     ///< Pose, rates and hand force.
+  brakes_of<M> brakes;                       ///< Limits and dead bands.
+  contacts<M::task_dimension, 1> touched{};  ///< The wall.
+
+  /// The contact.
+  const contact<M::task_dimension>& wall() const { return touched[0]; }
+};
+
+/// E as a dense matrix, whatever the mechanism makes of it.
+template <class M>
+matrix<typename M::scalar, M::task_dimension, M::brake_count> dense_brake_jacobian(const M& mechanism,
+                                                                                   const joint_vector<M>& q) {
+  return matrix<typename M::scalar, M::task_dimension, M::brake_count>(brake_jacobian(mechanism, q));
+}
+
+/// Calls visit(signs) for each of the 3^m patterns of -1, 0, 1.
+template <int Brakes, class Visit>
+void for_each_sign_pattern(Visit&& visit) {
+  std::array<int, static_cast<std::size_t>(Brakes)> signs;
+  signs.fill(-1);
+  for (bool more = true; more;) {
+    visit(signs);
+    more = false;
+    for (int& s : signs) {
+      if (s < 1) {
+        ++s;
+        more = true;
+        break;
+      }
+      s = -1;
+    }
+  }
+}
+
+/// A random cycle of a mechanism whose brakes move with the given signs (0: slower than the dead band). Case is
+/// that of mechanism_laws.hpp. The contact: any normal, depths from a micrometre to a centimetre, stiffness from
+/// 1 to 1e9 N/m, a wall that moves every other time. The hand: none one time in four.
+template <class Case>
+step_sample<typename Case::mechanism> random_sample(
+    const typename Case::mechanism& mechanism,
+    const std::array<int, static_cast<std::size_t>(Case::mechanism::brake_count)>& signs,
+    random_source& random) {
+  using M = typename Case::mechanism;
+  using T = typename M::scalar;
+  constexpr int d = M::task_dimension;
+  step_sample<M> sample;
+  brake_vector<M> w;
+  for (int i = 0; i < M::brake_count; ++i) {
+    sample.brakes.torque_limit[i] = random.positive(T(1e-2), T(1e3));
+    sample.brakes.rate_dead_band[i] = random.positive(T(1e-3), T(1e-1));
+    const T band = sample.brakes.rate_dead_band[i];
+    const int s = signs[static_cast<std::size_t>(i)];
+    w[i] = s == 0 ? (random.coin() ? T(0) : random.uniform(T(-0.9), T(0.9)) * band)
+                  : static_cast<T>(s) * random.positive(T(1.1) * band, T(10));
+  }
+  sample.state.time = random.uniform(0.0, 100.0);
+  sample.state.q = random.between<T, M::dof>(Case::lower(), Case::upper());
+  sample.state.qd = w;
+  if constexpr (detail::has_exact_transmission<M>) {
+    const matrix<T, M::brake_count, M::dof> A(transmission(mechanism, sample.state.q));
+    sample.state.qd = A.fullPivLu().solve(w);
+  }
+  if (random.coin() || random.coin())
+    sample.state.hand_force = random.positive(T(1e-3), T(1e2)) * random.direction<T, d>();
+  sample.touched.push_back({.normal = random.direction<double, d>(),
+                            .depth = random.positive(1e-6, 1e-2),
+                            .stiffness = random.positive(1.0, 1e9),
+                            .wall_velocity = random.coin() ? point<d>(0.1 * random.normal_vector<double, d>())
+                                                           : point<d>(point<d>::Zero()),
+                            .wall = 0});
+  return sample;
+}
+
+/// Calls visit(sample) for `each` random cycles of every sign pattern.
+template <class Case, class Visit>
+void for_each_sample(const typename Case::mechanism& mechanism, unsigned seed, int each, Visit&& visit) {
+  random_source random(seed);
+  for_each_sign_pattern<Case::mechanism::brake_count>([&](const auto& signs) {
+    for (int k = 0; k < each; ++k) visit(random_sample<Case>(mechanism, signs, random));
+  });
+}
+
+}  // namespace passive_haptics::testing

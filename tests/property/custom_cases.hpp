@@ -1,0 +1,29 @@
+// The mechanisms of custom_mechanisms.hpp as cases of the law suites.
+#pragma once
+
+#include "custom_mechanisms.hpp"
+
+#include <gtest/gtest.h>
+
+template <class Mechanism>
+struct custom_case {
+  using mechanism = Mechanism;
+  using joints = passive_haptics::joint_vector<mechanism>;
+  static mechanism make() { return mechanism(); }
+  static joints lower() { return joints::Constant(-2); }
+  static joints upper() { return joints::Constant(2); }
+};
+
+struct archetype_case : custom_case<custom::archetype> {
+  static mechanism make() { return mechanism(mechanism::key()); }
+};
+
+struct lever_case : custom_case<custom::lever<double>> {
+  static constexpr bool has_gravity = true;
+};
+
+using custom_cases =
+    ::testing::Types<archetype_case, custom_case<custom::planar_arm<double>>,
+                     custom_case<custom::spatial_arm<float>>, custom_case<custom::geared_slides<double>>,
+                     custom_case<custom::skew_table<double>>, custom_case<custom::coupled_arm<double>>,
+                     lever_case>;

@@ -1,0 +1,124 @@
+// A control cycle allocates nothing, whichever way it takes.
+#undef NDEBUG  // so that Eigen's own check runs in any build
+#define EIGEN_RUNTIME_NO_MALLOC
+
+#include "../property/custom_mechanisms.hpp"
+
+#include <passive_haptics/passive_haptics.hpp>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+
+namespace {
+std::atomic<long> allocations = 0;
+
+void* allocate(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new[](std::size_t size) { return allocate(size); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete[](void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+
+namespace {
+
+namespace ph = passive_haptics;
+
+// Calls of operator new in f; Eigen ends the program if it reaches for malloc there.
+template <class F>
+long allocations_in(F&& f) {
+  Eigen::internal::set_is_malloc_allowed(false);
+  const long before = allocations;
+  f();
+  const long after = allocations;
+  Eigen::internal::set_is_malloc_allowed(true);
+  return after - before;
+}
+
+TEST(no_allocation, is_noticed_where_there_is_one) {
+  std::unique_ptr<int> kept;
+  EXPECT_EQ(allocations_in([&] { kept = std::make_unique<int>(3); }), 1);
+  std::string text;
+  EXPECT_GE(allocations_in([&] { text.assign(1000, 'x'); }), 1);
+  EXPECT_EQ(allocations_in([] {}), 0);
+  EXPECT_DEATH(allocations_in([] { Eigen::VectorXd::Ones(7).eval(); }), "malloc");
+}
+
+// The ways a cycle can take, by their diagnostics.
+struct ways {
+  bool free = false, fault = false, exact = false, approximate = false, none = false, saturated = false,
+       held = false;
+};
+
+template <class M, class Law, class Scene, class State>
+void run(const M& mechanism, Scene scene, Law law, ways& seen) {
+  using T = typename M::scalar;
+  ph::brakes_of<M> brakes;
+  brakes.torque_limit.setConstant(T(0.5));
+  ph::controller control(mechanism, brakes, std::move(scene), law);
+  State state;
+  for (int k = 0; k < 3000; ++k) {
+    state.time = k * 1e-3;
+    for (int i = 0; i < M::dof; ++i) {
+      state.q[i] = static_cast<T>(std::sin(0.01 * k * (i + 1)));
+      state.qd[i] = k % 7 == 0 ? T(0) : static_cast<T>(std::cos(0.37 * k + i));
+    }
+    if constexpr (requires { state.hand_force; })
+      state.hand_force.setConstant(static_cast<T>(std::sin(0.11 * k)));
+    if (k % 100 == 99) state.q[0] = std::numeric_limits<T>::quiet_NaN();
+    ph::step_result<M> result;
+    ASSERT_EQ(allocations_in([&] { result = control(state); }), 0) << "cycle " << k;
+    const bool touches = result.outcome == ph::status::ok && result.wall >= 0;
+    seen.fault |= result.outcome != ph::status::ok;
+    seen.free |= result.outcome == ph::status::ok && result.wall < 0;
+    seen.exact |= touches && result.display == ph::display_class::exact;
+    seen.approximate |= touches && result.display == ph::display_class::approximate;
+    seen.none |= touches && result.display == ph::display_class::none;
+    seen.saturated |= result.saturated;
+  }
+}
+
+// Between a plane and a round room of this size [m].
+template <class M>
+void run_all(const M& mechanism, double size) {
+  constexpr int d = M::task_dimension;
+  ph::point<d> low = ph::point<d>::Zero(), up = ph::point<d>::UnitX();
+  low[0] = size / 3;
+  const ph::scene walls{ph::wall(ph::half_space<d>(low, up), 1e3),
+                        ph::wall(ph::ball<d>(low, size, ph::filling::hollow), 2e3)};
+  const ph::held_scene held(walls, 0.01);
+  ways seen;
+  run<M, ph::direct_control, decltype(walls), ph::device_state<M>>(mechanism, walls, {}, seen);
+  run<M, ph::direct_control, decltype(held), ph::device_state<M>>(mechanism, held, {}, seen);
+  run<M, ph::no_direct_control, decltype(walls), ph::sensorless_device_state<M>>(mechanism, walls, {}, seen);
+  EXPECT_TRUE(seen.free && seen.fault && seen.saturated);
+  EXPECT_TRUE(seen.exact && seen.approximate && seen.none);
+}
+
+TEST(no_allocation, in_a_step_of_two_links) { run_all(ph::two_link<float>(), 0.3); }
+TEST(no_allocation, in_a_step_of_the_tendon_device) { run_all(ph::tendon_two_link<double>(), 0.3); }
+TEST(no_allocation, in_a_step_of_the_table) { run_all(ph::xy_table<double>(), 0.3); }
+TEST(no_allocation, in_a_step_with_automatic_derivatives_and_self_motion) {
+  run_all(custom::planar_arm<double>(), 0.6);
+}
+TEST(no_allocation, in_a_step_in_space) { run_all(custom::spatial_arm<double>(), 0.4); }
+TEST(no_allocation, in_a_step_with_a_transmission_that_depends_on_the_pose) {
+  run_all(custom::coupled_arm<double>(), 1.5);
+}
+
+}  // namespace
