@@ -71,8 +71,8 @@ set grid lc rgb '#dddddd'
 set xrange [0.04:0.175]
 set xlabel 'x [m]'
 set style data lines
-set style line 1 lc rgb '#d55e00'
-set style line 2 lc rgb '#0072b2'
+set style line 1 lw 1.5 lc rgb '#d55e00'
+set style line 2 lw 1.5 lc rgb '#0072b2'
 set key outside right
 set ytics nomirror
 set ylabel 'y [m]'

@@ -1,0 +1,77 @@
+# Sourced by the run scripts: what they share. All output goes to build/.
+
+set -o pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=$PWD/build
+jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc 2>/dev/null || echo 2)}
+compile_packages="g++ cmake ninja-build libeigen3-dev libboost-dev"
+
+say() { printf '== %s\n' "$*"; }
+fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
+
+# usage_error WHAT ARGUMENT CHOICE...: names a mistyped argument and the choices, first those that look alike.
+usage_error() {
+  local what=$1 argument=$2 choice
+  shift 2
+  printf "error: unknown %s '%s'\n" "$what" "$argument" >&2
+  for choice; do
+    if [[ ${choice:0:3} == "${argument:0:3}" || $choice == *"$argument"* ]]; then
+      printf "did you mean '%s'?\n" "$choice" >&2
+    fi
+  done
+  printf 'choices: %s\n' "$*" >&2
+  exit 2
+}
+
+# Is there what the package brings, whoever installed it?
+present() {
+  case $1 in
+    ninja-build) command -v ninja >/dev/null ;;
+    gnuplot-nox) command -v gnuplot >/dev/null ;;
+    libeigen3-dev) found_by_dpkg "$1" || found_by_cmake Eigen3 ;;
+    libboost-dev) found_by_dpkg "$1" || found_by_cmake Boost ;;
+    libgtest-dev) found_by_dpkg "$1" || found_by_cmake GTest ;;
+    libbenchmark-dev) found_by_dpkg "$1" || found_by_cmake benchmark ;;
+    clang) command -v clang++ >/dev/null ;;
+    *) command -v "$1" >/dev/null ;;
+  esac
+}
+found_by_dpkg() { dpkg -s "$1" 2>/dev/null | grep -q '^Status: .* installed$'; }
+found_by_cmake() {
+  local probe=$build/probe/$1
+  mkdir -p "$probe"
+  printf 'cmake_minimum_required(VERSION 3.25)\nproject(probe CXX)\nfind_package(%s REQUIRED)\n' "$1" \
+    >"$probe/CMakeLists.txt"
+  cmake -S "$probe" -B "$probe/build" >/dev/null 2>&1
+}
+
+# need WHY PACKAGE...: installs what is missing where it may, else says what to install and returns 1.
+need() {
+  local why=$1 package missing= sudo=
+  shift
+  for package; do present "$package" || missing+=" $package"; done
+  [[ $missing ]] || return 0
+  if [[ $(id -u) != 0 ]]; then sudo="sudo -n"; fi
+  if command -v apt-get >/dev/null && { [[ ! $sudo ]] || sudo -n true 2>/dev/null; }; then
+    say "installing$missing ($why)"
+    if $sudo apt-get update -qq &&
+      $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing |
+      sed -nu 's/^\(Get:\|Setting up\)/   &/p'; then
+      return 0
+    fi
+  fi
+  printf 'missing (%s):%s\nOn Debian or Ubuntu: sudo apt-get install --no-install-recommends%s\n' \
+    "$why" "$missing" "$missing" >&2
+  return 1
+}
+
+# build_preset PRESET [TARGET...]: configures and builds into build/PRESET.
+build_preset() {
+  local preset=$1 log=$build/$1.configure.log
+  shift
+  say "configuring build/$preset"
+  mkdir -p "$build"
+  cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+  say "building build/$preset"
+  cmake --build "build/$preset" --parallel "$jobs" ${1:+--target "$@"}
+}
