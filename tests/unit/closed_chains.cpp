@@ -208,7 +208,7 @@ TYPED_TEST(closed_chain, bias_acceleration_is_the_second_derivative_of_position)
     // Jd qd grows as type_2^-3, its relative error as 1 / type_2
     const double type_2 = this->chain.conditioning(q).type_2;
     ASSERT_LE((exact(this->chain.bias_acceleration(q, qd)) - expected).norm(),
-              real(16 * eps / std::pow(type_2, 4)) * this->length() * qd.squaredNorm());
+              real(64 * eps / std::pow(type_2, 4)) * this->length() * qd.squaredNorm());
   }
 }
 
@@ -443,8 +443,8 @@ TEST(delta, reaches_its_workspace_far_from_singularities) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed << ", x = " << x.transpose());
     const auto s = chain.inverse(x);
     ASSERT_EQ(s.outcome, ph::status::ok);
-    ASSERT_GT(chain.conditioning(s.q).type_1, 0.2);
-    ASSERT_GT(chain.conditioning(s.q).type_2, 0.2);
+    ASSERT_GT(chain.conditioning(s.q).type_1, 0.29);
+    ASSERT_GT(chain.conditioning(s.q).type_2, 0.29);
   }
 }
 
@@ -475,6 +475,10 @@ TEST(closed_chain_parameters, say_which_is_wrong) {
   EXPECT_EQ(validate(f), "base_distance [m] = -1, expected a finite number >= 0");
   f = {}, f.distal_2 = 0;
   EXPECT_EQ(validate(f), "distal_2 [m] = 0, expected a finite number > 0");
+  f = {}, f.base_distance = 1;
+  EXPECT_EQ(validate(f), "longest length [m] = 1, expected less than all others together");
+  f = {}, f.proximal_2 = 1;
+  EXPECT_EQ(validate(f), "longest length [m] = 1, expected less than all others together");
   f = {}, f.rotor_inertia[3] = nan;
   EXPECT_EQ(validate(f), "rotor_inertia[3] [kg m^2] = nan, expected a finite number >= 0");
   f = {}, f.gravity[1] = nan;
@@ -485,6 +489,9 @@ TEST(closed_chain_parameters, say_which_is_wrong) {
   EXPECT_EQ(validate(d), "");
   d.forearm = -0.1;
   EXPECT_EQ(validate(d), "forearm [m] = -0.1, expected a finite number > 0");
+  d = {}, d.base_radius = 1;
+  EXPECT_EQ(validate(d),
+            "base_radius - platform_radius [m] = 0.98, expected less than upper_arm + forearm in magnitude");
   d = {}, d.platform_mass = -2;
   EXPECT_EQ(validate(d), "platform_mass [kg] = -2, expected a finite number >= 0");
   d = {}, d.gravity[2] = nan;

@@ -1,21 +1,24 @@
 /// @file
-/// What a closed kinematic chain can say beside its Jacobian: the inverse of it, and how near a singularity is.
+/// What a closed kinematic chain can say beside its Jacobian: its inverse, and how near a singularity is.
 #pragma once
 
 #include <passive_haptics/mechanism/mechanism.hpp>
 
+#include <concepts>
+
 namespace passive_haptics {
 
-/// How far a closed chain A v = B qd is from its two kinds of singularity (Gosselin and Angeles 1990), each in
-/// [0, 1]: 1 is best, 0 singular. NaN where the loop cannot be closed.
+/// How far a closed chain A v = B qd is from its two kinds of singularity (Gosselin and Angeles 1990), each
+/// in [0, 1]: 1 is best, 0 singular. NaN where the loop cannot be closed.
 template <class T>
 struct chain_conditioning {
-  /// Serial, B singular: a leg stretched or folded, the handle loses a direction and its force stays in the
-  /// structure. The least over the legs of |sin| of the angle between proximal and distal link (in space: between
-  /// the distal link and the normal of the circle on which its elbow moves, in the plane of both).
+  /// Serial, B singular: a leg stretched or folded, the handle loses a direction and a force in it stays in
+  /// the structure. The least over the legs of |cos| of the angle between the distal link and its elbow's
+  /// velocity; in the plane that is |sin| of the angle between proximal and distal link.
   T type_1;
-  /// Parallel, A singular: the distal links aligned (plane) or coplanar or parallel (space); with all brakes locked the handle still
-  /// moves, J is unbounded. |det| of the distal links' unit vectors.
+  /// Parallel, A singular: the distal links aligned (plane), coplanar or parallel (space); with all brakes
+  /// locked the handle still moves, J is unbounded. |det| of the distal links' unit vectors. Near the
+  /// edge of where the loop closes it falls as the root of the way in q, so q in double tells it to 1e-8.
   T type_2;
 };
 

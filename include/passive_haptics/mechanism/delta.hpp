@@ -18,16 +18,16 @@ enum class delta_elbow {
   inward,   ///< It lies on the other side.
 };
 
-/// Three arms at 0, 120 and 240 deg about z, with radial directions e_i; revolute base joints in the plane z = 0,
-/// measured and braked, q_i [rad] from the horizontal, downwards; forearms are parallelograms, so the platform
-/// keeps its attitude. With the platform's radius moved into the base (R = base_radius - platform_radius), the
-/// platform's middle x lies on three spheres of radius l about the elbows:
+/// Three arms at 0, 120 and 240 deg about z, with radial directions e_i; base joints in the plane
+/// z = 0, measured and braked, q_i [rad] from the horizontal, downwards; forearms are parallelograms, so the
+/// platform keeps its attitude. With the platform's radius moved into the base
+/// (R = base_radius - platform_radius) its middle x lies on three spheres of radius l about the elbows:
 ///
 ///     P_i = (R + L cos q_i) e_i - L sin q_i e_z,   |x - P_i| = l.
 ///
 /// Where they do not meet the loop cannot be closed: position, jacobian and all else are NaN, and a step
-/// reports status::pose_undefined. Singular (conditioning tells how nearly): type 1, a forearm in the plane that upper
-/// arm and joint axis span; type 2, the forearms coplanar or two parallel, where J is unbounded.
+/// reports status::pose_undefined. Singular (conditioning tells how nearly): type 1, a forearm in the plane
+/// that upper arm and joint axis span; type 2, the forearms coplanar or two parallel, where J is unbounded.
 ///
 /// Dynamics with the usual lumped forearms: half of each forearm's mass at its elbow, half at the platform.
 /// Cost: three sines, three cosines and some square roots; jacobian one LU of 3 x 3 more.
@@ -46,8 +46,9 @@ class delta {
   /// The parameters as given.
   const delta_parameters<T>& parameters() const { return p_; }
 
-  /// Middle of the platform [m], base frame: from the circumcentre of the elbows, at right angles to their plane.
-  /// The height is a product of differences of lengths, so no squares cancel. Any scalar S that multiplies with T.
+  /// Middle of the platform [m], base frame: from the circumcentre of the elbows, at right angles to their
+  /// plane. The height is a product of differences of lengths, so no squares cancel. Any scalar S that
+  /// multiplies with T.
   template <class S>
   vector<S, 3> position(const vector<S, 3>& q) const {
     return handle(elbow_point(0, lever(0, q[0])), elbow_point(1, lever(1, q[1])),
@@ -60,13 +61,13 @@ class delta {
   /// J^-1 = B^-1 A [rad/m], finite at singularities of type 2.
   matrix<T, 3, 3> inverse_jacobian(const vector<T, 3>& q) const { return legs(q).inverse_jacobian(); }
 
-  /// Type 1: the least |cos| of the angle between a forearm and its elbow's velocity. Type 2: the volume that the
-  /// forearms' unit vectors span.
+  /// Type 1: the least |cos| of the angle between a forearm and its elbow's velocity. Type 2: the volume that
+  /// the forearms' unit vectors span.
   chain_conditioning<T> conditioning(const vector<T, 3>& q) const { return legs(q).conditioning(); }
 
-  /// Base angles in [-pi, pi] that put the platform at x [m] with these elbows. out_of_reach: an arm is too short
-  /// or too long (it then points at x), or all reach but the platform lies on the side of the other assembly;
-  /// position(q) is then not x.
+  /// Base angles in [-pi, pi] that put the platform at x [m] with these elbows. out_of_reach: an arm is too
+  /// short or too long (it then points at x), or all reach but the platform lies on the side of the other
+  /// assembly; position(q) is then not x.
   joint_solution<T, 3> inverse(const vector<T, 3>& x, const std::array<delta_elbow, 3>& elbows = {}) const {
     joint_solution<T, 3> solution;
     for (int i = 0; i < 3; ++i) {

@@ -5,6 +5,8 @@
 #include <passive_haptics/core/matrix.hpp>
 #include <passive_haptics/core/validate.hpp>
 
+#include <cmath>
+
 namespace passive_haptics {
 
 /// Two poses of the platform close the loops; a delta keeps to one.
@@ -13,7 +15,8 @@ enum class delta_assembly {
   upper,  ///< Above it.
 };
 
-/// Sizes of a desktop device with a workspace of about 0.1 m, light links: an own choice, of no maker's device.
+/// Sizes of a desktop device, an own choice, no maker's: a ball of 0.1 m diameter about (0, 0, -0.14 m) is
+/// reached with both conditioning figures over 0.29. Light links.
 template <class T>
 struct delta_parameters {
   T base_radius = T(0.05);      ///< From the middle of the base to a base joint's axis [m].
@@ -43,7 +46,12 @@ std::string validate(const delta_parameters<T>& p) {
     if (rotors.empty()) rotors = check_not_negative("rotor_inertia" + index + "[kg m^2]", p.rotor_inertia[i]);
     if (gravity.empty()) gravity = check_finite("gravity" + index + "[m/s^2]", p.gravity[i]);
   }
-  return first_complaint(lengths, check_positive("upper_arm_mass [kg]", p.upper_arm_mass),
+  const std::string loop =
+      std::abs(p.base_radius - p.platform_radius) < p.upper_arm + p.forearm
+          ? ""
+          : complaint("base_radius - platform_radius [m]", p.base_radius - p.platform_radius,
+                      "less than upper_arm + forearm in magnitude");
+  return first_complaint(lengths, loop, check_positive("upper_arm_mass [kg]", p.upper_arm_mass),
                          check_not_negative("forearm_mass [kg]", p.forearm_mass),
                          check_not_negative("platform_mass [kg]", p.platform_mass), rotors, gravity);
 }

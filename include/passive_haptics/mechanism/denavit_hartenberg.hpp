@@ -7,12 +7,12 @@
 
 namespace passive_haptics {
 
-/// One row of a table of standard (distal) Denavit-Hartenberg parameters: joint i moves about or along z_{i-1},
+/// One row of a table of standard (distal) Denavit-Hartenberg parameters: joint i moves on axis z_{i-1},
 ///
 ///     frame i = frame i-1 . Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha),
 ///
-/// theta = q + theta_offset and d = offset for a revolute joint, theta = theta_offset and d = q + offset for a
-/// prismatic one. (The modified, proximal convention of Craig puts a and alpha first: not this one.)
+/// theta = q + theta_offset and d = offset for a revolute joint, theta = theta_offset and d = q + offset for
+/// a prismatic one. (The modified, proximal convention of Craig puts a and alpha first: not this one.)
 template <class T>
 struct dh_joint {
   joint_kind kind = joint_kind::revolute;  ///< Which of theta and d moves.

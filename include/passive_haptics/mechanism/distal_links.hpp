@@ -7,11 +7,12 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 
 namespace passive_haptics {
 
-/// N legs in N dimensions. Leg i has a lever a_i from its base joint to its elbow, which turns at rate qd_i, and a
-/// distal link r_i from the elbow to the handle. As |r_i| is constant,
+/// N legs in N dimensions. Leg i has a lever a_i from its base joint to its elbow, which turns at rate qd_i,
+/// and a distal link r_i from the elbow to the handle. As |r_i| is constant,
 ///
 ///     A v = B qd,   A = [r_i^T],   B = diag(r_i . a'_i),   a'_i = da_i / dq_i,   a''_i = -a_i.
 template <class T, int N>
@@ -46,7 +47,7 @@ struct distal_links {
             std::min(std::abs(unit.determinant()), T(1))};
   }
 
-  /// Jd qd [m/s^2] from the second derivative of the constraint: r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.
+  /// Jd qd [m/s^2] from the constraint's second derivative, r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.
   vector<T, N> bias_acceleration(const matrix<T, N, N>& J, const vector<T, N>& qd) const {
     const vector<T, N> v = J * qd;
     vector<T, N> right;
@@ -58,13 +59,4 @@ struct distal_links {
   }
 };
 
-namespace detail {
-
-/// The angle in [-pi, pi].
-template <class T>
-T principal_angle(T angle) {
-  return std::remainder(angle, T(2) * std::numbers::pi_v<T>);
-}
-
-}  // namespace detail
 }  // namespace passive_haptics

@@ -9,14 +9,15 @@
 
 namespace passive_haptics {
 
-/// Planar closed chain. Base joints at (-+b/2, 0), measured and braked, q_i [rad] from the x axis; leg i has a
-/// proximal link l_i to elbow P_i and a distal link r_i to the handle x:
+/// Planar closed chain. Base joints at (-+b/2, 0), measured and braked, q_i [rad] from the x axis; leg i has
+/// a proximal link l_i to elbow P_i and a distal link r_i to the handle x:
 ///
 ///     P_i = (-+b/2, 0) + l_i (cos q_i, sin q_i),   |x - P_1| = r_1,   |x - P_2| = r_2.
 ///
-/// Where |P_2 - P_1| is over r_1 + r_2 or under |r_1 - r_2| the loop cannot be closed: position, jacobian and all
-/// else are NaN, and a step reports status::pose_undefined. Singular (conditioning tells how nearly): type 1, a
-/// leg straight or folded; type 2, the distal links aligned, where J is unbounded and the assemblies meet.
+/// Where |P_2 - P_1| is over r_1 + r_2 or under |r_1 - r_2| the loop cannot be closed: position, jacobian and
+/// all else are NaN, and a step reports status::pose_undefined. Singular (conditioning tells how nearly):
+/// type 1, a leg straight or folded; type 2, the distal links aligned, where J is unbounded and the
+/// assemblies meet.
 ///
 /// Brakes = 4: as Book's P-TER, brakes on both base rates, their difference and their sum, T constant 4 x 2.
 /// Cost: two sines, two cosines and two square roots; jacobian one LU of 2 x 2 more.
@@ -37,8 +38,8 @@ class five_bar {
   /// The parameters as given.
   const five_bar_parameters<T, Brakes>& parameters() const { return p_; }
 
-  /// Handle [m], base frame: the middle of the elbows, then along and across the line between them. The height is
-  /// a product of differences of lengths, so no squares cancel. Any scalar S that multiplies with T.
+  /// Handle [m], base frame: the middle of the elbows, then along and across the line between them. The
+  /// height is a product of differences of lengths: no squares cancel. Any scalar S that multiplies with T.
   template <class S>
   vector<S, 2> position(const vector<S, 2>& q) const {
     return handle(elbow_point(0, lever(0, q[0])), elbow_point(1, lever(1, q[1])));

@@ -5,6 +5,8 @@
 #include <passive_haptics/core/matrix.hpp>
 #include <passive_haptics/core/validate.hpp>
 
+#include <algorithm>
+
 namespace passive_haptics {
 
 /// Two poses of the handle close the loop; a five-bar keeps to one.
@@ -13,8 +15,8 @@ enum class five_bar_assembly {
   right,  ///< It lies right of it.
 };
 
-/// Lengths of the Pantograph Mk-II (Campion, Wang, Hayward 2005). Uniform rods with a point mass at the handle,
-/// masses those of a light desktop device.
+/// Lengths of the Pantograph Mk-II (Campion, Wang, Hayward 2005). Uniform rods with a point mass at the
+/// handle, masses those of a light desktop device.
 template <class T, int Brakes = 2>
 struct five_bar_parameters {
   T base_distance = T(0.025);                            ///< Between the base joints [m], >= 0.
@@ -41,7 +43,12 @@ std::string validate(const five_bar_parameters<T, Brakes>& p) {
   std::string rotors;
   for (int i = 0; i < Brakes && rotors.empty(); ++i)
     rotors = check_not_negative("rotor_inertia[" + std::to_string(i) + "] [kg m^2]", p.rotor_inertia[i]);
-  return first_complaint(lengths, check_positive("proximal_mass [kg]", p.proximal_mass),
+  const T perimeter = p.base_distance + p.proximal_1 + p.proximal_2 + p.distal_1 + p.distal_2;
+  const T longest = std::max({p.base_distance, p.proximal_1, p.proximal_2, p.distal_1, p.distal_2});
+  const std::string loop = longest < perimeter - longest
+                               ? ""
+                               : complaint("longest length [m]", longest, "less than all others together");
+  return first_complaint(lengths, loop, check_positive("proximal_mass [kg]", p.proximal_mass),
                          check_not_negative("distal_mass [kg]", p.distal_mass),
                          check_not_negative("handle_mass [kg]", p.handle_mass), rotors,
                          check_finite("gravity[0] [m/s^2]", p.gravity[0]),

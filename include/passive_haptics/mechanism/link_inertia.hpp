@@ -47,7 +47,7 @@ struct serial_chain_inertia {
 
 namespace detail {
 
-/// Complaint unless a rigid body can have this inertia: symmetric, no principal moment over the sum of the others.
+/// Complaint unless a rigid body can have this inertia: no principal moment over the sum of the others.
 template <class T>
 std::string check_inertia(const std::string& name, const matrix<T, 3, 3>& inertia) {
   const T size = inertia.cwiseAbs().maxCoeff();

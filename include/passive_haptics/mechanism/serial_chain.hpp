@@ -8,8 +8,8 @@
 
 namespace passive_haptics {
 
-/// Where the joints of a chain are in a pose, base frame. With the angular and linear part of each joint's motion,
-/// revolute and prismatic joints obey the same formulas.
+/// Where the joints of a chain are in a pose, base frame. With the angular and linear part of each joint's
+/// motion, revolute and prismatic joints obey the same formulas.
 template <class T, int N, int D>
 struct chain_pose {
   std::array<matrix<T, D, D>, N> turn;  ///< Orientation of body i relative to the zero pose.
@@ -20,14 +20,14 @@ struct chain_pose {
   vector<T, D> handle;                  ///< End effector [m].
 };
 
-/// N joints in series, planar (D = 2) or spatial (D = 3), as a product of exponentials of the joints' screws S_i:
+/// N joints in series, planar (D = 2) or spatial (D = 3), a product of exponentials of joint screws S_i:
 ///
 ///     x = exp(S_1 q_1) ... exp(S_N q_N) x_0,   J_i = z_i x (x - p_i) (revolute),  z_i (prismatic),
 ///
-/// z_i and p_i the axis of joint i and a point on it in the pose, x_0 the handle in the zero pose. Task: position
-/// only. A brake on each joint. More joints than task dimensions (N > D) is a device with self-motion.
-/// Singular where the columns of J do not span the task, e.g. a straight planar arm.
-/// Cost of position or jacobian: one sine and one cosine for each revolute joint. For inertia see
+/// z_i and p_i the axis of joint i and a point on it in the pose, x_0 the handle in the zero pose. Task:
+/// position only. A brake on each joint. More joints than task dimensions (N > D) is a device with
+/// self-motion. Singular where the columns of J do not span the task, e.g. a straight planar arm. Cost of
+/// position or jacobian: one sine and one cosine for each revolute joint. For inertia see
 /// serial_chain_with_inertia.hpp.
 template <class T, int N, int D>
 class serial_chain {

@@ -86,7 +86,8 @@ struct turning<T, 3> {
   /// v x w of two angular vectors.
   static angular gyration(const angular& v, const angular& w) { return cross(v, w); }
 
-  /// r turned by `angle` [rad] about the unit vector `axis` (Rodrigues): r + sin w x r + (1 - cos) w x (w x r).
+  /// r turned by `angle` [rad] about the unit vector `axis` (Rodrigues): with w the axis,
+  /// r + sin w x r + (1 - cos) w x (w x r).
   template <class S>
   static vector<S, 3> turned(const angular& axis, const S& angle, const vector<S, 3>& r) {
     using std::cos, std::sin;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace passive_haptics {
 
@@ -32,4 +33,13 @@ joint_solution<T, 2> two_link_inverse(T l1, T l2, const vector<T, 2>& x, elbow b
   return {{q1, q2}, outside < T(0) || inside < T(0) ? status::out_of_reach : status::ok};
 }
 
+namespace detail {
+
+/// The angle in [-pi, pi].
+template <class T>
+T principal_angle(T angle) {
+  return std::remainder(angle, T(2) * std::numbers::pi_v<T>);
+}
+
+}  // namespace detail
 }  // namespace passive_haptics
