@@ -4,7 +4,7 @@
 
 #include <passive_haptics/passive_haptics.hpp>
 
-#include <log_reader.hpp>
+#include "log_reader.hpp"
 
 #include <array>
 #include <charconv>
