@@ -24,7 +24,7 @@ options
   --wall SHAPE         plane:POINT,NORMAL     wall behind POINT [m], NORMAL points to the free side
                        solid:CENTRE,RADIUS    round, free outside [m]
                        hollow:CENTRE,RADIUS   round, free inside [m]
-                       coordinates x,y or x,y,z; default plane:0,0.225,0,-1 (3-D: plane:0,0,-0.2,0,0,1)
+                       coordinates x,y or x,y,z; default plane:0,0.225,0,-1 (3-D: plane:0,0,-0.15,0,0,1)
   --stiffness K        of the wall [N/m], default 1e7
   --law NAME           direct_control (default) or no_direct_control
   --limit T            torque limit of each brake [N m; N for a slide], default 1
@@ -82,7 +82,7 @@ options parse(int argc, char** argv) {
 
 template <int D>
 example::any_wall<D> wall_of(std::string text) {
-  if (text.empty()) text = D == 2 ? "plane:0,0.225,0,-1" : "plane:0,0,-0.2,0,0,1";
+  if (text.empty()) text = D == 2 ? "plane:0,0.225,0,-1" : "plane:0,0,-0.15,0,0,1";
   const std::string kind = text.substr(0, text.find(':'));
   const bool plane = kind == "plane";
   if (!plane && kind != "solid" && kind != "hollow") {
@@ -175,7 +175,10 @@ int main(int argc, char** argv) try {
   const std::map<std::string, void (*)(const options&, std::istream&)> mechanisms{
       {"two_link", run<ph::two_link<double>>},
       {"tendon_two_link", run<ph::tendon_two_link<double>>},
-      {"xy_table", run<ph::xy_table<double>>}};
+      {"xy_table", run<ph::xy_table<double>>},
+      {"five_bar", run<ph::five_bar<double>>},
+      {"five_bar_4", run<ph::five_bar<double, 4>>},
+      {"delta", run<ph::delta<double>>}};
   const auto found = mechanisms.find(chosen.at("--mechanism"));
   if (found == mechanisms.end()) {
     std::string names;

@@ -1,4 +1,4 @@
-// expect: passive_haptics: unsupported sizes; needed are brake_count == dof and dof >= task_dimension
+// expect: passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension
 #include <passive_haptics/passive_haptics.hpp>
 
 namespace ph = passive_haptics;

@@ -89,7 +89,7 @@ TEST(replay, tells_what_a_controller_tells) {
   EXPECT_EQ(names,
             "t,power,display,gamma,alpha,Fd_x,Fd_y,Fc_x,Fc_y,capacity1,capacity2,torque1,torque2,status");
 
-  ph::controller control(device(), ph::brakes_of<device>(), ph::scene(wall), ph::direct_control());
+  ph::controller control{device(), ph::brakes_of<device>(), ph::scene(wall), ph::direct_control()};
   const auto r = control(ph::device_state<device>{0.5, {1.9, -1.2}, {0.1, 0.2}, {0.5, 2}});
   std::ostringstream expected;
   expected.precision(17);

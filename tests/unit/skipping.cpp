@@ -1,6 +1,8 @@
 // What a cycle does not need, it does not do.
 #include "support.hpp"
 
+#include <Eigen/LU>
+
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/mechanism/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/xy_table.hpp>

@@ -61,13 +61,15 @@ TYPED_TEST(step_edges, coincident_walls_act_as_one) {
   const ph::half_space<2> plane({0, 0.3}, {0.3, 1});
   const M arm;
   const auto state = state_of<M>({TypeParam(0.2), TypeParam(0.4)}, {-1, 2}, {0, -1});
-  ph::controller one(arm, {}, ph::scene(ph::wall(plane)), ph::direct_control{});
-  ph::controller two(arm, {}, ph::scene(ph::wall(plane), ph::wall(plane)), ph::direct_control{});
+  const double soft = 1;  // [N/m], so that no torque limit is reached
+  ph::controller one(arm, {}, ph::scene(ph::wall(plane, soft)), ph::direct_control{});
+  ph::controller two(arm, {}, ph::scene(ph::wall(plane, soft), ph::wall(plane, soft)), ph::direct_control{});
   const auto a = one(state), b = two(state);
   EXPECT_EQ(a.wall, 0);
   EXPECT_EQ(b.wall, 0);
   EXPECT_GT(a.capacity.norm(), TypeParam(0));
-  EXPECT_EQ(a.capacity, b.capacity);
+  EXPECT_FALSE(a.saturated);
+  expect_near(a.capacity, b.capacity, 1);
 }
 
 TYPED_TEST(step_edges, beyond_the_largest_approximation_angle_nothing_is_displayed) {

@@ -33,7 +33,7 @@ auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
     } else {  // E T = J, so each row e of E is the shortest solution of T^T e = j
       const auto Tt = transposed(matrix<T, M::brake_count, M::dof>(A));
       const matrix<T, M::task_dimension, M::dof> full_J(J);
-      const orthogonal_decomposition<T, M::dof, M::brake_count> decomposition(Tt, M::dof, T(0));
+      const orthogonal_decomposition<T, M::dof, M::brake_count> decomposition(Tt, T(0));
       dense E = dense::Constant(std::numeric_limits<T>::quiet_NaN());
       if (decomposition.rank() < M::dof) return E;
       for (int i = 0; i < M::task_dimension; ++i) E.row(i) = decomposition.solve(full_J.row(i).transpose());

@@ -34,7 +34,7 @@ matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(c
     return transposed(matrix<T, M::brake_count, M::task_dimension>(A * mechanism.inverse_jacobian(q)));
   } else {
     const auto Jt = transposed(matrix<T, M::dof, M::dof>(jacobian(mechanism, q)));
-    const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, M::dof, T(0));
+    const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, T(0));
     generators G = generators::Constant(std::numeric_limits<T>::quiet_NaN());
     if (decomposition.rank() < M::dof) return G;
     for (int i = 0; i < M::brake_count; ++i) G.col(i) = decomposition.solve(A.row(i).transpose());

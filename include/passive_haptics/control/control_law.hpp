@@ -22,14 +22,14 @@ struct contact_situation {
 /// Minimal complete definition:
 ///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag`: what it reads. A law that needs
 ///     no hand force runs on a device without a force sensor;
-///   - `static constexpr bool gives_way`: true if it scales the force of a contact being left so that nothing remains
-///     normal; of several contacts these are then met before the others;
 ///   - `struct memory`: what it remembers from cycle to cycle, default-constructible (may be empty);
 ///   - `T scale(const contact_situation<T, d>&, memory&) const noexcept`: alpha in [0, 1], Fc' = alpha Fc (7).
+///
+/// Optional: `static constexpr bool gives_way`, true if it scales the force of a contact being left so that nothing
+/// remains normal; of several contacts these are then met before the others. Without it, false.
 template <class L>
 concept ControlLaw = requires {
   { L::needs_hand_force } -> std::convertible_to<bool>;
-  { L::gives_way } -> std::convertible_to<bool>;
   { L::needs_dynamics } -> std::convertible_to<bool>;
   { L::needs_brake_lag } -> std::convertible_to<bool>;
   typename L::memory;
@@ -37,5 +37,9 @@ concept ControlLaw = requires {
 } && requires(const L law, const contact_situation<double, 2> situation, typename L::memory memory) {
   { law.scale(situation, memory) } noexcept -> std::same_as<double>;
 };
+
+/// Whether a law gives way to a hand that leaves a wall.
+template <class L>
+inline constexpr bool gives_way = requires { requires L::gives_way; };
 
 }  // namespace passive_haptics

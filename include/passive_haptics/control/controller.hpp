@@ -39,11 +39,11 @@ class controller {
 
   /// One control cycle; see step(). A state or position that is not finite is not shown to the scene.
   template <class State>
-  step_result<M, S::contacts_type::capacity> operator()(const State& state) noexcept {
-    constexpr int most = S::contacts_type::capacity;
-    if (const status s = check_state<M>(state); s != status::ok) return released_by<M, most>(s);
+  step_result_for<M, typename S::contacts_type> operator()(const State& state) noexcept {
+    using result = step_result_for<M, typename S::contacts_type>;
+    if (const status s = check_state<M>(state); s != status::ok) return released_by<result>(s);
     const auto x = mechanism_.position(state.q).template cast<double>().eval();
-    if (!all_finite(x)) return released_by<M, most>(status::pose_undefined);
+    if (!all_finite(x)) return released_by<result>(status::pose_undefined);
     if constexpr (requires { sense(scene_, x, state.time); }) {
       return step(mechanism_, brakes_, sense(scene_, x, state.time), law_, state, memory_, options_);
     } else {
@@ -54,6 +54,8 @@ class controller {
   /// Forgets the motion so far.
   void reset() { memory_ = {}; }
 
+  /// The scene, for example to move a wall of it before a cycle.
+  S& scene() { return scene_; }
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
   /// The brakes.

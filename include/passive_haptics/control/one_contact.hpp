@@ -28,10 +28,10 @@ auto approximate_with(const brake_situation<M, EMatrix>& now, const task_vector<
 
 /// Torques td [N m] commanded for one contact: E^T Fc, scaled by the law and within the limits. Notes in `result` what
 /// it found. Section 4, steps 1 to 4.
-template <class M, class EMatrix, int D, class L, int Capacity>
+template <class M, class EMatrix, int D, class L>
 brake_vector<M> display_one(const brake_situation<M, EMatrix>& now, const contact<D>& touched, const L& law,
                             typename L::memory& memory, const step_options<typename M::scalar>& options,
-                            step_result<M, Capacity>& result) {
+                            step_result<M>& result) {
   using T = typename M::scalar;
   const auto [n, magnitude] = force_of<T>(touched);
   const brake_vector<M> t = brake_torque(now.E, n);

@@ -26,7 +26,8 @@ auto force_map_of(const brake_situation<M, EMatrix>& now) {
 /// are those of the contact that asks for the largest force, display is exact where all that is wanted is met.
 template <class M, class EMatrix, class Contacts, class L>
 brake_vector<M> display_several(const brake_situation<M, EMatrix>& now, const Contacts& touched, const L& law,
-                                typename L::memory& memory, step_result<M, Contacts::capacity>& result) {
+                                typename L::memory& memory,
+                                step_result_of_contacts<M, Contacts::capacity>& result) {
   using T = typename M::scalar;
   constexpr int D = M::task_dimension;
   std::array<contact_demand<T, D>, static_cast<std::size_t>(Contacts::capacity)> demands;
@@ -46,7 +47,7 @@ brake_vector<M> display_several(const brake_situation<M, EMatrix>& now, const Co
       outward_power = outward;
     }
     const T force = pressed ? alpha * magnitude : T(0);
-    demands[static_cast<std::size_t>(j)] = {n, force, L::gives_way && leaving > T(0)};
+    demands[static_cast<std::size_t>(j)] = {n, force, gives_way<L> && leaving > T(0)};
     largest = std::max(largest, force);
   }
   result.stages.add(stage::law);

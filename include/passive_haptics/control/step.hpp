@@ -47,7 +47,7 @@ status check_contact(const contact<D>& c) {
 /// zero capacity and the reason in outcome. Cost: nothing but checks in free space; no projection where Fd can be
 /// displayed exactly.
 template <class M, class Contacts, class L, class State>
-step_result<M, Contacts::capacity> step(
+step_result_for<M, Contacts> step(
     const M& mechanism, const brakes_of<M>& brakes, const Contacts& touched, const L& law, const State& state,
     step_memory<L>& memory,
     const step_options<typename M::scalar>& options = step_options<typename M::scalar>()) noexcept {
@@ -65,8 +65,9 @@ step_result<M, Contacts::capacity> step(
                 "passive_haptics: the scene's dimension must be the mechanism's task_dimension.");
   using T = typename M::scalar;
   constexpr bool feels_hand = HandForceState<State, M>;
-  step_result<M, Contacts::capacity> result;
-  const auto released = [](status s) { return released_by<M, Contacts::capacity>(s); };
+  using result_type = step_result_for<M, Contacts>;
+  result_type result;
+  const auto released = [](status s) { return released_by<result_type>(s); };
 
   if (const status s = check_state<M>(state); s != status::ok) return released(s);
   if (touched.empty()) return result;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace passive_haptics {
 
@@ -44,8 +45,8 @@ struct contact_report {
   bool first = false;  ///< It was being left under a law that gives way, so it was met before the others.
 };
 
-/// Result of step() for up to MaxContacts contacts at once. Unless outcome is ok, capacity and torque are zero and the rest has no meaning.
-template <class M, int MaxContacts = 1>
+/// Result of step(). Unless outcome is ok, capacity and torque are zero and the rest has no meaning.
+template <class M>
 struct step_result {
   static_assert(mechanism_requirements<M>::met);
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
@@ -69,10 +70,7 @@ struct step_result {
   /// Fc = sum_i c_i R_i+; those of a brake with sign s_i fulfil s_i c_i <= 0.
   brake_vector<M> cone_coefficients = brake_vector<M>::Zero();
   brake_vector<M> signs = brake_vector<M>::Zero();  ///< s: -1, 0 or 1 for each brake.
-  std::array<contact_report<scalar>, static_cast<std::size_t>(MaxContacts)>
-      contacts{};         ///< Of several contacts, each; see contact_count.
-  int contact_count = 0;  ///< Reports in contacts: 0 unless several walls were touched.
-  stage_set stages;       ///< What ran; the rest was not needed.
+  stage_set stages;                                 ///< What ran; the rest was not needed.
 
   /// gamma, the angle between Fd and Fc [rad]; pi/2 where nothing is displayed.
   scalar approximation_angle() const {
@@ -80,10 +78,23 @@ struct step_result {
   }
 };
 
+/// The same for a scene in which up to MaxContacts walls can be touched at once.
+template <class M, int MaxContacts>
+struct step_result_of_contacts : step_result<M> {
+  /// Of several contacts, each; see contact_count.
+  std::array<contact_report<typename M::scalar>, static_cast<std::size_t>(MaxContacts)> contacts{};
+  int contact_count = 0;  ///< Reports in contacts: 0 unless several walls were touched.
+};
+
+/// What step() returns for these contacts: a step_result<M>, with reports if there can be several.
+template <class M, class Contacts>
+using step_result_for = std::conditional_t<(Contacts::capacity > 1),
+                                           step_result_of_contacts<M, Contacts::capacity>, step_result<M>>;
+
 /// The result of a cycle that ends with a fault: all brakes released, and why.
-template <class M, int MaxContacts = 1>
-step_result<M, MaxContacts> released_by(status reason) {
-  step_result<M, MaxContacts> result;
+template <class Result>
+Result released_by(status reason) {
+  Result result;
   result.display = display_class::none;
   result.outcome = reason;
   return result;

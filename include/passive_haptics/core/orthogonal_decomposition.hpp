@@ -1,5 +1,5 @@
 /// @file
-/// Complete orthogonal decomposition of a small matrix whose number of rows is known at run time.
+/// Complete orthogonal decomposition of a small matrix of any rank.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -9,16 +9,16 @@
 namespace passive_haptics {
 
 /// A = U R V^T with orthonormal columns of U (rows x r) and V (N x r), R (r x r) upper triangular and r the numerical
-/// rank: gives least-squares solutions of least norm for any A of up to MaxRows rows.
+/// rank: gives least-squares solutions of least norm for any A. Zero rows cost little: a matrix with fewer rows is filled up with them.
 ///
 /// By Gram-Schmidt with reorthogonalisation over pivoted rows (V) and then over columns (U): no products of A with
 /// itself, everything on the stack, quick to compile. A row that is shorter than `tolerance` times the longest after
 /// the others were taken out of it counts as dependent.
-template <class T, int MaxRows, int N>
+template <class T, int Rows, int N>
 class orthogonal_decomposition {
  public:
-  /// Decomposes the first `rows` rows of A.
-  orthogonal_decomposition(const matrix<T, MaxRows, N>& A, int rows, T tolerance) : rows_(rows) {
+  /// Decomposes A.
+  orthogonal_decomposition(const matrix<T, Rows, N>& A, T tolerance) {
     find_row_space(A, tolerance);
     find_column_space(A);
   }
@@ -26,8 +26,8 @@ class orthogonal_decomposition {
   /// Numerical rank r.
   int rank() const { return rank_; }
 
-  /// A^+ b: the shortest of the least-squares solutions of A x = b. b is read in its first rows.
-  vector<T, N> solve(const vector<T, MaxRows>& b) const {
+  /// A^+ b: the shortest of the least-squares solutions of A x = b.
+  vector<T, N> solve(const vector<T, Rows>& b) const {
     vector<T, most> y = vector<T, most>::Zero();
     for (int k = rank_ - 1; k >= 0; --k) {  // R y = U^T b
       T rest = u_.col(k).dot(b);
@@ -38,7 +38,7 @@ class orthogonal_decomposition {
   }
 
   /// (A^T)^+ g: the shortest of the least-squares solutions of A^T x = g.
-  vector<T, MaxRows> solve_transposed(const vector<T, N>& g) const {
+  vector<T, Rows> solve_transposed(const vector<T, N>& g) const {
     vector<T, most> y = vector<T, most>::Zero();
     for (int k = 0; k < rank_; ++k) {  // R^T y = V^T g
       T rest = v_.col(k).dot(g);
@@ -55,19 +55,19 @@ class orthogonal_decomposition {
   }
 
   /// U U^T, the orthogonal projection on the column space of A.
-  matrix<T, MaxRows, MaxRows> column_projection() const { return u_ * u_.transpose(); }
+  matrix<T, Rows, Rows> column_projection() const { return u_ * u_.transpose(); }
 
  private:
-  static constexpr int most = MaxRows < N ? MaxRows : N;
+  static constexpr int most = Rows < N ? Rows : N;
 
-  void find_row_space(const matrix<T, MaxRows, N>& A, T tolerance) {
-    matrix<T, MaxRows, N> rest = A;
+  void find_row_space(const matrix<T, Rows, N>& A, T tolerance) {
+    matrix<T, Rows, N> rest = A;
     T longest = T(0);
-    for (int i = 0; i < rows_; ++i) longest = std::max(longest, A.row(i).norm());
+    for (int i = 0; i < Rows; ++i) longest = std::max(longest, A.row(i).norm());
     for (rank_ = 0; rank_ < most; ++rank_) {
       int pivot = -1;
       T length = tolerance * longest;
-      for (int i = 0; i < rows_; ++i) {
+      for (int i = 0; i < Rows; ++i) {
         for (int pass = 0; pass < 2 && rank_ > 0; ++pass) {
           rest.row(i) -= (rest.row(i) * v_) * v_.transpose();
         }
@@ -81,10 +81,10 @@ class orthogonal_decomposition {
     }
   }
 
-  void find_column_space(const matrix<T, MaxRows, N>& A) {
+  void find_column_space(const matrix<T, Rows, N>& A) {
     for (int k = 0; k < rank_; ++k) {
-      vector<T, MaxRows> c = vector<T, MaxRows>::Zero();
-      for (int i = 0; i < rows_; ++i) c[i] = A.row(i).dot(v_.col(k));
+      vector<T, Rows> c = vector<T, Rows>::Zero();
+      for (int i = 0; i < Rows; ++i) c[i] = A.row(i).dot(v_.col(k));
       for (int pass = 0; pass < 2; ++pass) {
         for (int l = 0; l < k; ++l) {
           const T along = u_.col(l).dot(c);
@@ -97,9 +97,8 @@ class orthogonal_decomposition {
     }
   }
 
-  int rows_;
   int rank_ = 0;
-  matrix<T, MaxRows, most> u_ = matrix<T, MaxRows, most>::Zero();
+  matrix<T, Rows, most> u_ = matrix<T, Rows, most>::Zero();
   matrix<T, N, most> v_ = matrix<T, N, most>::Zero();
   matrix<T, most, most> r_ = matrix<T, most, most>::Zero();
 };

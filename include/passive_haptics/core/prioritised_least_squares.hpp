@@ -15,8 +15,8 @@ namespace passive_haptics {
 /// Finds x with lower <= x <= upper that minimises |A_1 x - b_1|, among those |A_2 x - b_2|, and so on:
 ///
 ///     prioritised_least_squares<T, N, MaxRows> x(lower, upper);
-///     x.minimise(A1, b1, rows1);  // the most important first
-///     x.minimise(A2, b2, rows2);  // changes nothing of A1 x
+///     x.minimise(A1, b1);  // the most important first
+///     x.minimise(A2, b2);  // changes nothing of A1 x
 ///     x.solution();
 ///
 /// Each level is a convex quadratic problem in what the levels before leave free; a primal active set over the
@@ -28,8 +28,8 @@ namespace passive_haptics {
 template <class T, int N, int MaxRows>
 class prioritised_least_squares {
  public:
-  using rows = matrix<T, MaxRows, N>;  ///< A level's matrix; its first rows count.
-  using targets = vector<T, MaxRows>;  ///< A level's right-hand side; its first rows count.
+  using rows = matrix<T, MaxRows, N>;  ///< A level's matrix; rows that it does not need are 0.
+  using targets = vector<T, MaxRows>;  ///< A level's right-hand side, 0 there.
 
   /// Starts at the point of the box that is nearest to 0. lower <= upper.
   prioritised_least_squares(const vector<T, N>& lower, const vector<T, N>& upper)
@@ -43,18 +43,20 @@ class prioritised_least_squares {
     }
   }
 
-  /// Minimises |A x - b| over `count` rows without changing what earlier calls reached; all calls but the last together may
-  /// have MaxRows rows. False if rounding kept the active set from settling; x is then feasible all the same.
-  bool minimise(const rows& A, const targets& b, int count) {
+  /// Minimises |A x - b| without changing what earlier calls reached; all calls but the last together may have MaxRows
+  /// rows that are not 0. False if rounding kept the active set from settling; x is then feasible all the same.
+  bool minimise(const rows& A, const targets& b) {
     std::array<bool, static_cast<std::size_t>(N)> refused{};
     bool settled = false;
     for (int change = 0; change < 10 * (N + 1) && !settled; ++change) {
-      const decomposition held(on_free(done_, done_rows_), done_rows_, tolerance());
-      const T made = advance(constrained_step(A, b, count, held));
-      if (made == T(1)) settled = !release_worst(A, b, count, held, refused);
+      const decomposition held(on_free(done_), tolerance());
+      const T made = advance(constrained_step(A, b, held));
+      if (made == T(1)) settled = !release_worst(A, b, held, refused);
       else if (made > T(0)) refused.fill(false);
     }
-    for (int i = 0; i < count && done_rows_ < MaxRows; ++i) done_.row(done_rows_++) = A.row(i);
+    for (int i = 0; i < MaxRows && done_rows_ < MaxRows; ++i) {
+      if (!A.row(i).isZero(T(0))) done_.row(done_rows_++) = A.row(i);
+    }
     return settled;
   }
 
@@ -69,29 +71,23 @@ class prioritised_least_squares {
   // Relative size under which a row or a multiplier is rounding.
   static constexpr T tolerance() { return T(16) * rounding_tolerance<T>(N + MaxRows); }
 
-  rows on_free(const rows& A, int count) const {
+  rows on_free(const rows& A) const {
     rows picked = rows::Zero();
     for (int i = 0; i < N; ++i) {
-      if (at_[idx(i)] == bound::none) picked.col(i).head(count) = A.col(i).head(count);
+      if (at_[idx(i)] == bound::none) picked.col(i) = A.col(i);
     }
     return picked;
   }
 
-  targets residual(const rows& A, const targets& b, int count) const {
-    targets r = targets::Zero();
-    r.head(count) = b.head(count) - A.topRows(count) * x_;
-    return r;
-  }
-
   // The shortest step of the free variables to the least |A x - b| that changes nothing of the earlier rows.
-  vector<T, N> constrained_step(const rows& A, const targets& b, int count, const decomposition& held) const {
-    const rows Af = on_free(A, count);
+  vector<T, N> constrained_step(const rows& A, const targets& b, const decomposition& held) const {
+    const rows Af = on_free(A);
     rows reduced = rows::Zero();
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < MaxRows; ++i)
       reduced.row(i) = held.without_row_space(Af.row(i).transpose()).transpose();
     // A level that sees only rounding of itself in what is left free has nothing to say.
     if (!(reduced.norm() > tolerance() * Af.norm())) return vector<T, N>::Zero();
-    const vector<T, N> step = decomposition(reduced, count, tolerance()).solve(residual(A, b, count));
+    const vector<T, N> step = decomposition(reduced, tolerance()).solve(b - A * x_);
     return held.without_row_space(step);
   }
 
@@ -118,20 +114,19 @@ class prioritised_least_squares {
 
   // Releases the bound whose multiplier has the wrong sign by most. If there is none, fixes the bounds that hold
   // this level back, since no later level may release them, and returns false.
-  bool release_worst(const rows& A, const targets& b, int count, const decomposition& held,
+  bool release_worst(const rows& A, const targets& b, const decomposition& held,
                      std::array<bool, static_cast<std::size_t>(N)>& refused) {
-    const targets r = residual(A, b, count);
-    vector<T, N> pull = A.topRows(count).transpose() * r.head(count);  // - gradient of |A x - b|^2 / 2
+    const targets r = b - A * x_;
+    vector<T, N> pull = A.transpose() * r;  // - gradient of |A x - b|^2 / 2
     vector<T, N> on_free_pull = pull;
     for (int i = 0; i < N; ++i) {
       if (at_[idx(i)] != bound::none) on_free_pull[i] = T(0);
     }
     // What the earlier rows take up of it
-    const targets multipliers = held.solve_transposed(on_free_pull);
-    pull -= done_.topRows(done_rows_).transpose() * multipliers.head(done_rows_);
+    pull -= done_.transpose() * held.solve_transposed(on_free_pull);
 
-    const T size = b.head(count).norm() + (A.topRows(count) * x_).norm();
-    const auto noise = [&](int i) { return tolerance() * A.col(i).head(count).norm() * size; };
+    const T size = b.norm() + r.norm();  // at least |A x|
+    const auto noise = [&](int i) { return tolerance() * A.col(i).norm() * size; };
     int worst = -1;
     T most = T(0);
     for (int i = 0; i < N; ++i) {

@@ -19,10 +19,10 @@ enum class power_class {
 /// How the desired force is displayed. An outward-moving contact can be active and yet be displayed
 /// approximately: direct control lives there.
 enum class display_class {
-  none,        ///< No producible force has a component along the desired one.
-  empty_cone,  ///< None whatever: leaving its self-motion alone (n > d), the device can produce no force at all.
+  none,         ///< No producible force has a component along the desired one.
   approximate,  ///< The nearest producible force, scaled so that its component along Fd is |Fd|.
   exact,        ///< Fd itself.
+  empty_cone,  ///< None whatever: leaving its self-motion alone (n > d), the device can produce no force at all.
 };
 
 /// The class in words.

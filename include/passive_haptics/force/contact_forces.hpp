@@ -29,7 +29,7 @@ struct force_map {
 /// also answers at singular poses, for the forces that brakes can make there. Cost: one decomposition of m x d.
 template <class T, int D, int Brakes>
 force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
-  const orthogonal_decomposition<T, Brakes, D> Et(transposed(E), Brakes, rounding_tolerance<T>(Brakes));
+  const orthogonal_decomposition<T, Brakes, D> Et(transposed(E), rounding_tolerance<T>(Brakes));
   force_map<T, D, Brakes> map{
       {}, matrix<T, Brakes, Brakes>::Identity() - Et.column_projection(), Et.rank() < Brakes};
   for (int i = 0; i < Brakes; ++i) map.G.col(i) = Et.solve(vector<T, Brakes>::Unit(i));
@@ -56,12 +56,13 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
   using rows = typename solver::rows;
   using targets = typename solver::targets;
   solver t(box.lower, box.upper);
-  rows A = rows::Zero();
   if (map.self_motion) {
+    rows A = rows::Zero();
     A.template topRows<Brakes>() = map.P;
-    t.minimise(A, targets::Zero(), Brakes);
+    t.minimise(A, targets::Zero());
   }
   for (const bool first : {true, false}) {
+    rows A = rows::Zero();
     targets a = targets::Zero();
     int count_here = 0;
     for (int j = 0; j < count; ++j) {
@@ -70,11 +71,12 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
       A.row(count_here) = demand.normal.transpose() * map.G;
       a[count_here++] = demand.force;
     }
-    if (count_here > 0) t.minimise(A, a, count_here);
+    if (count_here > 0) t.minimise(A, a);
   }
-  A.template topRows<D>() = map.G;
-  t.minimise(A, targets::Zero(), D);
-  t.minimise(rows::Identity(), targets::Zero(), Brakes);
+  rows drag = rows::Zero();
+  drag.template topRows<D>() = map.G;
+  t.minimise(drag, targets::Zero());
+  t.minimise(rows::Identity(), targets::Zero());
 
   contact_forces_result<T, D, Brakes, Capacity> result{t.solution(), map.G * t.solution(), {}};
   for (int j = 0; j < count; ++j) {

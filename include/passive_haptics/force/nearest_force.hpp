@@ -47,7 +47,7 @@ bool cone_is_zero(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s) {
   if (size > tolerance && project_onto_half_spaces(B, vector<T, D>(against / size)).point.norm() > tolerance)
     return false;
   // The normals may also cancel: then C is the space normal to all of them.
-  return orthogonal_decomposition<T, Brakes, D>(transposed(B), Brakes, tolerance).rank() == D;
+  return orthogonal_decomposition<T, Brakes, D>(transposed(B), tolerance).rank() == D;
 }
 
 }  // namespace passive_haptics

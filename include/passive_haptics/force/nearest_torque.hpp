@@ -43,8 +43,8 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
   typename solver::targets b = solver::targets::Zero();
   A.template topRows<D>() = G;
   b.template head<D>() = Fd;
-  t.minimise(A, b, D);
-  if constexpr (Brakes > D) t.minimise(solver::rows::Identity(), solver::targets::Zero(), Brakes);
+  t.minimise(A, b);
+  if constexpr (Brakes > D) t.minimise(solver::rows::Identity(), solver::targets::Zero());
   return {t.solution(), G * t.solution()};
 }
 

@@ -42,6 +42,9 @@ class held_scene {
     return contacts_;
   }
 
+  /// The scene, for example to move a wall of it before it is sampled.
+  Scene& scene() { return scene_; }
+
  private:
   Scene scene_;
   double period_;

@@ -104,7 +104,7 @@ TYPED_TEST_P(step_laws, capacity_is_within_its_limits) {
 /// angle gamma with it, and its torques are the cone coefficients. Where display is exact, it is the desired force.
 TYPED_TEST_P(step_laws, displayed_force_has_the_desired_component) {
   using T = typename TestFixture::number;
-  int seen[3] = {};
+  int seen[4] = {};
   this->for_each_step([&](const auto& sample, const auto& result) {
     ++seen[static_cast<int>(result.display)];
     const auto& Fd = result.desired_force;
