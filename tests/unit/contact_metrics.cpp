@@ -52,6 +52,12 @@ TEST(contact_meter, measures_depth_after_the_first_tenth_of_the_path) {
   EXPECT_NEAR(r.depth_rms, std::sqrt(2.0 / 3) * 10 * um, 1e-18) << "about the mean of 20";
 }
 
+// Contact at half of the path: settled after a tenth of the other half.
+TEST(contact_meter, the_path_begins_at_the_first_contact) {
+  const auto r = figures({-50, -50, -50, -50, -50, 1000, 10, 20, 30, 20});
+  EXPECT_NEAR(r.depth_range, 20 * um, 1e-18);
+}
+
 TEST(contact_meter, range_includes_what_lies_off_the_wall) {
   EXPECT_NEAR(figures({50, 30, -40}).depth_range, 70 * um, 1e-18);
 }

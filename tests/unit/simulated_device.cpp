@@ -142,4 +142,20 @@ TEST(simulated_motion, gains_the_work_of_the_hand) {
   EXPECT_NEAR(F.dot(device.position() - start) / energy, 1, 5e-3);
 }
 
+// A hand that only holds on: what it does to the handle is what its mass resists with, -m a.
+TEST(simulated_motion, sensor_feels_the_hands_mass_on_a_curved_path) {
+  using M = ph::tendon_two_link<double>;
+  const double hand_mass = 0.3, dt = 1e-5;
+  ph::simulated_device<M> device(M(), brakes_with<M>(0, 1), hand_mass, {2, -1.2});
+  device.set_motion({2, -1.2}, {3, -4});
+  for (int k = 0; k < 100; ++k) {
+    const ph::vector<double, 2> before = device.velocity();
+    device.advance(dt, {0, 0}, {0, 0});
+    const ph::vector<double, 2> acceleration = (device.velocity() - before) / dt;
+    EXPECT_GT(acceleration.norm(), 0.1);
+    EXPECT_LE((device.sensed_force() + hand_mass * acceleration).norm(),
+              0.01 * hand_mass * acceleration.norm());
+  }
+}
+
 }  // namespace

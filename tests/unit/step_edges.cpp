@@ -5,8 +5,11 @@
 #include <passive_haptics/mechanism/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/xy_table.hpp>
 #include <passive_haptics/scene/half_space.hpp>
+#include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/testing/random.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace {
@@ -92,6 +95,92 @@ TYPED_TEST(step_edges, beyond_the_largest_approximation_angle_nothing_is_display
   EXPECT_NEAR(ph::degrees(run(29, 30).approximation_angle()), T(29), T(1e-4));
   EXPECT_EQ(run(88.9, 89).display, ph::display_class::approximate) << "the default";
   EXPECT_EQ(run(89.1, 89).display, ph::display_class::none);
+}
+
+TYPED_TEST(step_edges, a_force_that_overflows_in_the_approximation_releases_the_brakes) {
+  using T = TypeParam;
+  using M = typename TestFixture::table_type;
+  // Only brake 1 helps, at 60 deg from the wall's normal: twice the desired force
+  const auto run = [](double share) {
+    return step_once<ph::no_direct_control>(
+        M(), {}, state_of<M>({0, 0}, {-1, 1}),
+        ph::contact<2>{.normal = {0.5, std::sqrt(0.75)},
+                       .depth = share * static_cast<double>(std::numeric_limits<T>::max()),
+                       .stiffness = 1});
+  };
+  EXPECT_EQ(run(0.4).outcome, ph::status::ok);
+  EXPECT_GT(run(0.4).capacity.norm(), T(0));
+  EXPECT_EQ(run(0.6).outcome, ph::status::result_not_finite);
+  EXPECT_TRUE(run(0.6).capacity.isZero(0) && run(0.6).torque.isZero(0));
+}
+
+// A half-space violated by less than rounding is not worth a projection, but no torque of the wrong sign is left.
+TYPED_TEST(step_edges, torques_of_the_wrong_sign_are_exactly_zero_however_small) {
+  using T = TypeParam;
+  using V = ph::vector<T, 3>;
+  const ph::matrix<T, 3, 3> E = ph::matrix<T, 3, 3>::Identity();
+  const T hair = std::numeric_limits<T>::epsilon() / 16;
+  const V n(hair, T(0.6), T(-0.8)), s(1, 1, 1);
+  const auto Fc = ph::approximate(E, s, n, V(E.transpose() * n), T(0.1));
+  EXPECT_EQ(Fc.display, ph::display_class::approximate);
+  EXPECT_EQ(Fc.torque[0], T(0));
+  EXPECT_EQ(Fc.torque[1], T(0));
+  EXPECT_NEAR(Fc.torque[2], T(-1.25), ph::rounding_tolerance<T>(4));
+}
+
+// Rounding never leaves Fp = 0 exactly; what it leaves must not be blown up to a force.
+TYPED_TEST(step_edges, forces_in_the_polar_cone_are_not_displayed_whatever_the_largest_angle) {
+  using T = TypeParam;
+  using V = ph::vector<T, 3>;
+  ph::testing::random_source random(17);
+  for (int k = 0; k < 500; ++k) {
+    ph::matrix<T, 3, 3> E;
+    for (int j = 0; j < 3; ++j) E.col(j) = ph::vector<T, 3>::Unit(j) + T(0.3) * random.direction<T, 3>();
+    const V s(1, -1, 1);
+    const V share(random.uniform(T(0.1), T(1)), random.uniform(T(0.1), T(1)), random.uniform(T(0.1), T(1)));
+    const V n = V(E * s.cwiseProduct(share)).normalized();
+    const auto Fc = ph::approximate(E, s, n, V(E.transpose() * n), T(0));
+    EXPECT_EQ(Fc.display, ph::display_class::none) << "seed 17, trial " << k << ", cosine " << Fc.cosine;
+  }
+}
+
+// x = 1 / q: no position and no Jacobian at 0.
+template <class T>
+struct hyperbola {
+  using scalar = T;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
+  ph::vector<T, 2> position(const ph::vector<T, 2>& q) const { return q.cwiseInverse(); }
+  ph::diagonal_matrix<T, 2> jacobian(const ph::vector<T, 2>& q) const {
+    return ph::diagonal_matrix<T, 2>(-q.cwiseInverse().cwiseAbs2());
+  }
+};
+
+TYPED_TEST(step_edges, a_pose_without_position_or_jacobian_is_a_fault_that_no_scene_sees) {
+  using T = TypeParam;
+  using M = hyperbola<T>;
+  const ph::contact<2> wall{.normal = {0, 1}, .depth = 1e-3, .stiffness = 1e3};
+  const auto bare = step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 1}, {1, 1}), wall);
+  EXPECT_EQ(bare.outcome, ph::status::pose_undefined);
+  EXPECT_TRUE(bare.capacity.isZero(0) && bare.torque.isZero(0));
+
+  const ph::scene floor{ph::wall(ph::half_space<2>({0, 3}, {0, 1}), 1.0)};
+  ph::controller control(M(), ph::brakes_of<M>(), ph::held_scene(floor, 1), ph::no_direct_control{});
+  const auto at = [&](double time, T q) {
+    return control(ph::device_state<M>{time, {1, q}, {0, 1}, {0, 0}});
+  };
+  EXPECT_EQ(at(0, 1).desired_force[1], T(2));
+  EXPECT_EQ(at(5, 0).outcome, ph::status::pose_undefined);
+  EXPECT_EQ(at(0.5, T(0.5)).desired_force[1], T(2)) << "still held";
+}
+
+TYPED_TEST(step_edges, brake_rates_that_overflow_are_a_fault) {
+  using T = TypeParam;
+  using M = typename TestFixture::arm_type;
+  const T most = std::numeric_limits<T>::max();  // w2 = qd1 + qd2 / 0.4
+  const ph::contact<2> wall{.normal = {0, -1}, .depth = 1e-3, .stiffness = 1e3};
+  const auto result = step_once<ph::no_direct_control>(M(), {}, state_of<M>({2, -1}, {0, most}), wall);
+  EXPECT_NE(result.outcome, ph::status::ok);
+  EXPECT_TRUE(result.capacity.isZero(0) && result.torque.isZero(0));
 }
 
 }  // namespace
