@@ -173,12 +173,9 @@ int main(int argc, char** argv) try {
   std::istream& in = chosen.at("--input").empty() ? static_cast<std::istream&>(made_up) : file;
 
   const std::map<std::string, void (*)(const options&, std::istream&)> mechanisms{
-      {"two_link", run<ph::two_link<double>>},
-      {"tendon_two_link", run<ph::tendon_two_link<double>>},
-      {"xy_table", run<ph::xy_table<double>>},
-      {"five_bar", run<ph::five_bar<double>>},
-      {"five_bar_4", run<ph::five_bar<double, 4>>},
-      {"delta", run<ph::delta<double>>}};
+      {"two_link", run<ph::two_link<double>>},      {"tendon_two_link", run<ph::tendon_two_link<double>>},
+      {"xy_table", run<ph::xy_table<double>>},      {"five_bar", run<ph::five_bar<double>>},
+      {"five_bar_4", run<ph::five_bar<double, 4>>}, {"delta", run<ph::delta<double>>}};
   const auto found = mechanisms.find(chosen.at("--mechanism"));
   if (found == mechanisms.end()) {
     std::string names;

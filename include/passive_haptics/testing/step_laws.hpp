@@ -110,7 +110,7 @@ TYPED_TEST_P(step_laws, displayed_force_has_the_desired_component) {
     const auto& Fd = result.desired_force;
     const auto& Fc = result.control_force;
     const T cosine = result.approximation_cosine;
-    if (result.display == display_class::none) {
+    if (!is_displayed(result.display)) {
       ASSERT_TRUE(result.capacity.isZero(T(0)) && result.torque.isZero(T(0)) && Fc.isZero(T(0)));
       ASSERT_EQ(cosine, T(0));
       return;
