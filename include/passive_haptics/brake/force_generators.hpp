@@ -45,7 +45,7 @@ matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(c
 /// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d): the force at the end effector that
 /// accelerates it as the brake torques t do, with Lambda = (J M^-1 J^T)^-1 the task inertia. The brakes may
 /// drive the self-motion meanwhile: it is the power t . w of the joints, not F . v, that is never positive.
-/// Not finite at a singular J. Cost: two Cholesky decompositions, n x n and d x d.
+/// Not finite at a singular J. Cost: a Cholesky of n x n and an orthogonal decomposition of n x d.
 /// Reference: Khatib, A unified approach for motion and force control, IEEE J. Robotics and Automation 3 (1), 1987.
 template <class M>
   requires(M::dof > M::task_dimension && Dynamics<M>)
@@ -61,7 +61,12 @@ matrix<typename M::scalar, M::task_dimension, M::brake_count> inertial_force_gen
   const Eigen::LLT<matrix<T, M::dof, M::dof>> mass(mechanism.mass_matrix(q));
   const matrix<T, M::dof, M::task_dimension> A = mass.matrixL().solve(transposed(J));
   const matrix<T, M::dof, M::brake_count> B = mass.matrixL().solve(Tt);
-  return A.householderQr().solve(B);
+  const orthogonal_decomposition<T, M::dof, M::task_dimension> decomposition(A, T(0));
+  using generators = matrix<T, M::task_dimension, M::brake_count>;
+  generators G = generators::Constant(std::numeric_limits<T>::quiet_NaN());
+  if (decomposition.rank() < M::task_dimension) return G;
+  for (int i = 0; i < M::brake_count; ++i) G.col(i) = decomposition.solve(B.col(i));
+  return G;
 }
 
 }  // namespace passive_haptics
