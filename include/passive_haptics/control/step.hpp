@@ -19,13 +19,14 @@ status check_state(const State& state) {
   return finite ? status::ok : status::state_not_finite;
 }
 
-/// Whether NaN or infinity stands in what a law that may need the brakes' lag reads of them.
+/// Whether what a step reads of the brakes and the options is finite and no limit negative. The lag is read by laws that need it.
 template <class L, class T, int Brakes>
-status check_brakes(const brake_parameters<T, Brakes>& brakes) {
-  bool finite = all_finite(brakes.torque_limit) && all_finite(brakes.rate_dead_band) &&
-                all_finite(brakes.torque_dead_band);
-  if constexpr (L::needs_brake_lag) finite = finite && all_finite(brakes.time_constant);
-  return finite ? status::ok : status::parameters_not_finite;
+status check_parameters(const brake_parameters<T, Brakes>& brakes, const step_options<T>& options) {
+  bool valid = all_finite(brakes.torque_limit) && all_finite(brakes.rate_dead_band) &&
+               all_finite(brakes.torque_dead_band) && (brakes.torque_limit.array() >= T(0)).all() &&
+               std::isfinite(options.min_cosine);
+  if constexpr (L::needs_brake_lag) valid = valid && all_finite(brakes.time_constant);
+  return valid ? status::ok : status::parameters_invalid;
 }
 
 /// Whether NaN or infinity stands in a contact, or its force overflows T.
@@ -71,7 +72,7 @@ step_result_for<M, Contacts> step(
 
   if (const status s = check_state<M>(state); s != status::ok) return released(s);
   if (touched.empty()) return result;
-  if (const status s = check_brakes<L>(brakes); s != status::ok) return released(s);
+  if (const status s = check_parameters<L>(brakes, options); s != status::ok) return released(s);
   for (const auto& c : touched) {
     if (const status s = check_contact<T>(c); s != status::ok) return released(s);
   }

@@ -8,10 +8,10 @@ namespace passive_haptics {
 
 /// Outcome of a calculation. Nothing in the fast path throws; a status other than ok comes with zero capacity.
 enum class status {
-  ok,                     ///< The result is valid.
-  state_not_finite,       ///< NaN or infinity in time, q, qd or hand_force.
-  contact_not_finite,     ///< NaN or infinity in a contact, or k * depth overflows.
-  parameters_not_finite,  ///< NaN or infinity in the brakes' or the law's parameters.
+  ok,                  ///< The result is valid.
+  state_not_finite,    ///< NaN or infinity in time, q, qd or hand_force.
+  contact_not_finite,  ///< NaN or infinity in a contact, or k * depth overflows.
+  parameters_invalid,  ///< NaN, infinity or a negative limit in the brakes' parameters or the options.
   pose_undefined,  ///< The mechanism has no finite position, Jacobian or transmission inverse at this pose.
   scale_out_of_range,  ///< The law returned a scale that is NaN or outside [0, 1].
   result_not_finite,   ///< Finite input whose result overflows.
@@ -25,7 +25,7 @@ constexpr std::string_view to_string(status s) {
     case status::ok: return "ok";
     case status::state_not_finite: return "NaN or infinity in the device state";
     case status::contact_not_finite: return "NaN or infinity in a contact";
-    case status::parameters_not_finite: return "NaN or infinity in the brake or law parameters";
+    case status::parameters_invalid: return "invalid brake parameters or options";
     case status::pose_undefined: return "no finite position or Jacobian at this pose";
     case status::scale_out_of_range: return "the law's scale is not in [0, 1]";
     case status::result_not_finite: return "overflow";

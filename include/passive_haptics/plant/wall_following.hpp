@@ -59,6 +59,10 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
                             const wall_following_parameters& parameters, Observer&& observe) {
   using T = typename M::scalar;
   const wall_following_parameters& p = require_valid(parameters);
+  if (p.watched_brake < 0 || p.watched_brake >= M::brake_count) {
+    require_no_complaint(
+        detail::complaint("watched_brake", p.watched_brake, "a brake of the device, from 0"));
+  }
   constexpr int d = M::task_dimension;
   const T sensor_lag = p.sensor_corner > 0 ? low_pass_time_constant(static_cast<T>(p.sensor_corner)) : T(0);
   first_order_lag<T, d> sensor(vector<T, d>::Constant(sensor_lag));
