@@ -54,8 +54,13 @@ TEST(contact_meter, measures_depth_after_the_first_tenth_of_the_path) {
 
 // Contact at half of the path: settled after a tenth of the other half.
 TEST(contact_meter, the_path_begins_at_the_first_contact) {
-  const auto r = figures({-50, -50, -50, -50, -50, 1000, 10, 20, 30, 20});
-  EXPECT_NEAR(r.depth_range, 20 * um, 1e-18);
+  ph::contact_meter meter(1, 1e-3);
+  meter.add(0.3, -50 * um, 1, 0);
+  meter.add(0.5, 1000 * um, 1, 0);
+  meter.add(0.54, 900 * um, 1, 0);
+  meter.add(0.56, 40 * um, 1, 0);
+  meter.add(0.8, 10 * um, 1, 0);
+  EXPECT_NEAR(meter.result().depth_range, 30 * um, 1e-18);
 }
 
 TEST(contact_meter, range_includes_what_lies_off_the_wall) {
