@@ -59,6 +59,25 @@ TYPED_TEST(step_edges, extremely_stiff_walls_end_at_the_torque_limits) {
   }
 }
 
+TYPED_TEST(step_edges, negative_limits_and_undefined_options_release_the_brakes) {
+  using T = TypeParam;
+  using M = typename TestFixture::arm_type;
+  const auto state = state_of<M>({T(0.2), T(0.4)}, {T(-1), T(2)}, {T(0), T(-1)});
+  ph::contacts<2, 1> touched;
+  touched.push_back({.normal = {0.6, 0.8}, .depth = 1e-3, .stiffness = 1e4});
+  const auto outcome = [&](T limit, T min_cosine) {
+    ph::brakes_of<M> brakes;
+    brakes.torque_limit[1] = limit;
+    ph::step_options<T> options;
+    options.min_cosine = min_cosine;
+    ph::step_memory<ph::direct_control> memory;
+    return ph::step(M(), brakes, touched, ph::direct_control(), state, memory, options).outcome;
+  };
+  EXPECT_EQ(outcome(T(1), T(0.5)), ph::status::ok);
+  EXPECT_EQ(outcome(T(-1), T(0.5)), ph::status::parameters_invalid);
+  EXPECT_EQ(outcome(T(1), std::numeric_limits<T>::quiet_NaN()), ph::status::parameters_invalid);
+}
+
 TYPED_TEST(step_edges, coincident_walls_act_as_one) {
   using M = typename TestFixture::arm_type;
   const ph::half_space<2> plane({0, 0.3}, {0.3, 1});

@@ -84,6 +84,19 @@ TYPED_TEST(wall_following, xy_table_never_leaves_an_unslanted_wall) {
   }
 }
 
+TYPED_TEST(wall_following, names_a_brake_that_is_not_there) {
+  auto e = table<TypeParam>();
+  auto control = e.controller(ph::no_direct_control(), 1000);
+  auto way = this->way();
+  way.watched_brake = 2;
+  try {
+    ph::follow_wall(e.device, control, wall, e.hand, way);
+    FAIL() << "brake 2 of two was watched";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "passive_haptics: watched_brake = 2, expected a brake of the device, from 0");
+  }
+}
+
 // Steady sliding without brake lag under direct control: in every cycle that scales, nothing of hand and brakes
 // together is left normal to the wall.
 TYPED_TEST(wall_following, direct_control_leaves_nothing_normal_in_any_cycle) {
