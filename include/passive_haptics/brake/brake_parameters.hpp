@@ -5,7 +5,6 @@
 #include <passive_haptics/core/matrix.hpp>
 #include <passive_haptics/core/validate.hpp>
 
-#include <sstream>
 #include <string>
 
 namespace passive_haptics {
@@ -32,9 +31,9 @@ template <class T, int Brakes>
 std::string validate(const brake_parameters<T, Brakes>& p) {
   const auto check = [](const char* name, const char* unit, const vector<T, Brakes>& values) {
     for (int i = 0; i < Brakes; ++i) {
-      std::ostringstream element;
-      element << name << "[" << i << "] [" << unit << "]";
-      if (std::string text = detail::check_not_negative(element.str(), values[i]); !text.empty()) return text;
+      const std::string element =
+          detail::indexed(std::string(name).append("["), i, std::string("] [").append(unit).append("]"));
+      if (std::string text = detail::check_not_negative(element, values[i]); !text.empty()) return text;
     }
     return std::string();
   };

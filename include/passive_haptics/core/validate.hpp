@@ -20,6 +20,14 @@ std::string complaint(std::string_view name, T value, std::string_view expected)
   return text.str();
 }
 
+/// "before i after". (A literal + std::string makes g++ 12 warn of overlapping memory at -O3.)
+template <class Index>
+std::string indexed(std::string_view before, Index i, std::string_view after) {
+  std::ostringstream text;
+  text << before << i << after;
+  return text.str();
+}
+
 template <class T>
 std::string check_positive(std::string_view name, T value) {
   return std::isfinite(value) && value > T(0) ? "" : complaint(name, value, "a finite number > 0");

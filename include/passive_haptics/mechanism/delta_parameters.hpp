@@ -42,7 +42,7 @@ std::string validate(const delta_parameters<T>& p) {
                       check_positive("upper_arm [m]", p.upper_arm), check_positive("forearm [m]", p.forearm));
   std::string rotors, gravity;
   for (int i = 0; i < 3; ++i) {
-    const std::string index = "[" + std::to_string(i) + "] ";
+    const std::string index = detail::indexed("[", i, "] ");
     if (rotors.empty()) rotors = check_not_negative("rotor_inertia" + index + "[kg m^2]", p.rotor_inertia[i]);
     if (gravity.empty()) gravity = check_finite("gravity" + index + "[m/s^2]", p.gravity[i]);
   }

@@ -42,7 +42,7 @@ std::string validate(const five_bar_parameters<T, Brakes>& p) {
       check_positive("distal_1 [m]", p.distal_1), check_positive("distal_2 [m]", p.distal_2));
   std::string rotors;
   for (int i = 0; i < Brakes && rotors.empty(); ++i)
-    rotors = check_not_negative("rotor_inertia[" + std::to_string(i) + "] [kg m^2]", p.rotor_inertia[i]);
+    rotors = check_not_negative(detail::indexed("rotor_inertia[", i, "] [kg m^2]"), p.rotor_inertia[i]);
   const T perimeter = p.base_distance + p.proximal_1 + p.proximal_2 + p.distal_1 + p.distal_2;
   const T longest = std::max({p.base_distance, p.proximal_1, p.proximal_2, p.distal_1, p.distal_2});
   const std::string loop = longest < perimeter - longest

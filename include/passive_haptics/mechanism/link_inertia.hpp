@@ -78,7 +78,7 @@ std::string validate(const serial_chain_inertia<T, N, D>& p) {
         detail::check_positive(detail::member_of("links", i, "mass [kg]"), link.mass),
         detail::check_finite_vector<T, D>(detail::member_of("links", i, "centre [m]"), link.centre),
         detail::check_inertia<T>(detail::member_of("links", i, "about_centre [kg m^2]"), link.about_centre),
-        detail::check_not_negative("rotor_inertia[" + std::to_string(i) + "] [kg m^2 or kg]",
+        detail::check_not_negative(detail::indexed("rotor_inertia[", i, "] [kg m^2 or kg]"),
                                    p.rotor_inertia[i]));
   }
   return detail::first_complaint(first, detail::check_not_negative("handle_mass [kg]", p.handle_mass),

@@ -30,7 +30,7 @@ template <int D>
 std::string validate(const box_parameters<D>& p) {
   if (!all_finite(p.centre)) return "centre of a box is not finite, expected metres";
   for (int i = 0; i < D; ++i) {
-    const std::string name = "half_extents[" + std::to_string(i) + "] of a box [m]";
+    const std::string name = detail::indexed("half_extents[", i, "] of a box [m]");
     if (std::string text = detail::check_not_negative(name, p.half_extents[i]); !text.empty()) return text;
   }
   const double skew = (p.axes.transpose() * p.axes - matrix<double, D, D>::Identity()).cwiseAbs().maxCoeff();

@@ -37,7 +37,7 @@ double twice_area(const std::array<point<2>, K>& corners) {
 template <int K>
 std::string validate(const convex_polygon_parameters<K>& p) {
   const auto corner = [&](std::size_t i) { return p.corners[i % p.corners.size()]; };
-  const auto name = [](std::size_t i) { return "corner " + std::to_string(i) + " of a convex_polygon "; };
+  const auto name = [](std::size_t i) { return detail::indexed("corner ", i, " of a convex_polygon "); };
   for (std::size_t i = 0; i < p.corners.size(); ++i) {
     if (!all_finite(corner(i))) return name(i) + "is not finite, expected metres";
     if (corner(i) == corner(i + 1)) return name(i) + "equals the next one, expected distinct corners";

@@ -94,7 +94,7 @@ template <int D, int K>
 std::string validate(const convex_polytope_parameters<D, K>& p) {
   for (std::size_t i = 0; i < p.faces.size(); ++i) {
     const std::string text = validate(p.faces[i]);
-    if (!text.empty()) return "face " + std::to_string(i) + " of a convex_polytope: " + text;
+    if (!text.empty()) return detail::indexed("face ", i, " of a convex_polytope: ") + text;
   }
   return detail::check_common_inside(detail::half_spaces(p.faces));
 }

@@ -30,8 +30,8 @@ std::string validate(const end_stops_parameters<T, N>& p) {
       return what + "[" + std::to_string(i) + "] of end_stops";
     };
     if (!(p.lower[i] < p.upper[i]))
-      return detail::complaint(name("lower"), p.lower[i], "less than upper[" + std::to_string(i) + "]");
-    const std::string text = detail::first_complaint(
+      return detail::complaint(name("lower"), p.lower[i], detail::indexed("less than upper[", i, "]"));
+    std::string text = detail::first_complaint(
         detail::check_not_negative(name("stiffness") + " [N m/rad]", p.stiffness[i]),
         detail::check_positive(name("rate_dead_band") + " [rad/s]", p.rate_dead_band[i]));
     if (!text.empty()) return text;
