@@ -102,7 +102,8 @@ struct tally {
 };
 
 template <class Real, int D, int Brakes>
-void compare(int cases, unsigned seed, double tie, tally& sum) {
+void compare(int long_cases, unsigned seed, double tie, tally& sum) {
+  const int cases = PASSIVE_HAPTICS_LONG_TESTS ? long_cases : std::min(long_cases, 1000);
   SCOPED_TRACE(::testing::Message() << "d = " << D << ", m = " << Brakes << ", seed " << seed);
   std::mt19937_64 engine(seed);
   for (int k = 0; k < cases; ++k) {
@@ -192,7 +193,7 @@ TEST(contact_forces, of_one_contact_are_those_of_direct_control) {
   std::mt19937_64 engine(41);
   std::normal_distribution<double> gauss;
   int displayed = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < (PASSIVE_HAPTICS_LONG_TESTS ? 20000 : 2000); ++k) {
     SCOPED_TRACE(::testing::Message() << "case " << k << ", seed 41");
     ph::matrix<double, 3, 3> E;
     for (auto& x : E.reshaped()) x = 0.2 * gauss(engine);
@@ -213,5 +214,5 @@ TEST(contact_forces, of_one_contact_are_those_of_direct_control) {
     ASSERT_LE((answer.force - wanted * Fc.force).norm(), 1e-14 * condition * size);
     ASSERT_NEAR(answer.displayed[0], wanted, 1e-13 * condition);
   }
-  EXPECT_GT(displayed, 5000);
+  EXPECT_GT(displayed, PASSIVE_HAPTICS_LONG_TESTS ? 5000 : 500);
 }
