@@ -111,22 +111,24 @@ class log_reader {
   }
 
   double number(std::string_view field, std::size_t i) const {
-    const std::string found = "'" + std::string(field) + "'";
-    const std::string expected = "a finite number for '" + columns_[i] + "'";
-    if (field.empty()) fail(i + 1, "an empty field", expected);
+    const auto refuse = [&](const std::string& found, const std::string& more = "") {
+      fail(i + 1, found, "a finite number for '" + columns_[i] + "'" + more);
+    };
+    const auto quoted = [](std::string_view text) { return "'" + std::string(text) + "'"; };
+    if (field.empty()) refuse("an empty field");
     double value = 0;
     const char* const end = field.data() + field.size();
-    const char* const begin =
-        field.front() == '+' && field.size() > 1 && field[1] != '-' ? field.data() + 1 : field.data();
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error == std::errc::result_out_of_range) fail(i + 1, found + " is out of range", expected);
-    if (error != std::errc()) fail(i + 1, found, expected);
+    const bool plus =
+        field.front() == '+' && field.size() > 1 && field[1] != '-';  // from_chars takes no plus
+    const auto [stop, error] = std::from_chars(field.data() + (plus ? 1 : 0), end, value);
+    if (error == std::errc::result_out_of_range) refuse(quoted(field) + " is out of range");
+    if (error != std::errc()) refuse(quoted(field));
     if (stop != end) {
-      const char next = *stop;
-      if (next == ';' || next == '\t') fail(i + 1, found, "fields separated by commas");
-      fail(i + 1, "'" + std::string(stop, end) + "' after a number", expected + " alone, without a unit");
+      if (*stop == ';' || *stop == '\t') fail(i + 1, quoted(field), "fields separated by commas");
+      refuse(quoted(std::string_view(stop, static_cast<std::size_t>(end - stop))) + " after a number",
+             " alone, without a unit");
     }
-    if (!std::isfinite(value)) fail(i + 1, found, expected);
+    if (!std::isfinite(value)) refuse(quoted(field));
     return value;
   }
 

@@ -9,7 +9,8 @@ INSTANTIATE_TYPED_TEST_SUITE_P(float_closed, mechanism_laws, closed_chains::all<
 INSTANTIATE_TYPED_TEST_SUITE_P(double_closed, mechanism_laws, closed_chains::all<double>);
 INSTANTIATE_TYPED_TEST_SUITE_P(float_closed, dynamics_laws, closed_chains::all<float>);
 INSTANTIATE_TYPED_TEST_SUITE_P(double_closed, dynamics_laws, closed_chains::all<double>);
-// Only the dynamics of four brakes: the mechanism is that of two.
+// Four brakes on two joints.
 using redundant =
     ::testing::Types<closed_chains::lopsided_five_bar<float, 4>, closed_chains::lopsided_five_bar<double, 4>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(redundant, mechanism_laws, redundant);
 INSTANTIATE_TYPED_TEST_SUITE_P(redundant, dynamics_laws, redundant);

@@ -188,5 +188,10 @@ TEST(replay, needs_no_more_memory_for_a_longer_log) {
   run(1000);
   const long before = peak_memory();
   run(PASSIVE_HAPTICS_LONG_TESTS ? 300000 : 20000);
-  EXPECT_LE(peak_memory() - before, 1024) << "KiB more for many times as many lines";
+#ifdef __SANITIZE_ADDRESS__
+  const long allowed = 16384;  // freed memory stays in quarantine
+#else
+  const long allowed = 1024;
+#endif
+  EXPECT_LE(peak_memory() - before, allowed) << "KiB more for many times as many lines";
 }

@@ -86,7 +86,8 @@ TYPED_TEST(step_edges, coincident_walls_act_as_one) {
   const double soft = 1;  // [N/m], so that no torque limit is reached
   ph::controller one(arm, {}, ph::scene(ph::wall(plane, soft)), ph::direct_control{});
   ph::controller two(arm, {}, ph::scene(ph::wall(plane, soft), ph::wall(plane, soft)), ph::direct_control{});
-  const auto a = one(state), b = two(state);
+  const auto a = one(state);
+  const auto b = two(state);
   EXPECT_EQ(a.wall, 0);
   EXPECT_EQ(b.wall, 0);
   EXPECT_GT(a.capacity.norm(), TypeParam(0));
