@@ -33,6 +33,8 @@ present() {
     libgtest-dev) found_by_dpkg "$1" || found_by_cmake GTest ;;
     libbenchmark-dev) found_by_dpkg "$1" || found_by_cmake benchmark ;;
     clang) command -v clang++ >/dev/null ;;
+    llvm) command -v llvm-cov >/dev/null ;;
+    libclang-rt-dev) echo 'int main() {}' | clang++ -fsanitize=address -x c++ - -o /dev/null 2>/dev/null ;;
     *) command -v "$1" >/dev/null ;;
   esac
 }
