@@ -1,0 +1,51 @@
+// DAQP, a dual active set. As a least-distance problem, which it solves fastest: x = p - f, min |x|, B^T x <= -B^T f.
+#include "cone_problems.hpp"
+
+#include <daqp/api.h>
+#include <daqp/utils.h>
+
+namespace {
+
+using namespace peers;
+
+template <int N>
+class daqp {
+ public:
+  using problem = cone_problem<N>;
+  static constexpr double tolerance = 1e-4;  // it accepts a violation of 1e-6, which a sharp cone enlarges
+
+  daqp() {
+    below_.setConstant(-DAQP_INF);
+    above_.setZero();
+    qp_.n = qp_.m = N;
+    qp_.A = identity_.data();
+    qp_.blower = below_.data();
+    qp_.bupper = above_.data();
+    result_.x = x_.data();
+    setup_daqp(&qp_, &work_, nullptr);
+  }
+  daqp(const daqp&) = delete;
+  ~daqp() {
+    free_daqp_workspace(&work_);
+    free_daqp_ldp(&work_);
+  }
+
+  ph::vector<double, N> solve(const problem& p) {
+    qp_.A = const_cast<double*>(p.B.data());  // only read; its rows are the columns of B
+    above_.noalias() = -(p.B.transpose() * p.f);
+    daqp_update_ldp(DAQP_UPDATE_M | DAQP_UPDATE_d | DAQP_UPDATE_sense, &work_, &qp_);
+    daqp_solve(&result_, &work_);
+    return p.f + x_;
+  }
+
+ private:
+  ph::matrix<double, N, N> identity_ = ph::matrix<double, N, N>::Identity();
+  ph::vector<double, N> above_, below_, x_;
+  DAQPProblem qp_{};
+  DAQPResult result_{};
+  DAQPWorkspace work_{};
+};
+
+const bool added = add_cone_solver<daqp>(PEER);
+
+}  // namespace
