@@ -64,7 +64,7 @@ void print(const std::string& problem, std::vector<result> solvers) {
 
 int main(int argc, char** argv) {
   // What is given on the command line comes later and wins
-  std::array defaults{std::string("--benchmark_repetitions=5"),
+  std::array defaults{std::string("--benchmark_repetitions=5"), std::string("--benchmark_min_time=0.1"),
                       std::string("--benchmark_enable_random_interleaving=true")};
   std::vector<char*> arguments{argv[0]};
   for (std::string& one : defaults) arguments.push_back(one.data());
