@@ -6,46 +6,80 @@
 #include <passive_haptics/mechanism/jacobian.hpp>
 
 #include <limits>
+#include <utility>
 
 namespace passive_haptics {
+
+/// T^+ (n x m) of a transmission T (m x n): T^-1 for square T, else (T^T T)^-1 T^T. NaN where T has not full column rank.
+/// Cost: one orthogonal decomposition of n x m.
+template <class T, int Brakes, int Dof>
+matrix<T, Dof, Brakes> pseudo_inverse(const matrix<T, Brakes, Dof>& transmission) {
+  const orthogonal_decomposition<T, Dof, Brakes> decomposition(transposed(transmission), T(0));
+  matrix<T, Dof, Brakes> inverse = matrix<T, Dof, Brakes>::Constant(std::numeric_limits<T>::quiet_NaN());
+  if (decomposition.rank() < Dof) return inverse;
+  for (int i = 0; i < Dof; ++i) inverse.row(i) = decomposition.solve(vector<T, Dof>::Unit(i));
+  return inverse;
+}
+
+/// The same, entry by entry.
+template <class T, int N>
+diagonal_matrix<T, N> pseudo_inverse(const diagonal_matrix<T, N>& transmission) {
+  return diagonal_matrix<T, N>(transmission.diagonal().cwiseInverse());
+}
+
+/// From J to E for one mechanism: T^+ where the mechanism names a transmission, made once if T is constant.
+template <class M>
+class brake_reduction {
+ public:
+  /// Of the mechanism.
+  explicit brake_reduction(const M& mechanism) : inverse_(inverse_of_constant(mechanism)) {}
+
+  /// E = J T^+ in pose q. A diagonal_matrix where J and T are; J itself where there is no transmission.
+  template <class JMatrix>
+  auto operator()(const JMatrix& J, const M& mechanism, const joint_vector<M>& q) const {
+    if constexpr (!detail::has_exact_transmission<M>) return J;
+    else if constexpr (is_constant) return times(J, inverse_);
+    else return times(J, pseudo_inverse(mechanism.transmission(q)));
+  }
+
+ private:
+  using T = typename M::scalar;
+  using dense = matrix<T, M::task_dimension, M::brake_count>;
+  static constexpr bool is_constant = detail::transmission_is_constant<M>;
+  struct nothing {};
+
+  template <class JMatrix, class Inverse>
+  static auto times(const JMatrix& J, const Inverse& inverse) {
+    constexpr bool diagonal_J = ExactDiagonal<JMatrix, T, M::dof>,
+                   diagonal_T = ExactDiagonal<Inverse, T, M::dof>;
+    if constexpr (diagonal_J && diagonal_T)
+      return diagonal_matrix<T, M::dof>(J.diagonal().cwiseProduct(inverse.diagonal()));
+    else if constexpr (!diagonal_J && !diagonal_T) return product(J, inverse);
+    else return dense(J * inverse);
+  }
+
+  static auto inverse_of_constant(const M& mechanism) {
+    if constexpr (is_constant) return pseudo_inverse(mechanism.transmission());
+    else return nothing{};
+  }
+  [[no_unique_address]] decltype(inverse_of_constant(std::declval<const M&>())) inverse_;
+};
 
 /// E = J T^+ (d x m, base frame), T^+ = T^-1 for square T: v = E w and, by virtual work, t = E^T F balances F.
 /// Needs no inverse of J, which may be singular. For redundant brakes T^+ = (T^T T)^-1 T^T, so t = E^T F has the
 /// least norm of all torques that balance F.
 ///
 /// A diagonal_matrix where J and T are; J itself where the mechanism names no transmission. Not finite where
-/// J is undefined or T singular. Cost for a dense T: one orthogonal decomposition of n x m.
+/// J is undefined or T singular. Cost: T^+ and a product; a loop keeps a brake_reduction instead.
 template <class M>
 auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
-  using T = typename M::scalar;
-  const auto J = jacobian(mechanism, q);
-  if constexpr (!detail::has_exact_transmission<M>) {
-    return J;
-  } else {
-    using dense = matrix<T, M::task_dimension, M::brake_count>;
-    const auto A = transmission(mechanism, q);
-    constexpr bool diagonal_J = ExactDiagonal<decltype(J), T, M::dof>;
-    constexpr bool diagonal_T = ExactDiagonal<decltype(A), T, M::dof>;
-    if constexpr (diagonal_J && diagonal_T) {
-      return diagonal_matrix<T, M::dof>(J.diagonal().cwiseQuotient(A.diagonal()));
-    } else if constexpr (diagonal_T) {
-      return dense(J.array().rowwise() / A.diagonal().transpose().array());
-    } else {  // E T = J, so each row e of E is the shortest solution of T^T e = j
-      const auto Tt = transposed(matrix<T, M::brake_count, M::dof>(A));
-      const matrix<T, M::task_dimension, M::dof> full_J(J);
-      const orthogonal_decomposition<T, M::dof, M::brake_count> decomposition(Tt, T(0));
-      dense E = dense::Constant(std::numeric_limits<T>::quiet_NaN());
-      if (decomposition.rank() < M::dof) return E;
-      for (int i = 0; i < M::task_dimension; ++i) E.row(i) = decomposition.solve(full_J.row(i).transpose());
-      return E;
-    }
-  }
+  return brake_reduction<M>(mechanism)(jacobian(mechanism, q), mechanism, q);
 }
 
 /// Brake torques t = E^T F [N m] that balance the force F [N] at the end effector.
 template <class T, int D, int Brakes>
 vector<T, Brakes> brake_torque(const matrix<T, D, Brakes>& E, const vector<T, D>& F) {
-  return E.transpose() * F;
+  return transposed_product(E, F);
 }
 
 /// The same for a diagonal E.

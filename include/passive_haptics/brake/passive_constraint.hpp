@@ -12,7 +12,7 @@ namespace passive_haptics {
 /// Torque of a slipping brake (3a): -sgn(w) |td| if td opposes the motion, else 0 (released).
 template <class T>
 T slip_torque(T td, T w) {
-  return sgn(td) * sgn(w) < T(0) ? -sgn(w) * std::abs(td) : T(0);
+  return (td < T(0) && w > T(0)) || (td > T(0) && w < T(0)) ? td : T(0);
 }
 
 /// Torque of a brake at rest (3b): holds the hand torque th if td opposes it, else 0 (released).
@@ -21,20 +21,25 @@ T slip_torque(T td, T w) {
 /// returns -sgn(th) min(|td|, |th|), which equals (3b) wherever |td| >= |th|.
 template <class T>
 T stick_torque(T td, T th) {
-  return sgn(td) * sgn(th) < T(0) ? -sgn(th) * std::min(std::abs(td), std::abs(th)) : T(0);
+  const T held = slip_torque(td, th);
+  return std::abs(held) <= std::abs(th) ? held : -th;
+}
+
+/// Torque that a brake of sign s = brake_sign(w, th, ...) makes of a command td: (3a) where it slips, else (3b).
+/// Guaranteed: s t <= 0 exactly, |t| <= |td|.
+template <class T>
+T passive_torque(T td, T w, T th, T s, T rate_dead_band) {
+  if (!(s * td < T(0))) return T(0);  // td does not oppose, or at rest nobody pushes
+  return slips(w, rate_dead_band) || std::abs(td) <= std::abs(th) ? td : -th;
 }
 
 /// Torques (m) [N m] that the brakes produce when torques td are commanded, at rates w and hand torques th.
-/// Guaranteed: s_i t_i <= 0 exactly, |t_i| <= |td_i|.
 template <class T, int Brakes>
 vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,
                                  const vector<T, Brakes>& th, const brake_parameters<T, Brakes>& brakes) {
+  const vector<T, Brakes> s = brake_signs(w, th, brakes);
   vector<T, Brakes> t;
-  for (int i = 0; i < Brakes; ++i) {
-    const bool pushed = std::abs(th[i]) > brakes.torque_dead_band[i];
-    t[i] = slips(w[i], brakes.rate_dead_band[i]) ? slip_torque(td[i], w[i])
-                                                 : (pushed ? stick_torque(td[i], th[i]) : T(0));
-  }
+  for (int i = 0; i < Brakes; ++i) t[i] = passive_torque(td[i], w[i], th[i], s[i], brakes.rate_dead_band[i]);
   return t;
 }
 

@@ -18,9 +18,8 @@ bool slips(T rate, T rate_dead_band) {
 /// A brake produces only torques with s t <= 0 (3); s = 0 (at rest, nobody pushes) restricts nothing.
 template <class T>
 T brake_sign(T w, T th, T rate_dead_band, T torque_dead_band) {
-  if (slips(w, rate_dead_band)) return sgn(w);
-  if (std::abs(th) > torque_dead_band) return sgn(th);
-  return T(0);
+  if (slips(w, rate_dead_band)) return std::copysign(T(1), w);
+  return std::abs(th) > torque_dead_band ? std::copysign(T(1), th) : T(0);
 }
 
 /// Signs s (m) of all brakes from their rates w [rad/s] and the hand torques th [N m] on their axes.
@@ -29,9 +28,8 @@ template <class T, int Brakes>
 vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes>& th,
                               const brake_parameters<T, Brakes>& brakes) {
   vector<T, Brakes> s;
-  for (int i = 0; i < Brakes; ++i) {
-    s[i] = brake_sign(w[i], th[i], brakes.rate_dead_band[i], brakes.torque_dead_band[i]);
-  }
+  unrolled<Brakes>(
+      [&](auto i) { s[i] = brake_sign(w[i], th[i], brakes.rate_dead_band[i], brakes.torque_dead_band[i]); });
   return s;
 }
 
@@ -39,7 +37,7 @@ vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes
 template <class T, int Brakes>
 bool any_sticks(const vector<T, Brakes>& w, const brake_parameters<T, Brakes>& brakes) {
   bool sticks = false;
-  for (int i = 0; i < Brakes; ++i) sticks |= !slips(w[i], brakes.rate_dead_band[i]);
+  unrolled<Brakes>([&](auto i) { sticks |= !slips(w[i], brakes.rate_dead_band[i]); });
   return sticks;
 }
 

@@ -35,20 +35,19 @@ class controller {
         brakes_(require_valid(brakes)),
         scene_(std::move(scene)),
         law_(std::move(law)),
-        options_(options) {}
+        options_(options),
+        reduction_(mechanism_),
+        parameters_(check_parameters<L>(brakes_, options_)) {}
 
   /// One control cycle; see step(). A state or position that is not finite is not shown to the scene.
   template <class State>
   step_result_for<M, typename S::contacts_type> operator()(const State& state) noexcept {
-    using result = step_result_for<M, typename S::contacts_type>;
-    if (const status s = check_state<M>(state); s != status::ok) return released_by<result>(s);
-    const auto x = mechanism_.position(state.q).template cast<double>().eval();
-    if (!all_finite(x)) return released_by<result>(status::pose_undefined);
-    if constexpr (requires { sense(scene_, x, state.time); }) {
-      return step(mechanism_, brakes_, sense(scene_, x, state.time), law_, state, memory_, options_);
-    } else {
-      return step(mechanism_, brakes_, sense(scene_, x), law_, state, memory_, options_);
-    }
+    static_assert(detail::step_requirements<M, typename S::contacts_type, L, State>::met);
+    step_result_for<M, typename S::contacts_type> result;
+    status outcome = check_state<M>(state);
+    if (outcome == status::ok) outcome = cycle(state, result);
+    if (outcome != status::ok) release(result, outcome);
+    return result;
   }
 
   /// Forgets the motion so far.
@@ -62,11 +61,30 @@ class controller {
   const brakes_of<M>& brakes() const { return brakes_; }
 
  private:
+  template <class State>
+  status cycle(const State& state, step_result_for<M, typename S::contacts_type>& result) noexcept {
+    const auto at = pose(mechanism_, state.q);
+    const point<M::task_dimension> x = as<double>(mechanism_.position(at));
+    if (!all_finite(x)) return status::pose_undefined;
+    const auto& touched = sensed_at(x, state.time);
+    if (touched.empty()) return status::ok;
+    if (parameters_ != status::ok) return parameters_;
+    return detail::step_in_contact(mechanism_, at, reduction_, brakes_, touched, law_, state, memory_,
+                                   options_, result);
+  }
+
+  decltype(auto) sensed_at(const point<M::task_dimension>& x, double time) {
+    if constexpr (requires { sense(scene_, x, time); }) return sense(scene_, x, time);
+    else return sense(scene_, x);
+  }
+
   M mechanism_;
   brakes_of<M> brakes_;
   S scene_;
   L law_;
   options_type options_;
+  brake_reduction<M> reduction_;
+  status parameters_;  // of brakes_ and options_, which do not change
   step_memory<L> memory_;
 };
 

@@ -36,7 +36,7 @@ struct direct_control {
   template <class T, int D>
   T scale(const contact_situation<T, D>& c, memory&) const noexcept {
     if (!(c.normal_velocity > T(0))) return T(1);
-    const T pressing = -c.hand_force.dot(c.normal);
+    const T pressing = -dot(c.hand_force, c.normal);
     if (!(pressing > T(0))) return T(0);
     return pressing < c.desired_magnitude ? pressing / c.desired_magnitude : T(1);
   }

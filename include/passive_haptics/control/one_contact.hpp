@@ -16,13 +16,13 @@ namespace passive_haptics {
 /// or generators for redundant brakes and inertial forces.
 template <class M, class EMatrix>
 auto approximate_with(const brake_situation<M, EMatrix>& now, const task_vector<M>& n,
-                      const brake_vector<M>& t, typename M::scalar min_cosine) {
+                      const brake_vector<M>& t, typename M::scalar min_cosine, half_space_set& idle) {
   if constexpr (detail::has_inertial_forces<M>) {
     return approximate_by_generators(inertial_force_generators(now.mechanism, now.q), now.s, n, min_cosine);
   } else if constexpr (M::brake_count > M::dof) {
     return approximate_by_generators(force_generators(now.mechanism, now.q), now.s, n, min_cosine);
   } else {
-    return approximate(now.E, now.s, n, t, min_cosine);
+    return approximate(now.E, now.s, n, t, min_cosine, idle);
   }
 }
 
@@ -30,31 +30,31 @@ auto approximate_with(const brake_situation<M, EMatrix>& now, const task_vector<
 /// it found. Section 4, steps 1 to 4.
 template <class M, class EMatrix, int D, class L>
 brake_vector<M> display_one(const brake_situation<M, EMatrix>& now, const contact<D>& touched, const L& law,
-                            typename L::memory& memory, const step_options<typename M::scalar>& options,
+                            step_memory<L>& memory, const step_options<typename M::scalar>& options,
                             step_result<M>& result) {
   using T = typename M::scalar;
   const auto [n, magnitude] = force_of<T>(touched);
   const brake_vector<M> t = brake_torque(now.E, n);
-  const T outward = t.dot(now.w);  // n . v = n . E w
+  const T outward = dot(t, now.w);  // n . v = n . E w
 
-  const auto Fc = approximate_with(now, n, t, options.min_cosine);
+  const auto Fc = approximate_with(now, n, t, options.min_cosine, memory.idle);
   result.display = Fc.display;
   result.power = classify_power(outward, Fc.display == display_class::exact);
   result.approximation_cosine = Fc.cosine;
   if (Fc.display != display_class::exact) result.stages.add(stage::projection);
-  const T leaving = outward - n.dot(touched.wall_velocity.template cast<T>());
+  const T leaving = outward - dot(n, as<T>(touched.wall_velocity));
   if constexpr (M::dof > M::task_dimension && !detail::has_inertial_forces<M>) {
     if (Fc.display == display_class::none && cone_is_zero(now.E, now.s))
       result.display = display_class::empty_cone;
   }
   if (!is_displayed(Fc.display)) return brake_vector<M>::Zero();
 
-  const T alpha = law.scale(contact_situation<T, D>{n, magnitude, leaving, now.hand_force}, memory);
+  const T alpha = law.scale(contact_situation<T, D>{n, magnitude, leaving, now.hand_force}, memory.law);
   result.stages.add(stage::law);
   if (!(alpha >= T(0) && alpha <= T(1))) result.outcome = status::scale_out_of_range;
   result.alpha = alpha;
-  result.control_force = magnitude * Fc.force;
-  result.cone_coefficients = magnitude * Fc.torque;
+  result.control_force = scaled(magnitude, Fc.force);
+  result.cone_coefficients = scaled(magnitude, Fc.torque);
 
   const auto command = saturate(Fc.torque, alpha * magnitude, now.brakes.torque_limit, options.limits);
   result.saturated = command.limited;

@@ -27,14 +27,15 @@ template <class T, int Brakes>
 saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, T scale, const vector<T, Brakes>& limit,
                                      saturation policy) {
   T common = scale;
-  for (int i = 0; i < Brakes; ++i) {
+  unrolled<Brakes>([&](auto i) {
     if (std::abs(t[i]) * scale > limit[i]) common = std::min(common, limit[i] / std::abs(t[i]));
-  }
-  const T factor = policy == saturation::keep_direction ? common : scale;
+  });
   saturated_torque<T, Brakes> result{{}, common < scale};
-  for (int i = 0; i < Brakes; ++i) {
-    result.torque[i] = t[i] == T(0) ? T(0) : std::clamp(factor * t[i], -limit[i], limit[i]);
-  }
+  const T factor = policy == saturation::keep_direction ? common : scale;
+  unrolled<Brakes>([&](auto i) {
+    const T wanted = factor * t[i];
+    result.torque[i] = wanted > limit[i] ? limit[i] : (wanted < -limit[i] ? -limit[i] : wanted);
+  });
   return result;
 }
 

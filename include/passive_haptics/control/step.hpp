@@ -14,7 +14,7 @@ namespace passive_haptics {
 /// Whether NaN or infinity stands in a state.
 template <class M, class State>
 status check_state(const State& state) {
-  bool finite = std::isfinite(state.time) && all_finite(state.q) && all_finite(state.qd);
+  bool finite = all_finite(state.time, state.q, state.qd);
   if constexpr (HandForceState<State, M>) finite = finite && all_finite(state.hand_force);
   return finite ? status::ok : status::state_not_finite;
 }
@@ -22,9 +22,9 @@ status check_state(const State& state) {
 /// Whether what a step reads of the brakes and the options is finite and no limit negative. The lag is read by laws that need it.
 template <class L, class T, int Brakes>
 status check_parameters(const brake_parameters<T, Brakes>& brakes, const step_options<T>& options) {
-  bool valid = all_finite(brakes.torque_limit) && all_finite(brakes.rate_dead_band) &&
-               all_finite(brakes.torque_dead_band) && (brakes.torque_limit.array() >= T(0)).all() &&
-               std::isfinite(options.min_cosine);
+  bool valid =
+      all_finite(brakes.torque_limit, brakes.rate_dead_band, brakes.torque_dead_band, options.min_cosine) &&
+      (brakes.torque_limit.array() >= T(0)).all();
   if constexpr (L::needs_brake_lag) valid = valid && all_finite(brakes.time_constant);
   return valid ? status::ok : status::parameters_invalid;
 }
@@ -33,25 +33,14 @@ status check_parameters(const brake_parameters<T, Brakes>& brakes, const step_op
 template <class T, int D>
 status check_contact(const contact<D>& c) {
   const auto [n, magnitude] = force_of<T>(c);
-  const bool finite =
-      std::isfinite(magnitude) && all_finite(n) && all_finite(c.wall_velocity.template cast<T>().eval());
-  return finite ? status::ok : status::contact_not_finite;
+  return all_finite(magnitude, n, as<T>(c.wall_velocity)) ? status::ok : status::contact_not_finite;
 }
 
-/// One control cycle of a mechanism in contact: from what is touched and how the device moves to what the
-/// brakes are told. Pure apart from memory; never throws, allocates, locks or reads a clock.
-///
-/// One contact is displayed by force approximation (one_contact.hpp), several by priorities (several_contacts.hpp).
-/// If the state has no hand force, a brake at rest has sign 0: it may hold either way.
-///
-/// Errors: NaN or infinity in what is read, a pose without a finite Jacobian or a law's scale outside [0, 1] gives
-/// zero capacity and the reason in outcome. Cost: nothing but checks in free space; no projection where Fd can be
-/// displayed exactly.
+namespace detail {
+
+// What must hold of the types of a step, one short message for each.
 template <class M, class Contacts, class L, class State>
-step_result_for<M, Contacts> step(
-    const M& mechanism, const brakes_of<M>& brakes, const Contacts& touched, const L& law, const State& state,
-    step_memory<L>& memory,
-    const step_options<typename M::scalar>& options = step_options<typename M::scalar>()) noexcept {
+struct step_requirements {
   static_assert(mechanism_requirements<M>::met);
   static_assert(DeviceState<State, M>,
                 "passive_haptics: the state must be a device_state<M>, or have its members "
@@ -64,29 +53,34 @@ step_result_for<M, Contacts> step(
                 "passive_haptics: this law needs a mechanism that models Dynamics (mechanism/dynamics.hpp).");
   static_assert(Contacts::dimension == M::task_dimension,
                 "passive_haptics: the scene's dimension must be the mechanism's task_dimension.");
+  static constexpr bool met = true;
+};
+
+// All of a step but the checks of what a loop knows to be fine: state and parameters; touched is not empty.
+// result is as made by default; where the status is not ok it has no meaning.
+template <class M, class Pose, class Contacts, class L, class State>
+[[gnu::flatten]]
+status step_in_contact(const M& mechanism, const Pose& at, const brake_reduction<M>& reduction,
+                       const brakes_of<M>& brakes, const Contacts& touched, const L& law, const State& state,
+                       step_memory<L>& memory, const step_options<typename M::scalar>& options,
+                       step_result_for<M, Contacts>& result) noexcept {
   using T = typename M::scalar;
   constexpr bool feels_hand = HandForceState<State, M>;
-  using result_type = step_result_for<M, Contacts>;
-  result_type result;
-  const auto released = [](status s) { return released_by<result_type>(s); };
 
-  if (const status s = check_state<M>(state); s != status::ok) return released(s);
-  if (touched.empty()) return result;
-  if (const status s = check_parameters<L>(brakes, options); s != status::ok) return released(s);
   for (const auto& c : touched) {
-    if (const status s = check_contact<T>(c); s != status::ok) return released(s);
+    if (const status s = check_contact<T>(c); s != status::ok) return s;
   }
   const auto& governing = touched[governing_contact(touched)];
   const auto [n, magnitude] = force_of<T>(governing);
   result.wall = governing.wall;
-  if (!(magnitude > T(0))) return result;
-  result.desired_force = magnitude * n;
+  if (!(magnitude > T(0))) return status::ok;
+  result.desired_force = scaled(magnitude, n);
 
   // What the brakes can do: E, their rates and signs
-  const auto E = brake_jacobian(mechanism, state.q);
+  const auto E = reduction(jacobian(mechanism, at), mechanism, state.q);
   const brake_vector<M> w = brake_rates(mechanism, state.q, state.qd);
   result.stages.add(stage::jacobian);
-  if (!all_finite(E) || !all_finite(w)) return released(status::pose_undefined);
+  if (!all_finite(E, w)) return status::pose_undefined;
   brake_vector<M> th = brake_vector<M>::Zero();
   if constexpr (feels_hand) {
     if (any_sticks(w, brakes)) {
@@ -94,7 +88,8 @@ step_result_for<M, Contacts> step(
       result.stages.add(stage::hand_torque);
     }
   }
-  const brake_vector<M> s = result.signs = brake_signs(w, th, brakes);
+  const brake_vector<M> s = brake_signs(w, th, brakes);
+  result.signs = s;
   result.stages.add(stage::signs);
 
   // What the law wants of each contact, and the torques that come nearest to it
@@ -104,14 +99,44 @@ step_result_for<M, Contacts> step(
   brake_vector<M> td;
   if constexpr (Contacts::capacity > 1) {
     td = touched.size() > 1 ? display_several(situation, touched, law, memory.law, result)
-                            : display_one(situation, governing, law, memory.law, options, result);
+                            : display_one(situation, governing, law, memory, options, result);
   } else {
-    td = display_one(situation, governing, law, memory.law, options, result);
+    td = display_one(situation, governing, law, memory, options, result);
   }
-  if (result.outcome != status::ok) return released(result.outcome);
-  if (!all_finite(td) || !all_finite(result.control_force)) return released(status::result_not_finite);
-  result.capacity = td.cwiseAbs();
-  result.torque = passive_torque(td, w, th, brakes);
+  if (result.outcome != status::ok) return result.outcome;
+  if (!all_finite(td, result.control_force, result.cone_coefficients)) return status::result_not_finite;
+  unrolled<M::brake_count>([&](auto i) {
+    result.capacity[i] = std::abs(td[i]);
+    result.torque[i] = passive_torque(td[i], w[i], th[i], s[i], brakes.rate_dead_band[i]);
+  });
+  return status::ok;
+}
+
+}  // namespace detail
+
+/// One control cycle of a mechanism in contact: from what is touched and how the device moves to what the
+/// brakes are told. Pure apart from memory; never throws, allocates, locks or reads a clock.
+///
+/// One contact is displayed by force approximation (one_contact.hpp), several by priorities (several_contacts.hpp).
+/// If the state has no hand force, a brake at rest has sign 0: it may hold either way.
+///
+/// Errors: NaN or infinity in what is read, a pose without a finite Jacobian or a law's scale outside [0, 1] gives
+/// zero capacity and the reason in outcome. Cost: nothing but checks in free space; no projection where Fd can be
+/// displayed exactly. A constant transmission is inverted each time; a controller keeps its inverse.
+template <class M, class Contacts, class L, class State>
+step_result_for<M, Contacts> step(
+    const M& mechanism, const brakes_of<M>& brakes, const Contacts& touched, const L& law, const State& state,
+    step_memory<L>& memory,
+    const step_options<typename M::scalar>& options = step_options<typename M::scalar>()) noexcept {
+  static_assert(detail::step_requirements<M, Contacts, L, State>::met);
+  step_result_for<M, Contacts> result;
+  status outcome = check_state<M>(state);
+  if (outcome == status::ok && touched.empty()) return result;
+  if (outcome == status::ok) outcome = check_parameters<L>(brakes, options);
+  if (outcome == status::ok)
+    outcome = detail::step_in_contact(mechanism, pose(mechanism, state.q), brake_reduction<M>(mechanism),
+                                      brakes, touched, law, state, memory, options, result);
+  if (outcome != status::ok) release(result, outcome);
   return result;
 }
 

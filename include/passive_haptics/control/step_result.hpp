@@ -91,13 +91,12 @@ template <class M, class Contacts>
 using step_result_for = std::conditional_t<(Contacts::capacity > 1),
                                            step_result_of_contacts<M, Contacts::capacity>, step_result<M>>;
 
-/// The result of a cycle that ends with a fault: all brakes released, and why.
+/// Makes a result that of a cycle which ends with a fault: all brakes released, and why.
 template <class Result>
-Result released_by(status reason) {
-  Result result;
+void release(Result& result, status reason) {
+  result = Result();
   result.display = display_class::none;
   result.outcome = reason;
-  return result;
 }
 
 }  // namespace passive_haptics

@@ -44,22 +44,37 @@ struct approximated_force {
 /// Exact (Fc = n) where all s_i t_i <= 0. Else Fc = Fp / |Fp|^2 with Fp the nearest displayable force, "so
 /// that its component in the normal direction becomes Fd" (section 4); cos(gamma) = |Fp|. None where |Fp| is
 /// of rounding size or gamma is over the limit. Feasible to rounding: Fp = Fc cos^2(gamma), not Fc itself.
+/// idle: brakes to begin with, left with those that the answer releases; the answer does not depend on them.
+template <class EMatrix, class T, int D, int Brakes>
+approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
+                                             const vector<T, D>& n, const vector<T, Brakes>& t, T min_cosine,
+                                             half_space_set& idle) {
+  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
+
+  approximated_force<T, D, Brakes> result;
+  const auto nearest = nearest_force(E, s, n, idle);
+  idle = nearest.idle;
+  const vector<T, D>& Fp = nearest.force;
+  const T square = dot(Fp, Fp), cosine = std::sqrt(square);
+  if (!(cosine > rounding_tolerance<T>(D) && cosine >= min_cosine)) return result;
+
+  result.display = display_class::approximate;
+  result.cosine = cosine;
+  result.force = scaled(T(1) / square, Fp);
+  const vector<T, Brakes> tc = brake_torque(E, result.force);
+  // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0
+  unrolled<Brakes>(
+      [&](auto i) { result.torque[i] = (idle >> i & 1u) != 0 || s[i] * tc[i] > T(0) ? T(0) : tc[i]; });
+  return result;
+}
+
+/// The same from nothing.
 template <class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, const vector<T, Brakes>& t,
                                              T min_cosine) {
-  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
-
-  const auto nearest = nearest_force(E, s, n);
-  const vector<T, D>& Fp = nearest.force;
-  const T cosine = Fp.norm();
-  if (!(cosine > rounding_tolerance<T>(D) && cosine >= min_cosine)) return {};
-
-  approximated_force<T, D, Brakes> result{display_class::approximate, Fp / (cosine * cosine), {}, cosine};
-  // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0.
-  const vector<T, Brakes> tc = brake_torque(E, result.force);
-  result.torque = (nearest.idle || s.array() * tc.array() > T(0)).select(vector<T, Brakes>::Zero(), tc);
-  return result;
+  half_space_set idle = 0;
+  return approximate(E, s, n, t, min_cosine, idle);
 }
 
 /// The same in generator form, F = G t, for redundant brakes and for devices with self-motion: exact where n is in the

@@ -50,7 +50,9 @@ constexpr std::string_view to_string(display_class c) {
 /// True if every brake alone can produce its part: s_i t_i <= 0 for torques t = E^T F. Then F is in the cone.
 template <class T, int Brakes>
 bool producible(const vector<T, Brakes>& s, const vector<T, Brakes>& t) {
-  return (s.array() * t.array() <= T(0)).all();
+  bool all = true;
+  unrolled<Brakes>([&](auto i) { all &= s[i] * t[i] <= T(0); });
+  return all;
 }
 
 /// True where some force is displayed.

@@ -19,7 +19,7 @@ struct desired_force {
 /// Fd = k depth n of a frictionless elastic wall (section 5.1), base frame.
 template <class T, int D>
 desired_force<T, D> force_of(const contact<D>& c) {
-  return {c.normal.template cast<T>(), static_cast<T>(c.stiffness * c.depth)};
+  return {as<T>(c.normal), static_cast<T>(c.stiffness * c.depth)};
 }
 
 /// Index of the contact that asks for the largest force; -1 if there is none. A force that is not finite governs,

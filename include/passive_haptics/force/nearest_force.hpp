@@ -10,29 +10,35 @@ namespace passive_haptics {
 /// Nearest displayable force Fp to Fd and the brakes that it leaves alone.
 template <class T, int D, int Brakes>
 struct nearest_force_result {
-  vector<T, D> force;  ///< Fp [N], in the cone C to rounding; Fp . Fd = |Fp|^2.
-  Eigen::Array<bool, Brakes, 1>
-      idle;  ///< True where brake i is released: its half-space holds Fp back, t_i = 0.
+  vector<T, D> force;   ///< Fp [N], in the cone C to rounding; Fp . Fd = |Fp|^2.
+  half_space_set idle;  ///< Brakes that are released: their half-spaces hold Fp back, t_i = 0.
 };
 
 /// Projection of Fd on C = { F : s_i (E^T F)_i <= 0 }, the forces that brakes of signs s can produce.
 /// E (d x m) from brake_jacobian; J may be singular and n > d (then C leaves the self-motion alone).
-/// Brakes with s_i = 0 restrict nothing. Fd of moderate norm: pass a unit vector. Fp = 0 comes out as a
-/// vector of rounding size, not exactly 0. Cost: core/cone.hpp.
+/// Brakes with s_i = 0 restrict nothing. Fd of moderate norm: pass a unit vector. Fp = 0 may come out as a
+/// vector of rounding size, not exactly 0. start: half-spaces to begin with, best those idle in the cycle before; the
+/// answer does not depend on them. Cost: core/cone.hpp.
 template <class T, int D, int Brakes>
 nearest_force_result<T, D, Brakes> nearest_force(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
-                                                 const vector<T, D>& Fd) {
-  const matrix<T, D, Brakes> B = E * s.asDiagonal();
-  const auto projection = project_onto_half_spaces(B, Fd);
-  return {projection.point, projection.coefficients.array() > T(0)};
+                                                 const vector<T, D>& Fd, half_space_set start = 0) {
+  matrix<T, D, Brakes> B;
+  unrolled<Brakes>([&](auto i) { unrolled<D>([&](auto k) { B(k, i) = s[i] * E(k, i); }); });
+  const auto projection = project_onto_half_spaces(B, Fd, start);
+  return {projection.point, projection.active};
 }
 
 /// The same for a diagonal E: each axis alone, nothing to solve, Fp exact.
 template <class T, int D>
 nearest_force_result<T, D, D> nearest_force(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
-                                            const vector<T, D>& Fd) {
-  const Eigen::Array<bool, D, 1> idle = s.array() * E.diagonal().array() * Fd.array() > T(0);
-  return {idle.select(vector<T, D>::Zero(), Fd), idle};
+                                            const vector<T, D>& Fd, half_space_set = 0) {
+  nearest_force_result<T, D, D> result{Fd, 0};
+  for (int i = 0; i < D; ++i) {
+    if (!(s[i] * E.diagonal()[i] * Fd[i] > T(0))) continue;
+    result.force[i] = T(0);
+    result.idle |= 1u << i;
+  }
+  return result;
 }
 
 /// True if C = {0}: no force at all can be displayed. Only with self-motion (n > d). If C held some F != 0, F would

@@ -55,7 +55,16 @@ class delta {
                   elbow_point(2, lever(2, q[2])));
   }
 
+  /// All legs.
+  distal_links<T, 3> pose(const vector<T, 3>& q) const { return legs(q); }
+
+  /// Middle of the platform [m].
+  const vector<T, 3>& position(const distal_links<T, 3>& at) const { return at.handle; }
+
   /// J = A^-1 B [m/rad].
+  matrix<T, 3, 3> jacobian(const distal_links<T, 3>& at) const { return at.jacobian(); }
+
+  /// J [m/rad]
   matrix<T, 3, 3> jacobian(const vector<T, 3>& q) const { return legs(q).jacobian(); }
 
   /// J^-1 = B^-1 A [rad/m], finite at singularities of type 2.
@@ -170,8 +179,8 @@ class delta {
       at.lever.col(i) = a;
       at.tangent.col(i) = a[2] * e - a.dot(e) * vector<T, 3>::UnitZ();
     }
-    const vector<T, 3> end = x != nullptr ? *x : handle(P[0], P[1], P[2]);
-    for (int i = 0; i < 3; ++i) at.link.row(i) = end - P[std::size_t(i)];
+    at.handle = x != nullptr ? *x : handle(P[0], P[1], P[2]);
+    for (int i = 0; i < 3; ++i) at.link.row(i) = at.handle - P[std::size_t(i)];
     return at;
   }
 

@@ -20,6 +20,7 @@ struct distal_links {
   matrix<T, N, N> link;     ///< A [m]: row i is r_i^T.
   matrix<T, N, N> lever;    ///< Column i is a_i [m].
   matrix<T, N, N> tangent;  ///< Column i is a'_i [m/rad].
+  vector<T, N> handle;      ///< Where the legs meet [m].
 
   /// Diagonal of B [m^2/rad].
   vector<T, N> drive() const {

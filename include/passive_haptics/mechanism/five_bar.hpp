@@ -2,6 +2,7 @@
 /// A five-bar: two base joints, two legs that meet at the handle (pantograph).
 #pragma once
 
+#include <passive_haptics/core/sine_cosine.hpp>
 #include <passive_haptics/mechanism/distal_links.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/five_bar_parameters.hpp>
@@ -45,7 +46,16 @@ class five_bar {
     return handle(elbow_point(0, lever(0, q[0])), elbow_point(1, lever(1, q[1])));
   }
 
+  /// Both legs.
+  distal_links<T, 2> pose(const vector<T, 2>& q) const { return legs(q); }
+
+  /// Handle [m].
+  const vector<T, 2>& position(const distal_links<T, 2>& at) const { return at.handle; }
+
   /// J = A^-1 B [m/rad].
+  matrix<T, 2, 2> jacobian(const distal_links<T, 2>& at) const { return at.jacobian(); }
+
+  /// J [m/rad]
   matrix<T, 2, 2> jacobian(const vector<T, 2>& q) const { return legs(q).jacobian(); }
 
   /// J^-1 = B^-1 A [rad/m], finite at singularities of type 2.
@@ -120,9 +130,14 @@ class five_bar {
 
   template <class S>
   vector<S, 2> lever(int i, const S& angle) const {
-    using std::cos, std::sin;
     const T l = i == 0 ? p_.proximal_1 : p_.proximal_2;
-    return {l * cos(angle), l * sin(angle)};
+    if constexpr (std::same_as<S, T>) {
+      const auto [s, c] = sine_cosine(angle);
+      return {l * c, l * s};
+    } else {
+      using std::cos, std::sin;
+      return {l * cos(angle), l * sin(angle)};
+    }
   }
 
   template <class S>
@@ -152,12 +167,12 @@ class five_bar {
     distal_links<T, 2> at;
     const vector<T, 2> a1 = lever(0, q[0]), a2 = lever(1, q[1]);
     const vector<T, 2> P1 = elbow_point(0, a1), P2 = elbow_point(1, a2);
-    const vector<T, 2> end = x != nullptr ? *x : handle(P1, P2);
+    at.handle = x != nullptr ? *x : handle(P1, P2);
     at.lever << a1, a2;
     at.tangent.row(0) = -at.lever.row(1);
     at.tangent.row(1) = at.lever.row(0);
-    at.link.row(0) = end - P1;
-    at.link.row(1) = end - P2;
+    at.link.row(0) = at.handle - P1;
+    at.link.row(1) = at.handle - P2;
     return at;
   }
 

@@ -51,6 +51,20 @@ auto jacobian(const M& mechanism, const joint_vector<M>& q) {
   else return automatic_jacobian(mechanism, q);
 }
 
+/// What mechanism.position(pose) and jacobian(mechanism, pose) have in common: the mechanism's own pose, else q.
+template <class M>
+auto pose(const M& mechanism, const joint_vector<M>& q) {
+  if constexpr (detail::has_pose<M>) return mechanism.pose(q);
+  else return q;
+}
+
+/// J in a pose from pose(mechanism, q).
+template <class M, class Pose>
+  requires(!std::same_as<Pose, joint_vector<M>>)
+auto jacobian(const M& mechanism, const Pose& at) {
+  return mechanism.jacobian(at);
+}
+
 /// T in w = T qd, m x n: a matrix or a diagonal_matrix. Only for mechanisms that name a transmission.
 template <class M>
   requires detail::has_exact_transmission<M>
@@ -62,8 +76,13 @@ auto transmission(const M& mechanism, const joint_vector<M>& q) {
 /// Rates of the brakes' axes, w = T qd [rad/s or m/s].
 template <class M>
 brake_vector<M> brake_rates(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
-  if constexpr (detail::has_exact_transmission<M>) return transmission(mechanism, q) * qd;
-  else return qd;
+  if constexpr (!detail::has_exact_transmission<M>) {
+    return qd;
+  } else {
+    const auto A = transmission(mechanism, q);
+    if constexpr (ExactDiagonal<decltype(A), typename M::scalar, M::dof>) return A * qd;
+    else return product(A, qd);
+  }
 }
 
 }  // namespace passive_haptics

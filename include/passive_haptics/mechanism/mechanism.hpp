@@ -63,6 +63,15 @@ concept jacobian_is_constant = requires(const M mechanism) { mechanism.jacobian(
 template <class M>
 concept names_jacobian = jacobian_depends_on_pose<M> || jacobian_is_constant<M> || requires { &M::jacobian; };
 
+// A pose of its own: what position and jacobian have in common.
+template <class M>
+concept names_pose = requires(const M mechanism, const joint_vector<M> q) { mechanism.pose(q); };
+template <class M>
+concept has_pose = requires(const M mechanism, const joint_vector<M> q) {
+  { mechanism.position(mechanism.pose(q)) } -> ExactVector<typename M::scalar, M::task_dimension>;
+  { mechanism.jacobian(mechanism.pose(q)) } -> ExactMatrix<typename M::scalar, M::task_dimension, M::dof>;
+};
+
 template <class X, class T, int R, int C>
 concept exact_or_diagonal = ExactMatrix<X, T, R, C> || (R == C && ExactDiagonal<X, T, R>);
 
@@ -93,14 +102,17 @@ concept has_exact_transmission = requires(const M mechanism, const joint_vector<
 /// Optional, each exploited at compile time where it is constant (takes no q) or a diagonal_matrix:
 ///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
 ///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, where w are the
-///     rates of the brakes' own axes; of full column rank n. Without it brake i sits on joint i (m = n).
+///     rates of the brakes' own axes; of full column rank n. Without it brake i sits on joint i (m = n);
+///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines. Both then
+///     also take it in place of q, and a control cycle computes it once.
 ///
-/// Laws: jacobian is the derivative of position; both are pure; finite q gives a finite position.
+/// Laws: position and jacobian of pose(q) are those of q; jacobian is the derivative of position; both are pure; finite q gives a finite position.
 /// testing/mechanism_laws.hpp checks them for any model.
 template <class M>
 concept Mechanism = detail::has_supported_sizes<M> && detail::has_position<M> &&
                     (!detail::names_jacobian<M> || detail::has_exact_jacobian<M>) &&
-                    (!detail::names_transmission<M> || detail::has_exact_transmission<M>);
+                    (!detail::names_transmission<M> || detail::has_exact_transmission<M>) &&
+                    (!detail::names_pose<M> || detail::has_pose<M>);
 
 /// The same requirements, one short message for each: a class or function template that takes a mechanism
 /// begins with `static_assert(mechanism_requirements<M>::met)`.
@@ -130,6 +142,9 @@ struct mechanism_requirements {
                     detail::has_exact_transmission<M>,
                 "passive_haptics: transmission must be const, take q or nothing, and return "
                 "matrix<scalar, brake_count, dof> exactly (or diagonal_matrix<scalar, dof>).");
+  static_assert(
+      !detail::has_position<M> || !detail::names_pose<M> || detail::has_pose<M>,
+      "passive_haptics: a mechanism with a pose(q) needs position(pose) and jacobian(pose) as well.");
   /// True; the messages above stop the compiler first.
   static constexpr bool met = true;
 };

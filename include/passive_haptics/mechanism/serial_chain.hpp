@@ -2,23 +2,11 @@
 /// Any serial chain of revolute and prismatic joints, in the plane or in space.
 #pragma once
 
+#include <passive_haptics/mechanism/chain_pose.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 #include <passive_haptics/mechanism/serial_chain_parameters.hpp>
-#include <passive_haptics/mechanism/turning.hpp>
 
 namespace passive_haptics {
-
-/// Where the joints of a chain are in a pose, base frame. With the angular and linear part of each joint's
-/// motion, revolute and prismatic joints obey the same formulas.
-template <class T, int N, int D>
-struct chain_pose {
-  std::array<matrix<T, D, D>, N> turn;  ///< Orientation of body i relative to the zero pose.
-  std::array<vector<T, D>, N> point;    ///< The point of body i that lies on its joint [m].
-  std::array<angular_vector<T, D>, N>
-      turning;                          ///< Angular velocity per unit rate of joint i; 0 if it slides.
-  std::array<vector<T, D>, N> sliding;  ///< Velocity per unit rate of joint i; 0 if it turns.
-  vector<T, D> handle;                  ///< End effector [m].
-};
 
 /// N joints in series, planar (D = 2) or spatial (D = 3), a product of exponentials of joint screws S_i:
 ///
@@ -41,19 +29,8 @@ class serial_chain {
   static constexpr int brake_count = N;     ///< m
 
   /// Throws std::invalid_argument with the text of validate(p).
-  explicit serial_chain(const serial_chain_parameters<T, N, D>& p) : p_(require_valid(p)) {
-    vector<T, D> previous = vector<T, D>::Zero();
-    for (std::size_t i = 0; i < size; ++i) {
-      joint& to = joints_[i];
-      to.turns = p.joints[i].kind == joint_kind::revolute;
-      // A slide has no point of its own: its body is measured from the point before
-      const vector<T, D> point = to.turns ? p.joints[i].point : previous;
-      to.axis = to.turns && D == 2 ? vector<T, D>::Zero().eval() : p.joints[i].axis.stableNormalized();
-      to.offset = point - previous;
-      previous = point;
-    }
-    tip_ = p.handle - previous;
-  }
+  explicit serial_chain(const serial_chain_parameters<T, N, D>& p)
+      : p_(require_valid(p)), joints_(joints_of(p)), tip_(tip_of(p)), frames_(joints_, tip_) {}
 
   /// The parameters as given.
   const serial_chain_parameters<T, N, D>& parameters() const { return p_; }
@@ -73,38 +50,25 @@ class serial_chain {
   }
 
   /// J [m/rad, or 1 in the columns of prismatic joints].
-  matrix<T, D, N> jacobian(const vector<T, N>& q) const {
-    const chain_pose<T, N, D> at = pose(q);
+  matrix<T, D, N> jacobian(const vector<T, N>& q) const { return jacobian(pose(q)); }
+
+  /// End effector [m].
+  const vector<T, D>& position(const chain_pose<T, N, D>& at) const { return at.handle; }
+
+  /// J
+  matrix<T, D, N> jacobian(const chain_pose<T, N, D>& at) const {
     matrix<T, D, N> J;
-    for (std::size_t i = 0; i < size; ++i)
-      J.col(int(i)) = at.sliding[i] + algebra::velocity(at.turning[i], at.handle - at.point[i]);
+    for (std::size_t i = 0; i < size; ++i) {
+      vector<T, D> r;
+      unrolled<D>([&](int k) { r[k] = at.handle[k] - at.point[i][k]; });
+      const vector<T, D> column = joints_[i].turns ? algebra::velocity(at.turning[i], r) : at.sliding[i];
+      unrolled<D>([&](int k) { J(k, int(i)) = column[k]; });
+    }
     return J;
   }
 
-  /// All joints and the handle. Cost: as jacobian.
-  chain_pose<T, N, D> pose(const vector<T, N>& q) const {
-    chain_pose<T, N, D> at;
-    matrix<T, D, D> A = matrix<T, D, D>::Identity();
-    vector<T, D> p = vector<T, D>::Zero();
-    for (std::size_t i = 0; i < size; ++i) {
-      const joint& j = joints_[i];
-      const T qi = q[int(i)];
-      at.sliding[i].setZero();
-      at.turning[i].setZero();
-      p += A * j.offset;
-      if (j.turns) {
-        at.turning[i] = algebra::axis(A, j.axis);
-        A = A * algebra::rotation(j.axis, qi);
-      } else {
-        at.sliding[i] = A * j.axis;
-        p += qi * at.sliding[i];
-      }
-      at.turn[i] = A;
-      at.point[i] = p;
-    }
-    at.handle = p + A * tip_;
-    return at;
-  }
+  /// All joints and the handle. Cost: one sine and one cosine for each revolute joint.
+  chain_pose<T, N, D> pose(const vector<T, N>& q) const { return frames_.pose(q); }
 
  protected:
   /// The zero-pose point [m] that body i is measured from.
@@ -114,14 +78,36 @@ class serial_chain {
     return p;
   }
 
+  /// Orientation of the frame of body i in the zero pose.
+  matrix<T, D, D> zero_turn(std::size_t i) const { return frames_.zero(i); }
+
  private:
   using algebra = detail::turning<T, D>;
   static constexpr std::size_t size = std::size_t(N);
-  struct joint {
-    bool turns;
-    vector<T, D> axis;    // unit vector, zero pose; unused in a turning planar joint
-    vector<T, D> offset;  // from the point of the body before [m], zero pose
-  };
+  using joints = std::array<detail::chain_joint<T, D>, N>;
+
+  static joints joints_of(const serial_chain_parameters<T, N, D>& p) {
+    joints all;
+    vector<T, D> previous = vector<T, D>::Zero();
+    for (std::size_t i = 0; i < size; ++i) {
+      auto& to = all[i];
+      to.turns = p.joints[i].kind == joint_kind::revolute;
+      // A slide has no point of its own: its body is measured from the point before
+      const vector<T, D> point = to.turns ? p.joints[i].point : previous;
+      to.axis = to.turns && D == 2 ? vector<T, D>::Zero().eval() : p.joints[i].axis.stableNormalized();
+      to.offset = point - previous;
+      previous = point;
+    }
+    return all;
+  }
+
+  static vector<T, D> tip_of(const serial_chain_parameters<T, N, D>& p) {
+    vector<T, D> last = vector<T, D>::Zero();
+    for (const auto& j : p.joints) {
+      if (j.kind == joint_kind::revolute) last = j.point;
+    }
+    return p.handle - last;
+  }
 
   template <class S>
   static vector<S, D> in(const vector<T, D>& x) {
@@ -131,8 +117,9 @@ class serial_chain {
   }
 
   serial_chain_parameters<T, N, D> p_;
-  std::array<joint, N> joints_;
+  joints joints_;
   vector<T, D> tip_;  // from the point of the last body to the handle [m], zero pose
+  detail::chain_frames<T, N, D> frames_;
 };
 
 }  // namespace passive_haptics

@@ -21,7 +21,11 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
       : serial_chain<T, N, D>(geometry), inertia_(require_valid(inertia)), links_(inertia_.links) {
     const inertia_matrix<T, D> no_inertia = inertia_matrix<T, D>::Zero();
     links_[last] = joined<T, D>(links_[last], {inertia_.handle_mass, geometry.handle, no_inertia});
-    for (std::size_t i = 0; i < size; ++i) links_[i].centre -= this->zero_point(i);
+    for (std::size_t i = 0; i < size; ++i) {
+      const matrix<T, D, D> back = transposed(this->zero_turn(i));
+      links_[i].centre = back * (links_[i].centre - this->zero_point(i));
+      links_[i].about_centre = algebra::inertia(back, links_[i].about_centre);
+    }
   }
 
   /// The inertia as given.
@@ -115,7 +119,8 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
   }
 
   serial_chain_inertia<T, N, D> inertia_;
-  std::array<link_inertia<T, D>, N> links_;  // zero pose, from the body's point; the last one with the handle
+  std::array<link_inertia<T, D>, N>
+      links_;  // from the body's point, its own frame; the last one with the handle
 };
 
 }  // namespace passive_haptics

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/sine_cosine.hpp>
 
 #include <cmath>
 
@@ -56,7 +57,7 @@ struct turning<T, 2> {
 
   /// The matrix of turned().
   static turn rotation(const linear&, T angle) {
-    const T c = std::cos(angle), s = std::sin(angle);
+    const auto [s, c] = sine_cosine(angle);
     return turn{{c, -s}, {s, c}};
   }
 
@@ -100,8 +101,9 @@ struct turning<T, 3> {
 
   /// The matrix of turned().
   static turn rotation(const angular& w, T angle) {
-    const T c = std::cos(angle), v = T(1) - c;
-    const angular s = std::sin(angle) * w;
+    const auto [sine, c] = sine_cosine(angle);
+    const T v = T(1) - c;
+    const angular s = sine * w;
     const T xy = v * w[0] * w[1], yz = v * w[1] * w[2], zx = v * w[2] * w[0];
     return turn{{c + v * w[0] * w[0], xy - s[2], zx + s[1]},
                 {xy + s[2], c + v * w[1] * w[1], yz - s[0]},

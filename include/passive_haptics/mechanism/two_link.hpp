@@ -2,6 +2,7 @@
 /// Two links in a plane, a brake on each joint (Figs. 2 and 3).
 #pragma once
 
+#include <passive_haptics/core/sine_cosine.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/two_link_inverse.hpp>
@@ -34,12 +35,19 @@ std::string validate(const two_link_parameters<T>& p) {
       detail::check_not_negative("rotor_inertia_2 [kg m^2]", p.rotor_inertia_2));
 }
 
+/// Where the links of a two-link arm point.
+template <class T>
+struct two_link_pose {
+  vector<T, 2> link_1;  ///< From base to elbow [m].
+  vector<T, 2> link_2;  ///< From elbow to handle [m].
+};
+
 /// Two-link arm in a horizontal plane, q1 from the x axis, q2 from link 1 [rad]:
 ///
 ///     x = l1 (cos q1, sin q1) + l2 (cos q12, sin q12),   q12 = q1 + q2.
 ///
 /// Singular at q2 = 0 and q2 = +-pi (det J = l1 l2 sin q2): straight or folded, no radial velocity.
-/// Cost of position or jacobian: two sines and two cosines.
+/// Cost of a pose: two sines and two cosines; of its position or jacobian a few additions.
 template <class T>
 class two_link {
  public:
@@ -63,12 +71,26 @@ class two_link {
             p_.length_1 * sin(q[0]) + p_.length_2 * sin(q12)};
   }
 
-  /// J [m/rad], the inverse transpose of which is (5).
-  matrix<T, 2, 2> jacobian(const vector<T, 2>& q) const {
-    const vector<T, 2> outer = link_2(q);
-    const vector<T, 2> x = link_1(q) + outer;
-    return matrix<T, 2, 2>{{-x[1], -outer[1]}, {x[0], outer[0]}};
+  /// The links [m].
+  two_link_pose<T> pose(const vector<T, 2>& q) const {
+    const auto [s1, c1] = sine_cosine(q[0]);
+    const auto [s12, c12] = sine_cosine(q[0] + q[1]);
+    return {{p_.length_1 * c1, p_.length_1 * s1}, {p_.length_2 * c12, p_.length_2 * s12}};
   }
+
+  /// End effector [m].
+  vector<T, 2> position(const two_link_pose<T>& at) const {
+    return {at.link_1[0] + at.link_2[0], at.link_1[1] + at.link_2[1]};
+  }
+
+  /// J [m/rad], the inverse transpose of which is (5).
+  matrix<T, 2, 2> jacobian(const two_link_pose<T>& at) const {
+    const vector<T, 2> x = position(at);
+    return matrix<T, 2, 2>{{-x[1], -at.link_2[1]}, {x[0], at.link_2[0]}};
+  }
+
+  /// J [m/rad]
+  matrix<T, 2, 2> jacobian(const vector<T, 2>& q) const { return jacobian(pose(q)); }
 
   /// Joint positions that put the handle at x [m]. Out of reach gives the nearest reach in the same
   /// direction; at x = 0 (l1 = l2) q1 is free and 0 is taken for the direction.
@@ -93,7 +115,8 @@ class two_link {
   /// Jd qd [m/s^2]: each link's centripetal acceleration.
   vector<T, 2> bias_acceleration(const vector<T, 2>& q, const vector<T, 2>& qd) const {
     const T w12 = qd[0] + qd[1];
-    return -qd[0] * qd[0] * link_1(q) - w12 * w12 * link_2(q);
+    const auto [link_1, link_2] = pose(q);
+    return -qd[0] * qd[0] * link_1 - w12 * w12 * link_2;
   }
 
  protected:
@@ -109,12 +132,6 @@ class two_link {
 
  private:
   T coupling() const { return (p_.mass_2 / T(2) + p_.handle_mass) * p_.length_1 * p_.length_2; }
-  vector<T, 2> link_1(const vector<T, 2>& q) const {
-    return p_.length_1 * vector<T, 2>(std::cos(q[0]), std::sin(q[0]));
-  }
-  vector<T, 2> link_2(const vector<T, 2>& q) const {
-    return p_.length_2 * vector<T, 2>(std::cos(q[0] + q[1]), std::sin(q[0] + q[1]));
-  }
 
   two_link_parameters<T> p_;
 };

@@ -39,7 +39,11 @@ class half_space {
       : half_space(half_space_parameters<D>{surface_point, normal}) {}
 
   /// Signed distance [m]; D multiplications.
-  double distance(const point<D>& x) const { return normal_.dot(x - point_); }
+  double distance(const point<D>& x) const {
+    double along = 0;
+    unrolled<D>([&](auto i) { along += normal_[i] * (x[i] - point_[i]); });
+    return along;
+  }
 
   /// The unit normal.
   point<D> gradient(const point<D>&) const { return normal_; }

@@ -131,7 +131,7 @@ TYPED_TEST_P(projection_laws, nearest_force_is_the_projection) {
     const auto p = project_onto_half_spaces(B, F);
     ASSERT_LE((nearest.force - p.point).norm(), this->tolerance * (1 + this->terms(B, p.coefficients)));
     for (int i = 0; i < M::brake_count; ++i) {
-      ASSERT_FALSE(s[i] == T(0) && nearest.idle[i]) << "brake " << i << " restricts nothing";
+      ASSERT_FALSE(s[i] == T(0) && (nearest.idle >> i & 1u) != 0) << "brake " << i << " restricts nothing";
     }
     ASSERT_EQ(nearest_force(E, brake_vector<M>(brake_vector<M>::Zero()), F).force, F);
   });
