@@ -1,0 +1,36 @@
+# The same cycles by two compilers at every level of optimisation: see cases.cpp. A compiler that is absent is named.
+# Needs: source, includes (a list), directory.
+list(TRANSFORM includes PREPEND -isystem)
+set(variants
+  "-O0" "-O1" "-O2" "-O3"
+  "-O3 -march=native -ffp-contract=off" "-O3 -march=native -ffp-contract=fast")
+file(MAKE_DIRECTORY ${directory})
+set(reference "")
+set(failed FALSE)
+foreach(compiler IN ITEMS g++ clang++)
+  find_program(program_of_${compiler} ${compiler} NO_CACHE)
+  if(NOT program_of_${compiler})
+    message("${compiler}: skipped, not installed")
+    continue()
+  endif()
+  foreach(variant IN LISTS variants)
+    separate_arguments(flags UNIX_COMMAND "${variant}")
+    execute_process(COMMAND ${program_of_${compiler}} -std=c++20 ${flags} ${includes} ${source} -o ${directory}/cases
+      COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT reference)
+      set(reference ${directory}/reference)
+      execute_process(COMMAND ${directory}/cases write ${reference} COMMAND_ERROR_IS_FATAL ANY)
+      message("${compiler} ${variant}: the reference")
+      continue()
+    endif()
+    execute_process(COMMAND ${directory}/cases compare ${reference}
+      OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE status)
+    message("${compiler} ${variant}: ${said}")
+    if(NOT status EQUAL 0)
+      set(failed TRUE)
+    endif()
+  endforeach()
+endforeach()
+if(failed)
+  message(FATAL_ERROR "a build contradicts the reference: see `case` above")
+endif()

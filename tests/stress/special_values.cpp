@@ -1,0 +1,65 @@
+// Special values in every number that a step reads, two walls at once, and the options: a fault or a lawful step. With one
+// wall the suite fault_laws does this; here for the devices on which no other test runs it.
+#include "broken_law.hpp"
+#include "devices.hpp"
+
+#include <passive_haptics/testing/fault_laws.hpp>
+
+namespace stress {
+
+using namespace ph::testing;
+using spatial_chain = ::testing::Types<chains::irregular_chain<double, 3, 3>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(spatial_chain, fault_laws, spatial_chain);
+
+template <class Case>
+struct special_values : ::testing::Test {};
+using devices =
+    ::testing::Types<device_case<ph::tendon_two_link<double>>, device_case<ph::tendon_two_link<float>>>;
+TYPED_TEST_SUITE(special_values, devices);
+
+TYPED_TEST(special_values, in_any_position_break_no_law) {
+  using M = typename TypeParam::mechanism;
+  using T = typename M::scalar;
+  using limits = std::numeric_limits<T>;
+  constexpr unsigned seed = 20040627;
+  constexpr int d = M::task_dimension;
+  const M mechanism = TypeParam::make();
+  int faults = 0, lawful = 0;
+  ph::testing::for_each_sample<TypeParam>(mechanism, seed, 2, [&](ph::testing::step_sample<M> sample) {
+    ph::contact<d> wall = sample.wall(), other = sample.wall();
+    other.normal = ph::point<d>(-wall.normal.reverse());
+    ph::step_options<T> options;
+    const auto run = [&](const std::string& name, auto& value, bool unit_normals) {
+      using X = std::remove_reference_t<decltype(value)>;
+      const X good = value;
+      for (const T special :
+           {limits::quiet_NaN(), limits::infinity(), -limits::infinity(), T(0), -T(0), limits::denorm_min(),
+            limits::min(), limits::epsilon(), limits::max(), limits::lowest()}) {
+        value = static_cast<X>(special);
+        SCOPED_TRACE(::testing::Message() << "seed " << seed << ", " << name << " = " << special);
+        for (const bool first : {true, false}) {
+          ph::contacts<d, 2> touched;
+          touched.push_back(first ? wall : other);
+          touched.push_back(first ? other : wall);
+          ph::step_memory<ph::direct_control> memory;
+          const auto result = ph::step(mechanism, sample.brakes, touched, ph::direct_control{}, sample.state,
+                                       memory, options);
+          const char* law = broken_law(mechanism, sample.brakes, sample.state, 2, result, unit_normals);
+          EXPECT_EQ(law, nullptr) << law;
+          EXPECT_TRUE(std::isfinite(special) || result.outcome != ph::status::ok);
+          ++(result.outcome == ph::status::ok ? lawful : faults);
+        }
+      }
+      value = good;
+    };
+    ph::testing::for_each_input(sample, wall, [&](const std::string& name, auto& value) {
+      run(name, value, !name.starts_with("normal"));
+    });
+    run("min_cosine", options.min_cosine, true);
+  });
+  std::printf("%d faults, %d lawful steps\n", faults, lawful);
+  EXPECT_GT(faults, 0);
+  EXPECT_GT(lawful, faults);
+}
+
+}  // namespace stress
