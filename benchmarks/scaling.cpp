@@ -1,5 +1,5 @@
-// How the nearest displayable force scales: n = 1 .. 8 dimensions, m = n .. 2 n brakes. The half-space form where m = n, the
-// generator form with torques of least norm beyond. Random Gaussian problems, cold start.
+// How the nearest displayable force scales: n = 1 .. 8 dimensions; m = n, n + 1 and 2 n brakes. The half-space form where
+// m = n, the generator form with torques of least norm beyond (m between takes times between, and minutes to compile). Random Gaussian problems, cold start.
 #include <passive_haptics/force/nearest_force.hpp>
 #include <passive_haptics/force/nearest_torque.hpp>
 #include <passive_haptics/testing/random.hpp>
@@ -10,7 +10,6 @@
 #include <array>
 #include <cstdio>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -20,6 +19,7 @@ namespace {
 
 constexpr unsigned seed = 20040627;
 constexpr int largest = 8;  // n
+constexpr int problem_count = 256;
 
 template <int N, int M>
 struct problem {
@@ -29,9 +29,9 @@ struct problem {
 };
 
 template <int N, int M>
-std::array<problem<N, M>, 256> random_problems() {
+std::array<problem<N, M>, problem_count> random_problems() {
   ph::testing::random_source random(seed);
-  std::array<problem<N, M>, 256> all;
+  std::array<problem<N, M>, problem_count> all;
   for (auto& p : all) {
     for (int i = 0; i < M; ++i) p.A.col(i) = random.normal_vector<double, N>();
     for (int i = 0; i < M; ++i) p.s[i] = random.coin() ? 1 : -1;
@@ -67,47 +67,42 @@ void add_row() {
 
 template <int N>
 void add_rows() {
-  [&]<int... More>(std::integer_sequence<int, More...>) {
-    (add_row<N, N + More>(), ...);
-  }(std::make_integer_sequence<int, N + 1>());
+  add_row<N, N>();
+  if constexpr (N > 1) add_row<N, N + 1>();
+  add_row<N, 2 * N>();
 }
 
-void print_table(const benchmarks::results& all) {
-  std::printf("Nearest force [ns], %u problems each, seed %u\n  n  m = n", 256u, seed);
-  for (int more = 1; more <= largest; ++more) std::printf("   n + %d", more);
-  for (int n = 1; n <= largest; ++n) {
-    std::printf("\n%3d", n);
-    for (int m = n; m <= 2 * n; ++m) {
-      const auto row = all.find(row_name(n, m));
-      if (row == all.end()) std::printf("%8s", "-");
-      else std::printf("%8.0f", row->second.time);
-    }
+// "n, m = n, m = n + 1, m = 2 n"
+std::string line(const benchmarks::results& all, int n, const char* separator) {
+  std::string text = std::to_string(n);
+  for (const int m : {n, n + 1, 2 * n}) {
+    const auto row = all.find(row_name(n, m));
+    char entry[32];
+    std::snprintf(entry, sizeof entry, "%s%6.0f", separator,
+                  row == all.end() ? std::numeric_limits<double>::quiet_NaN() : row->second.time);
+    text += entry;
   }
-  std::puts("\n");
+  return text + "\n";
 }
 
 void draw_picture(const benchmarks::results& all) {
-  std::ostringstream data;
-  data << "# n, m, time [ns]\n";
-  for (int more = 0; more <= largest; ++more) {
-    for (int n = std::max(1, more); n <= largest; ++n)
-      data << n << ", " << n + more << ", " << all.at(row_name(n, n + more)).time << "\n";
-    data << "\n\n";
-  }
-  example::write_file("scaling.csv", data.str());
+  std::string data = "# n, time [ns] for m = n, m = n + 1, m = 2 n\n";
+  for (int n = 1; n <= largest; ++n) data += line(all, n, ", ");
+  example::write_file("scaling.csv", data);
   example::draw(".", "scaling", R"(
-set terminal svg size 800,520 font 'sans,12' background 'white'
+set terminal svg size 700,480 font 'sans,12' background 'white'
 set output output
-set datafile separator ', '
-set title 'Nearest displayable force: time by dimensions n and brakes m'
+set datafile separator ','
+set title 'Nearest displayable force by n dimensions and m brakes'
 set logscale y
 set grid lc rgb '#dddddd'
 set xlabel 'n'
 set ylabel 'time [ns]'
 set xrange [0.7:8.3]
-set key outside right
-plot 'scaling.csv' index 0 using 1:3 with linespoints lw 2 pt 7 lc rgb '#0072b2' title 'm = n: half-spaces', \
-     for [k=1:8] 'scaling.csv' index k using 1:3 with linespoints pt 6 ps 0.6 lc palette frac k/8. title sprintf('m = n + %d', k)
+set key left top
+plot 'scaling.csv' using 1:4 with linespoints lw 2 pt 5 lc rgb '#d55e00' title 'm = 2 n: generators', \
+     '' using 1:3 with linespoints lw 2 pt 9 lc rgb '#009e73' title 'm = n + 1: generators', \
+     '' using 1:2 with linespoints lw 2 pt 7 lc rgb '#0072b2' title 'm = n: half-spaces'
 )");
 }
 
@@ -120,8 +115,10 @@ int main(int argc, char** argv) {
   const auto all = benchmarks::run(argc, argv,
                                    {"--benchmark_min_time=0.03", "--benchmark_repetitions=5",
                                     "--benchmark_enable_random_interleaving=true"});
-  print_table(all);
-  if (all.size() < largest * (largest + 3) / 2) return 0;  // filtered: no picture of a part
+  std::printf("Nearest force [ns], %d problems each, seed %u\nn   m = n   n + 1     2 n\n", problem_count,
+              seed);
+  for (int n = 1; n <= largest; ++n) std::printf("%s", line(all, n, "  ").c_str());
+  if (all.size() < 3 * largest - 1) return 0;  // filtered: no picture of a part
   draw_picture(all);
   const auto time = [&](int n, int m) { return all.at(row_name(n, m)).time; };
   std::printf(
