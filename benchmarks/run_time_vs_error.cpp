@@ -204,7 +204,7 @@ set logscale xy
 set grid lc rgb '#dddddd'
 set xlabel 'time [ns]'
 set ylabel 'worst error of the force, |Fd| = 1'
-set xrange [2:10000]
+set xrange [0.5:10000]
 set yrange [1e-20:1e12]
 set format y '10^{%T}'
 set key top right
