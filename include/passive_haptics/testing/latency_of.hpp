@@ -1,0 +1,206 @@
+/// @file
+/// How long one control cycle takes, state in, capacities out: rows for Google Benchmark, in one line for any controller.
+///
+/// Needs Google Benchmark: link benchmark::benchmark, or benchmark::benchmark_main and call it from an initialiser.
+#pragma once
+
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/testing/percentile.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace passive_haptics::testing {
+
+/// How many cycles are timed one by one, for the percentiles.
+struct latency_options {
+  int hot_samples = 10'000;  ///< In the rows hot and chain.
+  int cold_samples =
+      1000;  ///< In the row cold; each costs an eviction, some milliseconds for a cache of 32 MB.
+};
+
+namespace detail {
+
+inline double nanoseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What reading the clock itself takes [ns].
+inline double clock_cost() {
+  std::vector<double> samples(1000);
+  for (double& sample : samples) sample = nanoseconds_since(std::chrono::steady_clock::now());
+  return percentile(sorted(std::move(samples)), 0.5);
+}
+
+/// Time of one call [ns], less that of reading the clock.
+template <class Call>
+double time_of(Call&& call, double clock) {
+  std::chrono::steady_clock::now();  // its own code is not part of the cold cycle
+  const auto start = std::chrono::steady_clock::now();
+  call();
+  return std::max(0.0, nanoseconds_since(start) - clock);
+}
+
+/// Puts p50, p99, p99.9 and max of these samples [ns] beside the row.
+inline void report_percentiles(benchmark::State& run, std::vector<double> samples) {
+  const auto ascending = sorted(std::move(samples));
+  run.counters["p50_ns"] = percentile(ascending, 0.5);
+  run.counters["p99_ns"] = percentile(ascending, 0.99);
+  run.counters["p99.9_ns"] = percentile(ascending, 0.999);
+  run.counters["max_ns"] = ascending.back();
+}
+
+/// Reads twice as much memory as the largest cache holds, so that neither data nor TLB entries stay, nor code as far as
+/// outer caches include inner ones.
+class cache_eviction {
+ public:
+  cache_eviction() : other_(2 * std::max(largest_cache(), least) / sizeof(std::uint64_t), 1) {}
+
+  void operator()() const {
+    constexpr std::size_t line = 64 / sizeof(std::uint64_t);
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < other_.size(); i += line) sum += other_[i];
+    benchmark::DoNotOptimize(sum);
+  }
+
+ private:
+  static constexpr std::size_t least = std::size_t{1}
+                                       << 22;  // where the machine does not tell its caches [byte]
+  static std::size_t largest_cache() {
+    int most = 0;
+    for (const auto& cache : benchmark::CPUInfo::Get().caches) most = std::max(most, cache.size);
+    return static_cast<std::size_t>(most);
+  }
+  std::vector<std::uint64_t> other_;
+};
+
+/// A controller, the states it is given, and what is measured of them.
+template <class M, class S, class L, class State>
+class measured_loop {
+ public:
+  measured_loop(const controller<M, S, L>& control, std::vector<State> states, const latency_options& options)
+      : control_(control), states_(std::move(states)), options_(options) {}
+
+  /// Independent cycles: the time of a row is that of one cycle among many.
+  void hot(benchmark::State& run) {
+    warm(run, [](const State& state, const auto&) -> const State& { return state; });
+  }
+
+  /// Each state waits for the capacities of the cycle before: the time is that from one end to the other.
+  void chain(benchmark::State& run) {
+    warm(run, [](State state, const brake_vector<M>& capacity) {
+      state.q.array() +=
+          typename M::scalar(0) * capacity.sum();  // adds nothing, yet the compiler cannot know
+      return state;
+    });
+  }
+
+  /// Nothing of a cycle is in a cache when it begins.
+  void cold(benchmark::State& run) {
+    if (faulty(run)) return;
+    static const cache_eviction evict;
+    const double clock = clock_cost();
+    std::vector<double> samples;
+    std::size_t k = 0;
+    for (auto _ : run) {
+      evict();
+      samples.push_back(time_of([&] { cycle(states_[k]); }, clock));
+      run.SetIterationTime(1e-9 * samples.back());
+      k = next(k);
+    }
+    report_percentiles(run, std::move(samples));
+  }
+
+ private:
+  template <class Next>
+  void warm(benchmark::State& run, Next&& state_after) {
+    if (faulty(run)) return;
+    brake_vector<M> capacity = brake_vector<M>::Zero();
+    std::size_t k = 0;
+    const auto once = [&] {
+      capacity = cycle(state_after(states_[k], capacity));
+      k = next(k);
+    };
+    for (auto _ : run) once();
+    const double clock = clock_cost();
+    std::vector<double> samples(static_cast<std::size_t>(options_.hot_samples));
+    for (double& sample : samples) sample = time_of(once, clock);
+    report_percentiles(run, std::move(samples));
+  }
+
+  brake_vector<M> cycle(const State& state) {
+    auto result = control_(state);
+    benchmark::DoNotOptimize(result);  // all of it: a loop may log any part
+    return result.capacity;
+  }
+
+  /// A cycle that ends with a fault ends early: its time would mislead.
+  bool faulty(benchmark::State& run) {
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      if (const status s = control_(states_[k]).outcome; s != status::ok) {
+        const std::string text = "state " + std::to_string(k) + " gives the fault '" +
+                                 std::string(to_string(s)) + "'; give states with outcome ok";
+        run.SkipWithError(text.c_str());
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::size_t next(std::size_t k) const { return k + 1 < states_.size() ? k + 1 : 0; }
+
+  controller<M, S, L> control_;
+  std::vector<State> states_;
+  latency_options options_;
+};
+
+}  // namespace detail
+
+/// Registers three rows with Google Benchmark that time control(state) over the given states, one after the other, round
+/// and round. Call it before benchmark::RunSpecifiedBenchmarks.
+///
+///   - name/hot: independent cycles, as fast as they come (throughput);
+///   - name/chain: each state waits for the capacities of the cycle before (latency). In free space the capacities
+///     are known beforehand, so there both are alike;
+///   - name/cold: all caches evicted before each cycle, as in a loop that wakes up once a millisecond.
+///
+/// Each row has p50_ns, p99_ns, p99.9_ns and max_ns of cycles that are timed one by one, less what the clock takes, in
+/// steps of the clock (some 10 ns).
+/// Give 64 states or so of the kind that matters (in contact, free), or the branch predictor learns them. A state
+/// that gives a fault fails its row. Rows compare within one run; the machine's load slows all of them.
+///
+/// Errors: std::invalid_argument without states or samples. Memory: twice the largest cache.
+template <class M, class S, class L, class State>
+void latency_of(const std::string& name, const controller<M, S, L>& control, std::vector<State> states,
+                const latency_options& options = {}) {
+  static_assert(DeviceState<State, M>,
+                "passive_haptics: latency_of needs states of the controller's mechanism.");
+  if (states.empty())
+    throw std::invalid_argument("latency_of('" + name + "'): states is empty; give at least one");
+  for (const int samples : {options.hot_samples, options.cold_samples}) {
+    if (samples < 1)
+      throw std::invalid_argument("latency_of('" + name + "'): " + std::to_string(samples) +
+                                  " samples; give at least one");
+  }
+  using loop = detail::measured_loop<M, S, L, State>;
+  const loop measured(control, std::move(states),
+                      options);  // each row has its own copy, so no row sees another's memory
+  benchmark::RegisterBenchmark((name + "/hot").c_str(),
+                               [=](benchmark::State& run) { loop(measured).hot(run); });
+  benchmark::RegisterBenchmark((name + "/chain").c_str(),
+                               [=](benchmark::State& run) { loop(measured).chain(run); });
+  benchmark::RegisterBenchmark((name + "/cold").c_str(),
+                               [=](benchmark::State& run) { loop(measured).cold(run); })
+      ->Iterations(options.cold_samples)
+      ->UseManualTime();
+}
+
+}  // namespace passive_haptics::testing
