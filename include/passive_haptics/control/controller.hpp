@@ -41,7 +41,7 @@ class controller {
 
   /// One control cycle; see step(). A state or position that is not finite is not shown to the scene.
   template <class State>
-  step_result_for<M, typename S::contacts_type> operator()(const State& state) noexcept {
+  [[gnu::flatten]] step_result_for<M, typename S::contacts_type> operator()(const State& state) noexcept {
     static_assert(detail::step_requirements<M, typename S::contacts_type, L, State>::met);
     step_result_for<M, typename S::contacts_type> result;
     status outcome = check_state<M>(state);

@@ -104,7 +104,7 @@ status step_in_contact(const M& mechanism, const Pose& at, const brake_reduction
     td = display_one(situation, governing, law, memory, options, result);
   }
   if (result.outcome != status::ok) return result.outcome;
-  if (!all_finite(td, result.control_force, result.cone_coefficients)) return status::result_not_finite;
+  if (!all_finite(result.control_force, result.cone_coefficients)) return status::result_not_finite;
   unrolled<M::brake_count>([&](auto i) {
     result.capacity[i] = std::abs(td[i]);
     result.torque[i] = passive_torque(td[i], w[i], th[i], s[i], brakes.rate_dead_band[i]);

@@ -5,7 +5,7 @@
 #include <passive_haptics/core/growing_qr.hpp>
 #include <passive_haptics/core/plane_cone.hpp>
 
-#include <algorithm>
+#include <limits>
 
 namespace passive_haptics::detail {
 
@@ -23,7 +23,7 @@ class active_set {
   /// The nearest point to f. Inlined, so that the set lives in registers.
   [[gnu::always_inline]] half_space_projection<T, Rows, Columns> nearest(half_space_set start) {
     if (start != 0) begin_with(start);
-    const T vanishing = squared_rounding<T, Rows> * f_.squaredNorm();
+    const T vanishing = rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * f_.squaredNorm();
     for (int exchange = 0; exchange < 6 * Columns && qr_.size() < most; ++exchange) {
       const int entering = most_violated(vanishing);
       if (entering < 0) break;
@@ -51,7 +51,8 @@ class active_set {
     const T rr = qr_.residual().squaredNorm();
     if (!(rr > vanishing)) return -1;
     int worst = -1;
-    T worst_product = squared_rounding<T, Rows> * rr, worst_square = T(1);  // (b.r)^2 and |b|^2
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    T worst_product = eps * eps * rr, worst_square = T(1);  // (b . r)^2 and |b|^2
     for (int j = 0; j < Columns; ++j) {
       if (((members_ | refused_) >> j & 1u) != 0) continue;
       const T product = b_.col(j).dot(qr_.residual());

@@ -5,6 +5,7 @@
 #include <passive_haptics/core/matrix.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -21,14 +22,12 @@ struct half_space_projection {
 
 namespace detail {
 
-/// Rounding of b . p, squared, relative to |b|^2 |p|^2.
-template <class T, int Rows>
-inline constexpr T squared_rounding = rounding_tolerance<T>(Rows) * rounding_tolerance<T>(Rows) / T(16);
-
-/// True if b . p = product, p beyond the half-space of b by more than rounding.
-template <int Rows, class T>
+/// True if p with b . p = product lies beyond the half-space of b by more than rounding. A looser test would let through
+/// an error of its tolerance times the condition of B.
+template <class T>
 bool is_beyond(T product, T b_square, T p_square) {
-  return product > T(0) && product * product > squared_rounding<T, Rows> * b_square * p_square;
+  constexpr T eps = std::numeric_limits<T>::epsilon();
+  return product > T(0) && product * product > eps * eps * b_square * p_square;
 }
 
 /// On the line the answer is f or 0.
@@ -44,12 +43,6 @@ half_space_projection<T, 1, Columns> nearest_on_line(const matrix<T, 1, Columns>
   return result;
 }
 
-/// a x b
-template <class T>
-T cross(const vector<T, 2>& a, const vector<T, 2>& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /// f = mu_i b_i + mu_j b_j, mu >= 0, of those pairs the least parallel: what holds f back at the apex.
 template <class T, int Columns>
 void split_between_two(const matrix<T, 2, Columns>& B, const vector<T, 2>& f,
@@ -58,9 +51,9 @@ void split_between_two(const matrix<T, 2, Columns>& B, const vector<T, 2>& f,
   for (int i = 0; i < Columns; ++i) {
     for (int j = i + 1; j < Columns; ++j) {
       const vector<T, 2> bi = B.col(i), bj = B.col(j);
-      const T area = cross(bi, bj);
+      const T area = cross_in_plane(bi, bj);
       if (!(area * area > widest * square[i] * square[j])) continue;
-      const T mu_i = cross(f, bj) / area, mu_j = cross(bi, f) / area;
+      const T mu_i = cross_in_plane(f, bj) / area, mu_j = cross_in_plane(bi, f) / area;
       if (!(mu_i >= T(0) && mu_j >= T(0))) continue;
       widest = area * area / (square[i] * square[j]);
       result.coefficients.setZero();
@@ -83,12 +76,12 @@ half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Col
     const T outside = dot(b, f);
     if (!(outside > T(0) && square[j] > T(0))) continue;
     free = false;
-    const T along = cross(b, f) / square[j];
+    const T along = cross_in_plane(b, f) / square[j];
     const vector<T, 2> p(-b[1] * along, b[0] * along);  // the edge runs along (-b_y, b_x)
     bool inside = true;
     for (int i = 0; i < Columns; ++i) {
       const T beyond = dot(vector<T, 2>(B.col(i)), p);
-      inside &= i == j || !is_beyond<2>(beyond, square[i], along * along * square[j]);
+      inside &= i == j || !is_beyond(beyond, square[i], along * along * square[j]);
     }
     if (!inside) continue;
     result.point = p;
@@ -109,19 +102,20 @@ half_space_projection<T, 2, Columns> nearest_in_plane(const matrix<T, 2, Columns
   unrolled<Columns>([&](int j) { square[j] = B(0, j) * B(0, j) + B(1, j) * B(1, j); });
   if constexpr (Columns == 2) {
     const vector<T, 2> b0(B(0, 0), B(1, 0)), b1(B(0, 1), B(1, 1));
-    const T area = cross(b0, b1);
-    if (area * area > T(16) * squared_rounding<T, 2> * square[0] * square[1]) {
+    const T area = cross_in_plane(b0, b1);
+    if (area * area > rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * square[0] * square[1]) {
       const T outside_0 = dot(b0, f), outside_1 = dot(b1, f);
       half_space_projection<T, 2, 2> result{f, vector<T, 2>::Zero(), 0};
       if (!(outside_0 > T(0) || outside_1 > T(0))) return result;
       const T side = std::copysign(T(1), area);
-      const T along_0 = side * cross(f, b0), along_1 = side * cross(b1, f);  // inwards on each edge
+      const T along_0 = side * cross_in_plane(f, b0),
+              along_1 = side * cross_in_plane(b1, f);  // inwards on each edge
       const bool first = along_0 > T(0) && (!(along_1 > T(0)) ||
                                             along_0 * along_0 * square[1] >= along_1 * along_1 * square[0]);
       if (first || along_1 > T(0)) {
         const vector<T, 2>& b = first ? b0 : b1;
         const T inverse = T(1) / (first ? square[0] : square[1]);
-        const T along = cross(b, f) * inverse;
+        const T along = cross_in_plane(b, f) * inverse;
         result.point = {-b[1] * along, b[0] * along};
         result.coefficients[first ? 0 : 1] = (first ? outside_0 : outside_1) * inverse;
         result.active = first ? 1u : 2u;

@@ -34,7 +34,7 @@ class tendon_two_link : public two_link<T> {
       : two_link<T>(require_valid(p).arm), per_joint_2_(T(1) / p.reduction_2) {}
 
   /// T, constant.
-  matrix<T, 2, 2> transmission() const { return matrix<T, 2, 2>{{T(1), T(0)}, {T(1), per_joint_2_}}; }
+  matrix<T, 2, 2> transmission() const { return matrix_of<2, 2>(T(1), T(0), T(1), per_joint_2_); }
 
   /// M(q) [kg m^2] with the rotors on the brake axes: links + T^T diag(I_B) T.
   matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const {

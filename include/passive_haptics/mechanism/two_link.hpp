@@ -86,7 +86,7 @@ class two_link {
   /// J [m/rad], the inverse transpose of which is (5).
   matrix<T, 2, 2> jacobian(const two_link_pose<T>& at) const {
     const vector<T, 2> x = position(at);
-    return matrix<T, 2, 2>{{-x[1], -at.link_2[1]}, {x[0], at.link_2[0]}};
+    return matrix_of<2, 2>(-x[1], -at.link_2[1], x[0], at.link_2[0]);
   }
 
   /// J [m/rad]

@@ -22,13 +22,12 @@ struct convex_polygon_parameters {
 };
 
 namespace detail {
-inline double cross(const point<2>& a, const point<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Twice the area enclosed by the corners [m^2], > 0 if they run counterclockwise.
 template <std::size_t K>
 double twice_area(const std::array<point<2>, K>& corners) {
   double area = 0;
-  for (std::size_t i = 1; i + 1 < K; ++i) area += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  for (std::size_t i = 1; i + 1 < K; ++i)
+    area += cross_in_plane(point<2>(corners[i] - corners[0]), point<2>(corners[i + 1] - corners[0]));
   return area;
 }
 }  // namespace detail
@@ -49,7 +48,7 @@ std::string validate(const convex_polygon_parameters<K>& p) {
     const point<2> edge = corner(i + 1) - corner(i);
     for (std::size_t j = 0; j < p.corners.size(); ++j) {
       const point<2> r = corner(j) - corner(i);
-      if (sgn(area) * detail::cross(edge, r) < -rounding_tolerance<double>(2) * edge.norm() * r.norm())
+      if (sgn(area) * cross_in_plane(edge, r) < -rounding_tolerance<double>(2) * edge.norm() * r.norm())
         return name(j) + "lies outside the edge after corner " + std::to_string(i) +
                ", expected a convex polygon";
     }
