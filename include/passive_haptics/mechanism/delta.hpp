@@ -30,7 +30,7 @@ enum class delta_elbow {
 /// that upper arm and joint axis span; type 2, the forearms coplanar or two parallel, where J is unbounded.
 ///
 /// Dynamics with the usual lumped forearms: half of each forearm's mass at its elbow, half at the platform.
-/// Cost: three sines, three cosines and some square roots; jacobian one LU of 3 x 3 more.
+/// Cost: three sines, three cosines and some square roots; jacobian some products and a division more.
 template <class T>
 class delta {
  public:

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <passive_haptics/mechanism/closed_chain.hpp>
+#include <passive_haptics/mechanism/turning.hpp>
 
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace passive_haptics {
@@ -25,13 +27,34 @@ struct distal_links {
   /// Diagonal of B [m^2/rad].
   vector<T, N> drive() const {
     vector<T, N> B;
-    for (int i = 0; i < N; ++i) B[i] = link.row(i).dot(tangent.col(i));
+    unrolled<N>([&](int i) {
+      B[i] = T(0);
+      unrolled<N>([&](int k) { B[i] += link(i, k) * tangent(k, i); });
+    });
     return B;
   }
 
-  /// J = A^-1 B [m/rad]; not finite, or of no accuracy, where A is singular. One LU of N x N.
+  /// J = A^-1 B [m/rad] by Cramer's rule; not finite, or of no accuracy, where A is singular.
   matrix<T, N, N> jacobian() const {
-    return link.partialPivLu().solve(matrix<T, N, N>(drive().asDiagonal()));
+    static_assert(N == 2 || N == 3);
+    const vector<T, N> B = drive();
+    matrix<T, N, N> J;
+    if constexpr (N == 2) {
+      const T inverse = T(1) / (link(0, 0) * link(1, 1) - link(0, 1) * link(1, 0));
+      const T b0 = B[0] * inverse, b1 = B[1] * inverse;
+      return matrix_of<2, 2>(b0 * link(1, 1), -b1 * link(0, 1), -b0 * link(1, 0), b1 * link(0, 0));
+    } else {
+      std::array<vector<T, 3>, 3> r;
+      unrolled<3>([&](int i) { unrolled<3>([&](int k) { r[std::size_t(i)][k] = link(i, k); }); });
+      const std::array<vector<T, 3>, 3> across{detail::cross(r[1], r[2]), detail::cross(r[2], r[0]),
+                                               detail::cross(r[0], r[1])};
+      const T inverse = T(1) / dot(r[0], across[0]);
+      unrolled<3>([&](int i) {
+        const T b = B[i] * inverse;
+        unrolled<3>([&](int k) { J(k, i) = b * across[std::size_t(i)][k]; });
+      });
+    }
+    return J;
   }
 
   /// J^-1 = B^-1 A [rad/m]; not finite where B is singular.

@@ -21,7 +21,7 @@ namespace passive_haptics {
 /// assemblies meet.
 ///
 /// Brakes = 4: as Book's P-TER, brakes on both base rates, their difference and their sum, T constant 4 x 2.
-/// Cost: two sines, two cosines and two square roots; jacobian one LU of 2 x 2 more.
+/// Cost: two sines, two cosines and two square roots; jacobian some products and a division more.
 template <class T, int Brakes = 2>
 class five_bar {
   static_assert(Brakes == 2 || Brakes == 4, "passive_haptics: a five_bar has 2 or 4 brakes.");

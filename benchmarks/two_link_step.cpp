@@ -1,0 +1,132 @@
+// One control cycle of the tendon device along a plane wall under direct control: the library's, written by hand for this
+// device alone, and from the textbook with solvers of Eigen. The library also checks its input, predicts the torques (3)
+// and reports what it did; the others return capacities and a region only.
+#include "two_link_step/textbook.hpp"
+
+#include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/testing/random.hpp>
+
+#include <results.hpp>
+
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+using arm = ph::tendon_two_link<double>;
+using controller = ph::controller<arm, ph::scene<ph::half_space<2>>, ph::direct_control>;
+
+constexpr unsigned seed = 20040627;
+constexpr double wall_stiffness = 1e7;
+
+struct situation {
+  std::string name;
+  by_hand::region where;
+  std::vector<ph::device_state<arm>> states;
+};
+
+const by_hand::device device{arm().parameters().length_1, arm().parameters().length_2,
+                             ph::tendon_two_link_parameters<double>().reduction_2,
+                             ph::brakes_of<arm>().rate_dead_band[0], ph::brakes_of<arm>().torque_limit[0]};
+const by_hand::wall wall{0, -1, -0.225, wall_stiffness};  // y = 0.225 m, free below: section 5.1
+
+by_hand::measurement measured(const ph::device_state<arm>& s) {
+  return {s.q[0], s.q[1], s.qd[0], s.qd[1], s.hand_force[0], s.hand_force[1]};
+}
+
+// Random states that the cycle puts in this region
+situation draw(const std::string& name, by_hand::region where) {
+  ph::testing::random_source random(seed);
+  const arm mechanism;
+  situation found{name, where, {}};
+  while (found.states.size() < 64) {
+    const double y =
+        where == by_hand::region::free ? random.uniform(0.2, 0.22) : 0.225 + random.uniform(1e-6, 1e-4);
+    ph::device_state<arm> s;
+    s.q = mechanism.inverse({random.uniform(0.045, 0.17), y}, ph::elbow::left).q;
+    s.qd = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+    s.hand_force = {random.uniform(-1.0, 1.0), random.uniform(0.5, 3.0)};
+    if (by_hand::step(device, wall, measured(s)).where == where) found.states.push_back(s);
+  }
+  return found;
+}
+
+controller make_controller() {
+  const ph::half_space<2> plane({0, 0.225}, {0, -1});
+  ph::step_options<double> options;
+  options.limits = ph::saturation::clamp_each;  // as the others
+  return controller(arm(), ph::brakes_of<arm>(), ph::scene(ph::wall(plane, wall_stiffness)), {}, options);
+}
+
+using way = std::function<by_hand::command(const ph::device_state<arm>&)>;
+
+// All ways ask the brakes for the same torques
+bool agree(const situation& where, const std::string& name, const way& other) {
+  controller library = make_controller();
+  for (const auto& state : where.states) {
+    const auto expected = library(state).capacity;
+    const auto got = other(state);
+    const double off =
+        std::max(std::abs(got.capacity_1 - expected[0]), std::abs(got.capacity_2 - expected[1]));
+    if (off <= 1e-6 * expected.maxCoeff()) continue;
+    std::fprintf(stderr, "error: %s/%s: capacities %g %g N m, the library's are %g %g\n", name.c_str(),
+                 where.name.c_str(), got.capacity_1, got.capacity_2, expected[0], expected[1]);
+    return false;
+  }
+  return true;
+}
+
+template <class Cycle>
+void add_row(const std::string& way, const situation& where, Cycle cycle) {
+  benchmark::RegisterBenchmark((way + "/" + where.name).c_str(),
+                               [where, cycle](benchmark::State& run) mutable {
+                                 std::size_t k = 0;
+                                 for (auto _ : run) {
+                                   auto result = cycle(where.states[k++ % where.states.size()]);
+                                   benchmark::DoNotOptimize(result);
+                                 }
+                               });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using enum by_hand::region;
+  const std::vector<situation> situations{draw("free", free), draw("exact", exact),
+                                          draw("approximate", approximate)};
+  const auto hand = [](const ph::device_state<arm>& s) { return by_hand::step(device, wall, measured(s)); };
+  const auto lu = [](const ph::device_state<arm>& s) {
+    return textbook::step<textbook::partial_lu>(device, wall, measured(s));
+  };
+  const auto svd = [](const ph::device_state<arm>& s) {
+    return textbook::step<textbook::damped_svd>(device, wall, measured(s));
+  };
+  for (const situation& where : situations) {
+    if (!agree(where, "by hand", hand) || !agree(where, "partial LU", lu))
+      return 1;  // damping changes the answer
+    add_row("library", where, make_controller());
+    add_row("by hand", where, hand);
+    add_row("partial LU", where, lu);
+    add_row("damped SVD", where, svd);
+  }
+  const auto all = benchmarks::run(argc, argv,
+                                   {"--benchmark_min_time=0.05", "--benchmark_repetitions=9",
+                                    "--benchmark_enable_random_interleaving=true"});
+  if (all.size() < 12) return 0;  // filtered
+  std::printf("One control cycle [ns], 64 random states, seed %u\n%-12s %8s %8s %12s\n", seed, "", "free",
+              "exact", "approximate");
+  const auto time = [&](const std::string& way, const char* where) { return all.at(way + "/" + where).time; };
+  for (const char* way : {"library", "by hand", "partial LU", "damped SVD"})
+    std::printf("%-12s %8.1f %8.1f %12.1f\n", way, time(way, "free"), time(way, "exact"),
+                time(way, "approximate"));
+  const double ours = time("library", "approximate");
+  std::printf(
+      "summary: in contact %.2fx of by hand; partial LU %.1fx, damped SVD %.1fx of the library; free %.2fx "
+      "of contact\n",
+      ours / time("by hand", "approximate"), time("partial LU", "approximate") / ours,
+      time("damped SVD", "approximate") / ours, time("library", "free") / ours);
+}

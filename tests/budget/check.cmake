@@ -1,0 +1,35 @@
+# Counts instructions of each row of cycles.cpp and compares them with budgets.txt: a row over its budget by 5 % fails.
+# Instructions, not seconds: the same for the same binary on any machine, whatever else it does.
+# Needs: valgrind, program, budgets, results (the counts are left there, in the format of the budgets).
+execute_process(COMMAND ${program} OUTPUT_VARIABLE rows COMMAND_ERROR_IS_FATAL ANY)
+string(STRIP "${rows}" rows)
+string(REPLACE "\n" ";" rows "${rows}")
+file(READ ${budgets} budgets_text)
+set(counts "# Instructions of one cycle: g++ 12, -O2 -DNDEBUG, x86-64\n")
+set(over "")
+foreach(row IN LISTS rows)
+  execute_process(
+    COMMAND ${valgrind} --tool=callgrind --toggle-collect=counted --callgrind-out-file=/dev/null ${program} ${row}
+    OUTPUT_VARIABLE said ERROR_VARIABLE log COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCH "cycles: ([0-9]+)" matched "${said}")
+  set(cycles ${CMAKE_MATCH_1})
+  string(REGEX MATCH "Collected : ([0-9]+)" matched "${log}")
+  math(EXPR count "${CMAKE_MATCH_1} / ${cycles}")
+  string(APPEND counts "${row} ${count}\n")
+  if(budgets_text MATCHES "(^|\n)${row} ([0-9]+)")
+    set(budget ${CMAKE_MATCH_2})
+    math(EXPR share "100 * ${count} / ${budget}")
+    message("${row}: ${count} instructions, ${share} % of its budget of ${budget}")
+    math(EXPR most "105 * ${budget} / 100")
+    if(count GREATER most)
+      string(APPEND over "  ${row}: ${count}, budget ${budget}\n")
+    endif()
+  else()
+    string(APPEND over "  ${row}: ${count}, no budget\n")
+  endif()
+endforeach()
+file(WRITE ${results} "${counts}")
+if(over)
+  message(FATAL_ERROR "over the budget of instructions by more than 5 %:\n${over}"
+    "Make it cheaper; or, if it is worth it, copy the line from ${results} to ${budgets}.")
+endif()
