@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <string>
 
 namespace {
 
@@ -60,6 +61,23 @@ void print(const std::string& problem, std::vector<result> solvers) {
   std::printf("\n");
 }
 
+// Each solver's time relative to ours, one figure a problem.
+void summarise(const std::vector<std::string>& problems, const results& all) {
+  std::map<std::string, std::string> ratios;  // by solver
+  for (const std::string& problem : problems) {
+    const auto library = all.find(problem + "/" + peers::ours);
+    if (library == all.end() || library->second.times.empty()) continue;
+    for (const auto& [name, one] : all) {
+      if (one.row.problem != problem || one.times.empty() || one.row.solver == peers::ours) continue;
+      std::array<char, 32> ratio{};
+      std::snprintf(ratio.data(), ratio.size(), " %.2f", one.time() / library->second.time());
+      ratios[one.row.solver] += ratio.data();
+    }
+  }
+  for (const auto& [solver, figures] : ratios)
+    std::printf("summary: x ours, %s:%s\n", solver.c_str(), figures.c_str());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -99,5 +117,6 @@ int main(int argc, char** argv) {
       if (one.row.problem == problem && !one.times.empty()) timed.push_back(one);
     if (!timed.empty()) print(problem, timed);
   }
+  summarise(problems, all);
   std::printf("\nseed %u; errors are the worst of all problems; absent: %s\n", peers::seed, PEERS_ABSENT);
 }

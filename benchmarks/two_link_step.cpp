@@ -81,8 +81,8 @@ bool agree(const situation& where, const std::string& name, const way& other) {
 }
 
 template <class Cycle>
-void add_row(const std::string& way, const situation& where, Cycle cycle) {
-  benchmark::RegisterBenchmark((way + "/" + where.name).c_str(),
+void add_row(const std::string& name, const situation& where, Cycle cycle) {
+  benchmark::RegisterBenchmark((name + "/" + where.name).c_str(),
                                [where, cycle](benchmark::State& run) mutable {
                                  std::size_t k = 0;
                                  for (auto _ : run) {

@@ -7,8 +7,9 @@ using namespace peers;
 class library {
  public:
   void solve(const arm_pose& q) {
-    handle_ = arm_.position(q);
-    jacobian_ = arm_.jacobian(q);
+    const auto at = arm_.pose(q);
+    handle_ = arm_.position(at);
+    jacobian_ = arm_.jacobian(at);
   }
   const ph::vector<double, 3>& handle() const { return handle_; }
   const ph::matrix<double, 3, 6>& jacobian() const { return jacobian_; }
