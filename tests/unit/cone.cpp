@@ -163,4 +163,41 @@ TYPED_TEST(cone, forces_on_a_face_inside_and_in_the_polar_cone) {
   }
 }
 
+// Whatever half-spaces it begins with, the answer is the same to rounding, and its own begin it best.
+TYPED_TEST(cone, any_start_gives_the_same_answer) {
+  using T = typename TestFixture::number;
+  constexpr unsigned sets = 1u << TestFixture::C;
+  ph::testing::random_source random(6);
+  for (int k = 0; k < this->trials; ++k) {
+    const auto [B, f] = draw<TestFixture>(random);
+    const auto cold = ph::project_onto_half_spaces(B, f);
+    SCOPED_TRACE(::testing::Message() << "seed 6, trial " << k << "\nB =\n"
+                                      << B << "\nf = " << f.transpose());
+    for (int j = 0; j < TestFixture::C; ++j)
+      EXPECT_EQ((cold.active >> j & 1u) != 0, cold.coefficients[j] > T(0)) << "half-space " << j;
+    const T terms = B.colwise().norm().dot(cold.coefficients.transpose()) + T(1);
+    for (unsigned start = 0; start < sets; ++start) {
+      const auto warm = ph::project_onto_half_spaces(B, f, start);
+      ASSERT_LE((warm.point - cold.point).norm(), ph::rounding_tolerance<T>(TestFixture::R) * terms)
+          << "start " << start;
+    }
+    EXPECT_EQ(ph::project_onto_half_spaces(B, f, cold.active).active, cold.active);
+  }
+}
+
+// On a line a half-space lets f through or leaves 0.
+TEST(cone_on_a_line, f_or_zero) {
+  using line = ph::matrix<double, 1, 3>;
+  using number = ph::vector<double, 1>;
+  const auto project = [](const line& B, double f) { return ph::project_onto_half_spaces(B, number(f)); };
+  EXPECT_EQ(project({-2, -1, 0}, 3).point[0], 3);
+  EXPECT_EQ(project({-2, -1, 0}, 3).active, 0u);
+  const auto held = project({0, 4, 1}, 3);
+  EXPECT_EQ(held.point[0], 0);
+  EXPECT_EQ(held.coefficients, (ph::vector<double, 3>(0, 0.75, 0)));
+  EXPECT_EQ(held.active, 2u);
+  EXPECT_EQ(project({1, -1, 0}, 0).point[0], 0);
+  EXPECT_EQ((ph::project_onto_half_spaces(ph::matrix<double, 1, 1>(1), number(-2)).point[0]), -2);
+}
+
 }  // namespace

@@ -171,6 +171,23 @@ TYPED_TEST_P(mechanism_laws, given_and_automatic_jacobian_agree) {
   }
 }
 
+/// position and jacobian of pose(q) are those of q, to rounding; without a pose of its own, q is the pose.
+TYPED_TEST_P(mechanism_laws, pose_has_the_position_and_jacobian_of_q) {
+  using M = typename TypeParam::mechanism;
+  using T = typename M::scalar;
+  const M mechanism = TypeParam::make();
+  const T size = this->size_of(mechanism);
+  for (const joint_vector<M>& q : this->poses()) {
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    const auto at = pose(mechanism, q);
+    const T tolerance = rounding_tolerance<T>(4) * (T(1) + q.cwiseAbs().maxCoeff()) * size;
+    const task_vector<M> x = mechanism.position(at), expected = mechanism.position(q);
+    ASSERT_LE((x - expected).cwiseAbs().maxCoeff(), tolerance);
+    const matrix<T, M::task_dimension, M::dof> J(jacobian(mechanism, at));
+    ASSERT_LE((J - this->dense_jacobian(mechanism, q)).cwiseAbs().maxCoeff(), tolerance);
+  }
+}
+
 /// T is invertible, and E = J T^-1 maps the rates of the brakes to the velocity, v = E w.
 TYPED_TEST_P(mechanism_laws, brake_jacobian_maps_brake_rates_to_velocity) {
   using M = typename TypeParam::mechanism;
@@ -210,6 +227,7 @@ TYPED_TEST_P(mechanism_laws, brake_torques_do_the_work_of_the_force) {
 
 REGISTER_TYPED_TEST_SUITE_P(mechanism_laws, position_is_finite_and_pure,
                             jacobian_is_the_derivative_of_position, given_and_automatic_jacobian_agree,
+                            pose_has_the_position_and_jacobian_of_q,
                             brake_jacobian_maps_brake_rates_to_velocity,
                             brake_torques_do_the_work_of_the_force);
 
