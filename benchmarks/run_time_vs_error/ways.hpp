@@ -27,9 +27,11 @@ struct half_spaces {
     const ph::vector<T, D> t = ph::brake_torque(J, Fd);
     if (ph::producible(s, t)) return {Fd, t};
     const auto nearest = ph::nearest_force(J, s, Fd);
-    const ph::vector<T, D> tp = ph::brake_torque(J, nearest.force);
-    const auto released = nearest.idle || s.array() * tp.array() > T(0);
-    return {nearest.force, released.select(ph::vector<T, D>::Zero(), tp)};
+    ph::vector<T, D> tp = ph::brake_torque(J, nearest.force);
+    for (int i = 0; i < D; ++i) {
+      if ((nearest.idle >> i & 1u) != 0 || s[i] * tp[i] > T(0)) tp[i] = T(0);
+    }
+    return {nearest.force, tp};
   }
 };
 
