@@ -10,6 +10,14 @@
 namespace ph = passive_haptics;
 using device = ph::tendon_two_link<double>;
 
+#if defined(__SANITIZE_ADDRESS__)  // g++
+constexpr bool address_sanitizer = true;
+#elif defined(__has_feature)  // clang++
+constexpr bool address_sanitizer = __has_feature(address_sanitizer);
+#else
+constexpr bool address_sanitizer = false;
+#endif
+
 namespace {
 
 const std::string header = "t,q1,q2,qd1,qd2,Fh_x,Fh_y\n";
@@ -188,10 +196,6 @@ TEST(replay, needs_no_more_memory_for_a_longer_log) {
   run(1000);
   const long before = peak_memory();
   run(PASSIVE_HAPTICS_LONG_TESTS ? 300000 : 20000);
-#ifdef __SANITIZE_ADDRESS__
-  const long allowed = 16384;  // freed memory stays in quarantine
-#else
-  const long allowed = 1024;
-#endif
+  const long allowed = address_sanitizer ? 16384 : 1024;  // there freed memory stays in quarantine
   EXPECT_LE(peak_memory() - before, allowed) << "KiB more for many times as many lines";
 }

@@ -65,9 +65,10 @@ TYPED_TEST(step_edges, negative_limits_and_undefined_options_release_the_brakes)
   const auto state = state_of<M>({T(0.2), T(0.4)}, {T(-1), T(2)}, {T(0), T(-1)});
   ph::contacts<2, 1> touched;
   touched.push_back({.normal = {0.6, 0.8}, .depth = 1e-3, .stiffness = 1e4});
-  const auto outcome = [&](T limit, T min_cosine) {
+  const auto outcome = [&](T limit, T min_cosine, T dead_band = T(0)) {
     ph::brakes_of<M> brakes;
     brakes.torque_limit[1] = limit;
+    brakes.rate_dead_band[0] = brakes.torque_dead_band[1] = dead_band;
     ph::step_options<T> options;
     options.min_cosine = min_cosine;
     ph::step_memory<ph::direct_control> memory;
@@ -76,6 +77,7 @@ TYPED_TEST(step_edges, negative_limits_and_undefined_options_release_the_brakes)
   EXPECT_EQ(outcome(T(1), T(0.5)), ph::status::ok);
   EXPECT_EQ(outcome(T(-1), T(0.5)), ph::status::parameters_invalid);
   EXPECT_EQ(outcome(T(1), std::numeric_limits<T>::quiet_NaN()), ph::status::parameters_invalid);
+  EXPECT_EQ(outcome(T(1), T(0.5), T(-1e-9)), ph::status::parameters_invalid);
 }
 
 TYPED_TEST(step_edges, coincident_walls_act_as_one) {

@@ -14,7 +14,7 @@ bool slips(T rate, T rate_dead_band) {
   return std::abs(rate) > rate_dead_band;
 }
 
-/// Sign s of one brake: that of its rate w in slip, else that of the hand torque th on it, else 0.
+/// Sign s of one brake, dead bands >= 0: that of its rate w in slip, else that of the hand torque th on it, else 0.
 /// A brake produces only torques with s t <= 0 (3); s = 0 (at rest, nobody pushes) restricts nothing.
 template <class T>
 T brake_sign(T w, T th, T rate_dead_band, T torque_dead_band) {

@@ -19,12 +19,13 @@ status check_state(const State& state) {
   return finite ? status::ok : status::state_not_finite;
 }
 
-/// Whether what a step reads of the brakes and the options is finite and no limit negative. The lag is read by laws that need it.
+/// Whether what a step reads of the brakes and the options is finite and no limit or dead band negative. The lag is read by laws that need it.
 template <class L, class T, int Brakes>
 status check_parameters(const brake_parameters<T, Brakes>& brakes, const step_options<T>& options) {
   bool valid =
       all_finite(brakes.torque_limit, brakes.rate_dead_band, brakes.torque_dead_band, options.min_cosine) &&
-      (brakes.torque_limit.array() >= T(0)).all();
+      (brakes.torque_limit.array() >= T(0)).all() && (brakes.rate_dead_band.array() >= T(0)).all() &&
+      (brakes.torque_dead_band.array() >= T(0)).all();
   if constexpr (L::needs_brake_lag) valid = valid && all_finite(brakes.time_constant);
   return valid ? status::ok : status::parameters_invalid;
 }
