@@ -64,6 +64,13 @@ void split_between_two(const matrix<T, 2, Columns>& B, const vector<T, 2>& f,
   }
 }
 
+/// True if a and b are parallel to rounding: then the foot on one edge lies on the other, whatever its product says.
+template <class T>
+bool are_parallel(const vector<T, 2>& a, const vector<T, 2>& b, T a_square, T b_square) {
+  const T area = cross_in_plane(a, b);
+  return !(area * area > rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * a_square * b_square);
+}
+
 /// In the plane the answer is f, its foot on one edge, or the apex. Any edge may be the one.
 template <class T, int Columns>
 half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Columns>& B,
@@ -80,8 +87,10 @@ half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Col
     const vector<T, 2> p(-b[1] * along, b[0] * along);  // the edge runs along (-b_y, b_x)
     bool inside = true;
     for (int i = 0; i < Columns; ++i) {
-      const T beyond = dot(vector<T, 2>(B.col(i)), p);
-      inside &= i == j || !is_beyond(beyond, square[i], along * along * square[j]);
+      const vector<T, 2> other = B.col(i);
+      const T beyond = dot(other, p);
+      inside &= i == j || are_parallel(other, b, square[i], square[j]) ||
+                !is_beyond(beyond, square[i], along * along * square[j]);
     }
     if (!inside) continue;
     result.point = p;
@@ -103,7 +112,7 @@ half_space_projection<T, 2, Columns> nearest_in_plane(const matrix<T, 2, Columns
   if constexpr (Columns == 2) {
     const vector<T, 2> b0(B(0, 0), B(1, 0)), b1(B(0, 1), B(1, 1));
     const T area = cross_in_plane(b0, b1);
-    if (area * area > rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * square[0] * square[1]) {
+    if (!are_parallel(b0, b1, square[0], square[1])) {
       const T outside_0 = dot(b0, f), outside_1 = dot(b1, f);
       half_space_projection<T, 2, 2> result{f, vector<T, 2>::Zero(), 0};
       if (!(outside_0 > T(0) || outside_1 > T(0))) return result;

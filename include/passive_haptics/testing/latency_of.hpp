@@ -29,6 +29,7 @@ struct latency_options {
 
 namespace detail {
 
+/// [ns]
 inline double nanoseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
@@ -64,6 +65,7 @@ class cache_eviction {
  public:
   cache_eviction() : other_(2 * std::max(largest_cache(), least) / sizeof(std::uint64_t), 1) {}
 
+  /// Reads it.
   void operator()() const {
     constexpr std::size_t line = 64 / sizeof(std::uint64_t);
     std::uint64_t sum = 0;
@@ -86,6 +88,7 @@ class cache_eviction {
 template <class M, class S, class L, class State>
 class measured_loop {
  public:
+  /// Of these states, none faulty.
   measured_loop(const controller<M, S, L>& control, std::vector<State> states, const latency_options& options)
       : control_(control), states_(std::move(states)), options_(options) {}
 
