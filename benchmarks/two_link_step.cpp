@@ -108,7 +108,9 @@ int main(int argc, char** argv) {
   for (const situation& where : situations) {
     if (!agree(where, "by hand", hand) || !agree(where, "partial LU", lu))
       return 1;  // damping changes the answer
-    add_row("library", where, make_controller());
+    add_row("library", where, [control = make_controller()](const ph::device_state<arm>& s) mutable {
+      return control.command(s);
+    });
     add_row("by hand", where, hand);
     add_row("partial LU", where, lu);
     add_row("damped SVD", where, svd);

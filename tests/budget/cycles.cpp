@@ -24,7 +24,9 @@ void use(const X& x) {
   asm volatile("" : : "g"(&x) : "memory");
 }
 
-template <class M>
+enum class account { whole, command_alone };
+
+template <account Account = account::whole, class M>
 row cycles(const M& mechanism, bool in_contact) {
   using T = typename M::scalar;
   constexpr int n = M::dof, d = M::task_dimension;
@@ -41,7 +43,10 @@ row cycles(const M& mechanism, bool in_contact) {
   const ph::half_space<d> wall((in_contact ? 10 : -10) * out, out);  // everything lies behind it, or nothing
   ph::controller control(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(wall, 1e3)), ph::direct_control());
   return [states, control]() mutable {
-    for (const auto& s : states) use(control(s));
+    for (const auto& s : states) {
+      if constexpr (Account == account::whole) use(control(s));
+      else use(control.command(s));
+    }
   };
 }
 
@@ -74,6 +79,9 @@ std::map<std::string, std::function<row()>> all_rows() {
   std::map<std::string, std::function<row()>> rows;
   add(rows, "two_link", ph::two_link<double>());
   add(rows, "tendon_two_link", ph::tendon_two_link<double>());
+  rows["tendon_two_link/command"] = [] {
+    return cycles<account::command_alone>(ph::tendon_two_link<double>(), true);
+  };
   add(rows, "tendon_two_link_float", ph::tendon_two_link<float>());
   add(rows, "xy_table", ph::xy_table<double>());
   add(rows, "five_bar", ph::five_bar<double>());

@@ -208,4 +208,31 @@ TYPED_TEST(hints, a_diagonal_transmission_changes_nothing_but_the_cost) {
   expect_twins<diagonal_gears<TypeParam>, dense_gears<TypeParam>>();
 }
 
+// The account is all that command() leaves out.
+TEST(command, is_that_of_the_whole_cycle_and_its_warm_start) {
+  constexpr unsigned seed = 31;
+  using M = ph::tendon_two_link<double>;
+  const ph::scene corner{ph::wall(ph::half_space<2>({0, 0.2}, {0, -1}), 1e4),
+                         ph::wall(ph::half_space<2>({0.1, 0}, {-1, 0.2}), 1e3)};
+  ph::controller whole(M(), ph::brakes_of<M>(), corner, ph::direct_control{});
+  ph::controller lean = whole;
+  ph::testing::random_source random(seed);
+  int in_contact = 0, faults = 0;
+  for (int k = 0; k < 10'000; ++k) {
+    ph::device_state<M> s;
+    s.q = M().inverse({random.uniform(0.05, 0.15), random.uniform(0.15, 0.21)}, ph::elbow::left).q;
+    s.qd = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+    s.hand_force = {random.uniform(-1.0, 1.0), random.uniform(-3.0, 3.0)};
+    if (k % 100 == 0) s.qd[0] = std::numeric_limits<double>::quiet_NaN();
+    const auto expected = whole(s);
+    const auto got = lean.command(s);
+    ASSERT_EQ(got.outcome, expected.outcome) << "seed " << seed << ", state " << k;
+    ASSERT_EQ(got.capacity, expected.capacity) << "seed " << seed << ", state " << k;
+    in_contact += expected.capacity.isZero(0) ? 0 : 1;
+    faults += got.outcome == ph::status::ok ? 0 : 1;
+  }
+  EXPECT_GT(in_contact, 1000);
+  EXPECT_EQ(faults, 100);
+}
+
 }  // namespace

@@ -50,6 +50,13 @@ class controller {
     return result;
   }
 
+  /// The same cycle for a loop that only drives its brakes: what its account would cost is not computed.
+  template <class State>
+  [[gnu::flatten]] brake_command<M> command(const State& state) noexcept {
+    const auto result = (*this)(state);
+    return {result.capacity, result.outcome};
+  }
+
   /// Forgets the motion so far.
   void reset() { memory_ = {}; }
 

@@ -26,6 +26,16 @@ auto approximate_with(const brake_situation<M, EMatrix>& now, const task_vector<
   }
 }
 
+/// Whether NaN or infinity stands in one of these contacts, or a force overflows T.
+template <class T, class Contacts>
+status check_contacts(const Contacts& touched) {
+  for (const auto& c : touched) {
+    const auto [n, magnitude] = force_of<T>(c);
+    if (!all_finite(magnitude, n, as<T>(c.wall_velocity))) return status::contact_not_finite;
+  }
+  return status::ok;
+}
+
 /// Torques td [N m] commanded for one contact: E^T Fc, scaled by the law and within the limits. Notes in `result` what
 /// it found. Section 4, steps 1 to 4.
 template <class M, class EMatrix, int D, class L>
@@ -36,13 +46,19 @@ brake_vector<M> display_one(const brake_situation<M, EMatrix>& now, const contac
   const auto [n, magnitude] = force_of<T>(touched);
   const brake_vector<M> t = brake_torque(now.E, n);
   const T outward = dot(t, now.w);  // n . v = n . E w
+  const T leaving = outward - dot(n, as<T>(touched.wall_velocity));
+  // NaN or infinity in the contact, E or w reaches one of these
+  if (!all_finite(magnitude, t, leaving)) {
+    result.outcome = all_finite(magnitude, n, as<T>(touched.wall_velocity)) ? status::pose_undefined
+                                                                            : status::contact_not_finite;
+    return brake_vector<M>::Zero();
+  }
 
   const auto Fc = approximate_with(now, n, t, options.min_cosine, memory.idle);
   result.display = Fc.display;
   result.power = classify_power(outward, Fc.display == display_class::exact);
   result.approximation_cosine = Fc.cosine;
   if (Fc.display != display_class::exact) result.stages.add(stage::projection);
-  const T leaving = outward - dot(n, as<T>(touched.wall_velocity));
   if constexpr (M::dof > M::task_dimension && !detail::has_inertial_forces<M>) {
     if (Fc.display == display_class::none && cone_is_zero(now.E, now.s))
       result.display = display_class::empty_cone;

@@ -26,16 +26,16 @@ struct saturated_torque {
 template <class T, int Brakes>
 saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, T scale, const vector<T, Brakes>& limit,
                                      saturation policy) {
-  T common = scale;
+  T factor = scale;
+  bool limited = false;
   unrolled<Brakes>([&](auto i) {
-    if (std::abs(t[i]) * scale > limit[i]) common = std::min(common, limit[i] / std::abs(t[i]));
+    if (!(std::abs(t[i]) * scale > limit[i])) return;
+    limited = true;
+    if (policy == saturation::keep_direction) factor = std::min(factor, limit[i] / std::abs(t[i]));
   });
-  saturated_torque<T, Brakes> result{{}, common < scale};
-  const T factor = policy == saturation::keep_direction ? common : scale;
-  unrolled<Brakes>([&](auto i) {
-    const T wanted = factor * t[i];
-    result.torque[i] = wanted > limit[i] ? limit[i] : (wanted < -limit[i] ? -limit[i] : wanted);
-  });
+  saturated_torque<T, Brakes> result{{}, limited};
+  unrolled<Brakes>(
+      [&](auto i) { result.torque[i] = std::copysign(std::min(std::abs(factor * t[i]), limit[i]), t[i]); });
   return result;
 }
 

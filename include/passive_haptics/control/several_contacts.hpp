@@ -30,6 +30,10 @@ brake_vector<M> display_several(const brake_situation<M, EMatrix>& now, const Co
                                 step_result_of_contacts<M, Contacts::capacity>& result) {
   using T = typename M::scalar;
   constexpr int D = M::task_dimension;
+  result.outcome = check_contacts<T>(touched);
+  if (result.outcome == status::ok && !all_finite(now.E, now.w)) result.outcome = status::pose_undefined;
+  if (result.outcome != status::ok) return brake_vector<M>::Zero();
+
   std::array<contact_demand<T, D>, static_cast<std::size_t>(Contacts::capacity)> demands;
   const int governing = governing_contact(touched);
   T outward_power = T(0);

@@ -14,8 +14,10 @@ namespace passive_haptics {
 /// Whether NaN or infinity stands in a state.
 template <class M, class State>
 status check_state(const State& state) {
-  bool finite = all_finite(state.time, state.q, state.qd);
-  if constexpr (HandForceState<State, M>) finite = finite && all_finite(state.hand_force);
+  bool finite;
+  if constexpr (HandForceState<State, M>)
+    finite = all_finite(state.time, state.q, state.qd, state.hand_force);
+  else finite = all_finite(state.time, state.q, state.qd);
   return finite ? status::ok : status::state_not_finite;
 }
 
@@ -28,13 +30,6 @@ status check_parameters(const brake_parameters<T, Brakes>& brakes, const step_op
       (brakes.torque_dead_band.array() >= T(0)).all();
   if constexpr (L::needs_brake_lag) valid = valid && all_finite(brakes.time_constant);
   return valid ? status::ok : status::parameters_invalid;
-}
-
-/// Whether NaN or infinity stands in a contact, or its force overflows T.
-template <class T, int D>
-status check_contact(const contact<D>& c) {
-  const auto [n, magnitude] = force_of<T>(c);
-  return all_finite(magnitude, n, as<T>(c.wall_velocity)) ? status::ok : status::contact_not_finite;
 }
 
 namespace detail {
@@ -68,20 +63,16 @@ status step_in_contact(const M& mechanism, const Pose& at, const brake_reduction
   using T = typename M::scalar;
   constexpr bool feels_hand = HandForceState<State, M>;
 
-  for (const auto& c : touched) {
-    if (const status s = check_contact<T>(c); s != status::ok) return s;
-  }
   const auto& governing = touched[governing_contact(touched)];
   const auto [n, magnitude] = force_of<T>(governing);
   result.wall = governing.wall;
-  if (!(magnitude > T(0))) return status::ok;
+  if (!(magnitude > T(0))) return check_contacts<T>(touched);
   result.desired_force = scaled(magnitude, n);
 
   // What the brakes can do: E, their rates and signs
   const auto E = reduction(jacobian(mechanism, at), mechanism, state.q);
   const brake_vector<M> w = brake_rates(mechanism, state.q, state.qd);
   result.stages.add(stage::jacobian);
-  if (!all_finite(E, w)) return status::pose_undefined;
   brake_vector<M> th = brake_vector<M>::Zero();
   if constexpr (feels_hand) {
     if (any_sticks(w, brakes)) {

@@ -45,6 +45,14 @@ struct contact_report {
   bool first = false;  ///< It was being left under a law that gives way, so it was met before the others.
 };
 
+/// What a driver needs of a cycle.
+template <class M>
+struct brake_command {
+  brake_vector<M>
+      capacity;  ///< The most each brake may hold [N m], 0 <= capacity_i <= limit_i; 0 unless outcome is ok.
+  status outcome;  ///< ok, or why the brakes were released.
+};
+
 /// Result of step(). Unless outcome is ok, capacity and torque are zero and the rest has no meaning.
 template <class M>
 struct step_result {

@@ -60,7 +60,12 @@ auto zero_times(const Eigen::DenseBase<Derived>& x) {
   using T = typename Derived::Scalar;
   constexpr int rows = Derived::RowsAtCompileTime, columns = Derived::ColsAtCompileTime;
   T sum = T(0);
-  unrolled<columns>([&](auto j) { unrolled<rows>([&](auto i) { sum += x.derived().coeff(i, j) * T(0); }); });
+  unrolled<columns>([&](auto j) {
+    unrolled<rows>([&](auto i) {
+      const T zero = x.derived().coeff(i, j) * T(0);
+      sum = i + j == 0 ? zero : sum + zero;
+    });
+  });
   return sum;
 }
 template <class T, int N>
@@ -122,7 +127,9 @@ matrix<T, R, C> product(const matrix<T, R, K>& A, const matrix<T, K, C>& B) {
   matrix<T, R, C> AB;
   unrolled<C>([&](auto j) {
     unrolled<R>([&](auto i) {
-      unrolled<K>([&](auto k) { AB(i, j) = k == 0 ? A(i, k) * B(k, j) : AB(i, j) + A(i, k) * B(k, j); });
+      T sum = T(0);
+      unrolled<K>([&](auto k) { sum = k == 0 ? A(i, k) * B(k, j) : sum + A(i, k) * B(k, j); });
+      AB(i, j) = sum;
     });
   });
   return AB;
@@ -138,9 +145,14 @@ T cross_in_plane(const vector<T, 2>& a, const vector<T, 2>& b) {
 template <int R, int C, class T, class... Rest>
 matrix<T, R, C> matrix_of(T first, Rest... rest) {
   static_assert(1 + sizeof...(Rest) == static_cast<std::size_t>(R * C));
-  const T entries[] = {first, rest...};
   matrix<T, R, C> A;
-  unrolled<R>([&](int i) { unrolled<C>([&](int j) { A(i, j) = entries[i * C + j]; }); });
+  int k = 0;
+  const auto append = [&](T entry) {
+    A(k / C, k % C) = entry;
+    ++k;
+  };
+  append(first);
+  (append(rest), ...);
   return A;
 }
 

@@ -43,6 +43,12 @@ half_space_projection<T, 1, Columns> nearest_on_line(const matrix<T, 1, Columns>
   return result;
 }
 
+/// The point `along` on the edge of a half-space's normal b, in units of |b|.
+template <class T>
+vector<T, 2> along_edge(const vector<T, 2>& b, T along) {
+  return {-b[1] * along, b[0] * along};
+}
+
 /// f = mu_i b_i + mu_j b_j, mu >= 0, of those pairs the least parallel: what holds f back at the apex.
 template <class T, int Columns>
 void split_between_two(const matrix<T, 2, Columns>& B, const vector<T, 2>& f,
@@ -84,7 +90,7 @@ half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Col
     if (!(outside > T(0) && square[j] > T(0))) continue;
     free = false;
     const T along = cross_in_plane(b, f) / square[j];
-    const vector<T, 2> p(-b[1] * along, b[0] * along);  // the edge runs along (-b_y, b_x)
+    const vector<T, 2> p = along_edge(b, along);
     bool inside = true;
     for (int i = 0; i < Columns; ++i) {
       const vector<T, 2> other = B.col(i);
@@ -122,11 +128,10 @@ half_space_projection<T, 2, Columns> nearest_in_plane(const matrix<T, 2, Columns
       const bool first = along_0 > T(0) && (!(along_1 > T(0)) ||
                                             along_0 * along_0 * square[1] >= along_1 * along_1 * square[0]);
       if (first || along_1 > T(0)) {
-        const vector<T, 2>& b = first ? b0 : b1;
         const T inverse = T(1) / (first ? square[0] : square[1]);
-        const T along = cross_in_plane(b, f) * inverse;
-        result.point = {-b[1] * along, b[0] * along};
-        result.coefficients[first ? 0 : 1] = (first ? outside_0 : outside_1) * inverse;
+        const T along = (first ? along_0 : along_1) * inverse, mu = (first ? outside_0 : outside_1) * inverse;
+        result.point = first ? along_edge(b0, -side * along) : along_edge(b1, side * along);
+        result.coefficients = {first ? mu : T(0), first ? T(0) : mu};
         result.active = first ? 1u : 2u;
         return result;
       }

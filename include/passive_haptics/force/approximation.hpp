@@ -55,11 +55,11 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
   const auto nearest = nearest_force(E, s, n, idle);
   idle = nearest.idle;
   const vector<T, D>& Fp = nearest.force;
-  const T square = dot(Fp, Fp), cosine = std::sqrt(square);
-  if (!(cosine > rounding_tolerance<T>(D) && cosine >= min_cosine)) return result;
+  const T square = dot(Fp, Fp), least = std::max(min_cosine, rounding_tolerance<T>(D));
+  if (!(square >= least * least)) return result;
 
   result.display = display_class::approximate;
-  result.cosine = cosine;
+  result.cosine = std::sqrt(square);
   result.force = scaled(T(1) / square, Fp);
   const vector<T, Brakes> tc = brake_torque(E, result.force);
   // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0

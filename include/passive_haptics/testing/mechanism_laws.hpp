@@ -107,6 +107,11 @@ class mechanism_laws : public ::testing::Test {
     }
     return size;
   }
+
+  /// Rounding of position and of J at q, both of size_of.
+  static number rounding_at(const joint_vector<model>& q, number size) {
+    return rounding_tolerance<number>(4) * (number(1) + q.cwiseAbs().maxCoeff()) * size;
+  }
 };
 
 TYPED_TEST_SUITE_P(mechanism_laws);
@@ -161,7 +166,7 @@ TYPED_TEST_P(mechanism_laws, given_and_automatic_jacobian_agree) {
     SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
     const auto J = this->dense_jacobian(mechanism, q);
     if constexpr (detail::differentiates_itself<M>) {
-      const T tolerance = rounding_tolerance<T>(4) * (T(1) + q.cwiseAbs().maxCoeff()) * size;
+      const T tolerance = this->rounding_at(q, size);
       ASSERT_LE((J - automatic_jacobian(mechanism, q)).cwiseAbs().maxCoeff(), tolerance);
     } else if constexpr (detail::jacobian_is_constant<M>) {
       ASSERT_EQ(J, (matrix<T, M::task_dimension, M::dof>(mechanism.jacobian())));
@@ -180,7 +185,7 @@ TYPED_TEST_P(mechanism_laws, pose_has_the_position_and_jacobian_of_q) {
   for (const joint_vector<M>& q : this->poses()) {
     SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
     const auto at = pose(mechanism, q);
-    const T tolerance = rounding_tolerance<T>(4) * (T(1) + q.cwiseAbs().maxCoeff()) * size;
+    const T tolerance = this->rounding_at(q, size);
     const task_vector<M> x = mechanism.position(at), expected = mechanism.position(q);
     ASSERT_LE((x - expected).cwiseAbs().maxCoeff(), tolerance);
     const matrix<T, M::task_dimension, M::dof> J(jacobian(mechanism, at));
