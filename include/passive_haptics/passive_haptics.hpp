@@ -36,5 +36,6 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws.hpp>
+#include <passive_haptics/control/velocity_direct_control.hpp>
 
 #include <passive_haptics/plant/wall_following.hpp>

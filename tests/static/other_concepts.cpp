@@ -83,6 +83,8 @@ static_assert(!ph::Shape<int> && !ph::Shape<ph::scene<ph::disc>>);
 
 static_assert(ph::ControlLaw<ph::no_direct_control> && ph::ControlLaw<ph::direct_control>);
 static_assert(!ph::no_direct_control::needs_hand_force && ph::direct_control::needs_hand_force);
+static_assert(ph::TorqueLaw<ph::velocity_direct_control> && !ph::ScalingLaw<ph::velocity_direct_control>);
+static_assert(ph::ScalingLaw<ph::direct_control> && !ph::TorqueLaw<ph::direct_control>);
 
 struct complete_law {
   static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;

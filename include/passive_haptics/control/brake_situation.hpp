@@ -4,19 +4,23 @@
 
 #include <passive_haptics/brake/brake_parameters.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
+#include <passive_haptics/scene/shape.hpp>
 
 namespace passive_haptics {
 
 /// The device at one instant; E from brake_jacobian. Lives no longer than the values that it refers to.
 template <class M, class EMatrix>
 struct brake_situation {
-  const M& mechanism;                ///< The mechanism,
-  const brakes_of<M>& brakes;        ///< its brakes,
-  const joint_vector<M>& q;          ///< its joint positions [rad or m].
-  const EMatrix& E;                  ///< E = J T^+.
-  const brake_vector<M>& w;          ///< Rates of the brakes [rad/s or m/s].
-  const brake_vector<M>& s;          ///< Signs of the brakes.
-  const task_vector<M>& hand_force;  ///< Fh [N]; zero for laws that do not need it.
+  const M& mechanism;                 ///< The mechanism,
+  const brakes_of<M>& brakes;         ///< its brakes.
+  double time;                        ///< Now [s],
+  const joint_vector<M>& q;           ///< joint positions [rad or m],
+  const joint_vector<M>& qd;          ///< their rates [rad/s or m/s],
+  const point<M::task_dimension>& x;  ///< the end effector [m].
+  const EMatrix& E;                   ///< E = J T^+.
+  const brake_vector<M>& w;           ///< Rates of the brakes [rad/s or m/s].
+  const brake_vector<M>& s;           ///< Signs of the brakes.
+  const task_vector<M>& hand_force;   ///< Fh [N]; zero for laws that do not need it.
 };
 
 }  // namespace passive_haptics

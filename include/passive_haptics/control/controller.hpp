@@ -46,7 +46,10 @@ class controller {
     step_result_for<M, typename S::contacts_type> result;
     status outcome = check_state<M>(state);
     if (outcome == status::ok) outcome = cycle(state, result);
-    if (outcome != status::ok) release(result, outcome);
+    if (outcome != status::ok) {
+      release(result, outcome);
+      detail::tell_released(law_, memory_.law, state.time);
+    }
     return result;
   }
 
@@ -74,9 +77,12 @@ class controller {
     const point<M::task_dimension> x = as<double>(mechanism_.position(at));
     if (!all_finite(x)) return status::pose_undefined;
     const auto& touched = sensed_at(x, state.time);
-    if (touched.empty()) return status::ok;
+    if (touched.empty()) {
+      detail::tell_released(law_, memory_.law, state.time);
+      return status::ok;
+    }
     if (parameters_ != status::ok) return parameters_;
-    return detail::step_in_contact(mechanism_, at, reduction_, brakes_, touched, law_, state, memory_,
+    return detail::step_in_contact(mechanism_, at, x, reduction_, brakes_, touched, law_, state, memory_,
                                    options_, result);
   }
 

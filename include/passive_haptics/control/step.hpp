@@ -6,6 +6,7 @@
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/control/one_contact.hpp>
 #include <passive_haptics/control/several_contacts.hpp>
+#include <passive_haptics/control/torque_command.hpp>
 
 #include <cmath>
 
@@ -52,13 +53,20 @@ struct step_requirements {
   static constexpr bool met = true;
 };
 
+// Tells a law that asks for it that this cycle commanded nothing.
+template <class L>
+void tell_released(const L& law, typename L::memory& memory, double time) {
+  if constexpr (requires { law.released(memory, time); }) law.released(memory, time);
+}
+
 // All of a step but the checks of what a loop knows to be fine: state and parameters; touched is not empty.
 // result is as made by default; where the status is not ok it has no meaning.
 template <class M, class Pose, class Contacts, class L, class State>
 [[gnu::flatten]]
-status step_in_contact(const M& mechanism, const Pose& at, const brake_reduction<M>& reduction,
-                       const brakes_of<M>& brakes, const Contacts& touched, const L& law, const State& state,
-                       step_memory<L>& memory, const step_options<typename M::scalar>& options,
+status step_in_contact(const M& mechanism, const Pose& at, const point<M::task_dimension>& x,
+                       const brake_reduction<M>& reduction, const brakes_of<M>& brakes,
+                       const Contacts& touched, const L& law, const State& state, step_memory<L>& memory,
+                       const step_options<typename M::scalar>& options,
                        step_result_for<M, Contacts>& result) noexcept {
   using T = typename M::scalar;
   constexpr bool feels_hand = HandForceState<State, M>;
@@ -87,9 +95,12 @@ status step_in_contact(const M& mechanism, const Pose& at, const brake_reduction
   // What the law wants of each contact, and the torques that come nearest to it
   task_vector<M> Fh = task_vector<M>::Zero();
   if constexpr (feels_hand && L::needs_hand_force) Fh = state.hand_force;
-  const brake_situation<M, decltype(E)> situation{mechanism, brakes, state.q, E, w, s, Fh};
+  const brake_situation<M, decltype(E)> situation{mechanism, brakes, state.time, state.q, state.qd,
+                                                  x,         E,      w,          s,       Fh};
   brake_vector<M> td;
-  if constexpr (Contacts::capacity > 1) {
+  if constexpr (TorqueLaw<L>) {
+    td = command_torques(situation, touched, law, memory.law, result);
+  } else if constexpr (Contacts::capacity > 1) {
     td = touched.size() > 1 ? display_several(situation, touched, law, memory.law, result)
                             : display_one(situation, governing, law, memory, options, result);
   } else {
@@ -123,12 +134,16 @@ step_result_for<M, Contacts> step(
   static_assert(detail::step_requirements<M, Contacts, L, State>::met);
   step_result_for<M, Contacts> result;
   status outcome = check_state<M>(state);
-  if (outcome == status::ok && touched.empty()) return result;
-  if (outcome == status::ok) outcome = check_parameters<L>(brakes, options);
-  if (outcome == status::ok)
-    outcome = detail::step_in_contact(mechanism, pose(mechanism, state.q), brake_reduction<M>(mechanism),
-                                      brakes, touched, law, state, memory, options, result);
+  const bool free = outcome == status::ok && touched.empty();
+  if (outcome == status::ok && !free) outcome = check_parameters<L>(brakes, options);
+  if (outcome == status::ok && !free) {
+    const auto at = pose(mechanism, state.q);
+    const auto x = as<double>(mechanism.position(at));
+    outcome = detail::step_in_contact(mechanism, at, x, brake_reduction<M>(mechanism), brakes, touched, law,
+                                      state, memory, options, result);
+  }
   if (outcome != status::ok) release(result, outcome);
+  if (free || outcome != status::ok) detail::tell_released(law, memory.law, state.time);
   return result;
 }
 

@@ -5,6 +5,8 @@
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
+#include <cmath>
+
 namespace passive_haptics {
 
 /// Which side of a round wall is free.
@@ -51,6 +53,14 @@ class ball {
     const point<D> r = x - centre_;
     const double length = r.norm();
     return length > 0 ? point<D>(sign_ / length * r) : point<D>(sign_ * point<D>::UnitX());
+  }
+
+  /// (I - n n^T) / |x - c| if solid, its negative if hollow [1/m]; zero at the centre.
+  matrix<double, D, D> hessian(const point<D>& x) const {
+    const point<D> r = x - centre_;
+    const double square = r.squaredNorm();
+    if (!(square > 0)) return matrix<double, D, D>::Zero();
+    return sign_ / std::sqrt(square) * (matrix<double, D, D>::Identity() - r * r.transpose() / square);
   }
 
  private:

@@ -33,6 +33,12 @@ class complement {
     return shape_.velocity(x);
   }
 
+  /// Hessian of the shape, negated [1/m].
+  matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
+    requires CurvedShape<S>
+  {
+    return matrix<double, dimension, dimension>(-shape_.hessian(x));
+  }
   /// The shape itself, to move it.
   S& shape() { return shape_; }
 

@@ -40,6 +40,12 @@ class moving {
     return velocity_ + surface_velocity(shape_, point<dimension>(x - displacement_));
   }
 
+  /// Hessian of the displaced shape [1/m].
+  matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
+    requires CurvedShape<S>
+  {
+    return shape_.hessian(x - displacement_);
+  }
   /// The carried shape, to move it within this one.
   S& shape() { return shape_; }
 

@@ -47,6 +47,12 @@ class offset {
     return shape_.velocity(x);
   }
 
+  /// Hessian of the shape [1/m].
+  matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
+    requires CurvedShape<S>
+  {
+    return shape_.hessian(x);
+  }
   /// The shape before the offset, to move it.
   S& shape() { return shape_; }
 

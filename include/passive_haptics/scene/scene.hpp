@@ -81,7 +81,9 @@ typename scene<Shapes...>::contacts_type sense(const scene<Shapes...>& walls,
                          .depth = -distance,
                          .stiffness = w.stiffness,
                          .wall_velocity = surface_velocity(w.shape, x),
-                         .wall = number});
+                         .wall = number,
+                         .position = x,
+                         .curvature = surface_curvature(w.shape, x)});
     }
     ++number;
   });

@@ -1,0 +1,108 @@
+/// @file
+/// Direct control at the level of velocities: the handle neither sinks into a wall nor drifts off it.
+#pragma once
+
+#include <passive_haptics/control/acceleration_display.hpp>
+#include <passive_haptics/control/brake_lag.hpp>
+#include <passive_haptics/control/contact_memory.hpp>
+#include <passive_haptics/control/control_law.hpp>
+#include <passive_haptics/scene/contacts.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace passive_haptics {
+
+/// Constants of velocity_direct_control.
+struct velocity_direct_control_parameters {
+  double depth_gain = 30;          ///< k_d [1/s]: velocity for each metre that the depth is off.
+  double velocity_limit = 0.02;    ///< Of the reference velocity [m/s].
+  double velocity_lag = 0.010;     ///< tau_v [s]: in which the normal velocity reaches its reference.
+  double landing_velocity = 0.01;  ///< Sinking slower than this counts as landed [m/s].
+  double horizon = 0.005;          ///< eta [s], over which the brakes' lag is inverted.
+};
+
+/// Direct control that keeps the depth at which the handle landed on a wall, by its normal acceleration:
+///
+///     a* = -v^T H v + (v_ref - n . v) / tau_v,   v_ref = clip(k_d (depth - depth_landed), +-v_max),
+///
+/// with H the curvature of the wall: the brakes add n . G t = a* - n . a_0 to the acceleration a_0 that the handle
+/// would have without them, as near as their cone and limits allow, with the least drag; their lag is inverted. Held
+/// contacts are carried on to second order from where they were sensed.
+///
+/// Needs the hand force, the inertia and the brakes' lag. Cost: a Cholesky of n x n and one prioritised least squares.
+struct velocity_direct_control {
+  static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
+  static constexpr bool needs_dynamics = true;    ///< Needs the inertia of the mechanism.
+  static constexpr bool needs_brake_lag = true;   ///< Needs the brakes' time constants.
+  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
+
+  /// Of one wall.
+  struct landing {
+    bool landed = false;  ///< The handle has come to rest in the wall's normal direction.
+    double depth = 0;     ///< There [m].
+  };
+  /// What it remembers.
+  struct memory {
+    contact_memory<landing> walls;  ///< Where the handle landed on each.
+    brake_lag_model brakes;         ///< What the brakes make.
+  };
+
+  velocity_direct_control_parameters parameters = {};  ///< The constants.
+
+  /// Brake torques [N m].
+  template <class M, class EMatrix, int D, int Capacity>
+  brake_vector<M> torque(const brake_situation<M, EMatrix>& now, const contacts<D, Capacity>& touched,
+                         memory& remembered) const noexcept {
+    using T = typename M::scalar;
+    const auto map = accelerations(now);
+    const point<D> v = as<double>(product(matrix<T, D, M::brake_count>(now.E), now.w));
+
+    std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)> demands;
+    int count = 0;
+    remembered.walls.begin_cycle();
+    for (const auto& c : touched) {
+      const point<D> moved = now.x - c.position, relative = v - c.wall_velocity;
+      const point<D> n = (c.normal + c.curvature * moved).normalized();
+      const double depth = c.depth - moved.dot(c.normal + 0.5 * (c.curvature * moved));
+      const double wanted = wanted_acceleration(depth, n.dot(relative), relative.dot(c.curvature * relative),
+                                                remembered.walls.of(c.wall));
+      const vector<T, D> normal = as<T>(n);
+      const T missing = static_cast<T>(wanted) - dot(normal, map.free);
+      if (missing > T(0)) demands[static_cast<std::size_t>(count++)] = {normal, missing, false};
+    }
+    remembered.brakes.advance(now.time, now.brakes.time_constant);
+    brake_vector<M> t = brake_vector<M>::Zero();
+    if (count > 0) {
+      const force_map<T, D, M::brake_count> G{map.G, {}, false};
+      t = contact_forces<T, D, M::brake_count, Capacity>(G, torques_within(now.s, now.brakes.torque_limit),
+                                                         demands, count)
+              .torque;
+    }
+    unrolled<M::brake_count>([&](auto i) {
+      const T u = remembered.brakes.command(i, std::abs(t[i]), now.brakes.time_constant[i],
+                                            now.brakes.torque_limit[i], parameters.horizon);
+      t[i] = std::copysign(u, t[i]);
+    });
+    return t;
+  }
+
+  /// Free space or a fault: the walls are forgotten.
+  void released(memory& remembered, double) const noexcept {
+    remembered.walls.clear();
+    remembered.brakes.release();
+  }
+
+ private:
+  // a* [m/s^2] at this depth [m] and outward velocity [m/s]; turning = v^T H v [m/s^2]
+  double wanted_acceleration(double depth, double outward, double turning, landing& wall) const {
+    if (!wall.landed && outward > -parameters.landing_velocity) wall = {true, depth};
+    const double error = wall.landed ? depth - wall.depth : 0.0;
+    const double v_ref =
+        std::clamp(parameters.depth_gain * error, -parameters.velocity_limit, parameters.velocity_limit);
+    return -turning + (v_ref - outward) / parameters.velocity_lag;
+  }
+};
+
+}  // namespace passive_haptics
