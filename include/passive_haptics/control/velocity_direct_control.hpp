@@ -21,6 +21,8 @@ struct velocity_direct_control_parameters {
   double velocity_lag = 0.010;     ///< tau_v [s]: in which the normal velocity reaches its reference.
   double landing_velocity = 0.01;  ///< Sinking slower than this counts as landed [m/s].
   double horizon = 0.005;          ///< eta [s], over which the brakes' lag is inverted.
+  double margin = 0;               ///< By which the scene's walls are grown (scene/offset.hpp) [m]: seen beforehand.
+  double rest_depth = 6e-4;        ///< Depth at which the handle comes to rest, or deeper where it was too fast [m].
 };
 
 /// Direct control that keeps the depth at which the handle landed on a wall, by its normal acceleration:
@@ -65,7 +67,7 @@ struct velocity_direct_control {
     for (const auto& c : touched) {
       const point<D> moved = now.x - c.position, relative = v - c.wall_velocity;
       const point<D> n = (c.normal + c.curvature * moved).normalized();
-      const double depth = c.depth - moved.dot(c.normal + 0.5 * (c.curvature * moved));
+      const double depth = c.depth - parameters.margin - moved.dot(c.normal + 0.5 * (c.curvature * moved));
       const double wanted = wanted_acceleration(depth, n.dot(relative), relative.dot(c.curvature * relative),
                                                 remembered.walls.of(c.wall));
       const vector<T, D> normal = as<T>(n);
@@ -97,10 +99,11 @@ struct velocity_direct_control {
  private:
   // a* [m/s^2] at this depth [m] and outward velocity [m/s]; turning = v^T H v [m/s^2]
   double wanted_acceleration(double depth, double outward, double turning, landing& wall) const {
-    if (!wall.landed && outward > -parameters.landing_velocity) wall = {true, depth};
-    const double error = wall.landed ? depth - wall.depth : 0.0;
-    const double v_ref =
-        std::clamp(parameters.depth_gain * error, -parameters.velocity_limit, parameters.velocity_limit);
+    if (!wall.landed && depth > 0 && outward > -parameters.landing_velocity)
+      wall = {true, std::max(depth, parameters.rest_depth)};
+    const double v_max = parameters.velocity_limit;
+    const double v_ref = wall.landed ? std::clamp(parameters.depth_gain * (depth - wall.depth), -v_max, v_max)
+                                     : std::min(0.0, parameters.depth_gain * (depth - parameters.rest_depth));
     return -turning + (v_ref - outward) / parameters.velocity_lag;
   }
 };
