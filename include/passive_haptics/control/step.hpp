@@ -74,7 +74,10 @@ status step_in_contact(const M& mechanism, const Pose& at, const point<M::task_d
   const auto& governing = touched[governing_contact(touched)];
   const auto [n, magnitude] = force_of<T>(governing);
   result.wall = governing.wall;
-  if (!(magnitude > T(0))) return check_contacts<T>(touched);
+  if (!(magnitude > T(0))) {
+    tell_released(law, memory.law, state.time);
+    return check_contacts<T>(touched);
+  }
   result.desired_force = scaled(magnitude, n);
 
   // What the brakes can do: E, their rates and signs

@@ -6,35 +6,56 @@
 #include <passive_haptics/control/brake_lag.hpp>
 #include <passive_haptics/control/contact_memory.hpp>
 #include <passive_haptics/control/control_law.hpp>
+#include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <string>
 
 namespace passive_haptics {
 
-/// Constants of velocity_direct_control.
+/// Constants of velocity_direct_control, tuned in simulation on the paper's device (docs/results.md).
 struct velocity_direct_control_parameters {
   double depth_gain = 30;          ///< k_d [1/s]: velocity for each metre that the depth is off.
-  double velocity_limit = 0.02;    ///< Of the reference velocity [m/s].
-  double velocity_lag = 0.010;     ///< tau_v [s]: in which the normal velocity reaches its reference.
+  double velocity_limit = 0.02;    ///< v_max of the reference velocity [m/s].
+  double velocity_lag = 0.010;     ///< tau_v [s], in which the normal velocity reaches its reference.
   double landing_velocity = 0.01;  ///< Sinking slower than this counts as landed [m/s].
   double horizon = 0.005;          ///< eta [s], over which the brakes' lag is inverted.
-  double margin = 0;               ///< By which the scene's walls are grown (scene/offset.hpp) [m]: seen beforehand.
-  double rest_depth = 6e-4;        ///< Depth at which the handle comes to rest, or deeper where it was too fast [m].
+  double rest_depth =
+      6e-4;           ///< Depth at which the handle comes to rest, or deeper where it came too fast [m].
+  double margin = 0;  ///< By which the scene's walls are grown (scene/offset.hpp) to be seen beforehand [m].
 };
 
-/// Direct control that keeps the depth at which the handle landed on a wall, by its normal acceleration:
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const velocity_direct_control_parameters& p) {
+  return detail::first_complaint(detail::check_positive("depth_gain [1/s]", p.depth_gain),
+                                 detail::check_positive("velocity_limit [m/s]", p.velocity_limit),
+                                 detail::check_positive("velocity_lag [s]", p.velocity_lag),
+                                 detail::check_positive("landing_velocity [m/s]", p.landing_velocity),
+                                 detail::check_not_negative("horizon [s]", p.horizon),
+                                 detail::check_not_negative("rest_depth [m]", p.rest_depth),
+                                 detail::check_not_negative("margin [m]", p.margin));
+}
+
+/// Direct control that keeps the handle at a small depth in each wall, by its normal acceleration:
 ///
-///     a* = -v^T H v + (v_ref - n . v) / tau_v,   v_ref = clip(k_d (depth - depth_landed), +-v_max),
+///     a* = -v^T H v + (v_ref - n . v) / tau_v,   v_ref = clip(k_d (depth - d_ref), +-v_max),
 ///
-/// with H the curvature of the wall: the brakes add n . G t = a* - n . a_0 to the acceleration a_0 that the handle
-/// would have without them, as near as their cone and limits allow, with the least drag; their lag is inverted. Held
-/// contacts are carried on to second order from where they were sensed.
+/// with H the curvature of the wall and d_ref the depth at which the handle landed, rest_depth or more. The brakes add
+/// n . G t = a* - n . a_0 to the acceleration a_0 that the handle would have without them, as near as their cone and
+/// limits allow and with the least drag, and nothing where they would have to push it in. Their lag is inverted.
+///
+/// A handle that comes at 0.1 m/s is over a millimetre deep before lagging brakes hold it. So that they begin before,
+/// grow the walls, `wall(offset(shape, margin))`, and give the same margin here: within it only an approach faster
+/// than k_d (rest_depth - depth) is braked, and depths count from the shape's own surface. A contact held by a slow
+/// virtual environment is carried on to second order from where it was sensed; with a margin it is known in time.
 ///
 /// Needs the hand force, the inertia and the brakes' lag. Cost: a Cholesky of n x n and one prioritised least squares.
-struct velocity_direct_control {
+class velocity_direct_control {
+ public:
   static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
   static constexpr bool needs_dynamics = true;    ///< Needs the inertia of the mechanism.
   static constexpr bool needs_brake_lag = true;   ///< Needs the brakes' time constants.
@@ -51,7 +72,11 @@ struct velocity_direct_control {
     brake_lag_model brakes;         ///< What the brakes make.
   };
 
-  velocity_direct_control_parameters parameters = {};  ///< The constants.
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit velocity_direct_control(const velocity_direct_control_parameters& p = {}) : p_(require_valid(p)) {}
+
+  /// The constants as given.
+  const velocity_direct_control_parameters& parameters() const { return p_; }
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity>
@@ -67,7 +92,7 @@ struct velocity_direct_control {
     for (const auto& c : touched) {
       const point<D> moved = now.x - c.position, relative = v - c.wall_velocity;
       const point<D> n = (c.normal + c.curvature * moved).normalized();
-      const double depth = c.depth - parameters.margin - moved.dot(c.normal + 0.5 * (c.curvature * moved));
+      const double depth = c.depth - p_.margin - moved.dot(c.normal + 0.5 * (c.curvature * moved));
       const double wanted = wanted_acceleration(depth, n.dot(relative), relative.dot(c.curvature * relative),
                                                 remembered.walls.of(c.wall));
       const vector<T, D> normal = as<T>(n);
@@ -84,7 +109,7 @@ struct velocity_direct_control {
     }
     unrolled<M::brake_count>([&](auto i) {
       const T u = remembered.brakes.command(i, std::abs(t[i]), now.brakes.time_constant[i],
-                                            now.brakes.torque_limit[i], parameters.horizon);
+                                            now.brakes.torque_limit[i], p_.horizon);
       t[i] = std::copysign(u, t[i]);
     });
     return t;
@@ -99,13 +124,15 @@ struct velocity_direct_control {
  private:
   // a* [m/s^2] at this depth [m] and outward velocity [m/s]; turning = v^T H v [m/s^2]
   double wanted_acceleration(double depth, double outward, double turning, landing& wall) const {
-    if (!wall.landed && depth > 0 && outward > -parameters.landing_velocity)
-      wall = {true, std::max(depth, parameters.rest_depth)};
-    const double v_max = parameters.velocity_limit;
-    const double v_ref = wall.landed ? std::clamp(parameters.depth_gain * (depth - wall.depth), -v_max, v_max)
-                                     : std::min(0.0, parameters.depth_gain * (depth - parameters.rest_depth));
-    return -turning + (v_ref - outward) / parameters.velocity_lag;
+    if (!wall.landed && depth > 0 && outward > -p_.landing_velocity)
+      wall = {true, std::max(depth, p_.rest_depth)};
+    const double v_max = p_.velocity_limit;
+    const double v_ref = wall.landed ? std::clamp(p_.depth_gain * (depth - wall.depth), -v_max, v_max)
+                                     : std::min(0.0, p_.depth_gain * (depth - p_.rest_depth));
+    return -turning + (v_ref - outward) / p_.velocity_lag;
   }
+
+  velocity_direct_control_parameters p_;
 };
 
 }  // namespace passive_haptics

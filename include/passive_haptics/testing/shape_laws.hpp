@@ -97,7 +97,36 @@ TYPED_TEST_P(shape_laws, gradient_is_the_derivative_of_distance) {
   ASSERT_GE(smooth, this->point_count * S::dimension * 9 / 10);
 }
 
+/// The Hessian of a shape that tells it is the derivative of the gradient, and leaves the gradient alone. Points where
+/// differences with two steps disagree are left out.
+TYPED_TEST_P(shape_laws, hessian_is_the_derivative_of_the_gradient) {
+  using S = typename TypeParam::shape;
+  if constexpr (CurvedShape<S>) {
+    const S shape = TypeParam::make();
+    random_source random(this->seed);
+    const double h =
+        difference_step<double>() * std::min(1.0, (TypeParam::upper() - TypeParam::lower()).minCoeff() / 8);
+    int smooth = 0;
+    for (int k = 0; k < this->point_count; ++k) {
+      const point<S::dimension> x = this->draw(random);
+      SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", x = " << x.transpose());
+      const matrix<double, S::dimension, S::dimension> H = shape.hessian(x);
+      const double tolerance = 1e-6 * (1 + H.norm());
+      ASSERT_LE((H * shape.gradient(x)).norm(), rounding_tolerance<double>(S::dimension) * (1 + H.norm()));
+      for (int i = 0; i < S::dimension; ++i) {
+        const auto along = [&](double s) { return shape.gradient(x + s * point<S::dimension>::Unit(i)); };
+        const point<S::dimension> turning = central_difference(along, h);
+        if ((turning - central_difference(along, h / 2)).norm() > tolerance) continue;
+        ++smooth;
+        ASSERT_LE((H.col(i) - turning).norm(), 2 * tolerance) << "axis " << i;
+      }
+    }
+    ASSERT_GE(smooth, this->point_count * S::dimension * 8 / 10);
+  }
+}
+
 REGISTER_TYPED_TEST_SUITE_P(shape_laws, distance_is_1_lipschitz, gradient_is_a_unit_vector,
-                            gradient_is_the_derivative_of_distance);
+                            gradient_is_the_derivative_of_distance,
+                            hessian_is_the_derivative_of_the_gradient);
 
 }  // namespace passive_haptics::testing
