@@ -17,7 +17,7 @@ constexpr double um = 1e-6;
 ph::contact_metrics figures(std::initializer_list<double> depths, double rate = 1) {
   ph::contact_meter meter(1, 1e-3);
   int k = 0;
-  for (const double depth : depths) meter.add(k++ / static_cast<double>(depths.size()), depth * um, rate, 2);
+  for (const double depth : depths) meter.add({k++ / static_cast<double>(depths.size()), depth * um, rate, 2});
   return meter.result();
 }
 
@@ -55,11 +55,11 @@ TEST(contact_meter, measures_depth_after_the_first_tenth_of_the_path) {
 // Contact at half of the path: settled after a tenth of the other half.
 TEST(contact_meter, the_path_begins_at_the_first_contact) {
   ph::contact_meter meter(1, 1e-3);
-  meter.add(0.3, -50 * um, 1, 0);
-  meter.add(0.5, 1000 * um, 1, 0);
-  meter.add(0.54, 900 * um, 1, 0);
-  meter.add(0.56, 40 * um, 1, 0);
-  meter.add(0.8, 10 * um, 1, 0);
+  meter.add({0.3, -50 * um, 1, 0});
+  meter.add({0.5, 1000 * um, 1, 0});
+  meter.add({0.54, 900 * um, 1, 0});
+  meter.add({0.56, 40 * um, 1, 0});
+  meter.add({0.8, 10 * um, 1, 0});
   EXPECT_NEAR(meter.result().depth_range, 30 * um, 1e-18);
 }
 
@@ -69,16 +69,16 @@ TEST(contact_meter, range_includes_what_lies_off_the_wall) {
 
 TEST(contact_meter, shares_sticking_and_force_over_the_time_in_the_experiment) {
   ph::contact_meter meter(1, 1e-3);
-  for (const double rate : {0.0, 0.0009, -0.0009, 0.001, -5.0}) meter.add(0.5, um, rate, rate < 0 ? 4 : 1);
+  for (const double rate : {0.0, 0.0009, -0.0009, 0.001, -5.0}) meter.add({0.5, um, rate, rate < 0 ? 4 : 1});
   EXPECT_DOUBLE_EQ(meter.result().stick_share, 0.6);
   EXPECT_DOUBLE_EQ(meter.result().retarding_force, 11.0 / 5);
 }
 
 TEST(contact_meter, knows_whether_the_end_was_reached) {
   ph::contact_meter meter(1, 1e-3);
-  meter.add(0.999, um, 0, 0);
+  meter.add({0.999, um, 0, 0});
   EXPECT_FALSE(meter.result().arrived);
-  meter.add(1.0, um, 0, 0);
+  meter.add({1.0, um, 0, 0});
   EXPECT_TRUE(meter.result().arrived);
 }
 

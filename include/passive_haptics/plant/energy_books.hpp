@@ -30,6 +30,8 @@ struct energy_books {
   /// rounding_tolerance(m) torque_i (|w_i| + A |torque| dt), see solve_box_friction.
   double largest_brake_power = 0;
 
+  /// Dissipated by the friction of the brakes, commanded and residual.
+  double friction() const { return brakes + residual_friction; }
   /// Energy that nothing accounts for; see above how small it is.
   double imbalance() const { return kinetic - start - hand - gravity + brakes + residual_friction + drag; }
 };
