@@ -123,8 +123,8 @@ TYPED_TEST(wall_following, direct_control_leaves_nothing_normal_in_any_cycle) {
     ++scaled;
     return result;
   };
-  const ph::contact_metrics figures = ph::follow_wall(e.device, watched, wall, e.hand,
-                                                  with_ideal_encoders(this->way()));
+  const ph::contact_metrics figures =
+      ph::follow_wall(e.device, watched, wall, e.hand, with_ideal_encoders(this->way()));
   EXPECT_TRUE(figures.arrived);
   EXPECT_GT(figures.retarding_force, 0.01) << "R_2- leans against the motion";
   EXPECT_LT(figures.retarding_force, 2);
