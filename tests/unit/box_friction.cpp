@@ -4,6 +4,7 @@
 #include <passive_haptics/testing/random.hpp>
 
 #include <gtest/gtest.h>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -160,6 +161,59 @@ TYPED_TEST(box_friction, at_rest_nothing_happens) {
   const auto result = ph::solve_box_friction<T, TestFixture::m>(positive_definite<TestFixture>(random),
                                                                 V(V::Zero()), V(V::Ones()));
   EXPECT_TRUE(result.impulse.isZero(T(0)));
+}
+
+// m brakes on n joints: A = B B^T has rank n.
+template <class T, int N, int Brakes>
+void check_redundant(unsigned seed) {
+  ph::testing::random_source random(seed);
+  int sticking = 0, slipping = 0;
+  for (int k = 0; k < 300; ++k) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed << ", trial " << k);
+    ph::matrix<T, Brakes, N> B;
+    for (int j = 0; j < N; ++j) B.col(j) = random.normal_vector<T, Brakes>();
+    const ph::matrix<T, Brakes, Brakes> A = B * B.transpose();
+    const ph::vector<T, Brakes> w0 = B * random.normal_vector<T, N>();
+    ph::vector<T, Brakes> limit;
+    for (int i = 0; i < Brakes; ++i) limit[i] = k % 5 == 0 && i == 0 ? T(0) : random.positive(T(0.03), T(10));
+    const auto result = ph::solve_redundant_box_friction<T, Brakes>(A, w0, limit);
+    ASSERT_TRUE(result.solved);
+    // These laws are those of a convex program's solution: w is right if they hold
+    const ph::vector<T, Brakes> w = w0 + A * result.impulse;
+    const T rounding = ph::rounding_tolerance<T>(16 * Brakes) * (w0.norm() + A.norm() * limit.norm());
+    for (int i = 0; i < Brakes; ++i) {
+      EXPECT_LE(std::abs(result.impulse[i]), limit[i]);
+      EXPECT_LE(result.impulse[i] * w[i], rounding * limit[i]) << "brake " << i << " would drive";
+      if (std::abs(w[i]) <= rounding) {
+        ++sticking;
+      } else {
+        EXPECT_EQ(std::abs(result.impulse[i]), limit[i]) << "brake " << i << " slips at " << w[i];
+        ++slipping;
+      }
+    }
+  }
+  EXPECT_GT(sticking, 30);
+  EXPECT_GT(slipping, 30);
+}
+
+TEST(redundant_box_friction, fulfils_the_laws_of_friction) {
+  check_redundant<double, 2, 3>(41);
+  check_redundant<double, 2, 4>(42);
+  check_redundant<double, 3, 6>(43);
+  check_redundant<float, 2, 3>(44);
+  check_redundant<float, 2, 4>(45);
+}
+
+TEST(redundant_box_friction, holds_with_nearly_the_least_impulse) {
+  ph::testing::random_source random(46);
+  ph::matrix<double, 4, 2> B;
+  for (int j = 0; j < 2; ++j) B.col(j) = random.normal_vector<double, 4>();
+  const ph::matrix<double, 4, 4> A = B * B.transpose();
+  const ph::vector<double, 2> v(0.3, -0.7);
+  const auto result =
+      ph::solve_redundant_box_friction<double, 4>(A, B * v, ph::vector<double, 4>::Constant(1e3));
+  const ph::vector<double, 4> least = -B * (B.transpose() * B).ldlt().solve(v);
+  EXPECT_LE((result.impulse - least).norm(), 1e-6 * least.norm());
 }
 
 template <class T>

@@ -17,7 +17,8 @@ constexpr double um = 1e-6;
 ph::contact_metrics figures(std::initializer_list<double> depths, double rate = 1) {
   ph::contact_meter meter(1, 1e-3);
   int k = 0;
-  for (const double depth : depths) meter.add(k++ / static_cast<double>(depths.size()), depth * um, rate, 2);
+  for (const double depth : depths)
+    meter.add({k++ / static_cast<double>(depths.size()), depth * um, rate, 2});
   return meter.result();
 }
 
@@ -55,12 +56,31 @@ TEST(contact_meter, measures_depth_after_the_first_tenth_of_the_path) {
 // Contact at half of the path: settled after a tenth of the other half.
 TEST(contact_meter, the_path_begins_at_the_first_contact) {
   ph::contact_meter meter(1, 1e-3);
-  meter.add(0.3, -50 * um, 1, 0);
-  meter.add(0.5, 1000 * um, 1, 0);
-  meter.add(0.54, 900 * um, 1, 0);
-  meter.add(0.56, 40 * um, 1, 0);
-  meter.add(0.8, 10 * um, 1, 0);
+  meter.add({0.3, -50 * um, 1, 0});
+  meter.add({0.5, 1000 * um, 1, 0});
+  meter.add({0.54, 900 * um, 1, 0});
+  meter.add({0.56, 40 * um, 1, 0});
+  meter.add({0.8, 10 * um, 1, 0});
   EXPECT_NEAR(meter.result().depth_range, 30 * um, 1e-18);
+}
+
+TEST(contact_meter, mean_and_drift_are_those_after_the_first_tenth) {
+  const auto r = figures({1000, 10, 20, 30, 10, 20, 30, 10, 20, 36});
+  EXPECT_NEAR(r.depth_mean, 186.0 / 9 * um, 1e-18);
+  EXPECT_NEAR(r.depth_drift, 26 * um, 1e-18);
+  EXPECT_EQ(figures({-50, -50}).depth_mean, 0);
+  EXPECT_EQ(figures({-50, -50}).depth_drift, 0);
+}
+
+TEST(contact_meter, sums_energy_and_keeps_the_largest_power_from_the_first_contact) {
+  ph::contact_meter meter(1, 1e-3);
+  meter.add({.depth = -um, .brake_energy = 8, .brake_power = 9});
+  meter.add({.depth = um, .brake_energy = 0.5, .brake_power = -3});
+  EXPECT_EQ(meter.result().largest_brake_power, 0) << "a brake that takes power gives none";
+  meter.add({.depth = um, .brake_energy = 0.25, .brake_power = 2});
+  meter.add({.depth = um, .brake_energy = 0.25, .brake_power = 1});
+  EXPECT_EQ(meter.result().brake_energy, 1);
+  EXPECT_EQ(meter.result().largest_brake_power, 2);
 }
 
 TEST(contact_meter, range_includes_what_lies_off_the_wall) {
@@ -69,16 +89,17 @@ TEST(contact_meter, range_includes_what_lies_off_the_wall) {
 
 TEST(contact_meter, shares_sticking_and_force_over_the_time_in_the_experiment) {
   ph::contact_meter meter(1, 1e-3);
-  for (const double rate : {0.0, 0.0009, -0.0009, 0.001, -5.0}) meter.add(0.5, um, rate, rate < 0 ? 4 : 1);
+  for (const double rate : {0.0, 0.0009, -0.0009, 0.001, -5.0})
+    meter.add({0.5, um, rate, rate < 0 ? 4.0 : 1.0});
   EXPECT_DOUBLE_EQ(meter.result().stick_share, 0.6);
   EXPECT_DOUBLE_EQ(meter.result().retarding_force, 11.0 / 5);
 }
 
 TEST(contact_meter, knows_whether_the_end_was_reached) {
   ph::contact_meter meter(1, 1e-3);
-  meter.add(0.999, um, 0, 0);
+  meter.add({0.999, um, 0, 0});
   EXPECT_FALSE(meter.result().arrived);
-  meter.add(1.0, um, 0, 0);
+  meter.add({1.0, um, 0, 0});
   EXPECT_TRUE(meter.result().arrived);
 }
 

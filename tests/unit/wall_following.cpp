@@ -55,6 +55,12 @@ auto tendon_device(T brake_lag) {
   return experiment<M>(arm, brakes, arm.inverse({T(0.045), T(0.221)}, ph::elbow::left).q);
 }
 
+// Exact positions and rates.
+ph::wall_following_parameters with_ideal_encoders(ph::wall_following_parameters p = {}) {
+  p.encoder_resolution = 0;
+  return p;
+}
+
 // The whole way in double, its first part in float.
 template <class T>
 struct wall_following : ::testing::Test {
@@ -117,7 +123,8 @@ TYPED_TEST(wall_following, direct_control_leaves_nothing_normal_in_any_cycle) {
     ++scaled;
     return result;
   };
-  const ph::contact_metrics figures = ph::follow_wall(e.device, watched, wall, e.hand, this->way());
+  const ph::contact_metrics figures =
+      ph::follow_wall(e.device, watched, wall, e.hand, with_ideal_encoders(this->way()));
   EXPECT_TRUE(figures.arrived);
   EXPECT_GT(figures.retarding_force, 0.01) << "R_2- leans against the motion";
   EXPECT_LT(figures.retarding_force, 2);
@@ -127,7 +134,7 @@ TYPED_TEST(wall_following, direct_control_leaves_nothing_normal_in_any_cycle) {
 TEST(wall_following_run, runs_each_part_at_its_own_rate) {
   using T = double;
   auto e = tendon_device<T>(T(0.02));
-  ph::wall_following_parameters p;
+  ph::wall_following_parameters p = with_ideal_encoders();
   p.time_step = 1e-4;
   p.control_period = 5e-4;
   p.longest = 0.01;

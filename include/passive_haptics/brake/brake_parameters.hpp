@@ -29,17 +29,11 @@ using brakes_of = brake_parameters<typename M::scalar, M::brake_count>;
 /// What is wrong with the parameters; empty if nothing.
 template <class T, int Brakes>
 std::string validate(const brake_parameters<T, Brakes>& p) {
-  const auto check = [](const char* name, const char* unit, const vector<T, Brakes>& values) {
-    for (int i = 0; i < Brakes; ++i) {
-      const std::string element =
-          detail::indexed(std::string(name).append("["), i, std::string("] [").append(unit).append("]"));
-      if (std::string text = detail::check_not_negative(element, values[i]); !text.empty()) return text;
-    }
-    return std::string();
-  };
   return detail::first_complaint(
-      check("torque_limit", "N m", p.torque_limit), check("rate_dead_band", "rad/s", p.rate_dead_band),
-      check("torque_dead_band", "N m", p.torque_dead_band), check("time_constant", "s", p.time_constant));
+      detail::check_each_not_negative("torque_limit", "N m", p.torque_limit),
+      detail::check_each_not_negative("rate_dead_band", "rad/s", p.rate_dead_band),
+      detail::check_each_not_negative("torque_dead_band", "N m", p.torque_dead_band),
+      detail::check_each_not_negative("time_constant", "s", p.time_constant));
 }
 
 }  // namespace passive_haptics

@@ -43,6 +43,17 @@ std::string check_finite(std::string_view name, T value) {
   return std::isfinite(value) ? "" : complaint(name, value, "a finite number");
 }
 
+/// Of the first element of a vector that is not finite or < 0, as name[i] [unit].
+template <class Vector>
+std::string check_each_not_negative(std::string_view name, std::string_view unit, const Vector& values) {
+  std::string text;
+  for (int i = 0; i < static_cast<int>(values.size()) && text.empty(); ++i) {
+    const std::string after = std::string("] [").append(unit).append("]");
+    text = check_not_negative(indexed(std::string(name).append("["), i, after), values[i]);
+  }
+  return text;
+}
+
 /// The first complaint that is not empty.
 template <class... Strings>
 std::string first_complaint(Strings... complaints) {

@@ -7,7 +7,9 @@
 #include <Eigen/Cholesky>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -74,6 +76,30 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
     m = m != mode::stick ? mode::stick : (p[violating] > T(0) ? mode::upper : mode::lower);
   }
   return {p.cwiseMin(limit).cwiseMax(-limit), {}, false};
+}
+
+/// The same for redundant brakes, m > n, whose A is only positive semi-definite: w is unique, p is not.
+///
+/// Proximal point iteration, p <- the solution for A + eps I and w0 - eps p, each one regular: exact to rounding in two
+/// or three rounds (Rockafellar 1976; an LCP of a convex program, so finite). From p = 0 it ends near the least p.
+template <class T, int Brakes>
+friction_impulses<T, Brakes> solve_redundant_box_friction(const matrix<T, Brakes, Brakes>& A,
+                                                          const vector<T, Brakes>& w0,
+                                                          const vector<T, Brakes>& limit) {
+  const T eps = std::sqrt(std::numeric_limits<T>::epsilon()) * A.trace() / T(Brakes);
+  const matrix<T, Brakes, Brakes> regular = A + eps * matrix<T, Brakes, Brakes>::Identity();
+  friction_impulses<T, Brakes> result{vector<T, Brakes>::Zero(), {}, false};
+  constexpr int most_rounds = 30;
+  for (int round = 0; round < most_rounds; ++round) {
+    const vector<T, Brakes> before = result.impulse;
+    result = solve_box_friction<T, Brakes>(regular, w0 - eps * before, limit);
+    if (!result.solved) return result;
+    const T change = eps * (result.impulse - before).norm();
+    if (change <= std::numeric_limits<T>::epsilon() * (w0.norm() + A.norm() * result.impulse.norm()))
+      return result;
+  }
+  result.solved = false;
+  return result;
 }
 
 }  // namespace passive_haptics

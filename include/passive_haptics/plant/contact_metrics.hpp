@@ -12,13 +12,28 @@ namespace passive_haptics {
 struct contact_metrics {
   int separations = 0;         ///< Contact followed by a depth under -10 um.
   int recontacts = 0;          ///< Separation followed by a depth over +10 um.
-  double depth_rms = 0;        ///< Standard deviation of the depth after the first 10 % of the path [m].
+  double depth_mean = 0;       ///< Mean depth after the first 10 % of the path [m].
+  double depth_rms = 0;        ///< Standard deviation of the depth there [m].
   double depth_range = 0;      ///< Largest less smallest depth there [m].
+  double depth_drift = 0;      ///< Last less first depth there [m]; < 0 moves out of the wall.
   double depth_max = 0;        ///< Largest depth on the whole path [m].
   double stick_share = 0;      ///< Share of time that the watched brake is slower than 1e-3 rad/s [1].
   double retarding_force = 0;  ///< Mean force of the brakes against the motion along the wall [N].
-  double duration = 0;         ///< From the first contact to the end [s].
-  bool arrived = false;        ///< The end of the path was reached.
+  double brake_energy = 0;     ///< Dissipated by the friction of all brakes [J].
+  double largest_brake_power =
+      0;                 ///< Largest power that one brake gave to the device in a step [W]; 0 if none.
+  double duration = 0;   ///< From the first contact to the end [s].
+  bool arrived = false;  ///< The end of the path was reached.
+};
+
+/// What contact_meter is told each time step.
+struct contact_sample {
+  double progress = 0;         ///< Way made [m].
+  double depth = 0;            ///< Into the wall [m], < 0 outside.
+  double rate = 0;             ///< Of the watched brake's axis [rad/s or m/s].
+  double retarding_force = 0;  ///< Of the brakes, against the motion along the wall [N].
+  double brake_energy = 0;     ///< Dissipated by the brakes in this time step [J].
+  double brake_power = 0;      ///< Largest of the brakes' powers t_i w_i [W].
 };
 
 /// Collects contact_metrics sample by sample at equal time steps; no allocation.
@@ -31,8 +46,9 @@ class contact_meter {
   /// For a path that ends where progress reaches path_end [m], sampled every dt [s].
   contact_meter(double path_end, double dt) : path_end_(path_end), dt_(dt) {}
 
-  /// One sample: way made [m], depth [m], rate of the watched brake [rad/s], brakes' force along the wall [N].
-  void add(double progress, double depth, double rate, double retarding_force) {
+  /// One sample.
+  void add(const contact_sample& now) {
+    const double progress = now.progress, depth = now.depth;
     if (progress >= path_end_) result_.arrived = true;
     if (!touched_) {
       if (!(depth > 0)) return;
@@ -47,8 +63,10 @@ class contact_meter {
       ++result_.recontacts;
     }
     ++samples_;
-    stuck_ += std::abs(rate) < stick_rate ? 1 : 0;
-    force_sum_ += retarding_force;
+    stuck_ += std::abs(now.rate) < stick_rate ? 1 : 0;
+    force_sum_ += now.retarding_force;
+    result_.brake_energy += now.brake_energy;
+    result_.largest_brake_power = std::max(result_.largest_brake_power, now.brake_power);
     result_.depth_max = std::max(result_.depth_max, depth);
     if (progress >= settled_at_) add_settled(depth);
   }
@@ -62,8 +80,10 @@ class contact_meter {
       r.duration = static_cast<double>(samples_) * dt_;
     }
     if (settled_ > 0) {
+      r.depth_mean = mean_;
       r.depth_rms = std::sqrt(square_sum_ / static_cast<double>(settled_));
       r.depth_range = deepest_ - shallowest_;
+      r.depth_drift = last_ - first_;
     }
     return r;
   }
@@ -75,6 +95,8 @@ class contact_meter {
     mean_ += before / static_cast<double>(settled_);
     square_sum_ += before * (depth - mean_);
     deepest_ = settled_ == 1 ? depth : std::max(deepest_, depth);
+    first_ = settled_ == 1 ? depth : first_;
+    last_ = depth;
     shallowest_ = settled_ == 1 ? depth : std::min(shallowest_, depth);
   }
 
@@ -83,7 +105,7 @@ class contact_meter {
   bool touched_ = false, in_contact_ = false;
   double settled_at_ = 0;
   std::size_t samples_ = 0, stuck_ = 0, settled_ = 0;
-  double force_sum_ = 0, mean_ = 0, square_sum_ = 0, deepest_ = 0, shallowest_ = 0;
+  double force_sum_ = 0, mean_ = 0, square_sum_ = 0, deepest_ = 0, shallowest_ = 0, first_ = 0, last_ = 0;
 };
 
 }  // namespace passive_haptics

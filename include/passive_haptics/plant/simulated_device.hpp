@@ -1,25 +1,29 @@
 /// @file
-/// A device without hardware: a mechanism with inertia, lagging brakes and a hand's mass on its handle.
+/// A device without hardware: a mechanism with inertia, real brakes and a hand's mass on its handle.
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
-#include <passive_haptics/brake/brake_parameters.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/plant/box_friction.hpp>
+#include <passive_haptics/plant/energy_books.hpp>
 #include <passive_haptics/plant/first_order_lag.hpp>
+#include <passive_haptics/plant/simulated_brakes.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <concepts>
 #include <utility>
 
 namespace passive_haptics {
 
-/// Simulated device: M qdd + c = J^T Fh + T^T t, where the brakes are Coulomb friction with exact stick whose
-/// strength follows the commanded capacity with a first-order lag.
+/// Simulated device: M qdd + c = J^T Fh + T^T t, where the brakes are Coulomb friction with exact stick and viscous drag;
+/// the friction's strength follows the commanded capacity as simulated_brakes says. Any m, n, d of a Mechanism.
 ///
-/// Semi-implicit Euler on impulses: rates first (friction implicit), then positions with the new rates. The hand's
-/// mass moves with the handle; the hand's force drives both, a sensor between them feels what reaches the device.
+/// Semi-implicit Euler on impulses, first order in dt: rates first (friction and drag implicit), then positions with the
+/// new rates. The hand's mass moves with the handle; the hand's force drives both, a sensor between them feels what reaches
+/// the device. books() tells where the energy went. Cost of a step: M, J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
 template <class M>
 class simulated_device {
   static_assert(mechanism_requirements<M>::met);
@@ -30,45 +34,71 @@ class simulated_device {
  public:
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
-  /// At rest at q. hand_mass [kg] moves with the handle. Throws std::invalid_argument with the text of
-  /// validate(brakes), or if the mass is negative or not finite.
+  /// At rest at q, with brakes that are what their controller believes (ideal_brakes). hand_mass [kg] moves with the
+  /// handle. Throws std::invalid_argument with the text of validate(brakes), or if the mass is negative or not finite.
   simulated_device(M mechanism, const brakes_of<M>& brakes, scalar hand_mass, const joint_vector<M>& q)
+      : simulated_device(std::move(mechanism), ideal_brakes(require_valid(brakes)), hand_mass, q) {}
+
+  /// The same with real brakes, which a controller may be wrong about.
+  template <std::same_as<simulated_brakes_of<M>> RealBrakes>  // a template, so that {} means brakes_of<M>
+  simulated_device(M mechanism, const RealBrakes& brakes, scalar hand_mass, const joint_vector<M>& q)
       : mechanism_(std::move(mechanism)),
         brakes_(require_valid(brakes)),
         strength_(brakes.time_constant),
-        hand_mass_(hand_mass),
-        q_(q) {
+        hand_mass_(hand_mass) {
     require_no_complaint(detail::check_not_negative("hand_mass [kg]", hand_mass));
+    set_motion(q, joint_vector<M>::Zero());
   }
 
-  /// Sets the motion, for example at the start of an experiment.
+  /// Sets the motion, for example at the start of an experiment, and opens the books anew.
   void set_motion(const joint_vector<M>& q, const joint_vector<M>& qd) {
     q_ = q;
     qd_ = qd;
+    measure_pose();
+    books_ = energy_books();
+    books_.start = books_.kinetic = kinetic_energy();
   }
 
   /// One time step dt [s] under commanded capacities [N m] and the force [N] that the hand's muscles exert.
   void advance(scalar dt, const brake_vector<M>& capacity, const task_vector<M>& muscle_force) {
-    using square = matrix<scalar, M::dof, M::dof>;
-    const task_matrix J = task_matrix(jacobian(mechanism_, q_));
     const task_vector<M> drift = mechanism_.bias_acceleration(q_, qd_);
-    const square mass = mechanism_.mass_matrix(q_) + hand_mass_ * J.transpose() * J;
     const joint_vector<M> drive =
-        J.transpose() * (muscle_force - hand_mass_ * drift) - mechanism_.bias_torque(q_, qd_);
-    const Eigen::LLT<square> inverse_mass(mass);
+        J_.transpose() * (muscle_force - hand_mass_ * drift) - mechanism_.bias_torque(q_, qd_);
+    const matrix<scalar, M::dof, M::brake_count> Tt = transposed_transmission();
+    const joint_matrix drag = Tt * brakes_.viscous_drag.asDiagonal() * Tt.transpose();
+    const Eigen::LLT<joint_matrix> inverse_mass(mass_ + dt * drag);
 
-    const joint_vector<M> free = qd_ + dt * inverse_mass.solve(drive);
-    const auto Tt = transposed_transmission();
+    const joint_vector<M> free = inverse_mass.solve(mass_ * qd_ + dt * drive);
     const matrix<scalar, M::brake_count, M::brake_count> A = Tt.transpose() * inverse_mass.solve(Tt);
-    const brake_vector<M> limit =
-        dt * strength_.advance(dt, capacity.cwiseMin(brakes_.torque_limit).cwiseMax(scalar(0)));
-    const auto friction = solve_box_friction<scalar, M::brake_count>(A, Tt.transpose() * free, limit);
+    const brake_vector<M> commanded = strength_.advance(dt, brakes_.strength(capacity));
+    const brake_vector<M> limit = dt * (commanded + brakes_.residual_torque);
+    const brake_vector<M> impulse = friction(A, Tt.transpose() * free, limit);
 
-    const joint_vector<M> next = free + inverse_mass.solve(Tt * friction.impulse);
-    sensed_force_ = muscle_force - hand_mass_ * (J * (next - qd_) / dt + drift);
-    brake_torque_ = friction.impulse / dt;
+    const joint_vector<M> next = free + inverse_mass.solve(Tt * impulse);
+    sensed_force_ = muscle_force - hand_mass_ * (J_ * (next - qd_) / dt + drift);
+    brake_torque_ = impulse / dt;
+    const brake_vector<M> rates = Tt.transpose() * next;
+    brake_power_ = brake_torque_.cwiseProduct(rates);
+
+    // Work at the mid-point rate: see energy_books
+    const joint_vector<M> middle = (qd_ + next) / scalar(2);
+    const brake_vector<M> middle_rates = Tt.transpose() * middle;
+    const joint_vector<M> gravity = mechanism_.bias_torque(q_, joint_vector<M>::Zero());
+    books_.hand += as_double(dt * muscle_force.dot(J_ * middle));
+    books_.gravity -= as_double(dt * gravity.dot(middle));
+    books_.drag += as_double(dt * rates.cwiseProduct(brakes_.viscous_drag).dot(middle_rates));
+    for (int i = 0; i < M::brake_count; ++i) {
+      const double dissipated = -as_double(impulse[i] * middle_rates[i]);
+      const double share = limit[i] > scalar(0) ? as_double(dt * commanded[i] / limit[i]) : 0.0;
+      books_.brakes += share * dissipated;
+      books_.residual_friction += (1 - share) * dissipated;
+      books_.largest_brake_power = std::max(books_.largest_brake_power, as_double(brake_power_[i]));
+    }
+
     qd_ = next;
     q_ += dt * qd_;
+    measure_pose();
+    books_.kinetic = kinetic_energy();
   }
 
   /// Joint positions [rad or m].
@@ -78,35 +108,74 @@ class simulated_device {
   /// Handle [m].
   task_vector<M> position() const { return mechanism_.position(q_); }
   /// Velocity of the handle [m/s].
-  task_vector<M> velocity() const { return jacobian(mechanism_, q_) * qd_; }
+  task_vector<M> velocity() const { return J_ * qd_; }
   /// Rates of the brakes' axes [rad/s or m/s].
   brake_vector<M> rates() const { return brake_rates(mechanism_, q_, qd_); }
   /// Force of the hand on the handle in the last step [N]: muscle force less what moved the hand's own mass.
   const task_vector<M>& sensed_force() const { return sensed_force_; }
-  /// Mean torque of the brakes in the last step [N m].
+  /// Mean friction of the brakes in the last step [N m], commanded and residual, without drag.
   const brake_vector<M>& brake_torque() const { return brake_torque_; }
-  /// What the brakes could hold now [N m].
+  /// t_i w_i of that friction with the rates at the end of the last step [W]: <= 0 to rounding.
+  const brake_vector<M>& brake_power() const { return brake_power_; }
+  /// What the brakes could hold now by command [N m], without residual torque.
   const brake_vector<M>& brake_strength() const { return strength_.output(); }
+  /// Where the energy came from and went since the last set_motion, or the start.
+  const energy_books& books() const { return books_; }
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
 
+  /// The force at the handle that does to it what brake_torque() does [N], here and now: J^-T T^T t for n = d, else
+  /// (J M^-1 J^T)^-1 J M^-1 T^T t (the dynamically consistent inverse, Khatib 1987). Not finite where J has not full row rank.
+  task_vector<M> brake_force() const {
+    const joint_vector<M> torque = transposed_transmission() * brake_torque_;
+    if constexpr (M::dof == M::task_dimension) {
+      return matrix<scalar, M::dof, M::dof>(transposed(J_)).partialPivLu().solve(torque);
+    } else {
+      // The hand's mass changes nothing here, so it may stay in M
+      const matrix<scalar, M::dof, M::task_dimension> X =
+          Eigen::LLT<joint_matrix>(mass_).solve(transposed(J_));
+      const matrix<scalar, M::task_dimension, M::task_dimension> mobility = J_ * X;
+      return mobility.ldlt().solve(transposed(X) * torque);
+    }
+  }
+
  private:
+  using joint_matrix = matrix<scalar, M::dof, M::dof>;
   using task_matrix = matrix<scalar, M::task_dimension, M::dof>;
+
+  static double as_double(scalar x) { return static_cast<double>(x); }
+
+  void measure_pose() {
+    J_ = task_matrix(jacobian(mechanism_, q_));
+    mass_ = mechanism_.mass_matrix(q_) + hand_mass_ * J_.transpose() * J_;
+  }
+
+  double kinetic_energy() const { return as_double(qd_.dot(mass_ * qd_)) / 2; }
 
   matrix<scalar, M::dof, M::brake_count> transposed_transmission() const {
     using wide = matrix<scalar, M::brake_count, M::dof>;
-    if constexpr (detail::has_exact_transmission<M>) return wide(transmission(mechanism_, q_)).transpose();
-    else return wide::Identity();
+    if constexpr (detail::has_exact_transmission<M>) return transposed(wide(transmission(mechanism_, q_)));
+    else return matrix<scalar, M::dof, M::brake_count>::Identity();
+  }
+
+  static brake_vector<M> friction(const matrix<scalar, M::brake_count, M::brake_count>& A,
+                                  const brake_vector<M>& w0, const brake_vector<M>& limit) {
+    if constexpr (M::brake_count > M::dof)
+      return solve_redundant_box_friction<scalar, M::brake_count>(A, w0, limit).impulse;
+    else return solve_box_friction<scalar, M::brake_count>(A, w0, limit).impulse;
   }
 
   M mechanism_;
-  brakes_of<M> brakes_;
+  simulated_brakes_of<M> brakes_;
   first_order_lag<scalar, M::brake_count> strength_;
   scalar hand_mass_;
-  joint_vector<M> q_;
-  joint_vector<M> qd_ = joint_vector<M>::Zero();
+  joint_vector<M> q_, qd_;
+  task_matrix J_;
+  joint_matrix mass_;  // device and hand
+  energy_books books_;
   task_vector<M> sensed_force_ = task_vector<M>::Zero();
   brake_vector<M> brake_torque_ = brake_vector<M>::Zero();
+  brake_vector<M> brake_power_ = brake_vector<M>::Zero();
 };
 
 }  // namespace passive_haptics

@@ -5,22 +5,32 @@
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/control/step_result.hpp>
 #include <passive_haptics/plant/contact_metrics.hpp>
+#include <passive_haptics/plant/encoder.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
+#include <passive_haptics/plant/force_sensor.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 namespace passive_haptics {
 
 /// Timing and sensing of a wall-following experiment.
 struct wall_following_parameters {
-  double time_step = 1e-4;       ///< Of the simulation [s].
-  double control_period = 1e-3;  ///< Of the brakes [s]; section 5.1: 1 kHz.
+  double time_step = 1e-4;  ///< Of the simulation [s].
+  double control_period =
+      1e-3;  ///< Of brakes and sensors [s]; section 5.1: 1 kHz. Rounded to whole time steps.
   double sensor_corner = 200;    ///< Low-pass of the force sensor [Hz]; 0 for none.
-  double path_end = 0.17;        ///< Stops where the handle's progress reaches this [m].
-  double longest = 8;            ///< Stops after this time in any case [s].
-  int watched_brake = 1;         ///< Whose sticking is counted, from 0.
+  double sensor_noise = 0;       ///< Standard deviation of each component of each reading [N].
+  std::uint64_t noise_seed = 1;  ///< Of that noise.
+  /// One count of the encoders on the brakes' axes [rad, or m of a slide]: 8192 a turn; 0 for ideal encoders. See joint_encoders.
+  double encoder_resolution = encoder_parameters().resolution;
+  double rate_corner = 50;  ///< Low-pass of the differenced rates [Hz]; 0 for none.
+  double path_end = 0.17;   ///< Stops where the handle's progress reaches this [m].
+  double longest = 8;       ///< Stops after this time in any case [s].
+  int watched_brake = 1;    ///< Whose sticking is counted, from 0.
 };
 
 /// What is wrong with the parameters; empty if nothing.
@@ -29,31 +39,49 @@ inline std::string validate(const wall_following_parameters& p) {
       detail::check_positive("time_step [s]", p.time_step),
       detail::check_positive("control_period [s]", p.control_period),
       detail::check_not_negative("sensor_corner [Hz]", p.sensor_corner),
+      detail::check_not_negative("sensor_noise [N]", p.sensor_noise),
+      detail::check_not_negative("encoder_resolution [rad or m]", p.encoder_resolution),
+      detail::check_not_negative("rate_corner [Hz]", p.rate_corner),
       detail::check_finite("path_end [m]", p.path_end), detail::check_positive("longest [s]", p.longest),
       p.control_period >= p.time_step
           ? ""
           : "control_period [s] is shorter than time_step, expected a multiple of it");
 }
 
-/// One time step of the experiment, for plots.
-template <class M>
+/// One time step of the experiment, for plots. Decision is what the controller returns.
+template <class M, class Decision = step_result<M>>
 struct wall_following_sample {
-  double time;                    ///< [s]
-  double depth;                   ///< Into the wall [m], < 0 outside.
-  task_vector<M> position;        ///< Of the handle [m].
-  task_vector<M> velocity;        ///< Of the handle [m/s].
-  brake_vector<M> rates;          ///< Of the brakes' axes [rad/s or m/s].
-  brake_vector<M> brake_torque;   ///< Of the brakes [N m].
-  task_vector<M> hand_force;      ///< As sensed [N].
-  task_vector<M> brake_force;     ///< Of the brakes at the handle [N].
-  const step_result<M>* control;  ///< The latest control cycle.
+  double time;                   ///< [s]
+  double depth;                  ///< Into the wall [m], < 0 outside.
+  task_vector<M> position;       ///< Of the handle [m].
+  task_vector<M> velocity;       ///< Of the handle [m/s].
+  brake_vector<M> rates;         ///< Of the brakes' axes [rad/s or m/s].
+  brake_vector<M> brake_torque;  ///< Friction of the brakes [N m].
+  brake_vector<M> brake_power;   ///< Of that friction, t_i w_i [W].
+  task_vector<M> hand_force;     ///< Behind the sensor's low-pass, without its noise [N].
+  task_vector<M> brake_force;    ///< Of the brakes at the handle [N].
+  const Decision* control;       ///< The latest control cycle.
 };
 
+namespace detail {
+
+// What is kept of a controller's decision: step_result<M> of all that is one.
+template <class M, class Control>
+using decision_of = std::conditional_t<
+    std::is_base_of_v<step_result<M>,
+                      std::remove_cvref_t<std::invoke_result_t<Control&, const device_state<M>&>>>,
+    step_result<M>, std::remove_cvref_t<std::invoke_result_t<Control&, const device_state<M>&>>>;
+
+}  // namespace detail
+
 /// Runs the experiment: the hand moves the device beside `shape` (the wall whose depth is measured) until the end of
-/// the path. control(device_state<M>) is called once a control period; observe(wall_following_sample<M>) once a
-/// time step. Ideal encoders. For n = d.
+/// the path, for at most `longest`.
+///
+/// control(device_state<M>) is called once a control period with what encoders and force sensor read, the first time at
+/// once, and returns a step_result<M>, or any default-constructible value with a brake_vector<M> `capacity`.
+/// observe(wall_following_sample) is called once a time step. Depth and figures are the true ones, not those read.
+/// Throws std::invalid_argument with the text of validate(parameters), or if there is no watched_brake.
 template <class M, class Shape, class Control, class Observer>
-  requires(M::dof == M::task_dimension)
 contact_metrics follow_wall(simulated_device<M>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,
                             const wall_following_parameters& parameters, Observer&& observe) {
@@ -64,40 +92,47 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
         detail::complaint("watched_brake", p.watched_brake, "a brake of the device, from 0"));
   }
   constexpr int d = M::task_dimension;
-  const T sensor_lag = p.sensor_corner > 0 ? low_pass_time_constant(static_cast<T>(p.sensor_corner)) : T(0);
-  first_order_lag<T, d> sensor(vector<T, d>::Constant(sensor_lag));
+  force_sensor<T, d> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed});
   contact_meter meter(p.path_end, p.time_step);
   const T dt = static_cast<T>(p.time_step);
   const long steps = std::lround(p.longest / p.time_step);
   const long steps_per_cycle = std::lround(p.control_period / p.time_step);
+  joint_encoders<M> encoders(device.mechanism(), {p.encoder_resolution, p.rate_corner},
+                             static_cast<double>(steps_per_cycle) * p.time_step);
 
-  step_result<M> decision;
+  using decision_type = detail::decision_of<M, Control>;
+  decision_type decision{};
   for (long k = 0; k < steps; ++k) {
     const double time = static_cast<double>(k) * p.time_step;
     if (k % steps_per_cycle == 0) {
-      decision = control(device_state<M>{time, device.q(), device.qd(), sensor.output()});
+      encoders.read(device.q(), device.qd());
+      decision = control(device_state<M>{time, encoders.q(), encoders.qd(), sensor.read()});
     }
     const task_vector<M> x = device.position();
     const point<d> n = shape.gradient(x.template cast<double>());
     const task_vector<M> normal = n.template cast<T>();
+    const double dissipated = device.books().friction();
     device.advance(dt, decision.capacity, hand.force(static_cast<T>(time), x, device.velocity(), normal));
     sensor.advance(dt, device.sensed_force());
 
     const task_vector<M> moved = device.position();
-    const matrix<T, d, M::brake_count> E =
-        matrix<T, d, M::brake_count>(brake_jacobian(device.mechanism(), device.q()));
-    const wall_following_sample<M> now{time + p.time_step,
-                                       -shape.distance(moved.template cast<double>()),
-                                       moved,
-                                       device.velocity(),
-                                       device.rates(),
-                                       device.brake_torque(),
-                                       sensor.output(),
-                                       E.transpose().partialPivLu().solve(device.brake_torque()),
-                                       &decision};
+    const wall_following_sample<M, decision_type> now{time + p.time_step,
+                                                      -shape.distance(moved.template cast<double>()),
+                                                      moved,
+                                                      device.velocity(),
+                                                      device.rates(),
+                                                      device.brake_torque(),
+                                                      device.brake_power(),
+                                                      sensor.filtered(),
+                                                      device.brake_force(),
+                                                      &decision};
     const double progress = static_cast<double>(hand.progress(moved));
-    meter.add(progress, now.depth, static_cast<double>(now.rates[p.watched_brake]),
-              -static_cast<double>(now.brake_force.dot(hand.tangent(normal))));
+    meter.add({.progress = progress,
+               .depth = now.depth,
+               .rate = static_cast<double>(now.rates[p.watched_brake]),
+               .retarding_force = -static_cast<double>(now.brake_force.dot(hand.tangent(normal))),
+               .brake_energy = device.books().friction() - dissipated,
+               .brake_power = static_cast<double>(now.brake_power.maxCoeff())});
     observe(now);
     if (progress >= p.path_end) break;
   }
@@ -106,11 +141,10 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
 
 /// The same without an observer.
 template <class M, class Shape, class Control>
-  requires(M::dof == M::task_dimension)
 contact_metrics follow_wall(simulated_device<M>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,
                             const wall_following_parameters& parameters) {
-  return follow_wall(device, control, shape, hand, parameters, [](const wall_following_sample<M>&) {});
+  return follow_wall(device, control, shape, hand, parameters, [](const auto&) {});
 }
 
 }  // namespace passive_haptics

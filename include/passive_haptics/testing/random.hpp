@@ -3,10 +3,10 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/random_numbers.hpp>
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <random>
 
 namespace passive_haptics::testing {
@@ -21,7 +21,7 @@ class random_source {
   /// Uniform in [low, high).
   template <class T>
   T uniform(T low, T high) {
-    const double unit = static_cast<double>(bits_() >> 11) * 0x1p-53;
+    const double unit = uniform_number(bits_);
     return static_cast<T>(static_cast<double>(low) + unit * static_cast<double>(high - low));
   }
 
@@ -39,11 +39,10 @@ class random_source {
         std::exp(uniform(std::log(static_cast<double>(low)), std::log(static_cast<double>(high)))));
   }
 
-  /// Normal, mean 0 and standard deviation 1 (Box and Muller).
+  /// Normal, mean 0 and standard deviation 1.
   template <class T>
   T normal() {
-    const double radius = std::sqrt(-2 * std::log(1 - uniform(0.0, 1.0)));
-    return static_cast<T>(radius * std::cos(2 * std::numbers::pi * uniform(0.0, 1.0)));
+    return static_cast<T>(normal_number(bits_));
   }
 
   /// True every other time.

@@ -1,0 +1,59 @@
+/// @file
+/// A force sensor at the handle: a low-pass and noise.
+#pragma once
+
+#include <passive_haptics/core/random_numbers.hpp>
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/plant/first_order_lag.hpp>
+
+#include <cstdint>
+#include <random>
+
+namespace passive_haptics {
+
+/// Bandwidth and noise of a force sensor.
+struct force_sensor_parameters {
+  double corner = 200;     ///< First-order low-pass [Hz]; 0 for none.
+  double noise = 0;        ///< Standard deviation of each component of each reading [N].
+  std::uint64_t seed = 1;  ///< Of the noise; the same seed gives the same noise on every platform.
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const force_sensor_parameters& p) {
+  return detail::first_complaint(detail::check_not_negative("corner [Hz]", p.corner),
+                                 detail::check_not_negative("noise [N]", p.noise));
+}
+
+/// Force sensor with D components. The low-pass follows the force in time; white noise joins each reading behind it, so
+/// two readings share none. Starts at no force.
+template <class T, int D>
+class force_sensor {
+ public:
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit force_sensor(const force_sensor_parameters& p = {})
+      : low_pass_(vector<T, D>::Constant(
+            require_valid(p).corner > 0 ? low_pass_time_constant(static_cast<T>(p.corner)) : T(0))),
+        noise_(p.noise),
+        bits_(p.seed) {}
+
+  /// dt [s] pass under this force [N].
+  void advance(T dt, const vector<T, D>& force) { low_pass_.advance(dt, force); }
+
+  /// One reading [N], with noise of its own.
+  vector<T, D> read() {
+    vector<T, D> reading = low_pass_.output();
+    if (!(noise_ > 0)) return reading;
+    for (int i = 0; i < D; ++i) reading[i] += static_cast<T>(noise_ * normal_number(bits_));
+    return reading;
+  }
+
+  /// Behind the low-pass, without noise [N].
+  const vector<T, D>& filtered() const { return low_pass_.output(); }
+
+ private:
+  first_order_lag<T, D> low_pass_;
+  double noise_;
+  std::mt19937_64 bits_;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,62 @@
+/// @file
+/// What the brakes of a simulated device really do, whatever its controller believes.
+#pragma once
+
+#include <passive_haptics/brake/brake_parameters.hpp>
+
+#include <algorithm>
+
+namespace passive_haptics {
+
+/// The m real brakes of a simulated device, each value on the brake's own axis. Brake i resists with
+///
+///     (strength_i + residual_torque_i) of Coulomb friction  +  viscous_drag_i w_i,
+///     time_constant_i d strength_i / dt + strength_i = min(gain_i capacity_i, torque_limit_i).
+///
+/// For a sliding brake read N for N m and m/s for rad/s.
+template <class T, int Brakes>
+struct simulated_brakes {
+  /// Largest torque that can be commanded [N m]; that of brake_parameters.
+  vector<T, Brakes> torque_limit = vector<T, Brakes>::Constant(T(1));
+  /// Time constant of the first-order response [s]; section 5.1: about 20 ms.
+  vector<T, Brakes> time_constant = vector<T, Brakes>::Constant(T(0.020));
+  /// Real torque for each commanded one [1]; 1 is a brake calibrated without error.
+  vector<T, Brakes> gain = vector<T, Brakes>::Ones();
+  /// Friction that is there without current, as of seals or remanence [N m].
+  vector<T, Brakes> residual_torque = vector<T, Brakes>::Zero();
+  /// Viscous drag, as of bearings or the brake's fluid [N m s].
+  vector<T, Brakes> viscous_drag = vector<T, Brakes>::Zero();
+
+  /// Strength [N m] that commanded capacities [N m] end in; a capacity that is negative or NaN releases its brake.
+  vector<T, Brakes> strength(const vector<T, Brakes>& capacity) const {
+    vector<T, Brakes> y;
+    for (int i = 0; i < Brakes; ++i)
+      y[i] = capacity[i] > T(0) ? std::min(gain[i] * capacity[i], torque_limit[i]) : T(0);
+    return y;
+  }
+};
+
+/// The real brakes of mechanism M.
+template <class M>
+using simulated_brakes_of = simulated_brakes<typename M::scalar, M::brake_count>;
+
+/// Brakes that are what their controller believes: its limits and lags, gain 1, nothing residual, no drag.
+template <class T, int Brakes>
+simulated_brakes<T, Brakes> ideal_brakes(const brake_parameters<T, Brakes>& believed) {
+  simulated_brakes<T, Brakes> real;
+  real.torque_limit = believed.torque_limit;
+  real.time_constant = believed.time_constant;
+  return real;
+}
+
+/// What is wrong with the parameters; empty if nothing.
+template <class T, int Brakes>
+std::string validate(const simulated_brakes<T, Brakes>& p) {
+  return detail::first_complaint(detail::check_each_not_negative("torque_limit", "N m", p.torque_limit),
+                                 detail::check_each_not_negative("time_constant", "s", p.time_constant),
+                                 detail::check_each_not_negative("gain", "1", p.gain),
+                                 detail::check_each_not_negative("residual_torque", "N m", p.residual_torque),
+                                 detail::check_each_not_negative("viscous_drag", "N m s", p.viscous_drag));
+}
+
+}  // namespace passive_haptics
