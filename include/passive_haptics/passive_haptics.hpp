@@ -34,8 +34,12 @@
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/force/effects/wall_friction.hpp>
 
+#include <passive_haptics/control/coercive_force_approximation.hpp>
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws.hpp>
+#include <passive_haptics/control/on_off_control.hpp>
+#include <passive_haptics/control/single_degree_of_freedom_control.hpp>
 #include <passive_haptics/control/velocity_direct_control.hpp>
+#include <passive_haptics/control/velocity_ratio_control.hpp>
 
 #include <passive_haptics/plant/wall_following.hpp>

@@ -12,6 +12,15 @@ namespace passive_haptics {
 namespace detail {
 template <class S, int D>
 concept has_another_dimension = requires { requires S::dimension != D; };
+
+// A law whose parameters can be checked, passed on once they are.
+template <class L>
+L&& require_valid_law(L&& law) {
+  if constexpr (requires { validate(law); }) require_no_complaint(validate(law));
+  else if constexpr (requires { validate(law.parameters); })
+    require_no_complaint(validate(law.parameters));
+  return std::forward<L>(law);
+}
 }  // namespace detail
 
 /// Owns all that a control loop needs but the state, which comes in each cycle.
@@ -28,13 +37,14 @@ class controller {
   using mechanism_type = M;                               ///< The mechanism.
   using options_type = step_options<typename M::scalar>;  ///< Options of a step.
 
-  /// Throws std::invalid_argument with the text of validate(brakes).
+  /// Throws std::invalid_argument with the text of validate(brakes), or of validate(law) or validate(law.parameters)
+  /// where there is one.
   controller(M mechanism, const brakes_of<M>& brakes, S scene, L law = {},
              const options_type& options = options_type())
       : mechanism_(std::move(mechanism)),
         brakes_(require_valid(brakes)),
         scene_(std::move(scene)),
-        law_(std::move(law)),
+        law_(detail::require_valid_law(std::move(law))),
         options_(options),
         reduction_(mechanism_),
         parameters_(check_parameters<L>(brakes_, options_)) {}
