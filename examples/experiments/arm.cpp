@@ -1,0 +1,44 @@
+// Runs with the paper's device.
+#include "planar_run.hpp"
+
+namespace experiments {
+
+std::string_view name_of(law which) {
+  switch (which) {
+    case law::none: return "no direct control";
+    case law::direct: return "direct control";
+    case law::direct_dead_band: return "direct, dead band";
+    case law::velocity: return "velocity direct control";
+    case law::velocity_on_touch: return "velocity, on touch";
+    case law::coercive: return "coercive";
+    case law::single_degree_of_freedom: return "single deg. of freedom";
+    case law::velocity_ratio: return "velocity ratio";
+    case law::on_off: return "on-off";
+  }
+  return "unknown law";
+}
+
+test_wall planar_wall(double slant) {
+  return test_wall(ph::half_space<2>({0, 0.225}, {std::sin(slant), -std::cos(slant)}));
+}
+test_wall concave_wall() { return test_wall(ph::disc({0.11, -0.10}, 0.325, ph::filling::hollow)); }
+test_wall convex_wall() { return test_wall(ph::disc({0.11, 0.55}, 0.325)); }
+
+run_result follow_with_arm(law which, const test_wall& wall, const setup& how) {
+  using arm = ph::tendon_two_link<double>;
+  ph::tendon_two_link_parameters<double> real, believed;
+  auto& p = believed.arm;
+  for (double* mass : {&p.mass_1, &p.mass_2, &p.handle_mass, &p.rotor_inertia_1, &p.rotor_inertia_2})
+    *mass *= how.inertia;
+  device<arm> d{arm(real), arm(believed), {}, {}, ph::encoder_parameters().resolution, {}};
+  d.brakes.torque_limit.setConstant(how.limit);
+  d.brakes.time_constant.setConstant(how.lag);
+  d.real_brakes = ph::ideal_brakes(d.brakes);
+  d.real_brakes.torque_limit.setConstant(how.limit * std::max(1.0, how.gain));
+  d.real_brakes.gain.setConstant(how.gain);
+  d.real_brakes.residual_torque.setConstant(how.residual);
+  d.start = d.real.inverse(start_beside(wall, how.gap), ph::elbow::left).q;
+  return follow(d, which, wall, how);
+}
+
+}  // namespace experiments

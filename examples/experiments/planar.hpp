@@ -1,0 +1,93 @@
+// The experiments of section 5 in the plane: one run of a hand that follows a wall with a simulated device.
+#pragma once
+
+#include <passive_haptics/passive_haptics.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace experiments {
+
+namespace ph = passive_haptics;
+using plane_vector = ph::vector<double, 2>;
+
+// The laws that are compared.
+enum class law {
+  none,
+  direct,             // as printed
+  direct_dead_band,   // nulling already from n . v > -v_dead
+  velocity,           // walls seen beforehand
+  velocity_on_touch,  // walls seen when they are touched
+  coercive,
+  single_degree_of_freedom,
+  velocity_ratio,
+  on_off,
+};
+inline constexpr std::array all_laws{
+    law::none,           law::direct, law::direct_dead_band,  law::coercive, law::single_degree_of_freedom,
+    law::velocity_ratio, law::on_off, law::velocity_on_touch, law::velocity};
+std::string_view name_of(law which);
+
+// A wall of any of the experiments' shapes.
+class test_wall {
+ public:
+  static constexpr int dimension = 2;
+  template <class Shape>
+  explicit test_wall(Shape shape) : shape_(std::move(shape)) {}
+
+  double distance(const ph::point<2>& x) const {
+    return std::visit([&](const auto& s) { return s.distance(x); }, shape_);
+  }
+  ph::point<2> gradient(const ph::point<2>& x) const {
+    return std::visit([&](const auto& s) { return s.gradient(x); }, shape_);
+  }
+  ph::matrix<double, 2, 2> hessian(const ph::point<2>& x) const {
+    return std::visit([&](const auto& s) { return ph::surface_curvature(s, x); }, shape_);
+  }
+
+ private:
+  std::variant<ph::half_space<2>, ph::disc> shape_;
+};
+
+test_wall planar_wall(double slant = 0);  // through (0, 0.225) m, free below, slanted by this angle [rad]
+test_wall concave_wall();                 // inside of the circle of 0.325 m about (0.11, -0.10) m
+test_wall convex_wall();                  // outside of the circle of 0.325 m about (0.11, 0.55) m
+
+// What a run varies; the defaults are those of the paper's device.
+struct setup {
+  double environment_rate = 1000;     // of the virtual environment [Hz]
+  double time_step = 1e-4;            // of the simulation [s]
+  double lag = 0.020;                 // of the brakes [s], which the controller knows
+  double limit = 1;                   // of the brakes [N m], which it knows too
+  double gain = 1;                    // of the real brakes [1], which it does not
+  double residual = 0;                // torque of a released brake [N m]
+  double inertia = 1;                 // of the model, for each kg of the device
+  double noise = 0;                   // of the force sensor [N]
+  std::uint64_t seed = 1;             // of that noise
+  double gap = 0.004;                 // off the wall at the start [m]
+  double approach = 0.1;              // speed into the wall at the start [m/s]
+  double velocity_dead_band = 0.025;  // of law::direct_dead_band [m/s]
+  ph::following_hand_parameters<double> hand = {};
+};
+
+// One line of a run's trace, every 5 ms.
+struct instant {
+  double time, depth, alpha;
+  plane_vector position, rates, capacity, brake_torque, hand_force, brake_force;
+};
+
+struct run_result {
+  ph::contact_metrics figures;
+  ph::energy_books books;
+  double least_alpha = 1;  // over the run, where a wall was touched
+  std::vector<instant> trace;
+};
+
+run_result follow_with_arm(law which, const test_wall& wall, const setup& how);    // the tendon device
+run_result follow_with_table(law which, const test_wall& wall, const setup& how);  // the XY table of Fig. 4
+
+}  // namespace experiments

@@ -1,0 +1,89 @@
+// How a run is made, for any mechanism in the plane.
+#pragma once
+
+#include "planar.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace experiments {
+
+inline constexpr double margin = 0.006;                                     // of law::velocity [m]
+inline constexpr double start_x = 0.045, end_x = 0.17, speed_along = 0.05;  // [m], [m], [m/s]
+inline constexpr double trace_period = 5e-3;                                // [s]
+
+// What differs between the devices.
+template <class M>
+struct device {
+  M real, believed;
+  ph::brakes_of<M> brakes;  // as the controller knows them
+  ph::simulated_brakes_of<M> real_brakes;
+  double encoder_resolution;  // [rad or m]
+  ph::joint_vector<M> start;  // joint positions
+};
+
+// f(law, margin of its walls) for the law.
+template <class F>
+auto with_law(law which, const setup& how, F&& f) {
+  switch (which) {
+    case law::none: return f(ph::no_direct_control(), 0.0);
+    case law::direct: return f(ph::direct_control(), 0.0);
+    case law::direct_dead_band:
+      return f(ph::direct_control{.velocity_dead_band = how.velocity_dead_band}, 0.0);
+    case law::velocity: {
+      ph::velocity_direct_control_parameters p;
+      p.margin = margin;
+      return f(ph::velocity_direct_control(p), margin);
+    }
+    case law::velocity_on_touch: return f(ph::velocity_direct_control(), 0.0);
+    case law::coercive: return f(ph::coercive_force_approximation(), 0.0);
+    case law::single_degree_of_freedom: return f(ph::single_degree_of_freedom_control(), 0.0);
+    case law::velocity_ratio: return f(ph::velocity_ratio_control(), 0.0);
+    case law::on_off: return f(ph::on_off_control(), 0.0);
+  }
+  throw std::logic_error("a law without a case");
+}
+
+// Where the handle starts: this far off the wall at start_x.
+inline plane_vector start_beside(const test_wall& wall, double gap) {
+  plane_vector x(start_x, 0.2);
+  for (int k = 0; k < 50; ++k) x[1] += (wall.distance(x) - gap) / std::max(0.2, -wall.gradient(x)[1]);
+  return x;
+}
+
+template <class M>
+run_result follow(const device<M>& d, law which, const test_wall& wall, const setup& how) {
+  const plane_vector x0 = d.real.position(d.start), n = wall.gradient(x0), along(-n[1], n[0]);
+  const ph::following_hand<double, 2> hand({1, 0}, x0, how.hand);
+  ph::simulated_device plant(d.real, d.real_brakes, how.hand.mass, d.start);
+  const ph::matrix<double, 2, 2> J(ph::jacobian(d.real, d.start));
+  plant.set_motion(d.start, J.partialPivLu().solve(speed_along * along - how.approach * n));
+
+  ph::wall_following_parameters p;
+  p.time_step = how.time_step;
+  p.sensor_noise = how.noise;
+  p.noise_seed = how.seed;
+  p.encoder_resolution = d.encoder_resolution;
+  p.path_end = end_x;
+
+  run_result result;
+  result.figures = with_law(which, how, [&](auto control_law, double grown) {
+    ph::controller control(
+        d.believed, d.brakes,
+        ph::held_scene(ph::scene(ph::wall(ph::offset(wall, grown))), 1 / how.environment_rate), control_law);
+    double kept = -trace_period;
+    return ph::follow_wall(plant, control, wall, hand, p, [&](const ph::wall_following_sample<M>& s) {
+      if (s.control->wall >= 0) result.least_alpha = std::min(result.least_alpha, s.control->alpha);
+      if (s.time - kept < trace_period * (1 - 1e-9)) return;
+      kept = s.time;
+      result.trace.push_back({s.time, s.depth, s.control->alpha, s.position, s.rates, s.control->capacity,
+                              s.brake_torque, s.hand_force, s.brake_force});
+    });
+  });
+  result.books = plant.books();
+  return result;
+}
+
+}  // namespace experiments
