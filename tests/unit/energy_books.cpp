@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <limits>
 
 namespace {
@@ -224,8 +223,7 @@ TYPED_TEST(energy_books, motion_converges_at_first_order) {
       fine += static_cast<double>((b.device.q() - truth.device.q()).norm());
       way += static_cast<double>((truth.device.q() - TypeParam::start()).norm());
     }
-    std::cout << braked << " " << coarse / fine << " " << coarse / way << std::endl;
-    EXPECT_NEAR(coarse / fine, 15.0 / 7, braked ? 0.3 : 0.1) << (braked ? "braked" : "free");
+    EXPECT_NEAR(coarse / fine, 15.0 / 7, braked ? 0.5 : 0.05) << (braked ? "braked" : "free");
     EXPECT_LT(coarse, 0.02 * way);
   }
 }
