@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <limits>
 
 namespace {
@@ -155,6 +154,13 @@ using cases = ::testing::Types<tendon<double>, tendon<float>, table<double>, pan
                                hanging_delta, planar_3r>;
 TYPED_TEST_SUITE(energy_books, cases);
 
+// What rounding hides in float.
+template <class Case>
+struct energy_books_in_double : ::testing::Test {};
+using cases_in_double =
+    ::testing::Types<tendon<double>, table<double>, pantograph<2>, pantograph<4>, hanging_delta, planar_3r>;
+TYPED_TEST_SUITE(energy_books_in_double, cases_in_double);
+
 TYPED_TEST(energy_books, close_to_the_order_of_the_step_under_random_hands_brakes_and_commands) {
   using T = typename TypeParam::mechanism::scalar;
   constexpr double dt = 1e-4;
@@ -188,9 +194,8 @@ TYPED_TEST(energy_books, no_brake_gives_power_beyond_rounding) {
   }
 }
 
-TYPED_TEST(energy_books, halving_the_step_halves_what_does_not_balance) {
+TYPED_TEST(energy_books_in_double, halving_the_step_halves_what_does_not_balance) {
   using M = typename TypeParam::mechanism;
-  if (std::is_same_v<typename M::scalar, float>) GTEST_SKIP() << "rounding is larger";
   double coarse = 0, middle = 0, fine = 0;
   for (std::uint64_t seed = 21; seed <= 24; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
@@ -212,9 +217,7 @@ TYPED_TEST(energy_books, halving_the_step_halves_what_does_not_balance) {
 
 // Against a run of a sixteenth of the step, a method of first order is wrong by 1 - 1/16 of its error, with half the step by
 // 1/2 - 1/16 of it: the ratio is 15/7. Stick and slip change at other steps in each run, so it holds in the mean.
-TYPED_TEST(energy_books, motion_converges_at_first_order) {
-  using M = typename TypeParam::mechanism;
-  if (std::is_same_v<typename M::scalar, float>) GTEST_SKIP() << "rounding is larger";
+TYPED_TEST(energy_books_in_double, motion_converges_at_first_order) {
   for (const bool braked : {false, true}) {
     double coarse = 0, fine = 0, way = 0;
     for (std::uint64_t seed = 31; seed <= 42; ++seed) {
@@ -224,8 +227,7 @@ TYPED_TEST(energy_books, motion_converges_at_first_order) {
       fine += static_cast<double>((b.device.q() - truth.device.q()).norm());
       way += static_cast<double>((truth.device.q() - TypeParam::start()).norm());
     }
-    std::cout << braked << " " << coarse / fine << " " << coarse / way << std::endl;
-    EXPECT_NEAR(coarse / fine, 15.0 / 7, braked ? 0.3 : 0.1) << (braked ? "braked" : "free");
+    EXPECT_NEAR(coarse / fine, 15.0 / 7, braked ? 0.5 : 0.05) << (braked ? "braked" : "free");
     EXPECT_LT(coarse, 0.02 * way);
   }
 }

@@ -201,6 +201,10 @@ TEST(parameters_of_experiments, are_checked) {
   };
   expect([](P& p) -> auto& { return p.time_step; }, "time_step [s]", rule::positive);
   expect([](P& p) -> auto& { return p.sensor_corner; }, "sensor_corner [Hz]", rule::not_negative);
+  expect([](P& p) -> auto& { return p.sensor_noise; }, "sensor_noise [N]", rule::not_negative);
+  expect([](P& p) -> auto& { return p.encoder_resolution; }, "encoder_resolution [rad or m]",
+         rule::not_negative);
+  expect([](P& p) -> auto& { return p.rate_corner; }, "rate_corner [Hz]", rule::not_negative);
   expect([](P& p) -> auto& { return p.path_end; }, "path_end [m]", rule::finite);
   expect([](P& p) -> auto& { return p.longest; }, "longest [s]", rule::positive);
 
