@@ -1,0 +1,32 @@
+// Random devices and hands: what a lab's device may differ in from its model.
+#pragma once
+
+#include "planar.hpp"
+
+#include <passive_haptics/core/random_numbers.hpp>
+
+#include <random>
+
+namespace experiments {
+
+// Plant number k of this seed: brakes of another gain, residual torque, lag and limit, a model whose inertia is off by up
+// to 25 %, a noisy sensor, a hand that pushes and weighs more or less. The controller knows limit and lag.
+inline setup random_plant(std::uint64_t seed, std::size_t k) {
+  std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(k)};
+  std::mt19937_64 bits(both);
+  const auto between = [&](double low, double high) { return low + (high - low) * ph::uniform_number(bits); };
+  setup how;
+  how.gain = between(0.85, 1.1);
+  how.residual = between(0, 0.005);
+  how.lag = between(0.0067, 0.020);
+  how.limit = between(0.3, 2);
+  how.inertia = between(0.75, 1.25);
+  how.noise = 0.02;
+  how.seed = seed + k;
+  how.gap = between(0.002, 0.006);
+  how.hand.push = between(1, 3);
+  how.hand.mass = between(0.3, 0.8);
+  return how;
+}
+
+}  // namespace experiments

@@ -1,0 +1,41 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace experiments {
+
+report::report() {
+  csv_ << "device, wall, environment, law, separations, depth rms [mm], depth range [mm], depth mean [mm], "
+          "depth max "
+          "[mm], brake 2 sticks [%], retarding force [N], brake energy [mJ], duration [s], arrived\n";
+}
+
+void report::section(std::string_view title) {
+  std::printf("\n%.*s\n%-8s %-15s %-16s %-23s %5s %8s %8s %8s %8s %7s %7s %7s\n",
+              static_cast<int>(title.size()), title.data(), "device", "wall", "environment", "law", "sepa-",
+              "RMS", "range", "mean", "deepest", "brake 2", "retards", "brakes");
+  std::printf("%-8s %-15s %-16s %-23s %5s %8s %8s %8s %8s %7s %7s %7s\n", "", "", "", "", "rat.", "[mm]",
+              "[mm]", "[mm]", "[mm]", "sticks", "[N]", "[mJ]");
+}
+
+void report::add(const table_row& row) {
+  const auto& f = row.figures;
+  std::printf("%-8s %-15s %-16s %-23s %5d %8.3f %8.3f %8.3f %8.3f %5.0f %% %7.2f %7.1f%s\n",
+              row.device.c_str(), row.wall.c_str(), row.environment.c_str(), row.law.c_str(), f.separations,
+              1e3 * f.depth_rms, 1e3 * f.depth_range, 1e3 * f.depth_mean, 1e3 * f.depth_max,
+              100 * f.stick_share, f.retarding_force, 1e3 * f.brake_energy,
+              f.arrived ? "" : "  (did not arrive)");
+  std::fflush(stdout);
+  csv_ << row.device << ", " << row.wall << ", " << row.environment << ", " << row.law << ", "
+       << f.separations << ", " << 1e3 * f.depth_rms << ", " << 1e3 * f.depth_range << ", "
+       << 1e3 * f.depth_mean << ", " << 1e3 * f.depth_max << ", " << 100 * f.stick_share << ", "
+       << f.retarding_force << ", " << 1e3 * f.brake_energy << ", " << f.duration << ", "
+       << (f.arrived ? "yes" : "no") << "\n";
+  most_power_ = std::max(most_power_, f.largest_brake_power);
+  if (f.brake_energy > 0)
+    worst_imbalance_ = std::max(worst_imbalance_, std::abs(row.imbalance) / f.brake_energy);
+}
+
+}  // namespace experiments
