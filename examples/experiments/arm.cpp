@@ -34,6 +34,7 @@ run_result follow_with_arm(law which, const test_wall& wall, const setup& how) {
   d.brakes.torque_limit.setConstant(how.limit);
   d.brakes.time_constant.setConstant(how.lag);
   d.real_brakes = ph::ideal_brakes(d.brakes);
+  d.brakes.time_constant.setConstant(how.believed_lag.value_or(how.lag));
   d.real_brakes.torque_limit.setConstant(how.limit * std::max(1.0, how.gain));
   d.real_brakes.gain.setConstant(how.gain);
   d.real_brakes.residual_torque.setConstant(how.residual);

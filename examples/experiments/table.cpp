@@ -11,6 +11,7 @@ run_result follow_with_table(law which, const test_wall& wall, const setup& how)
   d.brakes.time_constant.setConstant(how.lag);
   d.brakes.rate_dead_band *= radius;  // [m/s]
   d.real_brakes = ph::ideal_brakes(d.brakes);
+  d.brakes.time_constant.setConstant(how.believed_lag.value_or(how.lag));
   d.start = start_beside(wall, how.gap);
   return follow(d, which, wall, how);
 }
