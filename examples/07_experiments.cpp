@@ -23,6 +23,11 @@ constexpr std::uint64_t seed = 20040627;
 constexpr std::size_t plant_count = 300;
 
 std::string text(std::string_view view) { return std::string(view); }
+std::string milliseconds(double time) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%g ms", 1e3 * time);
+  return digits;
+}
 std::string hertz(double rate) { return std::to_string(static_cast<int>(rate)) + " Hz"; }
 
 struct named_wall {
@@ -122,7 +127,7 @@ double median(std::vector<double> values) {
 void random_plants(const named_wall& wall, double rate, law which, std::optional<double> believed_lag = {}) {
   const std::string law_name =
       text(name_of(which)) +
-      (believed_lag ? ", " + std::to_string(static_cast<int>(1e4 * *believed_lag) / 10) + " ms" : "");
+      (believed_lag ? ", " + milliseconds(*believed_lag) : "");
   const auto figures =
       on_all_cores(wall.name + " " + hertz(rate) + " " + law_name, plant_count, [&](std::size_t k) {
         setup how = random_plant(seed, k);
