@@ -27,11 +27,12 @@ namespace passive_haptics {
 /// Assumed: how hard a brake is held (its part of Fd, so that stiff walls lock it); every brake is judged alone, which
 /// makes it the same in any dimension; the rates are those of the device, also at moving walls.
 struct coercive_force_approximation {
-  static constexpr bool needs_hand_force = false;  ///< Runs without a force sensor; with one, brakes at rest have signs.
-  static constexpr bool needs_dynamics = false;    ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;   ///< Knows no lag.
-  static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
-  struct memory {};                                ///< None.
+  static constexpr bool needs_hand_force =
+      false;  ///< Runs without a force sensor; with one, brakes at rest have signs.
+  static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
+  static constexpr bool needs_brake_lag = false;  ///< Knows no lag.
+  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
+  struct memory {};                               ///< None.
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity>
@@ -49,9 +50,8 @@ struct coercive_force_approximation {
         if (!drives) held[i] = std::max(held[i], std::abs(t[i]) * magnitude);
       });
     }
-    unrolled<M::brake_count>([&](auto i) {
-      held[i] = holding_torque(now.s[i], std::min(held[i], now.brakes.torque_limit[i]));
-    });
+    unrolled<M::brake_count>(
+        [&](auto i) { held[i] = holding_torque(now.s[i], std::min(held[i], now.brakes.torque_limit[i])); });
     return held;
   }
 };
