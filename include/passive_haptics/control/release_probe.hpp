@@ -12,7 +12,7 @@ namespace passive_haptics {
 
 /// Constants of a release_probe.
 struct release_probe_parameters {
-  double probe_period = 0.3;  ///< A brake that holds is probed once it has been at rest for this long [s].
+  double probe_period = 0.3;  ///< Brakes that have been at rest for this long are probed [s].
   double probe_time = 0.12;   ///< A probe that nothing moves ends after this [s]; several lags of the brakes.
   double motion_threshold =
       20e-6;  ///< Least motion of the handle that counts [m]; over the encoders' resolution.
@@ -34,7 +34,7 @@ inline double worst_release_time(const release_probe_parameters& p) {
 }
 
 /// Without a force sensor a brake at rest cannot tell a push from a pull. So, while the handle touches a wall, brakes
-/// that have held at rest for probe_period are told 0 (their own lag is the ramp) until the handle moves:
+/// that have been at rest for probe_period are told 0 (their own lag is the ramp) until the handle moves:
 ///
 ///     watching --rest of probe_period--> probing --moved in, or probe_time--> watching
 ///                                          \--moved out--> released --moved in again, or no wall--> watching
@@ -54,7 +54,7 @@ class release_probe {
   /// Throws std::invalid_argument with the text of validate(p).
   explicit release_probe(const release_probe_parameters& p = {}) : p_(require_valid(p)) {}
 
-  /// One cycle in contact: time [s], handle x [m], the wall's normal n, and for how long some brake has held at rest [s].
+  /// One cycle in contact: time [s], handle x [m], the wall's normal n, and for how long some brake has been at rest [s].
   phase update(double time, const point<D>& x, const point<D>& n, double rest) noexcept {
     const double moved = n.dot(x - origin_);  // outwards
     if (phase_ == phase::watching) {

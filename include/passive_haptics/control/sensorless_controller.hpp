@@ -89,8 +89,9 @@ class sensorless_controller {
     const brake_vector<M> w = brake_rates(mechanism(), q, qd);
     double rest = 0;
     unrolled<m>([&](auto i) {
-      const bool holds = result.capacity[i] > 0 && !slips(w[i], controller_.brakes().rate_dead_band[i]);
-      if (!holds || rest_since_[i] > time) rest_since_[i] = time;
+      // Whatever it is told now: a law that switches at rest holds by the mean of its commands
+      const bool rests = !slips(w[i], controller_.brakes().rate_dead_band[i]);
+      if (!rests || rest_since_[i] > time) rest_since_[i] = time;
       rest = std::max(rest, time - rest_since_[i]);
     });
     const auto x = as<double>(mechanism().position(q));
