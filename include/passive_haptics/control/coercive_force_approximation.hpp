@@ -2,12 +2,14 @@
 /// Coercive force approximation: the brakes that move into the wall are held, so that what motion is left leads out.
 #pragma once
 
+#include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/control/brake_situation.hpp>
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/intended_rates.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace passive_haptics {
 

@@ -9,6 +9,7 @@
 #include <passive_haptics/force/desired_force.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace passive_haptics {
