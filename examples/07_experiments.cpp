@@ -1,6 +1,7 @@
 // The paper's experiments (Figs. 5, 8, 9 and 10, section 6) and some that it could not do, with every law: one table,
 // pictures, CSV. What comes out is discussed in docs/results.md.
 #include "experiments/batch.hpp"
+#include "experiments/pictures.hpp"
 #include "experiments/planar.hpp"
 #include "experiments/plants.hpp"
 #include "experiments/report.hpp"
@@ -38,7 +39,7 @@ const named_wall planar{"planar", planar_wall()}, concave{"concave", concave_wal
     convex{"convex", convex_wall()};
 
 // Figs. 8 to 10: every law along each wall, the environment at 1 kHz and at 20 Hz.
-void follow_walls(report& table) {
+void follow_walls(report& table, const std::filesystem::path& directory) {
   struct cell {
     const named_wall* wall;
     double rate;
@@ -55,8 +56,27 @@ void follow_walls(report& table) {
   });
   table.section("Figs. 8 to 10: the tendon device; planar wall y = 0.225 m, circles of 0.325 m");
   for (std::size_t k = 0; k < cells.size(); ++k)
-    table.add({"tendon", cells[k].wall->name, hertz(cells[k].rate), text(name_of(cells[k].which)),
-               runs[k].figures, runs[k].books.imbalance()});
+    table.add({"tendon", cells[k].wall->name, hertz(cells[k].rate), text(name_of(cells[k].which)), runs[k].figures,
+               runs[k].books.imbalance()});
+
+  const auto shown = [&](const named_wall& wall, double rate) {
+    std::vector<named_run> chosen;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const law which = cells[k].which;
+      if (cells[k].wall == &wall && cells[k].rate == rate &&
+          (which == law::none || which == law::direct || which == law::velocity))
+        chosen.push_back({text(name_of(which)), runs[k]});
+    }
+    return chosen;
+  };
+  const auto draw = [&](const char* name, const char* title, const named_wall& wall, double rate) {
+    draw_figure(directory, name, title, wall.wall, shown(wall, rate));
+  };
+  draw("figure_8", "Fig. 8: planar wall, environment at 1 kHz", planar, 1000);
+  draw("figure_9", "Fig. 9: planar wall, environment at 20 Hz", planar, 20);
+  draw("figure_10_concave", "Fig. 10: inside of a circle, environment at 20 Hz", concave, 20);
+  draw("figure_10_convex", "Fig. 10: outside of a circle, environment at 20 Hz", convex, 20);
+  draw_filmstrip(directory, "filmstrip", "Along the planar wall, environment at 20 Hz", planar.wall, shown(planar, 20));
 }
 
 // The dead band of direct control with weak brakes: what a lab could tune.
@@ -75,7 +95,8 @@ void weak_brakes(report& table) {
 }
 
 // Conclusion 1: the XY table along slanted walls, with brake lag, slow environment, both or none.
-void slanted_walls(report& table) {
+void slanted_walls(report& table, const std::filesystem::path& directory) {
+  std::vector<slant_row> rows;
   table.section(
       "The XY table of Fig. 4 along slanted walls: delay by the brakes' lag, the environment's rate, or "
       "both");
@@ -90,6 +111,9 @@ void slanted_walls(report& table) {
           table.add({"table", std::to_string(static_cast<int>(slant)) + " deg",
                      hertz(rate) + (lag > 0 ? ", 20 ms" : ", 0 ms"), text(name_of(which)), run.figures,
                      run.books.imbalance()});
+          const char* cell = lag > 0 ? (rate < 1000 ? "lag and slow environment" : "lag of the brakes")
+                                     : (rate < 1000 ? "slow environment" : "no delay");
+          rows.push_back({slant, cell, text(name_of(which)), run.figures});
         }
       }
     }

@@ -23,8 +23,8 @@ static_assert(ph::ControlLaw<soft_landing>);
 int main() {
   const device arm;
   const ph::half_space<2> top({0, 0.225}, {0, -1}), right({0.13, 0}, {-1, 0});
-  ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(top), ph::wall(right)),
-                         soft_landing());
+  const ph::brakes_of<device> brakes;
+  ph::controller control(arm, brakes, ph::scene(ph::wall(top), ph::wall(right)), soft_landing());
 
   ph::device_state<device> state;
   state.q = arm.inverse({0.1301, 0.2251}, ph::elbow::left).q;  // in the corner, inside both walls
@@ -36,5 +36,18 @@ int main() {
     std::cout << "wall " << report.wall << ": wanted " << report.wanted << " N, displayed "
               << report.displayed << " N\n";
   }
-  return result.outcome == ph::status::ok && result.contact_count == 2 ? 0 : 1;
+
+  ph::on_off_control relay;
+  relay.parameters = {.reference_depth = 1e-3, .hysteresis = 0.1e-3, .lead = 0.02};
+  ph::controller by_relay(arm, brakes, ph::scene(ph::wall(top)), relay);
+  const bool relay_runs = by_relay(state).outcome == ph::status::ok;
+
+  ph::sensorless_controller sensorless(arm, brakes, ph::scene(ph::wall(top)), ph::direct_control());
+  const ph::sensorless_device_state<device> felt{state.time, state.q, state.qd};
+  const auto command = sensorless(felt);
+  const auto& hand = sensorless.hand();
+  std::cout << "pressing with " << hand.force[1] << " N, give or take " << hand.half_width({0, 1}) << " N\n";
+
+  const bool runs = result.outcome == ph::status::ok && relay_runs && command.outcome == ph::status::ok;
+  return runs && result.contact_count == 2 ? 0 : 1;
 }

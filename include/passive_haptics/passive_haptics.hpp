@@ -38,6 +38,7 @@
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws.hpp>
 #include <passive_haptics/control/on_off_control.hpp>
+#include <passive_haptics/control/sensorless_controller.hpp>
 #include <passive_haptics/control/single_degree_of_freedom_control.hpp>
 #include <passive_haptics/control/velocity_direct_control.hpp>
 #include <passive_haptics/control/velocity_ratio_control.hpp>

@@ -85,6 +85,11 @@ static_assert(ph::ControlLaw<ph::no_direct_control> && ph::ControlLaw<ph::direct
 static_assert(!ph::no_direct_control::needs_hand_force && ph::direct_control::needs_hand_force);
 static_assert(ph::TorqueLaw<ph::velocity_direct_control> && !ph::ScalingLaw<ph::velocity_direct_control>);
 static_assert(ph::ScalingLaw<ph::direct_control> && !ph::TorqueLaw<ph::direct_control>);
+static_assert(ph::TorqueLaw<ph::coercive_force_approximation> &&
+              !ph::coercive_force_approximation::needs_hand_force);
+static_assert(ph::TorqueLaw<ph::single_degree_of_freedom_control> &&
+              ph::TorqueLaw<ph::velocity_ratio_control>);
+static_assert(ph::TorqueLaw<ph::on_off_control> && !ph::on_off_control::needs_hand_force);
 
 struct complete_law {
   static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;

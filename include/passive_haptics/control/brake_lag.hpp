@@ -46,6 +46,9 @@ class brake_lag_model {
     return static_cast<T>(command_[k]);
   }
 
+  /// What a brake makes [N m], as of the last advance().
+  double torque(int brake) const { return torque_[static_cast<std::size_t>(brake)]; }
+
   /// All brakes are told 0 from `time` [s] on. Their lag is not known here: what they have made up to then is kept, as
   /// if they had been told so at the last command.
   void release() { command_.fill(0); }

@@ -2,12 +2,14 @@
 /// Coercive force approximation: the brakes that move into the wall are held, so that what motion is left leads out.
 #pragma once
 
+#include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/control/brake_situation.hpp>
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/intended_rates.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace passive_haptics {
 
@@ -27,11 +29,12 @@ namespace passive_haptics {
 /// Assumed: how hard a brake is held (its part of Fd, so that stiff walls lock it); every brake is judged alone, which
 /// makes it the same in any dimension; the rates are those of the device, also at moving walls.
 struct coercive_force_approximation {
-  static constexpr bool needs_hand_force = false;  ///< Runs without a force sensor; with one, brakes at rest have signs.
-  static constexpr bool needs_dynamics = false;    ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;   ///< Knows no lag.
-  static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
-  struct memory {};                                ///< None.
+  static constexpr bool needs_hand_force =
+      false;  ///< Runs without a force sensor; with one, brakes at rest have signs.
+  static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
+  static constexpr bool needs_brake_lag = false;  ///< Knows no lag.
+  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
+  struct memory {};                               ///< None.
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity>
@@ -49,9 +52,8 @@ struct coercive_force_approximation {
         if (!drives) held[i] = std::max(held[i], std::abs(t[i]) * magnitude);
       });
     }
-    unrolled<M::brake_count>([&](auto i) {
-      held[i] = holding_torque(now.s[i], std::min(held[i], now.brakes.torque_limit[i]));
-    });
+    unrolled<M::brake_count>(
+        [&](auto i) { held[i] = holding_torque(now.s[i], std::min(held[i], now.brakes.torque_limit[i])); });
     return held;
   }
 };

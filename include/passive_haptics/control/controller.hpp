@@ -17,8 +17,7 @@ concept has_another_dimension = requires { requires S::dimension != D; };
 template <class L>
 L&& require_valid_law(L&& law) {
   if constexpr (requires { validate(law); }) require_no_complaint(validate(law));
-  else if constexpr (requires { validate(law.parameters); })
-    require_no_complaint(validate(law.parameters));
+  else if constexpr (requires { validate(law.parameters); }) require_no_complaint(validate(law.parameters));
   return std::forward<L>(law);
 }
 }  // namespace detail

@@ -15,9 +15,9 @@ namespace passive_haptics {
 
 /// Constants of on_off_control.
 struct on_off_parameters {
-  double reference_depth = 0.5e-3;  ///< In the wall, about which the relay switches [m].
+  double reference_depth = 1.5e-3;  ///< In the wall, about which the relay switches [m].
   double hysteresis = 0.1e-3;       ///< h, half width of the relay's hysteresis [m].
-  double lead = 0.02;               ///< tau [s]: the depth is judged as it will be then; about the brakes' lag.
+  double lead = 0.02;  ///< tau [s]: the depth is judged as it will be then; about the brakes' lag.
 };
 
 /// What is wrong with the parameters; empty if nothing.
@@ -41,10 +41,11 @@ inline std::string validate(const on_off_parameters& p) {
 /// Reference: Tsypkin, Relay control systems, Cambridge University Press, 1984 (the switching line).
 /// Assumed: all of its use on brakes; the paper names no such rival.
 struct on_off_control {
-  static constexpr bool needs_hand_force = false;  ///< Runs without a force sensor; with one, brakes at rest have signs.
-  static constexpr bool needs_dynamics = false;    ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;   ///< Knows no lag; tau is a constant of the law.
-  static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
+  static constexpr bool needs_hand_force =
+      false;  ///< Runs without a force sensor; with one, brakes at rest have signs.
+  static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
+  static constexpr bool needs_brake_lag = false;  ///< Knows no lag; tau is a constant of the law.
+  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
 
   /// Of one wall.
   struct relay {
@@ -67,7 +68,8 @@ struct on_off_control {
     remembered.walls.begin_cycle();
     for (const auto& c : touched) {
       const auto [n, magnitude] = force_of<T>(c);
-      const double outward = static_cast<double>(dot(brake_torque(now.E, n), now.w)) - c.normal.dot(c.wall_velocity);
+      const double outward =
+          static_cast<double>(dot(brake_torque(now.E, n), now.w)) - c.normal.dot(c.wall_velocity);
       relay& wall = remembered.walls.of(c.wall);
       wall.on = switched(wall.on, c.depth, outward);
       if (wall.on) demands[static_cast<std::size_t>(count++)] = {n, magnitude, false};

@@ -15,8 +15,8 @@ namespace passive_haptics {
 
 /// Constants of single_degree_of_freedom_control.
 struct single_degree_of_freedom_parameters {
-  double reference_depth = 0.5e-3;  ///< In the wall, that the handle follows [m].
-  double band = 0.2e-3;             ///< Half width of the band about it, in which the locked brake is kept [m].
+  double reference_depth = 1e-3;  ///< In the wall, that the handle follows [m].
+  double band = 0.3e-3;           ///< Half width of the band about it, in which the locked brake is kept [m].
 };
 
 /// What is wrong with the parameters; empty if nothing.
@@ -62,8 +62,9 @@ struct single_degree_of_freedom_control {
   template <class M, class EMatrix, int D, int Capacity>
   brake_vector<M> torque(const brake_situation<M, EMatrix>& now, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
-    static_assert(M::brake_count == M::dof && M::dof == M::task_dimension && M::dof >= 2,
-                  "passive_haptics: single_degree_of_freedom_control needs brake_count == dof == task_dimension >= 2.");
+    static_assert(
+        M::brake_count == M::dof && M::dof == M::task_dimension && M::dof >= 2,
+        "passive_haptics: single_degree_of_freedom_control needs brake_count == dof == task_dimension >= 2.");
     const auto& c = touched[governing_contact(touched)];
     remembered.walls.begin_cycle();
     int& locked = remembered.walls.of(c.wall).brake;

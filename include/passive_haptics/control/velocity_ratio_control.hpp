@@ -9,16 +9,17 @@
 #include <passive_haptics/force/desired_force.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace passive_haptics {
 
 /// Constants of velocity_ratio_control.
 struct velocity_ratio_parameters {
-  double reference_depth = 0.5e-3;  ///< In the wall, to which the wanted direction leads [m].
-  double approach_length = 2e-3;    ///< Depth error for a slope of 1 of the wanted direction [m].
-  double steepest_slope = 0.2;      ///< Of the wanted direction against the wall [1].
-  double gain = 4;                  ///< Share of the torque limit for each share that a brake is too fast [1].
+  double reference_depth = 1e-3;   ///< In the wall, to which the wanted direction leads [m].
+  double approach_length = 10e-3;  ///< Depth error for a slope of 1 of the wanted direction [m].
+  double steepest_slope = 0.2;     ///< Of the wanted direction against the wall [1].
+  double gain = 1;                 ///< Share of the torque limit for each share that a brake is too fast [1].
 };
 
 /// What is wrong with the parameters; empty if nothing.

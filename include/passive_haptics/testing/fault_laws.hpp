@@ -16,25 +16,6 @@
 
 namespace passive_haptics::testing {
 
-/// Calls visit(name, number) with a reference to each number that a step reads. `wall` replaces the sample's contact.
-template <class M, class Visit>
-void for_each_input(step_sample<M>& sample, contact<M::task_dimension>& wall, Visit&& visit) {
-  const auto each = [&](const std::string& name, auto& values) {
-    for (int i = 0; i < values.size(); ++i) visit(name + "[" + std::to_string(i) + "]", values[i]);
-  };
-  visit("time", sample.state.time);
-  each("q", sample.state.q);
-  each("qd", sample.state.qd);
-  each("hand_force", sample.state.hand_force);
-  each("torque_limit", sample.brakes.torque_limit);
-  each("rate_dead_band", sample.brakes.rate_dead_band);
-  each("torque_dead_band", sample.brakes.torque_dead_band);
-  each("normal", wall.normal);
-  visit("depth", wall.depth);
-  visit("stiffness", wall.stiffness);
-  each("wall_velocity", wall.wall_velocity);
-}
-
 /// Suite of a step's faults; Case as described in mechanism_laws.hpp.
 template <class Case>
 class fault_laws : public ::testing::Test {

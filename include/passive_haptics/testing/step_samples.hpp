@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 namespace passive_haptics::testing {
 
@@ -95,6 +96,25 @@ void for_each_sample(const typename Case::mechanism& mechanism, unsigned seed, i
   for_each_sign_pattern<Case::mechanism::brake_count>([&](const auto& signs) {
     for (int k = 0; k < each; ++k) visit(random_sample<Case>(mechanism, signs, random));
   });
+}
+
+/// Calls visit(name, number) with a reference to each number that a step reads. `wall` replaces the sample's contact.
+template <class M, class Visit>
+void for_each_input(step_sample<M>& sample, contact<M::task_dimension>& wall, Visit&& visit) {
+  const auto each = [&](const std::string& name, auto& values) {
+    for (int i = 0; i < values.size(); ++i) visit(name + "[" + std::to_string(i) + "]", values[i]);
+  };
+  visit("time", sample.state.time);
+  each("q", sample.state.q);
+  each("qd", sample.state.qd);
+  each("hand_force", sample.state.hand_force);
+  each("torque_limit", sample.brakes.torque_limit);
+  each("rate_dead_band", sample.brakes.rate_dead_band);
+  each("torque_dead_band", sample.brakes.torque_dead_band);
+  each("normal", wall.normal);
+  visit("depth", wall.depth);
+  visit("stiffness", wall.stiffness);
+  each("wall_velocity", wall.wall_velocity);
 }
 
 }  // namespace passive_haptics::testing
