@@ -51,7 +51,7 @@ std::string figure_table(const test_wall& wall, const std::vector<named_run>& ru
 std::string legend_of(const std::vector<named_run>& runs) {
   std::vector<style::entry> entries;
   for (const named_run& r : runs) entries.push_back({r.law, style::colour_of(r.law)});
-  entries.push_back({"inside the wall", style::wall_colour});
+  entries.push_back({"inside the wall", style::wall_colour, "solid", style::area_width});
   return style::legend(entries, 0.948);
 }
 
@@ -73,7 +73,7 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
   };
   // At the same place beside each panel, however wide its numbers are
   const auto label = [](const std::string& text) {
-    return "set label 1 " + style::quoted(text) + " at graph -0.115,0.5 center rotate\n";
+    return "set label 1 " + style::quoted(text) + " at graph -0.122,0.5 center rotate\n";
   };
   const std::string inside = "data index " + std::to_string(runs.size()) +
                              " using 1:(0):(1e3) with filledcurves fc rgb '" + style::wall_colour +
@@ -100,12 +100,13 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
   panel("depth, zoomed [mm]", "2:4", yrange(e.zoom.str()), inside);
   panel("Fh into the wall [N]", "2:7", yrange(e.normal.str()));
   panel("Fh along the wall [N]", "2:8", yrange(e.tangential.str()) + last_row);
-  panel("w1 [rad/s]", "2:5", "unset xlabel\nset format x ''\nset yrange [*:*]\n");
+  panel("w1 [rad/s]", "2:5",
+        "unset xlabel\nset format x ''\nset yrange [*:*]\nset offsets 0,0,graph 0.05,0\n");
   panel("w2 [rad/s]", "2:6");
   panel("capacity of brake 1 [N m]", "2:10");
   panel("capacity of brake 2 [N m]", "2:11");
   panel("alpha [1]", "2:($9 > 1e-5 ? $9 : 1e-5)",
-        "set logscale y\nset yrange [1e-5:2]\nset format y '%g'\n" + last_row);
+        "unset offsets\nset logscale y\nset yrange [1e-5:2]\nset format y '%g'\n" + last_row);
   script << "unset multiplot\n";
   example::draw(directory, name, script.str());
 }

@@ -47,7 +47,9 @@ inline std::string terminal(int width, int height) {
 // as narrow as a panel.
 struct entry {
   std::string name, colour, dashes = "solid";
+  int width = 3;  // an area takes area_width
 };
+inline constexpr int area_width = 12;
 inline constexpr const char* wall_colour = "#e6e6e6";
 inline std::string legend(const std::vector<entry>& entries, double height, double left = 0.08) {
   std::ostringstream script;
@@ -55,9 +57,9 @@ inline std::string legend(const std::vector<entry>& entries, double height, doub
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const double x = left + width * static_cast<double>(k);
     script << "set arrow " << 100 + k << " nohead from screen " << x << "," << height << " to screen "
-           << x + 0.025 << "," << height << " lw " << (entries[k].colour == wall_colour ? 12 : 3) << " dt "
-           << entries[k].dashes << " lc rgb '" << entries[k].colour << "'\nset label " << 100 + k << " "
-           << quoted(entries[k].name) << " at screen " << x + 0.032 << "," << height << " left\n";
+           << x + 0.025 << "," << height << " lw " << entries[k].width << " dt " << entries[k].dashes
+           << " lc rgb '" << entries[k].colour << "'\nset label " << 100 + k << " " << quoted(entries[k].name)
+           << " at screen " << x + 0.032 << "," << height << " left\n";
   }
   return script.str();
 }
@@ -95,6 +97,8 @@ class range {
   }
   double low() const { return low_ - margin(); }
   double high() const { return high_ + margin(); }
+  double lowest() const { return low_; }
+  double highest() const { return high_; }
   double width() const { return high_ - low_; }
   bool empty() const { return high_ < low_; }
   std::string str() const {
