@@ -1,0 +1,124 @@
+// What the pictures of the experiments share: colours, text, tables that gnuplot reads.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace experiments::style {
+
+// Colours that the colour-blind tell apart (Okabe and Ito 2008); a law has the same one in every picture.
+inline std::string colour_of(const std::string& law) {
+  constexpr std::array<std::pair<const char*, const char*>, 9> known{{{"no direct control", "#d55e00"},
+                                                                      {"direct control", "#0072b2"},
+                                                                      {"velocity direct control", "#009e73"},
+                                                                      {"direct, dead band", "#56b4e9"},
+                                                                      {"velocity, on touch", "#000000"},
+                                                                      {"coercive", "#cc79a7"},
+                                                                      {"single deg. of freedom", "#e69f00"},
+                                                                      {"velocity ratio", "#7f6000"},
+                                                                      {"on-off", "#888888"}}};
+  for (const auto& [name, colour] : known)
+    if (law == name) return colour;
+  return "#666666";
+}
+
+// Text between single quotes of a gnuplot script.
+inline std::string quoted(const std::string& text) {
+  std::string q = "'";
+  for (const char c : text) q += c == '\'' ? std::string("''") : std::string(1, c);
+  return q + "'";
+}
+
+// Text stands as it is written: a name may hold an underscore.
+inline std::string terminal(int width, int height) {
+  std::ostringstream script;
+  script << "set encoding utf8\nset terminal svg noenhanced size " << width << "," << height
+         << " font 'sans,13' background 'white'\nset output output\nset datafile separator ','\n"
+         << "set grid lc rgb '#dddddd' lt 1\nset border lc rgb '#666666'\nset tics textcolor rgb 'black'\n";
+  return script.str();
+}
+
+// A legend over the whole width of a picture, set before its first panel and taken away after it: gnuplot's own key is
+// as narrow as a panel.
+struct entry {
+  std::string name, colour, dashes = "solid";
+  int width = 3;  // an area takes area_width
+};
+inline constexpr int area_width = 12;
+inline constexpr const char* wall_colour = "#e6e6e6";
+inline std::string legend(const std::vector<entry>& entries, double height, double left = 0.08) {
+  std::ostringstream script;
+  const double width = (1 - left) / static_cast<double>(entries.size());
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const double x = left + width * static_cast<double>(k);
+    script << "set arrow " << 100 + k << " nohead from screen " << x << "," << height << " to screen "
+           << x + 0.025 << "," << height << " lw " << entries[k].width << " dt " << entries[k].dashes
+           << " lc rgb '" << entries[k].colour << "'\nset label " << 100 + k << " " << quoted(entries[k].name)
+           << " at screen " << x + 0.032 << "," << height << " left\n";
+  }
+  return script.str();
+}
+inline std::string no_legend(std::size_t entries) {
+  std::ostringstream script;
+  for (std::size_t k = 0; k < entries; ++k)
+    script << "unset arrow " << 100 + k << "\nunset label " << 100 + k << "\n";
+  return script.str();
+}
+
+// Blocks of numbers in one CSV file; gnuplot's `index` counts them from 0.
+class table {
+ public:
+  void start_block(const std::string& name, const std::string& columns) {
+    if (!text_.str().empty()) text_ << "\n\n";
+    text_ << "# " << name << "\n# " << columns << "\n";
+  }
+  void add(const std::vector<double>& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) text_ << (i == 0 ? "" : ", ") << row[i];
+    text_ << "\n";
+  }
+  void skip() { text_ << "\n"; }  // gnuplot lifts its pen
+  std::string str() const { return text_.str(); }
+
+ private:
+  std::ostringstream text_;
+};
+
+// `set yrange` over what was added, with a margin.
+class range {
+ public:
+  void add(double value) {
+    low_ = std::min(low_, value);
+    high_ = std::max(high_, value);
+  }
+  double low() const { return low_ - margin(); }
+  double high() const { return high_ + margin(); }
+  double lowest() const { return low_; }
+  double highest() const { return high_; }
+  double width() const { return high_ - low_; }
+  bool empty() const { return high_ < low_; }
+  std::string str() const {
+    std::ostringstream text;
+    text << "[" << low() << ":" << high() << "]";
+    return text.str();
+  }
+
+ private:
+  double margin() const { return high_ > low_ ? 0.06 * (high_ - low_) : 0.1 * std::abs(high_) + 1e-9; }
+  double low_ = HUGE_VAL, high_ = -HUGE_VAL;
+};
+
+// The names in the order in which they are first met.
+template <class Rows, class Name>
+auto distinct(const Rows& rows, Name name) {
+  std::vector<std::decay_t<decltype(name(rows.front()))>> found;
+  for (const auto& row : rows)
+    if (std::find(found.begin(), found.end(), name(row)) == found.end()) found.push_back(name(row));
+  return found;
+}
+
+}  // namespace experiments::style
