@@ -56,8 +56,8 @@ void follow_walls(report& table, const std::filesystem::path& directory) {
   });
   table.section("Figs. 8 to 10: the tendon device; planar wall y = 0.225 m, circles of 0.325 m");
   for (std::size_t k = 0; k < cells.size(); ++k)
-    table.add({"tendon", cells[k].wall->name, hertz(cells[k].rate), text(name_of(cells[k].which)), runs[k].figures,
-               runs[k].books.imbalance()});
+    table.add({"tendon", cells[k].wall->name, hertz(cells[k].rate), text(name_of(cells[k].which)),
+               runs[k].figures, runs[k].books.imbalance()});
 
   const auto shown = [&](const named_wall& wall, double rate) {
     std::vector<named_run> chosen;
@@ -76,7 +76,8 @@ void follow_walls(report& table, const std::filesystem::path& directory) {
   draw("figure_9", "Fig. 9: planar wall, environment at 20 Hz", planar, 20);
   draw("figure_10_concave", "Fig. 10: inside of a circle, environment at 20 Hz", concave, 20);
   draw("figure_10_convex", "Fig. 10: outside of a circle, environment at 20 Hz", convex, 20);
-  draw_filmstrip(directory, "filmstrip", "Along the planar wall, environment at 20 Hz", planar.wall, shown(planar, 20));
+  draw_filmstrip(directory, "filmstrip", "Along the planar wall, environment at 20 Hz", planar.wall,
+                 shown(planar, 20));
 }
 
 // The dead band of direct control with weak brakes: what a lab could tune.
@@ -118,10 +119,12 @@ void slanted_walls(report& table, const std::filesystem::path& directory) {
       }
     }
   }
+  draw_slants(directory, rows);
 }
 
 // Section 5.2: how deep the handle gets before the brakes hold it.
-void penetration() {
+void penetration(const std::filesystem::path& directory) {
+  std::vector<penetration_row> rows;
   std::printf("\nDeepest point [mm] at the first contact, planar wall, 1 kHz\n%-26s",
               "lag of the brakes [ms]");
   const std::vector<double> lags{0.0, 0.005, 0.010, 0.020, 0.040}, speeds{0.025, 0.05, 0.1, 0.15};
@@ -134,11 +137,14 @@ void penetration() {
         setup how;
         how.lag = lag;
         how.approach = speed;
-        std::printf("%8.3f", 1e3 * follow_with_arm(which, planar.wall, how).figures.depth_max);
+        const double depth = follow_with_arm(which, planar.wall, how).figures.depth_max;
+        std::printf("%8.3f", 1e3 * depth);
+        rows.push_back({text(name_of(which)), lag, speed, depth});
       }
       std::printf("\n");
     }
   }
+  draw_penetration(directory, rows);
 }
 
 double median(std::vector<double> values) {
@@ -148,10 +154,10 @@ double median(std::vector<double> values) {
 }
 
 // One line: all random plants with a law, their lag known or believed to be this.
-void random_plants(const named_wall& wall, double rate, law which, std::optional<double> believed_lag = {}) {
+batch_row random_plants(const named_wall& wall, double rate, law which,
+                        std::optional<double> believed_lag = {}) {
   const std::string law_name =
-      text(name_of(which)) +
-      (believed_lag ? ", " + milliseconds(*believed_lag) : "");
+      text(name_of(which)) + (believed_lag ? ", " + milliseconds(*believed_lag) : "");
   const auto figures =
       on_all_cores(wall.name + " " + hertz(rate) + " " + law_name, plant_count, [&](std::size_t k) {
         setup how = random_plant(seed, k);
@@ -175,24 +181,28 @@ void random_plants(const named_wall& wall, double rate, law which, std::optional
               1e3 * sum / static_cast<double>(figures.size()),
               median(all(&ph::contact_metrics::retarding_force)));
   std::fflush(stdout);
+  return {law_name, wall.name + ", " + hertz(rate), figures};
 }
 
 // Random plants and hands.
-void random_plants() {
+void random_plants(const std::filesystem::path& directory) {
   std::printf(
       "\n%zu random plants and hands, seed %llu; of the last lines the lag is 7 to 20 ms, but believed\n",
       plant_count, static_cast<unsigned long long>(seed));
   std::printf("%-9s %-8s %-30s %14s %12s %12s %12s %12s\n", "wall", "environ.", "law", "with separat.",
               "RMS, median", "largest [mm]", "mean depth", "retards [N]");
+  std::vector<batch_row> rows;
   for (const named_wall* wall : {&planar, &concave, &convex})
     for (const double rate : {1000.0, 20.0})
-      for (const law which : {law::none, law::direct, law::velocity}) random_plants(*wall, rate, which);
+      for (const law which : {law::none, law::direct, law::velocity})
+        rows.push_back(random_plants(*wall, rate, which));
+  draw_batch(directory, rows);
   for (const double believed : {0.0067, 0.020})
     for (const named_wall* wall : {&planar, &concave}) random_plants(*wall, 1000, law::velocity, believed);
 }
 
 // Three degrees of freedom.
-void in_space(report& table) {
+void in_space(report& table, const std::filesystem::path& directory) {
   struct cell {
     space_device device;
     space_wall wall;
@@ -210,10 +220,15 @@ void in_space(report& table) {
     return follow_in_space(cells[k].device, cells[k].wall, cells[k].which, how);
   });
   table.section("Three degrees of freedom; of an edge each of its planes");
-  for (std::size_t k = 0; k < cells.size(); ++k)
+  std::vector<space_row> rows;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto device = text(name_of(cells[k].device)), wall = text(name_of(cells[k].wall)),
+               law_name = text(name_of(cells[k].which));
     for (const auto& figures : runs[k].figures)
-      table.add({text(name_of(cells[k].device)), text(name_of(cells[k].wall)), hertz(cells[k].rate),
-                 text(name_of(cells[k].which)), figures, runs[k].books.imbalance()});
+      table.add({device, wall, hertz(cells[k].rate), law_name, figures, runs[k].books.imbalance()});
+    if (cells[k].rate < 1000) rows.push_back({device, wall, law_name, runs[k].trace});
+  }
+  draw_in_space(directory, rows);
 }
 
 // What is claimed of the runs, asked again with half the time step: bouncing is chaotic, its bands are not.
@@ -305,12 +320,13 @@ int main(int argc, char** argv) try {
       argc, argv,
       "07_experiments: the paper's experiments and more, as a table, experiments.csv and pictures");
   report table;
-  follow_walls(table);
+  follow_walls(table, directory);
   weak_brakes(table);
-  slanted_walls(table);
-  in_space(table);
-  penetration();
-  random_plants();
+  slanted_walls(table, directory);
+  in_space(table, directory);
+  penetration(directory);
+  draw_pull_back(directory);
+  random_plants(directory);
   const bool hold = bands();
   std::printf(
       "\nCounted from the first contact; depths after the first 10 %% of the path, RMS about their mean. A "
