@@ -15,6 +15,8 @@ template <class T, int D, int Brakes>
 struct acceleration_map {
   vector<T, D> free;       ///< J M^-1 (J^T Fh - c) + Jd qd [m/s^2]
   matrix<T, D, Brakes> G;  ///< J M^-1 T^T [m/s^2 per N m]
+  matrix<T, D, D>
+      mobility;  ///< J M^-1 J^T [1/kg]: G t is the acceleration that the force mobility^-1 G t would give.
 };
 
 /// The acceleration map of a mechanism with inertia, the hand doing Fh to it. Cost: a Cholesky of n x n.
@@ -34,7 +36,15 @@ auto accelerations(const brake_situation<M, EMatrix>& now) {
   acceleration_map<T, d, m> map;
   map.free = product(J, joint_vector<M>(mass.solve(drive))) + now.mechanism.bias_acceleration(now.q, now.qd);
   map.G = J * mass.solve(Tt);
+  map.mobility = J * mass.solve(transposed(J));
   return map;
+}
+
+/// mobility^-1 G [N per N m]: the forces at the end effector that do what brake torques do; G itself at a singular pose.
+template <class T, int D, int Brakes>
+matrix<T, D, Brakes> equivalent_forces(const acceleration_map<T, D, Brakes>& map) {
+  const matrix<T, D, Brakes> forces = map.mobility.ldlt().solve(map.G);
+  return all_finite(forces) ? forces : map.G;
 }
 
 }  // namespace passive_haptics

@@ -104,7 +104,7 @@ class velocity_direct_control {
     if (count > 0) {
       const force_map<T, D, M::brake_count> G{map.G, {}, false};
       t = contact_forces<T, D, M::brake_count, Capacity>(G, torques_within(now.s, now.brakes.torque_limit),
-                                                         demands, count)
+                                                         demands, count, equivalent_forces(map))
               .torque;
     }
     unrolled<M::brake_count>([&](auto i) {

@@ -48,10 +48,13 @@ struct contact_forces_result {
 /// first; as near as possible for the others, in the sum of squares; the least |F| (least drag); the least |t|.
 /// One demand that is first gives F = alpha Fc of (12). Opposed walls do not cancel, and a demand of 5e4 N
 /// does not drown one of 2 N that is first. Cost: core/prioritised_least_squares.hpp, four levels.
+///
+/// drag: what shall be least, |drag t|, where that is not |F|.
 template <class T, int D, int Brakes, int Capacity>
 contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
-    const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count) {
+    const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
+    const matrix<T, D, Brakes>& drag) {
   using solver = prioritised_least_squares<T, Brakes, Brakes + Capacity + D>;
   using rows = typename solver::rows;
   using targets = typename solver::targets;
@@ -73,9 +76,9 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     }
     if (count_here > 0) t.minimise(A, a);
   }
-  rows drag = rows::Zero();
-  drag.template topRows<D>() = map.G;
-  t.minimise(drag, targets::Zero());
+  rows least = rows::Zero();
+  least.template topRows<D>() = drag;
+  t.minimise(least, targets::Zero());
   t.minimise(rows::Identity(), targets::Zero());
 
   contact_forces_result<T, D, Brakes, Capacity> result{t.solution(), map.G * t.solution(), {}};
@@ -84,6 +87,14 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
         demands[static_cast<std::size_t>(j)].normal.dot(result.force);
   }
   return result;
+}
+
+/// The same with the least |F|.
+template <class T, int D, int Brakes, int Capacity>
+contact_forces_result<T, D, Brakes, Capacity> contact_forces(
+    const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
+    const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count) {
+  return contact_forces<T, D, Brakes, Capacity>(map, box, demands, count, map.G);
 }
 
 }  // namespace passive_haptics
