@@ -29,9 +29,10 @@ inline std::string validate(const sensorless_parameters& p) {
 /// A controller whose law gets the force of a momentum_observer in place of a sensor's, and which probes brakes that hold
 /// (release_probe), so that no hand stays locked inside a wall.
 ///
-/// What is not known is not made up: a brake at rest has sign 0 and may hold either way, as for any state without a hand
-/// force, and its unknown torque counts as 0 in the estimate, so that a law rather releases than holds. Laws that choose by which way
-/// a brake at rest is pushed (single_degree_of_freedom_control, velocity_ratio_control) learn it from no estimate.
+/// A brake at rest has sign 0 and may hold either way, as for any state without a hand force. Of all forces that the
+/// estimate allows, the law gets the one by which the hand does to brakes at rest what it last did to them: a brake that
+/// holds hides the hand, not takes it away. That is a belief, and probes put it to the test. Laws that choose by which way
+/// a brake at rest is pushed (single_degree_of_freedom_control, velocity_ratio_control) are not told.
 /// Probes make a pressing hand sink step by step, and a law does not know that its brakes are probed.
 ///
 /// For mechanisms that model Dynamics. Errors: as controller. Cost: that of the law and of the observer.
@@ -55,14 +56,15 @@ class sensorless_controller {
   template <class State>
   result_type operator()(const State& state) noexcept {
     const auto& hand = observer_.update(state, told_);
-    result_type result = controller_(device_state<M>{state.time, state.q, state.qd, hand.force});
+    result_type result =
+        controller_(device_state<M>{state.time, state.q, state.qd, believed_force(hand, state.q)});
     if (result.outcome == status::ok && result.wall >= 0) probe(state.time, state.q, state.qd, result);
     else forget_rest();
     told_ = result.capacity;
     return result;
   }
 
-  /// The hand force that the last cycle worked with, and how far it may be off.
+  /// The estimate of the last cycle, and how far it may be off.
   const hand_force_estimate<M>& hand() const { return observer_.estimate(); }
   /// What the probe did in the last cycle.
   probe_phase probing() const { return probe_.now(); }
@@ -70,6 +72,7 @@ class sensorless_controller {
   void reset() {
     observer_.reset();
     controller_.reset();
+    believed_.setZero();
     forget_rest();
   }
   /// The scene, for example to move a wall of it before a cycle.
@@ -82,6 +85,19 @@ class sensorless_controller {
   static brakes_of<M> with_unknown_pushes(brakes_of<M> brakes) {
     brakes.torque_dead_band.setConstant(std::numeric_limits<typename M::scalar>::max());
     return brakes;
+  }
+
+  // Fh [N] with E^T Fh as near as may be to what it was while brakes slipped
+  task_vector<M> believed_force(const hand_force_estimate<M>& hand, const joint_vector<M>& q) {
+    if (hand.outcome != status::ok) {
+      believed_.setZero();
+      return hand.force;
+    }
+    const brake_vector<M> seen = brake_torque(brake_jacobian(mechanism(), q), hand.force);
+    const brake_vector<M> hidden =
+        (believed_ - seen).cwiseMin(hand.unknown_torque).cwiseMax(-hand.unknown_torque);
+    believed_ = seen + hidden;
+    return hand.force + product(hand.generators, hidden);
   }
 
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {
@@ -120,6 +136,7 @@ class sensorless_controller {
   controller<M, S, L> controller_;
   release_probe<M::task_dimension> probe_;
   brake_vector<M> told_ = brake_vector<M>::Zero();
+  brake_vector<M> believed_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
   vector<double, M::brake_count> rest_since_ =
       vector<double, M::brake_count>::Constant(std::numeric_limits<double>::infinity());
   std::array<bool, static_cast<std::size_t>(M::brake_count)> probed_{};
