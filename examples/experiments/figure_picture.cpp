@@ -59,6 +59,7 @@ std::string legend_of(const std::vector<named_run>& runs) {
 
 void draw_figure(const std::filesystem::path& directory, const std::string& name, const std::string& title,
                  const test_wall& wall, const std::vector<named_run>& runs) {
+  style::require_traces(name, runs);
   extent e;
   example::write_file(directory / (name + ".csv"), figure_table(wall, runs, e));
 

@@ -4,6 +4,8 @@
 
 #include <output.hpp>
 
+#include <stdexcept>
+
 namespace experiments {
 
 namespace {
@@ -50,6 +52,7 @@ std::string how(const panels& p, const curve& c, std::size_t place) {
 
 void draw_panels(const std::filesystem::path& directory, const panels& p) {
   const std::vector<std::string> laws = laws_of(p);
+  if (laws.empty()) throw std::invalid_argument("no rows to draw in " + p.name);
   style::table csv;
   style::range x, y;
   for (const panel& one : p.all) {
