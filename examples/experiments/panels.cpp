@@ -105,7 +105,7 @@ void draw_panels(const std::filesystem::path& directory, const panels& p) {
            << style::quoted(one.x_label) << " offset 0,0.3\nset ylabel "
            << style::quoted(first_column || !p.common_y ? one.y_label : "") << "\n"
            << (first_column || !p.common_y ? "" : "set format y ''\n") << "plot ";
-    if (one.curves.empty()) script << "NaN notitle";
+    if (one.curves.empty()) script << "[1:2] [1:2] NaN notitle";
     for (std::size_t c = 0; c < one.curves.size(); ++c, ++block) {
       const auto place = std::find(laws.begin(), laws.end(), one.curves[c].law) - laws.begin();
       script << (c == 0 ? "" : ", \\\n     ") << "data index " << block << " using 1:2 with "

@@ -53,7 +53,7 @@ int curves(const std::string& svg, const std::string& colour) {
   int count = 0;
   const std::string start = "<g id=\"gnuplot_plot_";
   for (auto at = svg.find(start); at != std::string::npos; at = svg.find(start, at + 1)) {
-    const std::string plot = svg.substr(at, svg.find("\n\t</g>", at) - at);
+    const std::string plot = svg.substr(at, svg.find("</g>\n\t</g>", at) - at);
     const auto path = plot.find(stroke);
     count += path != std::string::npos && plot.find(" L", path) < plot.find("/>", path);
   }
@@ -86,7 +86,7 @@ TEST_F(picture, figure_has_its_panels) {
   draw_figure(directory(), "figure_9", "a title with an_underscore and 'quotes'", planar_wall(),
               short_runs());
   const std::string drawn = svg("figure_9");
-  expect_texts(drawn, {"a title with an_underscore and &#39;quotes&#39;", "x [m]", "y [mm]", "depth [mm]",
+  expect_texts(drawn, {"a title with an_underscore and 'quotes'", "x [m]", "y [mm]", "depth [mm]",
                        "depth, zoomed [mm]", "w1 [rad/s]", "w2 [rad/s]", "Fh into the wall [N]",
                        "Fh along the wall [N]", "capacity of brake 1 [N m]", "capacity of brake 2 [N m]",
                        "alpha [1]", "inside the wall"});
@@ -175,6 +175,12 @@ TEST_F(picture, in_space_draws_both_walls_of_an_edge) {
                        "second wall of an edge"});
   expect_legend(drawn);
   for (const law l : laws) EXPECT_EQ(curves(drawn, l), 6);
+}
+
+TEST_F(picture, a_run_in_space_may_be_missing) {
+  draw_in_space(directory(), {{"delta", "plane", "direct control", {{0, {0}}, {0.1, {1e-3}}}},
+                              {"arm", "sphere", "direct control", {{0, {0}}, {0.1, {1e-3}}}}});
+  EXPECT_EQ(curves(svg("in_space"), law::direct), 2);
 }
 
 TEST_F(picture, nothing_to_draw_is_refused) {
