@@ -114,8 +114,7 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
     script << ", \\\n     data index " << k << " using 2:($9 > 1e-5 ? $9 : 1e-5) with lines lw 1.2 lc rgb '"
            << style::colour_of(runs[k].law) << "'";
   }
-  script << "\n";
-  script << "unset multiplot\n";
+  script << "\nunset multiplot\n";
   example::draw(directory, name, script.str());
 }
 

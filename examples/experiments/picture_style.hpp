@@ -82,7 +82,6 @@ class table {
     for (std::size_t i = 0; i < row.size(); ++i) text_ << (i == 0 ? "" : ", ") << row[i];
     text_ << "\n";
   }
-  void skip() { text_ << "\n"; }  // gnuplot lifts its pen
   std::string str() const { return text_.str(); }
 
  private:
