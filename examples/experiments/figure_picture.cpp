@@ -59,6 +59,7 @@ std::string legend_of(const std::vector<named_run>& runs) {
 
 void draw_figure(const std::filesystem::path& directory, const std::string& name, const std::string& title,
                  const test_wall& wall, const std::vector<named_run>& runs) {
+  style::require_traces(name, runs);
   extent e;
   example::write_file(directory / (name + ".csv"), figure_table(wall, runs, e));
 
@@ -105,9 +106,15 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
   panel("w2 [rad/s]", "2:6");
   panel("capacity of brake 1 [N m]", "2:10");
   panel("capacity of brake 2 [N m]", "2:11");
-  panel("alpha [1]", "2:($9 > 1e-5 ? $9 : 1e-5)",
-        "unset offsets\nset logscale y\nset yrange [1e-5:2]\nset format y '%g'\n" + last_row);
-  script << "unset multiplot\n";
+  script << "unset offsets\nset logscale y\nset yrange [1e-5:2]\nset format y '%g'\n"
+         << "set label 2 'a law that is not drawn has alpha = 1, or none' at graph 0.02,0.07 left front\n"
+         << last_row << label("alpha [1]") << "plot NaN";
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (runs[k].run.least_alpha >= 1) continue;
+    script << ", \\\n     data index " << k << " using 2:($9 > 1e-5 ? $9 : 1e-5) with lines lw 1.2 lc rgb '"
+           << style::colour_of(runs[k].law) << "'";
+  }
+  script << "\nunset multiplot\n";
   example::draw(directory, name, script.str());
 }
 

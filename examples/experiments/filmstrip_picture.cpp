@@ -37,6 +37,7 @@ void add_frame(style::table& csv, const test_wall& wall, const named_run& r, std
 
 void draw_filmstrip(const std::filesystem::path& directory, const std::string& name, const std::string& title,
                     const test_wall& wall, const std::vector<named_run>& runs) {
+  style::require_traces(name, runs);
   style::table csv;
   csv.start_block("surface", "x [m], y [m]");
   constexpr int surface_points = 61;

@@ -4,11 +4,13 @@
 
 #include <output.hpp>
 
+#include <stdexcept>
+
 namespace experiments {
 
 namespace {
 
-constexpr double head = 85, foot = 60, between = 75, key_line = 19;  // heights in a picture [px]
+constexpr double left = 95, head = 85, foot = 60, between = 90, key_line = 19;  // of a picture [px]
 
 std::vector<std::string> laws_of(const panels& p) {
   std::vector<std::string> laws;
@@ -50,14 +52,16 @@ std::string how(const panels& p, const curve& c, std::size_t place) {
 
 void draw_panels(const std::filesystem::path& directory, const panels& p) {
   const std::vector<std::string> laws = laws_of(p);
+  if (laws.empty()) throw std::invalid_argument("no rows to draw in " + p.name);
   style::table csv;
-  style::range y;
+  style::range x, y;
   for (const panel& one : p.all) {
     for (const curve& c : one.curves) {
       csv.start_block(one.title + ", " + c.law + (c.dashed ? ", " + p.dashed_means : ""),
                       one.x_label + ", " + one.y_label);
       for (const auto& [a, b] : c.points) {
         csv.add({a, b});
+        x.add(a);
         y.add(b);
       }
     }
@@ -70,23 +74,29 @@ void draw_panels(const std::filesystem::path& directory, const panels& p) {
   const double height = head + foot + static_cast<double>(rows) * (p.row_height + keys) +
                         static_cast<double>(rows - 1) * between;
   std::vector<style::entry> entries;
-  for (const std::string& law : laws) entries.push_back({law, style::colour_of(law)});
+  // A panel's own key names its laws
+  for (const std::string& law : keys > 0 ? std::vector<std::string>() : laws)
+    entries.push_back({law, style::colour_of(law)});
   if (!p.dashed_means.empty()) entries.push_back({p.dashed_means, "#666666", "(6,4)"});
 
   std::ostringstream script;
   script << style::terminal(p.width, static_cast<int>(height)) << "data = '" << p.name
-         << ".csv'\nset multiplot layout " << rows << "," << p.columns << " margins " << 75.0 / p.width << ","
-         << 1 - 15.0 / p.width << "," << (foot + keys) / height << "," << 1 - head / height << " spacing "
+         << ".csv'\nset multiplot layout " << rows << "," << p.columns << " margins " << left / p.width << ","
+         << 1 - 25.0 / p.width << "," << (foot + keys) / height << "," << 1 - head / height << " spacing "
          << (p.common_y ? 20.0 : 80.0) / p.width << "," << (between + keys) / height << " title "
          << style::quoted(p.title) << " font ',16'\n"
          << (p.log_x ? "set logscale x\n" : "") << (p.log_y ? "set logscale y\n" : "")
-         << "set format '%g'\nset key at graph 0,0 left top Left reverse samplen 2 offset 0,-2.9\n"
+         << "set format '%g'\nset key at graph 0," << -52.0 / p.row_height
+         << " left top Left reverse samplen 2\n"
          << p.settings;
   if (p.common_y && p.log_y) {
     script << "set yrange [" << std::pow(10, std::floor(std::log10(y.lowest()))) << ":"
            << std::pow(10, std::ceil(std::log10(y.highest()))) << "]\n";
   }
-  script << style::legend(entries, 1 - 42 / height, 75.0 / p.width);
+  if (p.common_x)
+    script << "set xrange [" << (p.log_x ? x.lowest() / 1.5 : x.low()) << ":"
+           << (p.log_x ? 1.5 * x.highest() : x.high()) << "]\n";
+  script << style::legend(entries, 1 - 42 / height, left / p.width);
   std::size_t block = 0;
   for (std::size_t k = 0; k < p.all.size(); ++k) {
     const panel& one = p.all[k];
@@ -95,7 +105,7 @@ void draw_panels(const std::filesystem::path& directory, const panels& p) {
            << style::quoted(one.x_label) << " offset 0,0.3\nset ylabel "
            << style::quoted(first_column || !p.common_y ? one.y_label : "") << "\n"
            << (first_column || !p.common_y ? "" : "set format y ''\n") << "plot ";
-    if (one.curves.empty()) script << "NaN notitle";
+    if (one.curves.empty()) script << "[1:2] [1:2] NaN notitle";
     for (std::size_t c = 0; c < one.curves.size(); ++c, ++block) {
       const auto place = std::find(laws.begin(), laws.end(), one.curves[c].law) - laws.begin();
       script << (c == 0 ? "" : ", \\\n     ") << "data index " << block << " using 1:2 with "

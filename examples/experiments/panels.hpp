@@ -28,6 +28,7 @@ struct panels {
   int width = 1200, row_height = 400;  // [px]
   line_style style = line_style::lines;
   bool log_x = false, log_y = false;
+  bool common_x = false;
   bool common_y = false;          // one scale for all, read at the left
   std::string dashed_means = {};  // in the legend
   std::string settings = {};      // more of gnuplot

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -81,7 +82,6 @@ class table {
     for (std::size_t i = 0; i < row.size(); ++i) text_ << (i == 0 ? "" : ", ") << row[i];
     text_ << "\n";
   }
-  void skip() { text_ << "\n"; }  // gnuplot lifts its pen
   std::string str() const { return text_.str(); }
 
  private:
@@ -111,6 +111,14 @@ class range {
   double margin() const { return high_ > low_ ? 0.06 * (high_ - low_) : 0.1 * std::abs(high_) + 1e-9; }
   double low_ = HUGE_VAL, high_ = -HUGE_VAL;
 };
+
+// Throws std::invalid_argument if there is nothing to draw.
+template <class Runs>
+void require_traces(const std::string& name, const Runs& runs) {
+  bool all = !runs.empty();
+  for (const auto& r : runs) all = all && !r.run.trace.empty();
+  if (!all) throw std::invalid_argument("no runs to draw in " + name);
+}
 
 // The names in the order in which they are first met.
 template <class Rows, class Name>

@@ -65,12 +65,12 @@ void draw_penetration(const std::filesystem::path& directory, const std::vector<
 
 void draw_slants(const std::filesystem::path& directory, const std::vector<slant_row>& rows) {
   panels p{.name = "slants",
-           .title = "Conclusion 1: XY table along a slanted wall",
+           .title = "Conclusion 1: XY table along a slanted wall (less than 0.0001 mm is drawn at 0.0001 mm)",
            .columns = 4,
            .style = line_style::points_on_lines,
            .log_y = true,
            .common_y = true,
-           .settings = "set xtics 10\nset offsets 2,2,0,0\n"};
+           .settings = "set xtics 10\nset xrange [-4:34]\n"};
   for (const std::string& cell : style::distinct(rows, [](const slant_row& r) { return r.cell; })) {
     panel one{cell, "slant of the wall [deg]", "depth range [mm]", {}};
     for (const std::string& law : style::distinct(rows, law_of)) {
@@ -94,6 +94,7 @@ void draw_batch(const std::filesystem::path& directory, const std::vector<batch_
            .row_height = 360,
            .style = line_style::steps,
            .log_x = true,
+           .common_x = true,
            .settings = "set yrange [0:1]\n"};
   for (const std::string& setting : style::distinct(rows, [](const batch_row& r) { return r.setting; })) {
     panel one{setting, "depth RMS [mm]", "share of plants below [1]", {}};
@@ -110,32 +111,32 @@ void draw_batch(const std::filesystem::path& directory, const std::vector<batch_
       curve c{.law = r.law, .points = {{depths.front(), 0}}};
       for (std::size_t k = 0; k < depths.size(); ++k)
         c.points.emplace_back(depths[k], static_cast<double>(k + 1) / runs);
-      c.name = r.law + text(": %.0f %% of the runs with separations", 100 * separated / runs);
+      c.name = r.law + text(": separations in %.0f %% of the runs", 100 * separated / runs);
       one.curves.push_back(c);
     }
     p.all.push_back(one);
   }
   p.columns = static_cast<int>(std::max<std::size_t>(1, std::min<std::size_t>(3, p.all.size())));
-  p.width = 80 + 420 * p.columns;
+  p.width = 80 + 500 * p.columns;
   draw_panels(directory, p);
 }
 
 void draw_in_space(const std::filesystem::path& directory, const std::vector<space_row>& rows) {
   const auto walls = style::distinct(rows, [](const space_row& r) { return r.wall; });
   panels p{.name = "in_space",
-           .title = "Three degrees of freedom",
+           .title = "Devices of three degrees of freedom: depth in the wall, > 0 inside",
            .columns = static_cast<int>(std::max<std::size_t>(1, walls.size())),
            .width = 100 + 290 * static_cast<int>(std::max<std::size_t>(2, walls.size())),
            .row_height = 240,
            .settings = "set offsets 0,0,graph 0.05,graph 0.05\n"};
   for (const std::string& device : style::distinct(rows, [](const space_row& r) { return r.device; })) {
     for (const std::string& wall : walls) {
-      panel one{device + ", " + wall, "way [m]", "depth [mm]", {}};
+      panel one{device + ", " + wall, "way [mm]", "depth [mm]", {}};
       for (const space_row& r : rows) {
         if (r.device != device || r.wall != wall || r.trace.empty()) continue;
         for (std::size_t k = 0; k < r.trace.front().second.size(); ++k) {
           curve c{.law = r.law, .points = {}, .dashed = k > 0};
-          for (const auto& [way, depths] : r.trace) c.points.emplace_back(way, 1e3 * depths[k]);
+          for (const auto& [way, depths] : r.trace) c.points.emplace_back(1e3 * way, 1e3 * depths[k]);
           one.curves.push_back(c);
           if (k > 0) p.dashed_means = "second wall of an edge";
         }
