@@ -10,9 +10,7 @@
 #include <passive_haptics/scene/contacts.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <string>
 
 namespace passive_haptics {
@@ -83,30 +81,19 @@ class velocity_direct_control {
   brake_vector<M> torque(const brake_situation<M, EMatrix>& now, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
-    const auto map = accelerations(now);
     const point<D> v = as<double>(product(matrix<T, D, M::brake_count>(now.E), now.w));
-
-    std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)> demands;
-    int count = 0;
+    wanted_accelerations<T, D, Capacity> wanted;
     remembered.walls.begin_cycle();
     for (const auto& c : touched) {
       const point<D> moved = now.x - c.position, relative = v - c.wall_velocity;
       const point<D> n = (c.normal + c.curvature * moved).normalized();
       const double depth = c.depth - p_.margin - moved.dot(c.normal + 0.5 * (c.curvature * moved));
-      const double wanted = wanted_acceleration(depth, n.dot(relative), relative.dot(c.curvature * relative),
-                                                remembered.walls.of(c.wall));
-      const vector<T, D> normal = as<T>(n);
-      const T missing = static_cast<T>(wanted) - dot(normal, map.free);
-      if (missing > T(0)) demands[static_cast<std::size_t>(count++)] = {normal, missing, false};
+      wanted.add(as<T>(n), static_cast<T>(wanted_acceleration(depth, n.dot(relative),
+                                                              relative.dot(c.curvature * relative),
+                                                              remembered.walls.of(c.wall))));
     }
+    brake_vector<M> t = nearest_torques(now, wanted);
     remembered.brakes.advance(now.time, now.brakes.time_constant);
-    brake_vector<M> t = brake_vector<M>::Zero();
-    if (count > 0) {
-      const force_map<T, D, M::brake_count> G{map.G, {}, false};
-      t = contact_forces<T, D, M::brake_count, Capacity>(G, torques_within(now.s, now.brakes.torque_limit),
-                                                         demands, count, equivalent_forces(map))
-              .torque;
-    }
     unrolled<M::brake_count>([&](auto i) {
       const T u = remembered.brakes.command(i, std::abs(t[i]), now.brakes.time_constant[i],
                                             now.brakes.torque_limit[i], p_.horizon);
