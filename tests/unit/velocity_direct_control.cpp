@@ -175,6 +175,55 @@ TEST(velocity_direct_control, holds_in_the_corner_of_two_walls) {
   EXPECT_LT(deepest, 2e-3);
 }
 
+// Back along the wall the cone leaves brake 1 alone, 51 deg from the wall's normal, while brake 2 comes to rest: told more it
+// does nothing. A law that does not know that lets the handle slide into the wall along the path of brake 2.
+TEST(velocity_direct_control, knows_that_a_brake_at_rest_only_holds) {
+  using M = ph::tendon_two_link<double>;
+  const M arm;
+  constants p;
+  p.margin = 0.006;
+  const ph::half_space<2> ceiling({0, 0.225}, {0, -1});
+  for (const double x : {0.08, 0.11, 0.14, 0.165}) {
+    ph::controller control(arm, ph::brakes_of<M>(), ph::scene(ph::wall(ph::offset(ceiling, p.margin))),
+                           law(p));
+    const pair q = arm.inverse({x, 0.221}, ph::elbow::left).q;
+    ph::simulated_device device(arm, ph::brakes_of<M>(), 0.5, q);
+    ph::first_order_lag<double, 2> sensor(pair::Constant(ph::low_pass_time_constant(200.0)));
+    pair capacity = pair::Zero();
+    double deepest = -1;
+    for (int k = 0; k < 20'000; ++k) {
+      if (k % 10 == 0)
+        capacity = control(ph::device_state<M>{k * 1e-4, device.q(), device.qd(), sensor.output()}).capacity;
+      const pair v = device.velocity();
+      device.advance(1e-4, capacity, pair(-1, 2) - 20 * v);
+      sensor.advance(1e-4, device.sensed_force());
+      deepest = std::max(deepest, -ceiling.distance(device.position()));
+    }
+    EXPECT_LT(deepest, 1.5e-3) << "from x = " << x;
+  }
+}
+
+// The map of a device with a brake held is that with the torque which holds it.
+TEST(acceleration_map, of_a_held_brake_is_that_under_its_holding_torque) {
+  constexpr unsigned seed = 8;
+  ph::testing::random_source random(seed);
+  for (int k = 0; k < 100; ++k) {
+    ph::acceleration_map<double, 2, 3> map;
+    const ph::matrix<double, 3, 3> root =
+        ph::matrix<double, 3, 3>::NullaryExpr([&] { return random.uniform(-1.0, 1.0); });
+    map.A = root * root.transpose() + 0.1 * ph::matrix<double, 3, 3>::Identity();
+    map.brakes_free = random.normal_vector<double, 3>();
+    map.free = random.normal_vector<double, 2>();
+    for (int j = 0; j < 3; ++j) map.G.col(j) = random.normal_vector<double, 2>();
+    ph::vector<double, 3> t = random.normal_vector<double, 3>();
+    const auto held = map.held(1);
+    t[1] = map.holding_torque(1, t);
+    EXPECT_NEAR((map.brakes_free + map.A * t)[1], 0, 1e-12) << "seed " << seed;
+    EXPECT_LE((map.free + map.G * t - held.free - held.G * t).norm(), 1e-12 * (1 + t.norm() * map.G.norm()));
+    EXPECT_LE((map.brakes_free + map.A * t - held.brakes_free - held.A * t).norm(), 1e-11 * (1 + t.norm()));
+  }
+}
+
 TEST(brake_lag_model, follows_a_first_order_lag_and_inverts_it) {
   constexpr unsigned seed = 5;
   ph::testing::random_source random(seed);

@@ -23,7 +23,7 @@ struct velocity_direct_control_parameters {
   double landing_velocity = 0.01;  ///< Sinking slower than this counts as landed [m/s].
   double horizon = 0.005;          ///< eta [s], over which the brakes' lag is inverted.
   double rest_depth =
-      6e-4;           ///< Depth at which the handle comes to rest, or deeper where it came too fast [m].
+      1e-3;           ///< Depth at which the handle comes to rest, or deeper where it came too fast [m].
   double margin = 0;  ///< By which the scene's walls are grown (scene/offset.hpp) to be seen beforehand [m].
 };
 
