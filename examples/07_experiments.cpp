@@ -59,6 +59,13 @@ void follow_walls(report& table, const std::filesystem::path& directory) {
     table.add({"tendon", cells[k].wall->name, hertz(cells[k].rate), text(name_of(cells[k].which)),
                runs[k].figures, runs[k].books.imbalance()});
 
+  std::printf("\nThe least alpha of direct control:");
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if (cells[k].which == law::direct)
+      std::printf("  %s, %s: %.1e", cells[k].wall->name.c_str(), hertz(cells[k].rate).c_str(),
+                  runs[k].least_alpha);
+  std::printf("\n");
+
   const auto shown = [&](const named_wall& wall, double rate) {
     std::vector<named_run> chosen;
     for (std::size_t k = 0; k < cells.size(); ++k) {
