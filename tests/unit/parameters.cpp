@@ -11,16 +11,6 @@
 
 namespace {
 
-template <class F>
-std::string thrown_by(F&& f) {
-  try {
-    f();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "nothing";
-}
-
 // A field that has to be > 0, >= 0, or merely finite.
 enum class rule { positive, not_negative, finite };
 

@@ -17,16 +17,6 @@
 
 namespace {
 
-template <class F>
-std::string thrown_by(F&& f) {
-  try {
-    f();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "nothing";
-}
-
 template <class T>
 struct encoders : ::testing::Test {};
 TYPED_TEST_SUITE(encoders, scalars);

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <string>
+
 namespace ph = passive_haptics;
 
 using scalars = ::testing::Types<float, double>;
@@ -33,6 +36,17 @@ ph::step_result<M> step_once(const M& mechanism, const ph::brakes_of<M>& brakes,
   (all.push_back(touched), ...);
   ph::step_memory<L> memory;
   return ph::step(mechanism, brakes, all, L{}, state, memory);
+}
+
+// What f() says in the std::invalid_argument that it throws.
+template <class F>
+std::string thrown_by(F&& f) {
+  try {
+    f();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "nothing";
 }
 
 // |a - b| up to rounding of numbers of this size.
