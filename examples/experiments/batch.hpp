@@ -31,7 +31,7 @@ class progress_bar {
     const std::lock_guard lock(drawing_);
     ++done_;
     if (!on_terminal_) return;
-    const int filled = static_cast<int>(static_cast<std::size_t>(width) * done_ / total_);
+    const std::size_t filled = static_cast<std::size_t>(width) * done_ / total_;
     std::fprintf(stderr, "\r%-32s [%-*s] %3zu %%", name_.c_str(), width, std::string(filled, '#').c_str(),
                  100 * done_ / total_);
   }

@@ -60,19 +60,20 @@ test_wall convex_wall();                  // outside of the circle of 0.325 m ab
 
 // What a run varies; the defaults are those of the paper's device.
 struct setup {
-  double environment_rate = 1000;      // of the virtual environment [Hz]
-  double time_step = 1e-4;             // of the simulation [s]
-  double lag = 0.020;                  // of the brakes [s],
-  std::optional<double> believed_lag;  // and what the controller takes it for, where it does not know [s]
-  double limit = 1;                    // of the brakes [N m], which it knows
-  double gain = 1;                     // of the real brakes [1], which it does not
-  double residual = 0;                 // torque of a released brake [N m]
-  double inertia = 1;                  // of the model, for each kg of the device
-  double noise = 0;                    // of the force sensor [N]
-  std::uint64_t seed = 1;              // of that noise
-  double gap = 0.004;                  // off the wall at the start [m]
-  double approach = 0.1;               // speed into the wall at the start [m/s]
-  double velocity_dead_band = 0.025;   // of law::direct_dead_band [m/s]
+  double environment_rate = 1000;  // of the virtual environment [Hz]
+  double time_step = 1e-4;         // of the simulation [s]
+  double lag = 0.020;              // of the brakes [s],
+  std::optional<double> believed_lag =
+      std::nullopt;                   // and what the controller takes it for, where it does not know [s]
+  double limit = 1;                   // of the brakes [N m], which it knows
+  double gain = 1;                    // of the real brakes [1], which it does not
+  double residual = 0;                // torque of a released brake [N m]
+  double inertia = 1;                 // of the model, for each kg of the device
+  double noise = 0;                   // of the force sensor [N]
+  std::uint64_t seed = 1;             // of that noise
+  double gap = 0.004;                 // off the wall at the start [m]
+  double approach = 0.1;              // speed into the wall at the start [m/s]
+  double velocity_dead_band = 0.025;  // of law::direct_dead_band [m/s]
   ph::following_hand_parameters<double> hand = {};
 };
 

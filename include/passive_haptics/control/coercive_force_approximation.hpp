@@ -45,11 +45,11 @@ struct coercive_force_approximation {
                   "passive_haptics: coercive_force_approximation needs brake_count == dof.");
     brake_vector<M> held = brake_vector<M>::Zero();
     for (const auto& c : touched) {
-      const auto [n, magnitude] = force_of<T>(c);
-      const brake_vector<M> t = brake_torque(now.E, n);
+      const auto Fd = force_of<T>(c);
+      const brake_vector<M> t = brake_torque(now.E, Fd.direction);
       unrolled<M::brake_count>([&](auto i) {
         const bool drives = now.s[i] * t[i] > T(0);
-        if (!drives) held[i] = std::max(held[i], std::abs(t[i]) * magnitude);
+        if (!drives) held[i] = std::max(held[i], std::abs(t[i]) * Fd.magnitude);
       });
     }
     unrolled<M::brake_count>(
