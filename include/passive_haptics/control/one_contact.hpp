@@ -29,9 +29,9 @@ auto approximate_with(const brake_situation<M, EMatrix>& now, const task_vector<
 /// Whether NaN or infinity stands in one of these contacts, or a force overflows T.
 template <class T, class Contacts>
 status check_contacts(const Contacts& touched) {
-  for (const auto& c : touched) {
-    const auto [n, magnitude] = force_of<T>(c);
-    if (!all_finite(magnitude, n, as<T>(c.wall_velocity))) return status::contact_not_finite;
+  for (int j = 0; j < touched.size(); ++j) {
+    const auto [n, magnitude] = force_of<T>(touched[j]);
+    if (!all_finite(magnitude, n, as<T>(touched[j].wall_velocity))) return status::contact_not_finite;
   }
   return status::ok;
 }

@@ -45,6 +45,7 @@ class contacts {
   /// Contact i, 0 <= i < size().
   constexpr const contact<D>& operator[](int i) const {
     assert(0 <= i && i < size_);
+    if constexpr (Capacity == 1) return items_[0];  // a constant, so that the optimiser sees through it
     return items_[static_cast<std::size_t>(i)];
   }
   /// First contact.
