@@ -147,4 +147,16 @@ TEST(desired_force, is_stiffness_times_depth_along_the_normal) {
   EXPECT_EQ(Fd.direction, (ph::vector<float, 2>(0, -1)));
 }
 
+TEST(contacts, have_room_for_so_many) {
+  ph::contacts<2, 2> touched;
+  for (const double depth : {1.0, 2.0}) {
+    ph::contact<2>* room = touched.append();
+    ASSERT_NE(room, nullptr);
+    room->depth = depth;
+  }
+  EXPECT_EQ(touched.append(), nullptr);
+  EXPECT_EQ(touched.size(), 2);
+  EXPECT_EQ(touched[1].depth, 2.0);
+}
+
 }  // namespace

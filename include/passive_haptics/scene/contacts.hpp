@@ -38,6 +38,12 @@ class contacts {
     return true;
   }
 
+  /// Room for one more contact, to be filled in place; nullptr if Capacity are there already.
+  constexpr contact<D>* append() {
+    if (size_ == Capacity) return nullptr;
+    return &items_[static_cast<std::size_t>(size_++)];
+  }
+
   /// Number of contacts.
   constexpr int size() const { return size_; }
   /// True in free space.

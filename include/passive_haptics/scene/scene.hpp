@@ -77,13 +77,14 @@ typename scene<Shapes...>::contacts_type sense(const scene<Shapes...>& walls,
   walls.for_each_wall([&](const auto& w) {
     const double distance = w.shape.distance(x);
     if (!(distance >= 0)) {
-      touched.push_back({.normal = w.shape.gradient(x),
-                         .depth = -distance,
-                         .stiffness = w.stiffness,
-                         .wall_velocity = surface_velocity(w.shape, x),
-                         .wall = number,
-                         .position = x,
-                         .curvature = surface_curvature(w.shape, x)});
+      auto& c = *touched.append();  // in place: a copy would wait for its parts to be stored
+      c.normal = w.shape.gradient(x);
+      c.depth = -distance;
+      c.stiffness = w.stiffness;
+      c.wall_velocity = surface_velocity(w.shape, x);
+      c.wall = number;
+      c.position = x;
+      c.curvature = surface_curvature(w.shape, x);
     }
     ++number;
   });
