@@ -49,8 +49,7 @@ class brake_lag_model {
   /// What a brake makes [N m], as of the last advance().
   double torque(int brake) const { return torque_[static_cast<std::size_t>(brake)]; }
 
-  /// All brakes are told 0 from `time` [s] on. Their lag is not known here: what they have made up to then is kept, as
-  /// if they had been told so at the last command.
+  /// All brakes are told 0, as if since the last advance(): their time constants are not known here.
   void release() { command_.fill(0); }
 
  private:

@@ -44,7 +44,8 @@ inline std::string validate(const velocity_direct_control_parameters& p) {
 ///
 /// with H the curvature of the wall and d_ref the depth at which the handle landed, rest_depth or more. The brakes add
 /// n . G t = a* - n . a_0 to the acceleration a_0 that the handle would have without them, as near as their cone and
-/// limits allow and with the least drag, and nothing where they would have to push it in. Their lag is inverted.
+/// limits allow and with the least drag, and nothing where they would have to push it in. A brake at rest
+/// is known to make no more than what holds it (nearest_torques). Their lag is inverted.
 ///
 /// A handle that comes at 0.1 m/s is over a millimetre deep before lagging brakes hold it. So that they begin before,
 /// grow the walls, `wall(offset(shape, margin))`, and give the same margin here: within it only an approach faster
