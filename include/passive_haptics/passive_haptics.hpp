@@ -16,6 +16,7 @@
 #include <passive_haptics/brake/reference_forces.hpp>
 
 #include <passive_haptics/scene/ball.hpp>
+#include <passive_haptics/scene/bounding_volume_tree.hpp>
 #include <passive_haptics/scene/box.hpp>
 #include <passive_haptics/scene/capsule.hpp>
 #include <passive_haptics/scene/complement.hpp>
