@@ -16,7 +16,6 @@
 #include <passive_haptics/brake/reference_forces.hpp>
 
 #include <passive_haptics/scene/ball.hpp>
-#include <passive_haptics/scene/bounding_volume_tree.hpp>
 #include <passive_haptics/scene/box.hpp>
 #include <passive_haptics/scene/capsule.hpp>
 #include <passive_haptics/scene/complement.hpp>
@@ -28,6 +27,7 @@
 #include <passive_haptics/scene/offset.hpp>
 #include <passive_haptics/scene/room.hpp>
 #include <passive_haptics/scene/virtual_fixtures.hpp>
+#include <passive_haptics/scene/world.hpp>
 
 #include <passive_haptics/force/effects/detents.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/validate.hpp>
-#include <passive_haptics/scene/shape.hpp>
+#include <passive_haptics/scene/bounding_box.hpp>
 
 #include <cmath>
 
@@ -62,6 +62,9 @@ class ball {
     if (!(square > 0)) return matrix<double, D, D>::Zero();
     return sign_ / std::sqrt(square) * (matrix<double, D, D>::Identity() - r * r.transpose() / square);
   }
+
+  /// The cube about a solid ball; a hollow one is everywhere.
+  bounding_box<D> bounds() const { return sign_ > 0 ? box_about(centre_, radius_) : everywhere<D>(); }
 
  private:
   point<D> centre_;

@@ -32,13 +32,27 @@ bounding_box<D> box_about(const point<D>& x, double r) {
   return {x - point<D>::Constant(r), x + point<D>::Constant(r)};
 }
 
+/// All of space.
+template <int D>
+bounding_box<D> everywhere() {
+  const point<D> infinity = point<D>::Constant(std::numeric_limits<double>::infinity());
+  return {-infinity, infinity};
+}
+
 /// A shape that knows how far its wall extends. Minimal complete definition, beyond Shape:
-///   - `bounding_box<dimension> bounds() const`: holds every point of the wall (distance <= 0).
+///   - `bounding_box<dimension> bounds() const`: holds every point of the wall (distance <= 0); may be infinite.
 ///
 /// Laws: distance(x) is not less than the distance from x to the box.
 template <class S>
 concept BoundedShape = Shape<S> && requires(const S shape) {
   { shape.bounds() } -> std::same_as<bounding_box<S::dimension>>;
 };
+
+/// The bounds of a shape; everywhere() for one that does not tell.
+template <int D, class S>
+bounding_box<D> bounds_of(const S& shape) {
+  if constexpr (BoundedShape<S>) return shape.bounds();
+  else return everywhere<D>();
+}
 
 }  // namespace passive_haptics

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,22 +18,39 @@
 
 namespace passive_haptics {
 
-/// A box in float, rounded outwards: half the memory, and a bound all the same.
+/// A box in float, grown by what its arithmetic may lose: a fraction of the work, and a bound all the same.
 template <int D>
 struct outer_box {
-  std::array<float, static_cast<std::size_t>(D)> lower;  ///< [m]
-  std::array<float, static_cast<std::size_t>(D)> upper;  ///< [m]
+  /// A point [m]; as many lanes as a vector register has, those beyond D zero.
+  using float_point = Eigen::Array<float, (D + 3) / 4 * 4, 1>;
 
-  /// Square of the distance from x to the box [m^2]; 0 inside; to rounding.
-  double squared_distance(const point<D>& x) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(D); ++i) {
-      const double u = x[static_cast<int>(i)];
-      const double beyond = std::max({double(lower[i]) - u, u - double(upper[i]), 0.0});
-      sum += beyond * beyond;
-    }
-    return sum;
+  float_point lower;  ///< [m]
+  float_point upper;  ///< [m]
+
+  /// Holds a box with coordinates up to `scale` [m].
+  static outer_box about(const bounding_box<D>& b, double scale) {
+    const auto margin = point<D>::Constant(4 * epsilon * scale);
+    return {in_float(b.lower - margin), in_float(b.upper + margin)};
   }
+
+  /// x in float.
+  static float_point in_float(const point<D>& x) {
+    float_point y = float_point::Zero();
+    unrolled<D>([&](auto i) { y[i] = static_cast<float>(x[i]); });
+    return y;
+  }
+
+  /// Not more than the square of the distance from x to the box [m^2], and less by rounding only; 0 inside.
+  double squared_distance(const float_point& x) const {
+    constexpr float largest = std::numeric_limits<float>::max();
+    const float square = (lower - x).max(x - upper).max(0.f).square().sum();
+    return (1 - 8 * epsilon) * double(std::min(square, largest));
+  }
+  /// The same.
+  double squared_distance(const point<D>& x) const { return squared_distance(in_float(x)); }
+
+ private:
+  static constexpr double epsilon = std::numeric_limits<float>::epsilon();
 };
 
 /// A balanced binary tree over items 0 .. n-1, each known by its box. Immutable: any number of threads may search it.
@@ -63,15 +79,21 @@ class bounding_volume_tree {
   /// O(n log n); may allocate. Boxes finite or infinite, not NaN.
   explicit bounding_volume_tree(const std::vector<bounding_box<D>>& boxes) {
     if (boxes.empty()) return;
-    std::vector<std::int32_t> items(boxes.size());
-    std::iota(items.begin(), items.end(), 0);
-    nodes_.reserve(2 * boxes.size());
-    nodes_.resize(2);  // the root and a gap, so that two children share a cache line
-    build(0, boxes, items.data(), items.data() + items.size());
+    items_.resize(boxes.size());
+    std::iota(items_.begin(), items_.end(), 0);
+    nodes_.resize(1);
+    bounding_box<D> all;
+    for (const auto& b : boxes) all.extend(b);
+    scale_ = std::max(all.lower.cwiseAbs().maxCoeff(), all.upper.cwiseAbs().maxCoeff());
+    build(0, boxes, 0, static_cast<std::int32_t>(boxes.size()));
+    nodes_.shrink_to_fit();
   }
 
   /// Number of items.
-  std::size_t size() const { return nodes_.size() / 2; }
+  std::size_t size() const { return items_.size(); }
+
+  /// Largest coordinate of the boxes [m].
+  double scale() const { return scale_; }
 
   /// A search from the root. bound(outer_box) is what limits it: the least that it seeks in the box can be.
   template <class Bound>
@@ -81,7 +103,10 @@ class bounding_volume_tree {
     return s;
   }
 
-  /// Calls visit(item, bound) for items whose bound is <= limit, those in the nearer half first; visit may lower the
+  /// The item at each position of the leaves: items that are near each other have positions that are.
+  const std::vector<std::int32_t>& items() const { return items_; }
+
+  /// Calls visit(position, bound) for items whose bound is <= limit, those in the nearer half first; visit may lower the
   /// limit. Looks at no more than `budget` nodes and returns what is left of it.
   template <class Bound, class Visit>
   int go_on(search& s, const Bound& bound, double& limit, const Visit& visit,
@@ -90,11 +115,13 @@ class bounding_volume_tree {
       const auto top = s.stack_[static_cast<std::size_t>(--s.size_)];
       if (!(top.bound <= limit)) continue;
       --budget;
-      const std::int32_t link = nodes_[static_cast<std::size_t>(top.node)].link;
-      if (link < 0) {
-        visit(static_cast<int>(~link), top.bound);
+      const node& here = nodes_[static_cast<std::size_t>(top.node)];
+      if (here.count > 0) {
+        for (std::int32_t i = here.first; i < here.first + here.count; ++i)
+          visit(static_cast<int>(i), top.bound);
         continue;
       }
+      const std::int32_t link = here.first;
       typename search::entry near{bound(nodes_[static_cast<std::size_t>(link)].box), link};
       typename search::entry far{bound(nodes_[static_cast<std::size_t>(link) + 1].box), link + 1};
       if (far.bound < near.bound) std::swap(near, far);
@@ -112,48 +139,41 @@ class bounding_volume_tree {
   }
 
  private:
-  struct alignas(D == 3 ? 32 : 4) node {
+  struct node {
     outer_box<D> box;
-    std::int32_t link;  // of an inner node its first child, of a leaf ~item
+    std::int32_t first;  // of its items; of an inner node, of its two children
+    std::int32_t count;  // of items; 0 of an inner node
   };
 
-  static outer_box<D> outer(const bounding_box<D>& b) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    outer_box<D> o;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(D); ++i) {
-      const double lower = b.lower[static_cast<int>(i)], upper = b.upper[static_cast<int>(i)];
-      o.lower[i] = std::nextafter(static_cast<float>(lower), -infinity);
-      o.upper[i] = std::nextafter(static_cast<float>(upper), infinity);
-    }
-    return o;
-  }
-
-  void build(std::size_t at, const std::vector<bounding_box<D>>& boxes, std::int32_t* first,
-             std::int32_t* last) {
+  // The node `at` of items_[first] .. items_[first + count - 1]
+  void build(std::size_t at, const std::vector<bounding_box<D>>& boxes, std::int32_t first,
+             std::int32_t count) {
     const auto box = [&](std::int32_t i) -> const bounding_box<D>& {
       return boxes[static_cast<std::size_t>(i)];
     };
+    const auto begin = items_.begin() + first, middle = begin + count / 2, end = begin + count;
     bounding_box<D> all;
-    std::for_each(first, last, [&](std::int32_t i) { all.extend(box(i)); });
-    nodes_[at].box = outer(all);
-    if (last - first == 1) {
-      nodes_[at].link = ~*first;
-      return;
-    }
+    std::for_each(begin, end, [&](std::int32_t i) { all.extend(box(i)); });
+    nodes_[at] = {outer_box<D>::about(all, scale_), first, count};
+    if (count <= leaf_size) return;
     int axis = 0;
     (all.upper - all.lower).maxCoeff(&axis);
-    std::int32_t* middle = first + (last - first) / 2;
-    std::nth_element(first, middle, last, [&](std::int32_t i, std::int32_t j) {
+    std::nth_element(begin, middle, end, [&](std::int32_t i, std::int32_t j) {
       return box(i).lower[axis] + box(i).upper[axis] < box(j).lower[axis] + box(j).upper[axis];
     });
     const std::size_t children = nodes_.size();
     nodes_.resize(children + 2);
-    nodes_[at].link = static_cast<std::int32_t>(children);
-    build(children, boxes, first, middle);
-    build(children + 1, boxes, middle, last);
+    nodes_[at].first = static_cast<std::int32_t>(children);
+    nodes_[at].count = 0;
+    build(children, boxes, first, count / 2);
+    build(children + 1, boxes, first + count / 2, count - count / 2);
   }
 
+  static constexpr std::int32_t leaf_size = 4;  // less memory to fetch than one item a leaf
+
   std::vector<node> nodes_;
+  std::vector<std::int32_t> items_;  // in the order of the leaves
+  double scale_ = 0;                 // largest coordinate [m]
 };
 
 }  // namespace passive_haptics

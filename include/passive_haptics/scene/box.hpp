@@ -3,9 +3,9 @@
 #pragma once
 
 #include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/bounding_box.hpp>
 #include <passive_haptics/scene/directions.hpp>
 #include <passive_haptics/scene/half_space.hpp>
-#include <passive_haptics/scene/shape.hpp>
 
 #include <array>
 #include <string>
@@ -81,6 +81,12 @@ class box {
     return [&]<std::size_t... k>(std::index_sequence<k...>) {
       return std::array<half_space<D>, 2 * D>{face(k)...};
     }(std::make_index_sequence<2 * D>());
+  }
+
+  /// The box along the base frame about this one.
+  bounding_box<D> bounds() const {
+    const point<D> half = axes_.cwiseAbs() * half_extents_;
+    return {centre_ - half, centre_ + half};
   }
 
  private:

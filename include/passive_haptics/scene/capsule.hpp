@@ -3,8 +3,8 @@
 #pragma once
 
 #include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/bounding_box.hpp>
 #include <passive_haptics/scene/directions.hpp>
-#include <passive_haptics/scene/shape.hpp>
 
 #include <algorithm>
 
@@ -52,6 +52,13 @@ class capsule {
   /// Unit vector away from the segment; one square root.
   point<D> gradient(const point<D>& x) const {
     return detail::direction_or<D>(from_segment(x), detail::any_perpendicular<D>(axis_));
+  }
+
+  /// The box about the ends, wider by the radius.
+  bounding_box<D> bounds() const {
+    bounding_box<D> box = box_about(from_, radius_);
+    box.extend(box_about<D>(from_ + length_ * axis_, radius_));
+    return box;
   }
 
  private:

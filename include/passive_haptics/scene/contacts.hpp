@@ -44,6 +44,9 @@ class contacts {
     return &items_[static_cast<std::size_t>(size_++)];
   }
 
+  /// Removes all.
+  constexpr void clear() { size_ = 0; }
+
   /// Number of contacts.
   constexpr int size() const { return size_; }
   /// True in free space.
@@ -58,6 +61,10 @@ class contacts {
   constexpr const contact<D>* begin() const { return items_.data(); }
   /// One past the last contact.
   constexpr const contact<D>* end() const { return items_.data() + size_; }
+  /// First contact, to change it.
+  constexpr contact<D>* begin() { return items_.data(); }
+  /// One past the last contact.
+  constexpr contact<D>* end() { return items_.data() + size_; }
 
  private:
   std::array<contact<D>, static_cast<std::size_t>(Capacity)> items_{};

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/bounding_box.hpp>
 #include <passive_haptics/scene/directions.hpp>
 #include <passive_haptics/scene/half_space.hpp>
-#include <passive_haptics/scene/shape.hpp>
 
 #include <array>
 #include <concepts>
@@ -92,6 +92,13 @@ class convex_polygon {
     return [this]<std::size_t... i>(std::index_sequence<i...>) {
       return std::array<half_space<2>, corner_count>{half_space<2>(edges_[i].start, edges_[i].normal)...};
     }(std::make_index_sequence<corner_count>());
+  }
+
+  /// The rectangle about the corners.
+  bounding_box<2> bounds() const {
+    bounding_box<2> box;
+    for (const edge& e : edges_) box.extend(e.start);
+    return box;
   }
 
  private:

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/validate.hpp>
-#include <passive_haptics/scene/shape.hpp>
+#include <passive_haptics/scene/bounding_box.hpp>
 
 #include <utility>
 
@@ -39,6 +39,15 @@ class offset {
 
   /// Gradient of the shape.
   point<dimension> gradient(const point<dimension>& x) const { return shape_.gradient(x); }
+
+  /// The bounds of the shape, wider by the growth; those of a shrunk one are not narrower.
+  bounding_box<dimension> bounds() const
+    requires BoundedShape<S>
+  {
+    bounding_box<dimension> box = shape_.bounds();
+    const auto margin = point<dimension>::Constant(growth_ > 0 ? growth_ : 0);
+    return {box.lower - margin, box.upper + margin};
+  }
 
   /// Velocity of the shape [m/s].
   point<dimension> velocity(const point<dimension>& x) const

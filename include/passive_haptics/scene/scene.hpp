@@ -67,6 +67,17 @@ class scene {
   boost::hana::tuple<wall<First>, wall<Rest>...> walls_;
 };
 
+/// All that a contact of this wall at x [m] tells, but the wall's number.
+template <class S>
+void describe(const wall<S>& w, const point<S::dimension>& x, double distance, contact<S::dimension>& c) {
+  c.normal = w.shape.gradient(x);
+  c.depth = -distance;
+  c.stiffness = w.stiffness;
+  c.wall_velocity = surface_velocity(w.shape, x);
+  c.position = x;
+  c.curvature = surface_curvature(w.shape, x);
+}
+
 /// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a contact with
 /// a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for each contact.
 template <class... Shapes>
@@ -78,13 +89,8 @@ typename scene<Shapes...>::contacts_type sense(const scene<Shapes...>& walls,
     const double distance = w.shape.distance(x);
     if (!(distance >= 0)) {
       auto& c = *touched.append();  // in place: a copy would wait for its parts to be stored
-      c.normal = w.shape.gradient(x);
-      c.depth = -distance;
-      c.stiffness = w.stiffness;
-      c.wall_velocity = surface_velocity(w.shape, x);
+      describe(w, x, distance, c);
       c.wall = number;
-      c.position = x;
-      c.curvature = surface_curvature(w.shape, x);
     }
     ++number;
   });
