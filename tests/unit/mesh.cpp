@@ -91,7 +91,7 @@ TYPED_TEST(a_mesh, facet_has_the_nearest_point_that_a_search_finds) {
     std::array<ph::point<D>, D> corners;
     for (auto& c : corners) c = anywhere<D>(random, 1);
     if (k % 3 == 0) corners[D - 1] = corners[0] + random.positive(1e-4, 1e-1) * random.direction<double, D>();
-    const ph::facet<D> f{corners, ph::detail::normal_of(corners)};
+    const ph::mesh_facet<D> f{corners, ph::detail::normal_of(corners)};
     const ph::point<D> x = anywhere<D>(random, 2);
     const auto nearest = ph::nearest_point(f, x);
     EXPECT_NEAR(std::sqrt(nearest.squared_distance), searched_distance<D>(corners, x), 1e-8)
@@ -108,7 +108,7 @@ TEST(a_needle, still_has_its_nearest_point) {
     const ph::point<3> across = ph::detail::cross_in_space(along, random.direction<double, 3>()).normalized();
     const std::array<ph::point<3>, 3> corners{a, a + along,
                                               a + random.uniform(0.0, 1.0) * along + width * across};
-    const ph::facet<3> f{corners, ph::detail::normal_of(corners)};
+    const ph::mesh_facet<3> f{corners, ph::detail::normal_of(corners)};
     for (const auto& c : corners) EXPECT_NEAR(f.height(c), 0, 4 * eps);
     const ph::point<3> x = anywhere<3>(random, 2);
     const double middle = std::clamp(along.dot(x - a), 0.0, 1.0);
@@ -238,7 +238,9 @@ TYPED_TEST(a_mesh, of_a_ball_is_the_ball_within_its_sagitta_and_far_faster_than_
       5;
   std::cout << "nearest facet of " << solid.surface().size() << ": " << 1e6 * tree << " us, scan "
             << 1e6 * scan << " us, " << scan / tree << " times, " << (sum > 0 ? "" : "?") << "\n";
-  if (D == 3) EXPECT_GT(scan / tree, 200);  // five times as much on an idle machine
+  if (D == 3) {
+    EXPECT_GT(scan / tree, 200);  // five times as much on an idle machine
+  }
 }
 
 TEST(a_polyline, of_a_polygon_is_the_polygon) {

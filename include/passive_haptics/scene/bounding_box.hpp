@@ -32,6 +32,14 @@ bounding_box<D> box_about(const point<D>& x, double r) {
   return {x - point<D>::Constant(r), x + point<D>::Constant(r)};
 }
 
+namespace detail {
+/// The largest |x_i| of the points of a box that is not empty.
+template <int D>
+double largest_coordinate(const bounding_box<D>& b) {
+  return b.lower.cwiseAbs().cwiseMax(b.upper.cwiseAbs()).maxCoeff();
+}
+}  // namespace detail
+
 /// A shape that knows how far its wall extends. Minimal complete definition, beyond Shape:
 ///   - `bounding_box<dimension> bounds() const`: holds every point of the wall (distance <= 0).
 ///

@@ -33,9 +33,7 @@ class mesh {
   int size() const { return static_cast<int>(data_->facets.size()); }
 
   /// Facet i, 0 <= i < size(), in the order of the parameters.
-  const passive_haptics::facet<D>& operator[](int i) const {
-    return data_->facets[static_cast<std::size_t>(i)];
-  }
+  const mesh_facet<D>& operator[](int i) const { return data_->facets[static_cast<std::size_t>(i)]; }
 
   /// True if the facets enclose their wall or their free space without a hole, all running the same way round.
   bool closed() const { return data_->hole.empty(); }
@@ -92,7 +90,7 @@ class mesh {
   using indices = std::array<int, static_cast<std::size_t>(D)>;
 
   struct data {
-    std::vector<passive_haptics::facet<D>> facets;
+    std::vector<mesh_facet<D>> facets;
     std::vector<indices> vertices, edges;  // of each facet, indices of the normals below
     std::vector<point<D>> vertex_normals, edge_normals;
     bounding_volume_tree<D> tree;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/validate.hpp>
-#include <passive_haptics/scene/facet.hpp>
+#include <passive_haptics/scene/mesh_facet.hpp>
 
 #include <array>
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace passive_haptics {
 
-/// A polyline (D = 2: segments) or a triangle mesh (D = 3). Which side is free: see facet. Vertices in the same place count as
+/// A polyline (D = 2: segments) or a triangle mesh (D = 3). Which side is free: see mesh_facet. Vertices in the same place count as
 /// one, so that a list of loose triangles (STL) has a topology.
 template <int D>
 struct mesh_parameters {

@@ -88,7 +88,7 @@ std::string check_ridge(const ridge* first, const ridge* last) {
 
 /// The angle of a facet at a corner [rad]; in the plane all facets count alike.
 template <int D>
-double angle_at(const facet<D>& f, int i) {
+double angle_at(const mesh_facet<D>& f, int i) {
   if constexpr (D == 2) return 1;
   else {
     const point<3> u = f.corner(i + 1) - f.corner(i), v = f.corner(i + 2) - f.corner(i);
@@ -98,10 +98,10 @@ double angle_at(const facet<D>& f, int i) {
 
 /// Area (2-D) or volume (3-D) that facets about an origin enclose, times 2 or 6; < 0 if they are inside out.
 template <int D>
-double enclosed(const std::vector<facet<D>>& facets) {
+double enclosed(const std::vector<mesh_facet<D>>& facets) {
   double sum = 0;
   const point<D> origin = facets.front().corners[0];
-  for (const facet<D>& f : facets) {
+  for (const mesh_facet<D>& f : facets) {
     const point<D> a = f.corners[0] - origin, b = f.corners[1] - origin;
     if constexpr (D == 2) sum += cross_in_plane(a, b);
     else sum += cross_in_space(a, b).dot(f.corners[2] - origin);

@@ -16,7 +16,7 @@ namespace passive_haptics {
 /// D corners and the unit normal towards the free side: in the plane on the right of the way from corner 0 to 1 (a
 /// polygon that runs counterclockwise is solid), in space where the corners run counterclockwise.
 template <int D>
-struct facet {
+struct mesh_facet {
   static_assert(D == 2 || D == 3, "passive_haptics: a facet is a segment (D = 2) or a triangle (D = 3).");
 
   std::array<point<D>, static_cast<std::size_t>(D)> corners;  ///< [m]
@@ -109,13 +109,13 @@ facet_point<D> nearest_on_segment(const point<D>& a, const point<D>& b, const po
 /// If the foot of x on the plane lies between the edges it is the one, else the point lies on an edge behind which the
 /// foot lies. Longer than with barycentric coordinates (Ericson, Real-Time Collision Detection, 2005, ch. 5.1.5), but those
 /// lose a needle's short side to rounding, the square of its slenderness.
-inline facet_point<2> nearest_point(const facet<2>& f, const point<2>& x) {
+inline facet_point<2> nearest_point(const mesh_facet<2>& f, const point<2>& x) {
   const auto on_segment = detail::nearest_on_segment<2>(f.corners[0], f.corners[1], x, 0);
   if (on_segment.part == facet_part::corner) return on_segment;
   const double h = f.height(x);
   return {x - h * f.normal, h * h, facet_part::interior, 0};
 }
-inline facet_point<3> nearest_point(const facet<3>& f, const point<3>& x) {
+inline facet_point<3> nearest_point(const mesh_facet<3>& f, const point<3>& x) {
   facet_point<3> best{x, std::numeric_limits<double>::infinity(), facet_part::interior, 0};
   bool inside = true;
   for (int i = 0; i < 3; ++i) {
