@@ -25,10 +25,10 @@
 #include <passive_haptics/scene/half_space.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/mesh_solid.hpp>
+#include <passive_haptics/scene/mesh_surface.hpp>
 #include <passive_haptics/scene/moving.hpp>
 #include <passive_haptics/scene/offset.hpp>
 #include <passive_haptics/scene/room.hpp>
-#include <passive_haptics/scene/tracked_shape.hpp>
 #include <passive_haptics/scene/virtual_fixtures.hpp>
 
 #include <passive_haptics/force/effects/detents.hpp>

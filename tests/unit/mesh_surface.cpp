@@ -9,6 +9,7 @@
 #include "tracked_handle.hpp"
 
 #include <limits>
+#include <numbers>
 #include <string>
 
 namespace ph = passive_haptics;
@@ -154,7 +155,7 @@ TYPED_TEST(a_mesh_surface, takes_a_handle_within_it_for_come_through_the_nearest
 TYPED_TEST(a_mesh_surface, lets_the_handle_come_round_a_convex_edge) {
   constexpr int D = TestFixture::dimension;
   handle<D> h(surface_of(cube<D>()));
-  h.go({1.5 * ph::point<D>::UnitX()});
+  h.go(1.5 * ph::point<D>::UnitX());
   for (int k = 0; k <= 200; ++k) {  // 10 mm deep, along one face and past its end
     ph::point<D> x = ph::point<D>::Zero();
     x[0] = 0.99;
@@ -226,7 +227,7 @@ TYPED_TEST(a_mesh_surface, that_is_smooth_makes_one_contact) {
   }
 }
 
-// 10^5 steps of any size on a star with deep valleys: the proxy stays outside, whatever the handle does.
+// 10^6 steps of any size in all on a star with deep valleys: the proxy stays outside, whatever the handle does.
 template <int D>
 void slide(const ph::mesh_parameters<D>& p, int steps, double largest_step) {
   random_source random(seed);
@@ -256,9 +257,81 @@ TYPED_TEST(a_mesh_surface, is_never_passed_by_its_proxy) {
   constexpr int D = TestFixture::dimension;
   random_source random(seed);
   for (const int around : {5, 9, 24}) {
-    slide<D>(sample_meshes::star<D>(random, around), 30'000, 0.3);
-    slide<D>(sample_meshes::star<D>(random, around), 30'000, 1e-3);
+    slide<D>(sample_meshes::star<D>(random, around), 100'000, 0.3);
+    slide<D>(sample_meshes::star<D>(random, around), 100'000, 1e-3);
   }
+}
+
+// Bodies that run through each other are as good.
+TYPED_TEST(a_mesh_surface, of_two_bodies_in_each_other_keeps_the_proxy_out_of_both) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  const auto one = sample_meshes::star<D>(random, 9);
+  auto other = sample_meshes::star<D>(random, 12);
+  for (auto& v : other.vertices) v[0] += 0.3;
+  const ph::mesh_solid<D> first{ph::mesh<D>(one)}, second{ph::mesh<D>(other)};
+  handle<D> h(surface_of(sample_meshes::both(one, other)));
+  ph::point<D> x = 2 * ph::point<D>::UnitX();
+  h.go(x);
+  int touched = 0;
+  for (int k = 0; k < 50'000; ++k) {
+    x = 0.998 * (x + random.positive(1e-6, 0.3) * random.direction<double, D>());
+    h.go(x);
+    touched += !h.felt.empty();
+    ASSERT_GT(first.distance(h.proxy()), -lip) << "seed " << seed << ", step " << k;
+    ASSERT_GT(second.distance(h.proxy()), -lip) << "seed " << seed << ", step " << k;
+  }
+  EXPECT_GT(touched, 10'000);
+}
+
+// Needles of any width on a flat lid, which the handle slides over and presses on.
+TEST(a_lid_of_needles, holds) {
+  random_source random(seed);
+  ph::mesh_parameters<3> lid;  // strips between y = -1 and y = 1, each of two needles
+  double edge = -1;
+  for (int k = 0; edge < 1; ++k) {
+    lid.vertices.push_back({edge, -1, 0});
+    lid.vertices.push_back({edge, 1, 0});
+    if (k > 0) {
+      const int i = 2 * k;
+      lid.facets.push_back({i - 2, i, i + 1});
+      lid.facets.push_back({i - 2, i + 1, i - 1});
+    }
+    edge += random.positive(1e-8, 1e-1);
+  }
+  handle<3> h(surface_of(lid));
+  h.go({0, 0, 0.1});
+  for (int k = 0; k < 20'000; ++k) {
+    const ph::point<3> x(random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), random.uniform(-0.1, -0.001));
+    h.go(k % 2 == 0 ? x : ph::point<3>(h.x + random.positive(1e-9, 1e-3) * ph::point<3>(1, 1, 0)));
+    ASSERT_EQ(h.felt.size(), 1u) << "seed " << seed << ", step " << k;
+    ASSERT_NEAR(h.felt[0].normal[2], 1, 1e-12);
+    ASSERT_NEAR(h.felt[0].depth, -h.x[2], 1e-9);
+    ASSERT_NEAR(h.proxy()[2], skin, 2 * lip);
+  }
+}
+
+// A floor and a ramp that meet at 120 deg, touched along the floor towards the ramp at a depth of 2 mm.
+TEST(an_obtuse_corner, begins_to_press_without_a_jump) {
+  const double c = std::cos(std::numbers::pi / 3), s = std::sin(std::numbers::pi / 3);
+  handle<2> h(surface_of(ph::mesh_parameters<2>{{{-1, 0}, {0, 0}, {c, s}}, {{1, 0}, {2, 1}}}));
+  h.go({-0.1, 0.01});
+  double ramp = 0, along = 0;
+  for (int k = 0; k <= 1000; ++k) {
+    h.go({-0.005 + 1e-5 * k, -0.002});
+    ASSERT_GE(h.felt.size(), 1u);
+    double now = 0;
+    ph::point<2> push = ph::point<2>::Zero();
+    for (const auto& t : h.felt) {
+      if (t.normal[0] != 0) now = t.depth;
+      push += t.depth * t.normal;
+    }
+    EXPECT_NEAR(now, ramp, 1.2e-5) << k;
+    EXPECT_LE((push - (h.proxy() - h.x)).norm(), 4 * skin) << "both together push to the proxy";
+    along = std::max(along, now);
+    ramp = now;
+  }
+  EXPECT_GT(along, 1e-3);
 }
 
 TEST(a_room_of_triangles, is_never_left_through_its_corners) {
