@@ -23,6 +23,8 @@
 #include <passive_haptics/scene/convex_polytope.hpp>
 #include <passive_haptics/scene/half_space.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/mesh_solid.hpp>
+#include <passive_haptics/scene/mesh_surface.hpp>
 #include <passive_haptics/scene/moving.hpp>
 #include <passive_haptics/scene/offset.hpp>
 #include <passive_haptics/scene/room.hpp>

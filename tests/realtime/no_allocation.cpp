@@ -1,6 +1,5 @@
 // A control cycle allocates nothing, whichever way it takes.
-#undef NDEBUG  // so that Eigen's own check runs in any build
-#define EIGEN_RUNTIME_NO_MALLOC
+#include "allocations.hpp"
 
 #include "../property/custom_mechanisms.hpp"
 
@@ -8,47 +7,15 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
-#include <cstddef>
-#include <cstdlib>
 #include <limits>
 #include <memory>
-#include <new>
 #include <string>
 #include <utility>
 
 namespace {
-std::atomic<long> allocations = 0;
-
-void* allocate(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
-
-namespace {
 
 namespace ph = passive_haptics;
-
-// Calls of operator new in f; Eigen ends the program if it reaches for malloc there.
-template <class F>
-long allocations_in(F&& f) {
-  Eigen::internal::set_is_malloc_allowed(false);
-  const long before = allocations;
-  f();
-  const long after = allocations;
-  Eigen::internal::set_is_malloc_allowed(true);
-  return after - before;
-}
 
 TEST(no_allocation, is_noticed_where_there_is_one) {
   std::unique_ptr<int> kept;

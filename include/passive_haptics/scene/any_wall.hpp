@@ -5,7 +5,10 @@
 #include <passive_haptics/scene/bounding_box.hpp>
 #include <passive_haptics/scene/scene.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <new>
 #include <utility>
 
 namespace passive_haptics {
@@ -14,14 +17,14 @@ namespace passive_haptics {
 template <int D>
 class contact_sink {
  public:
-  /// Takes one contact; its wall number may be missing.
+  /// Takes one contact; its wall number is not filled in.
   virtual void add(const contact<D>& c) = 0;
 
  protected:
   ~contact_sink() = default;
 };
 
-/// Holds a wall of any Shape. Copies share it, so they are cheap and safe in other threads.
+/// Holds a wall of any Shape or TrackedShape. Copies share it, so they are cheap and safe in other threads.
 template <int D>
 class any_wall {
  public:
@@ -32,37 +35,70 @@ class any_wall {
     static_assert(S::dimension == D, "passive_haptics: all walls of a world need the world's dimension.");
   }
 
-  /// A wall within the bounds that its shape tells (BoundedShape), else anywhere.
+  /// A wall within the bounds that its shape tells, else anywhere.
   template <class S>
   explicit any_wall(const wall<S>& w) : any_wall(w, bounds_of<D>(w.shape)) {}
 
   /// A box that holds all of the wall.
   const bounding_box<D>& bounds() const { return bounds_; }
 
+  /// Size of what is remembered of one handle [bytes]; 0 if nothing is.
+  std::size_t tracker_size() const { return held_->tracker_size(); }
+
+  /// Makes a tracker of a handle that was not seen yet, in tracker_size() bytes aligned for any type.
+  void start_tracker(void* storage) const { held_->start_tracker(storage); }
+
   /// How far [m] the handle may go from x without touching the wall; 0 if it touches it, then its contacts go to `found`.
-  double look(const point<D>& x, contact_sink<D>& found) const { return held_->look(x, found); }
+  /// In the cycle before it was at `from`.
+  double look(const point<D>& from, const point<D>& x, void* tracker, contact_sink<D>& found) const {
+    return held_->look(from, x, tracker, found);
+  }
 
  private:
-  struct concept_of_wall {
-    virtual ~concept_of_wall() = default;
-    virtual double look(const point<D>& x, contact_sink<D>& found) const = 0;
+  struct any_model {
+    virtual ~any_model() = default;
+    virtual std::size_t tracker_size() const = 0;
+    virtual void start_tracker(void* storage) const = 0;
+    virtual double look(const point<D>& from, const point<D>& x, void* tracker,
+                        contact_sink<D>& found) const = 0;
   };
 
   template <class S>
-  struct model final : concept_of_wall {
+  struct model final : any_model {
     explicit model(wall<S> w) : held(std::move(w)) {}
-    double look(const point<D>& x, contact_sink<D>& found) const override {
-      const double distance = held.shape.distance(x);
-      if (distance >= 0) return distance;
-      contact<D> c;
-      describe(held, x, distance, c);
-      found.add(c);
-      return 0;
+
+    std::size_t tracker_size() const override {
+      if constexpr (TrackedShape<S>) return sizeof(typename S::tracker);
+      else return 0;
     }
+    void start_tracker(void* storage) const override {
+      if constexpr (TrackedShape<S>) ::new (storage) typename S::tracker();
+    }
+    double look(const point<D>& from, const point<D>& x, void* tracker,
+                contact_sink<D>& found) const override {
+      contact<D> c;
+      if constexpr (TrackedShape<S>) {
+        c.stiffness = held.stiffness;
+        c.position = x;
+        return held.shape.follow(from, x, *static_cast<typename S::tracker*>(tracker),
+                                 [&](const point<D>& normal, double depth) {
+                                   c.normal = normal;
+                                   c.depth = depth;
+                                   found.add(c);
+                                 });
+      } else {
+        const double distance = held.shape.distance(x);
+        if (distance >= 0) return distance;
+        describe(held, x, distance, c);
+        found.add(c);
+        return 0;
+      }
+    }
+
     wall<S> held;
   };
 
-  std::shared_ptr<const concept_of_wall> held_;
+  std::shared_ptr<const any_model> held_;
   bounding_box<D> bounds_;
 };
 

@@ -39,6 +39,14 @@ bounding_box<D> everywhere() {
   return {-infinity, infinity};
 }
 
+namespace detail {
+/// The largest |x_i| of the points of a box that is not empty.
+template <int D>
+double largest_coordinate(const bounding_box<D>& b) {
+  return b.lower.cwiseAbs().cwiseMax(b.upper.cwiseAbs()).maxCoeff();
+}
+}  // namespace detail
+
 /// A shape that knows how far its wall extends. Minimal complete definition, beyond Shape:
 ///   - `bounding_box<dimension> bounds() const`: holds every point of the wall (distance <= 0); may be infinite.
 ///
@@ -51,7 +59,7 @@ concept BoundedShape = Shape<S> && requires(const S shape) {
 /// The bounds of a shape; everywhere() for one that does not tell.
 template <int D, class S>
 bounding_box<D> bounds_of(const S& shape) {
-  if constexpr (BoundedShape<S>) return shape.bounds();
+  if constexpr (requires { shape.bounds(); }) return shape.bounds();
   else return everywhere<D>();
 }
 

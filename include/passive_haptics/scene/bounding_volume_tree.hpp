@@ -84,7 +84,7 @@ class bounding_volume_tree {
     nodes_.resize(1);
     bounding_box<D> all;
     for (const auto& b : boxes) all.extend(b);
-    scale_ = std::max(all.lower.cwiseAbs().maxCoeff(), all.upper.cwiseAbs().maxCoeff());
+    scale_ = detail::largest_coordinate(all);
     build(0, boxes, 0, static_cast<std::int32_t>(boxes.size()));
     nodes_.shrink_to_fit();
   }
@@ -103,10 +103,7 @@ class bounding_volume_tree {
     return s;
   }
 
-  /// The item at each position of the leaves: items that are near each other have positions that are.
-  const std::vector<std::int32_t>& items() const { return items_; }
-
-  /// Calls visit(position, bound) for items whose bound is <= limit, those in the nearer half first; visit may lower the
+  /// Calls visit(item, bound) for items whose bound is <= limit, those in the nearer half first; visit may lower the
   /// limit. Looks at no more than `budget` nodes and returns what is left of it.
   template <class Bound, class Visit>
   int go_on(search& s, const Bound& bound, double& limit, const Visit& visit,
@@ -118,7 +115,7 @@ class bounding_volume_tree {
       const node& here = nodes_[static_cast<std::size_t>(top.node)];
       if (here.count > 0) {
         for (std::int32_t i = here.first; i < here.first + here.count; ++i)
-          visit(static_cast<int>(i), top.bound);
+          visit(static_cast<int>(items_[static_cast<std::size_t>(i)]), top.bound);
         continue;
       }
       const std::int32_t link = here.first;

@@ -4,6 +4,7 @@
 
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/contacts.hpp>
+#include <passive_haptics/scene/tracked_shape.hpp>
 
 #include <boost/hana/at.hpp>
 #include <boost/hana/for_each.hpp>
@@ -16,7 +17,7 @@ namespace passive_haptics {
 /// A shape that resists with F = stiffness * depth along its gradient; frictionless.
 template <class S>
 struct wall {
-  static_assert(Shape<S>,
+  static_assert(Shape<S> || TrackedShape<S>,
                 "passive_haptics: a wall needs a Shape: `static constexpr int dimension`, "
                 "`double distance(x) const`, `point<dimension> gradient(x) const`.");
   /// Throws std::invalid_argument if the stiffness [N/m] is negative or not finite; section 5.1: 1e7 N/m.
@@ -42,6 +43,8 @@ class scene {
   static constexpr int wall_count = 1 + static_cast<int>(sizeof...(Rest));  ///< Walls, so most contacts.
   static_assert(((Rest::dimension == dimension) && ...),
                 "passive_haptics: all walls of a scene need the same dimension.");
+  static_assert(Shape<First> && (Shape<Rest> && ...),
+                "passive_haptics: a shape that is followed (TrackedShape) needs a world (scene/world.hpp).");
 
   /// What sensing this scene gives.
   using contacts_type = contacts<dimension, wall_count>;

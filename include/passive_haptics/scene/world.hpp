@@ -5,9 +5,10 @@
 #include <passive_haptics/scene/neighbour_list.hpp>
 #include <passive_haptics/scene/strongest_contacts.hpp>
 
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,7 +30,7 @@ class world_walls {
     return add(any_wall<D>(w));
   }
 
-  /// Adds a wall that world::set_motion can move, and returns its number. Costs a comparison in each cycle that is not skipped.
+  /// Adds a wall that world::set_motion can move, and returns its number.
   template <class S>
   int add_moving(const wall<S>& w) {
     moving_.push_back(add(w));
@@ -62,9 +63,10 @@ std::string validate(const world_walls<D>& walls) {
 /// Many walls, of which a cycle looks at those that the handle can have reached since it last looked: the contacts are those
 /// of a scan over all of them (neighbour_list.hpp). At most Capacity contacts, those of the largest forces.
 ///
-/// The walls are shared by copies and never change; each copy has its own memory of where the handle was. Walls with finite
-/// bounds lie in a tree; the others, and those that move, are looked at one by one when they are due: keep them few.
-/// Cost: a comparison where nothing can have been reached; neighbour_list.hpp. Construction O(n log n); it alone allocates.
+/// The walls are shared by copies and never change; each copy has its own memory of the handle. Walls that stay where they are
+/// and have finite bounds lie in a tree; the others (unbounded, moving or followed ones, TrackedShape) are compared one by one
+/// in each cycle that is not skipped: keep them few. Cost: a comparison where nothing can have been reached; else
+/// neighbour_list.hpp. Construction O(n log n); it alone allocates.
 template <int D, int Capacity = D + 1>
 class world {
  public:
@@ -73,21 +75,26 @@ class world {
 
   /// Throws std::invalid_argument with the text of validate(walls).
   explicit world(world_walls<D> walls) : geometry_(std::make_shared<const geometry>(require_valid(walls))) {
-    near_ = neighbours(geometry_->others.size(), geometry_->tree.scale());
+    near_ = neighbour_list<D>(geometry_->others.size(), geometry_->tree.scale());
     motions_.resize(geometry_->walls.moving().size());
+    trackers_.resize(geometry_->tracker_storage);
+    start_trackers();
   }
 
   /// The contacts at x [m], in the order of their walls; valid until the next call. A NaN or infinity in x gives a contact
   /// with a NaN depth, which the step reports.
   const contacts_type& touched_at(const point<D>& x) {
     found_.clear();
-    if (near_.idle(x)) return found_.in_order();
-    if (!all_finite(x)) return undefined_contact();
-    near_.visit(geometry_->tree, x, [&](int item) { return look(item, x); });
+    if (!near_.idle(x)) {
+      if (!all_finite(x)) return undefined_contact();
+      near_.visit(geometry_->tree, x,
+                  [&](int item) { return item < 0 ? look_at_other(item, x) : look(item, x); });
+    }
+    previous_ = x;
     return found_.in_order();
   }
 
-  /// How many of the contacts at the latest x found no room.
+  /// How many contacts at the latest x found no room.
   int left_out() const { return found_.left_out(); }
 
   /// Moves a wall that was added by add_moving: displacement from where it was made [m], velocity of its surface
@@ -97,64 +104,110 @@ class world {
     const auto found = std::lower_bound(moving.begin(), moving.end(), number);
     if (found == moving.end() || *found != number || !all_finite(displacement, velocity)) return false;
     const auto k = static_cast<std::size_t>(found - moving.begin());
-    near_.moved(k, (displacement - motions_[k].displacement).norm());
-    motions_[k] = {displacement, velocity};
+    move(k, {displacement, velocity, displacement});
     return true;
   }
 
-  /// Forgets where the handle was; for a new user, or after a fault.
-  void reset() { near_.reset(); }
+  /// Carries each moving wall on with its velocity for this time [s] from where set_motion put it.
+  void extrapolate(double seconds) {
+    for (std::size_t k = 0; k < motions_.size(); ++k) {
+      const motion& m = motions_[k];
+      const point<D> ahead = m.displacement + seconds * m.velocity;
+      if (all_finite(ahead)) move(k, {m.displacement, m.velocity, ahead});
+    }
+  }
+
+  /// Forgets the handle; for another handle, or after a fault.
+  void reset() {
+    near_.reset();
+    start_trackers();
+    previous_.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// Takes over what another world knows of the handle, if the walls that remember it are the same in both; so that it does
+  /// not slip through them where a scene is exchanged.
+  void remember(const world& other) {
+    if (other.geometry_->tracked != geometry_->tracked || other.trackers_.size() != trackers_.size()) return;
+    std::copy(other.trackers_.begin(), other.trackers_.end(), trackers_.begin());
+    previous_ = other.previous_;
+    for (std::size_t k = 0; k < std::min(motions_.size(), other.motions_.size()); ++k)
+      motions_[k].seen = other.motions_[k].seen;
+  }
 
   /// The walls.
   const world_walls<D>& walls() const { return geometry_->walls; }
 
  private:
-  using neighbours = neighbour_list<D>;
-
   // What never changes
   struct geometry {
     explicit geometry(world_walls<D> w) : walls(std::move(w)), others(walls.moving()) {
       std::vector<bounding_box<D>> boxes;
-      std::vector<int> numbers;
       for (int i = 0; i < static_cast<int>(walls.all().size()); ++i) {
-        const bounding_box<D>& b = walls.all()[static_cast<std::size_t>(i)].bounds();
         if (std::binary_search(walls.moving().begin(), walls.moving().end(), i)) continue;
-        if (all_finite(b.lower, b.upper)) {
-          boxes.push_back(b);
-          numbers.push_back(i);
+        const any_wall<D>& wall = at(i);
+        if (wall.tracker_size() == 0 && all_finite(wall.bounds().lower, wall.bounds().upper)) {
+          boxes.push_back(wall.bounds());
+          in_tree.push_back(i);
         } else {
           others.push_back(i);
         }
       }
       tree = bounding_volume_tree<D>(boxes);
-      for (const auto i : tree.items()) in_tree.push_back(numbers[static_cast<std::size_t>(i)]);
-      for (const auto i : in_tree) in_order.push_back(walls.all()[static_cast<std::size_t>(i)]);
+      for (const int i : others) {
+        trackers.push_back(tracker_storage);
+        tracker_storage += (at(i).tracker_size() + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
+        if (at(i).tracker_size() > 0) tracked.push_back(i);
+      }
     }
 
+    const any_wall<D>& at(int number) const { return walls.all()[static_cast<std::size_t>(number)]; }
+
     world_walls<D> walls;
-    std::vector<int> others;   // numbers of the walls outside the tree, the moving ones first
-    std::vector<int> in_tree;  // number of the wall of each item
+    std::vector<int> in_tree;  // numbers of the walls in the tree
     bounding_volume_tree<D> tree;
-    std::vector<any_wall<D>> in_order;
+    std::vector<int> others;            // numbers of those outside, the moving ones first
+    std::vector<std::size_t> trackers;  // where the tracker of each of these begins
+    std::size_t tracker_storage = 0;    // in units of max_align_t
+    std::vector<int> tracked;           // numbers of the walls that have one
   };
 
   struct motion {
-    point<D> displacement = point<D>::Zero();  // [m]
+    point<D> displacement = point<D>::Zero();  // as set [m]
     point<D> velocity = point<D>::Zero();      // [m/s]
+    point<D> now = point<D>::Zero();           // displacement in this cycle [m]
+    point<D> seen = point<D>::Zero();          // in the cycle that looked last [m]
   };
 
+  void move(std::size_t k, motion m) {
+    m.seen = motions_[k].seen;
+    near_.moved(k, (m.now - motions_[k].now).norm());
+    motions_[k] = m;
+  }
+
+  void start_trackers() {
+    for (std::size_t k = 0; k < geometry_->others.size(); ++k)
+      geometry_->at(geometry_->others[k]).start_tracker(tracker(k));
+  }
+  void* tracker(std::size_t other) { return trackers_.data() + geometry_->trackers[other]; }
+
   double look(int item, const point<D>& x) {
-    const std::size_t other = static_cast<std::size_t>(-1 - item);
-    const int number =
-        item >= 0 ? geometry_->in_tree[static_cast<std::size_t>(item)] : geometry_->others[other];
-    const any_wall<D>& w = item >= 0 ? geometry_->in_order[static_cast<std::size_t>(item)]
-                                     : geometry_->walls.all()[static_cast<std::size_t>(number)];
-    if (item >= 0 || other >= motions_.size()) {
+    const int number = geometry_->in_tree[static_cast<std::size_t>(item)];
+    found_.from_wall(number, point<D>::Zero());
+    return geometry_->at(number).look(x, x, nullptr, found_);
+  }
+
+  double look_at_other(int item, const point<D>& x) {
+    const auto k = static_cast<std::size_t>(-1 - item);
+    const int number = geometry_->others[k];
+    if (k >= motions_.size()) {
       found_.from_wall(number, point<D>::Zero());
-      return w.look(x, found_);
+      return geometry_->at(number).look(previous_, x, tracker(k), found_);
     }
-    found_.from_wall(number, motions_[other].velocity);
-    return w.look(x - motions_[other].displacement, found_);
+    motion& m = motions_[k];
+    found_.from_wall(number, m.velocity);
+    const double distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), found_);
+    m.seen = m.now;
+    return distance;
   }
 
   const contacts_type& undefined_contact() {
@@ -166,8 +219,10 @@ class world {
   }
 
   std::shared_ptr<const geometry> geometry_;
-  neighbours near_;
+  neighbour_list<D> near_;
+  point<D> previous_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());  // x of the cycle before
   std::vector<motion> motions_;  // in the order of walls.moving()
+  std::vector<std::max_align_t> trackers_;
   strongest_contacts<D, Capacity> found_;
 };
 
