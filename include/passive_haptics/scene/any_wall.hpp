@@ -17,7 +17,7 @@ namespace passive_haptics {
 template <int D>
 class contact_sink {
  public:
-  /// Takes one contact; its wall number is not filled in.
+  /// Takes one contact. What does not depend on the wall's shape (its number, where the handle is) may be missing.
   virtual void add(const contact<D>& c) = 0;
 
  protected:
@@ -79,7 +79,6 @@ class any_wall {
       contact<D> c;
       if constexpr (TrackedShape<S>) {
         c.stiffness = held.stiffness;
-        c.position = x;
         return held.shape.follow(from, x, *static_cast<typename S::tracker*>(tracker),
                                  [&](const point<D>& normal, double depth) {
                                    c.normal = normal;

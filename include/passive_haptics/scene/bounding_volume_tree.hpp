@@ -70,7 +70,7 @@ class bounding_volume_tree {
       std::int32_t node;
     };
     // A balanced tree of 2^31 items is 31 levels deep; each level leaves one node behind.
-    std::array<entry, 40> stack_;
+    std::array<entry, 40> stack_{};
     int size_ = 0;
   };
 

@@ -70,8 +70,8 @@ class neighbour_list {
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
   struct neighbour {
-    double due;  // way at which it can be touched [m]; while it is collected, the distance of its box
-    int item;
+    double due = 0;  // way at which it can be touched [m]; while it is collected, the distance of its box
+    int item = 0;
     bool operator<(const neighbour& other) const { return due < other.due; }
   };
 
@@ -80,7 +80,7 @@ class neighbour_list {
     point<D> centre = point<D>::Zero();
     double reach = 0;  // [m]
     int size = 0;
-    std::array<neighbour, static_cast<std::size_t>(Listed)> items;
+    std::array<neighbour, static_cast<std::size_t>(Listed)> items{};
 
     auto begin() { return items.begin(); }
     auto end() { return items.begin() + size; }
@@ -193,8 +193,9 @@ class neighbour_list {
   int current_ = 0;             // of lists_; the other is the next
   std::vector<double> others_;  // when each is due [m]
   double scale_ = 0;
-  double squared_limit_ = 0;                            // of the search for the next list [m^2]
-  typename outer_box<D>::float_point centre_in_float_;  // of the next list
+  double squared_limit_ = 0;  // of the search for the next list [m^2]
+  typename outer_box<D>::float_point centre_in_float_ =
+      outer_box<D>::float_point::Zero();  // of the next list
   search search_;
   double started_at_ = 0;  // travelled_ when the next list was begun
   bool collecting_ = false;

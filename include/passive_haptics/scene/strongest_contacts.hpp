@@ -20,9 +20,11 @@ class strongest_contacts final : public contact_sink<D> {
     left_out_ = 0;
   }
 
-  /// The wall whose contacts come next.
-  void from_wall(int number, const point<D>& velocity) {
+  /// What the contacts that come next have in common: the number and velocity [m/s] of their wall, and the handle's position
+  /// x [m], base frame.
+  void from_wall(int number, const point<D>& x, const point<D>& velocity) {
     wall_ = number;
+    position_ = x;
     velocity_ = velocity;
   }
 
@@ -30,6 +32,7 @@ class strongest_contacts final : public contact_sink<D> {
   void add(const contact<D>& touched) override {
     contact<D> c = touched;
     c.wall = wall_;
+    c.position = position_;
     c.wall_velocity += velocity_;
     if (kept_.push_back(c)) return;
     ++left_out_;
@@ -57,6 +60,7 @@ class strongest_contacts final : public contact_sink<D> {
   contacts<D, Capacity> kept_;
   int left_out_ = 0;
   int wall_ = 0;
+  point<D> position_ = point<D>::Zero();
   point<D> velocity_ = point<D>::Zero();
 };
 

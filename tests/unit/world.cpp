@@ -1,0 +1,292 @@
+// A world of many walls is touched where a look at each of them says so, however few it looks at.
+#include "many_shapes.hpp"
+
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/laws.hpp>
+#include <passive_haptics/mechanism/delta.hpp>
+#include <passive_haptics/scene/capsule.hpp>
+#include <passive_haptics/scene/complement.hpp>
+#include <passive_haptics/scene/moving.hpp>
+#include <passive_haptics/scene/offset.hpp>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+constexpr unsigned seed = 20040627;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// How often distances were asked for since it was set to zero.
+long looks = 0;
+
+template <class S>
+struct counted : S {
+  using S::S;
+  explicit counted(const S& s) : S(s) {}
+  double distance(const ph::point<S::dimension>& x) const {
+    ++looks;
+    return S::distance(x);
+  }
+};
+
+template <int D>
+ph::world_walls<D> counted_walls(const many_shapes::shapes<D>& all) {
+  ph::world_walls<D> walls;
+  all.for_each([&]<class S>(const S& s) { walls.add(ph::wall(counted<S>(s))); });
+  return walls;
+}
+
+template <class Dimension>
+struct world : ::testing::Test {
+  static constexpr int dimension = Dimension::value;
+};
+using dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(world, dimensions);
+
+TYPED_TEST(world, is_touched_as_a_scan_over_everything_says) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  const many_shapes::shapes<D> all(D == 2 ? 300 : 20'000, random);
+  ph::world<D> w(counted_walls(all));
+  many_shapes::wandering_hand<D> hand(5e-4, random);
+  int touched = 0;
+  looks = 0;
+  const int cycles = 5000;
+  for (int k = 0; k < cycles; ++k) {
+    const ph::point<D> x = hand.next();
+    const auto& found = ph::sense(w, x);
+    ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<D + 1>(all, x)))
+        << "seed " << seed << ", cycle " << k;
+    touched += found.size();
+  }
+  EXPECT_GT(touched, 20);
+  EXPECT_LT(looks, cycles) << "most cycles look at nothing";
+}
+
+TYPED_TEST(world, is_touched_as_a_scan_says_after_jumps_near_and_far) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  const many_shapes::shapes<D> all(1000, random);
+  ph::world<D> w(all.walls());
+  ph::point<D> x = ph::point<D>::Constant(0.5);
+  int touched = 0;
+  for (int k = 0; k < 10'000; ++k) {
+    switch (k % 7) {
+      case 0: x = random.between<double, D>(ph::point<D>::Constant(-0.1), ph::point<D>::Constant(1.1)); break;
+      case 1: x += 1e-17 * random.direction<double, D>(); break;
+      case 2:
+        if (k % 70 == 2) x = 1e3 * random.direction<double, D>();
+        if (k % 700 == 2) x = 1e200 * random.direction<double, D>();
+        break;
+      default: x += random.positive(1e-6, 0.2) * random.direction<double, D>();
+    }
+    const auto& found = ph::sense(w, x);
+    ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<D + 1>(all, x)))
+        << "seed " << seed << ", jump " << k;
+    touched += found.size();
+  }
+  EXPECT_GT(touched, 1000);
+}
+
+// The bound of a cycle: 64 looks beyond the contacts, at any speed.
+TYPED_TEST(world, looks_at_few_in_the_worst_cycle) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  const many_shapes::shapes<D> all(D == 2 ? 2000 : 100'000, random);
+  ph::world<D, 8> w(counted_walls(all));
+  long worst = 0;
+  for (const double step : {2e-6, 2e-4, 2e-3, 2e-2}) {
+    many_shapes::wandering_hand<D> hand(step, random);
+    for (int k = 0; k < 20'000; ++k) {
+      looks = 0;
+      const auto& found = ph::sense(w, hand.next());
+      worst = std::max(worst, looks - found.size() - w.left_out());
+    }
+  }
+  EXPECT_LE(worst, 64);
+  std::printf("most looks in a cycle beyond the contacts: %ld\n", worst);
+}
+
+TYPED_TEST(world, finds_all_of_many_walls_in_one_place) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  ph::world_walls<D> walls;
+  constexpr int count = 200;
+  for (int i = 0; i < count; ++i) walls.add(ph::wall(ph::ball<D>(ph::point<D>::Zero(), 0.01), 1e3 + i));
+  ph::world<D> w(walls);
+  for (int k = 0; k < 100; ++k) {
+    const auto& found = ph::sense(w, ph::point<D>(0.005 * random.direction<double, D>()));
+    ASSERT_EQ(found.size(), D + 1);
+    EXPECT_EQ(w.left_out(), count - D - 1);
+    for (int i = 0; i <= D; ++i) EXPECT_EQ(found[i].wall, count - D - 1 + i) << "those of the largest forces";
+    EXPECT_TRUE(ph::sense(w, ph::point<D>(0.02 * random.direction<double, D>())).empty());
+  }
+}
+
+TYPED_TEST(world, of_nothing_is_free) {
+  constexpr int D = TestFixture::dimension;
+  ph::world<D> w{ph::world_walls<D>()};
+  EXPECT_TRUE(ph::sense(w, ph::point<D>(ph::point<D>::Zero())).empty());
+  EXPECT_TRUE(ph::sense(w, ph::point<D>(ph::point<D>::Ones())).empty());
+}
+
+TYPED_TEST(world, tells_of_a_position_that_is_none_and_forgets_it) {
+  constexpr int D = TestFixture::dimension;
+  ph::world_walls<D> walls;
+  walls.add(ph::wall(ph::ball<D>(ph::point<D>::Zero(), 0.01)));
+  ph::world<D> w(walls);
+  const ph::point<D> inside = 0.005 * ph::point<D>::UnitX();
+  EXPECT_EQ(ph::sense(w, inside).size(), 1);
+  for (const double bad : {nan, HUGE_VAL, -HUGE_VAL}) {
+    ph::point<D> x = inside;
+    x[D - 1] = bad;
+    ASSERT_EQ(ph::sense(w, x).size(), 1);
+    EXPECT_TRUE(std::isnan(ph::sense(w, x)[0].depth));
+    EXPECT_EQ(ph::sense(w, inside)[0].depth, 0.005);
+    EXPECT_TRUE(ph::sense(w, ph::point<D>(2 * inside + 2 * inside)).empty());
+  }
+}
+
+TYPED_TEST(world, copies_have_a_memory_of_their_own) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  const many_shapes::shapes<D> all(500, random);
+  ph::world<D> a(all.walls());
+  many_shapes::wandering_hand<D> hand(1e-3, random), other(1e-3, random);
+  for (int k = 0; k < 500; ++k) ph::sense(a, hand.next());
+  ph::world<D> b = a;
+  for (int k = 0; k < 2000; ++k) {
+    const ph::point<D> x = hand.next(), y = other.next();
+    ASSERT_TRUE(many_shapes::same(ph::sense(a, x), many_shapes::scan<D + 1>(all, x)));
+    ASSERT_TRUE(many_shapes::same(ph::sense(b, y), many_shapes::scan<D + 1>(all, y)));
+    if (k % 100 == 0) b.reset();
+  }
+}
+
+TYPED_TEST(world, is_of_any_shape_with_bounds_or_without) {
+  constexpr int D = TestFixture::dimension;
+  const ph::point<D> e = ph::point<D>::UnitX(), o = ph::point<D>::Zero();
+  const ph::ball<D> ball(o, 0.1);
+  const ph::capsule<D> bar(o, 2 * e, 0.1);
+  const ph::box<D> cube(3 * e, ph::point<D>::Constant(0.2));
+  ph::world_walls<D> walls;
+  walls.add(ph::wall(ball));
+  walls.add(ph::wall(bar));
+  walls.add(ph::wall(ph::offset(cube, 0.05)));
+  walls.add(ph::wall(ph::complement(ph::ball<D>(o, 10))));
+  walls.add(ph::wall(ph::ball<D>(o, 12, ph::filling::hollow)));
+  walls.add(ph::any_wall<D>(ph::wall(ph::offset(ball, -0.05)), ph::box_about<D>(o, 0.1)));
+  ph::world<D, 6> w(walls);
+  const auto scan =
+      ph::scene(ph::wall(ball), ph::wall(bar), ph::wall(ph::offset(cube, 0.05)),
+                ph::wall(ph::complement(ph::ball<D>(o, 10))),
+                ph::wall(ph::ball<D>(o, 12, ph::filling::hollow)), ph::wall(ph::offset(ball, -0.05)));
+  ph::testing::random_source random(seed);
+  int touched[6] = {};
+  for (int k = 0; k < 20'000; ++k) {
+    const ph::point<D> x = random.positive(1e-3, 15.0) * (k % 2 == 0 ? random.direction<double, D>() : e);
+    ASSERT_TRUE(many_shapes::same(ph::sense(w, x), ph::sense(scan, x))) << "seed " << seed << ", point " << k;
+    for (const auto& c : ph::sense(w, x)) ++touched[c.wall];
+  }
+  for (const int n : touched) EXPECT_GT(n, 10);
+}
+
+TYPED_TEST(world, has_walls_that_move) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  const many_shapes::shapes<D> all(300, random);
+  ph::world_walls<D> walls = all.walls();
+  const ph::ball<D> ball(ph::point<D>::Constant(0.5), 0.05);
+  const int moved = walls.add_moving(ph::wall(ball));
+  const int still = walls.add_moving(ph::wall(ph::ball<D>(ph::point<D>::Constant(0.2), 0.02)));
+  ph::world<D, 6> w(walls);
+  ph::moving truth(ball);
+  many_shapes::wandering_hand<D> hand(2e-4, random);
+  ph::point<D> displacement = ph::point<D>::Zero();
+  int touched = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const ph::point<D> x = hand.next();
+    const ph::point<D> velocity = random.normal_vector<double, D>();
+    if (k % 3 != 0) {  // it comes after the handle
+      const ph::point<D> to = x - ph::point<D>::Constant(0.5) - displacement;
+      displacement += 1e-4 * to.stableNormalized() + 1e-5 * velocity;
+      ASSERT_TRUE(w.set_motion(moved, displacement, velocity));
+      truth.set_motion(displacement, velocity);
+    }
+    auto expected = many_shapes::scan<6>(all, x);
+    if (truth.distance(x) < 0) {
+      auto& c = *expected.append();
+      ph::describe(ph::wall(truth), x, truth.distance(x), c);
+      c.wall = moved;
+      ++touched;
+    }
+    if ((x - ph::point<D>::Constant(0.2)).norm() > 0.02) {
+      ASSERT_TRUE(many_shapes::same(ph::sense(w, x), expected)) << "seed " << seed << ", cycle " << k;
+    }
+  }
+  EXPECT_GT(touched, 1000);
+  EXPECT_FALSE(w.set_motion(still - 2, displacement, displacement)) << "it was not added as moving";
+  EXPECT_FALSE(w.set_motion(99'999, displacement, displacement));
+  EXPECT_FALSE(w.set_motion(moved, ph::point<D>::Constant(nan), displacement));
+}
+
+TYPED_TEST(world, carries_moving_walls_on_if_asked) {
+  constexpr int D = TestFixture::dimension;
+  const ph::point<D> e = ph::point<D>::UnitX(), o = ph::point<D>::Zero();
+  ph::world_walls<D> walls;
+  const int lid = walls.add_moving(ph::wall(ph::half_space<D>(o, e)));
+  ph::world<D> w(walls);
+  w.set_motion(lid, 0.1 * e, 0.5 * e);
+  EXPECT_NEAR(ph::sense(w, o)[0].depth, 0.1, 1e-15);
+  w.extrapolate(0.02);
+  EXPECT_NEAR(ph::sense(w, o)[0].depth, 0.11, 1e-15);
+  w.extrapolate(0.04);
+  EXPECT_NEAR(ph::sense(w, o)[0].depth, 0.12, 1e-15) << "from where it was set, not from where it got to";
+  EXPECT_EQ(ph::sense(w, o)[0].wall_velocity, 0.5 * e);
+  w.extrapolate(HUGE_VAL);
+  EXPECT_NEAR(ph::sense(w, o)[0].depth, 0.12, 1e-15);
+}
+
+TYPED_TEST(world, refuses_bounds_that_are_none) {
+  constexpr int D = TestFixture::dimension;
+  for (const ph::bounding_box<D>& bad :
+       {ph::box_about<D>(ph::point<D>::Zero(), nan), ph::box_about<D>(ph::point<D>::Zero(), -1)}) {
+    ph::world_walls<D> walls;
+    walls.add(ph::wall(ph::ball<D>(ph::point<D>::Zero(), 1)));
+    walls.add(ph::any_wall<D>(ph::wall(ph::ball<D>(ph::point<D>::Zero(), 1)), bad));
+    EXPECT_NE(validate(walls).find("bounds of wall 1"), std::string::npos) << validate(walls);
+    EXPECT_THROW(ph::world<D>{walls}, std::invalid_argument);
+  }
+}
+
+TEST(a_controller, takes_a_world_for_a_scene) {
+  using M = ph::delta<double>;
+  const M mechanism;
+  ph::device_state<M> state;
+  state.q.setConstant(0.4);
+  const ph::point<3> x = mechanism.position(state.q);
+  const ph::half_space<3> plane(x + ph::point<3>(0, 0, 1e-3), {0, 0, 1});
+  ph::world_walls<3> walls;
+  walls.add(ph::wall(ph::ball<3>(x + ph::point<3>(1, 0, 0), 0.1)));
+  walls.add(ph::wall(plane));
+  ph::controller many(mechanism, ph::brakes_of<M>(), ph::world<3, 1>(walls), ph::direct_control());
+  ph::controller one(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(plane)), ph::direct_control());
+  ph::testing::random_source random(seed);
+  int braked = 0;
+  for (int k = 0; k < 100; ++k) {
+    state.qd = random.direction<double, 3>();
+    const auto expected = one(state), got = many(state);
+    EXPECT_EQ(got.capacity, expected.capacity);
+    EXPECT_EQ(got.wall, 1);
+    braked += got.capacity.norm() > 0;
+  }
+  EXPECT_GT(braked, 30);
+}
+
+}  // namespace
