@@ -28,6 +28,7 @@
 #include <passive_haptics/scene/moving.hpp>
 #include <passive_haptics/scene/offset.hpp>
 #include <passive_haptics/scene/room.hpp>
+#include <passive_haptics/scene/scene_exchange.hpp>
 #include <passive_haptics/scene/virtual_fixtures.hpp>
 #include <passive_haptics/scene/world.hpp>
 

@@ -27,7 +27,7 @@ void expect_words(int count, std::string_view otherwise) {
 }
 
 TEST(enumerations, have_words_for_each_status) {
-  expect_words<ph::status>(static_cast<int>(ph::status::out_of_reach) + 1, "unknown status");
+  expect_words<ph::status>(static_cast<int>(ph::status::scene_stale) + 1, "unknown status");
   EXPECT_EQ(to_string(ph::status::ok), "ok");
 }
 

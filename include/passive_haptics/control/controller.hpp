@@ -24,8 +24,8 @@ L&& require_valid_law(L&& law) {
 
 /// Owns all that a control loop needs but the state, which comes in each cycle.
 ///
-/// S: a scene<...> or a held_scene<...>, or any type with a contacts_type for which sense(s, x) or
-/// sense(s, x, time) gives such contacts.
+/// S: a scene<...>, held_scene<...>, world<...> or latest_scene<...>, or any type with a contacts_type for which sense(s, x)
+/// or sense(s, x, time) gives such contacts. Where there is a scene_status(s), a cycle ends with it unless it is ok.
 template <class M, class S, class L>
 class controller {
   static_assert(mechanism_requirements<M>::met);
@@ -86,6 +86,9 @@ class controller {
     const point<M::task_dimension> x = as<double>(mechanism_.position(at));
     if (!all_finite(x)) return status::pose_undefined;
     const auto& touched = sensed_at(x, state.time);
+    if constexpr (requires { scene_status(scene_); }) {
+      if (scene_status(scene_) != status::ok) return scene_status(scene_);
+    }
     if (touched.empty()) {
       detail::tell_released(law_, memory_.law, state.time);
       return status::ok;

@@ -17,6 +17,7 @@ enum class status {
   result_not_finite,   ///< Finite input whose result overflows.
   singular_jacobian,   ///< J is not invertible to working accuracy; only what needs its inverse says so.
   out_of_reach,        ///< No pose of the mechanism reaches the point.
+  scene_stale,         ///< The scene of another thread is older than its user allows.
 };
 
 /// The status in words, for a log or a message.
@@ -31,6 +32,7 @@ constexpr std::string_view to_string(status s) {
     case status::result_not_finite: return "overflow";
     case status::singular_jacobian: return "singular Jacobian";
     case status::out_of_reach: return "out of reach";
+    case status::scene_stale: return "the scene is out of date";
   }
   return "unknown status";
 }

@@ -25,9 +25,12 @@ class moving {
 
   /// Displacement from where the shape was made [m], and velocity of its surface [m/s]; base frame.
   void set_motion(const point<dimension>& displacement, const point<dimension>& velocity) {
-    displacement_ = displacement;
+    set_displacement_ = displacement_ = displacement;
     velocity_ = velocity;
   }
+
+  /// Carries the shape on with its velocity for this time [s] from where set_motion put it.
+  void extrapolate(double seconds) { displacement_ = set_displacement_ + seconds * velocity_; }
 
   /// Signed distance [m]; that of the shape and D subtractions.
   double distance(const point<dimension>& x) const { return shape_.distance(x - displacement_); }
@@ -51,7 +54,8 @@ class moving {
 
  private:
   S shape_;
-  point<dimension> displacement_ = point<dimension>::Zero();
+  point<dimension> set_displacement_ = point<dimension>::Zero();
+  point<dimension> displacement_ = point<dimension>::Zero();  // in this cycle
   point<dimension> velocity_ = point<dimension>::Zero();
 };
 

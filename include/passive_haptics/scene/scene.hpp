@@ -58,6 +58,13 @@ class scene {
     boost::hana::for_each(walls_, std::forward<F>(f));
   }
 
+  /// Carries each shape that can be on for this time [s] (moving.hpp).
+  void extrapolate(double seconds) {
+    boost::hana::for_each(walls_, [&](auto& w) {
+      if constexpr (requires { w.shape.extrapolate(seconds); }) w.shape.extrapolate(seconds);
+    });
+  }
+
   /// Wall Number, to move its shape between two cycles: `scene.template get<0>().shape.set_motion(...)`.
   template <int Number>
   auto& get() {

@@ -1,0 +1,144 @@
+// A scene that another thread publishes: the latest, whole, not too old, with what the loop knew of the handle.
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/laws.hpp>
+#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/scene/half_space.hpp>
+#include <passive_haptics/scene/mesh_surface.hpp>
+#include <passive_haptics/scene/moving.hpp>
+#include <passive_haptics/scene/scene_exchange.hpp>
+#include <passive_haptics/scene/world.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+using M = ph::xy_table<double>;
+const ph::point<2> up{0, 1};
+
+// Free above the height y.
+auto floor_at(double y) { return ph::scene(ph::wall(ph::half_space<2>({0, y}, up), 1e4)); }
+using floor_scene = decltype(floor_at(0));
+
+ph::device_state<M> falling(double y, double time) {
+  return {.time = time, .q = {0, y}, .qd = {0, -0.1}, .hand_force = {0, -1}};
+}
+
+TEST(a_scene_exchange, gives_the_latest_scene_and_when_it_was) {
+  ph::scene_exchange<floor_scene> exchange(floor_at(0), 1.0);
+  const auto depth = [&] { return ph::sense(exchange.scene(), ph::point<2>(0, -1))[0].depth; };
+  exchange.update();
+  EXPECT_EQ(depth(), 1);
+  EXPECT_EQ(exchange.time(), 1.0);
+  for (int k = 2; k < 20; ++k) {
+    exchange.publish(floor_at(k), k);
+    if (k % 3 == 0) exchange.publish(floor_at(k + 0.5), k + 0.5);  // the one before is never seen
+    EXPECT_NE(exchange.time(), k + 0.5) << "not before update()";
+    exchange.update();
+    EXPECT_EQ(exchange.time(), k % 3 == 0 ? k + 0.5 : k);
+    EXPECT_EQ(depth(), 1 + exchange.time());
+    exchange.update();
+    EXPECT_EQ(depth(), 1 + exchange.time()) << "nothing new";
+  }
+}
+
+TEST(a_latest_scene, that_is_out_of_date_releases_the_brakes_and_says_so) {
+  ph::scene_exchange<floor_scene> exchange(floor_at(0), 0.0);
+  ph::controller control(M(), ph::brakes_of<M>(), ph::latest_scene(exchange, {.stale_after = 0.05}),
+                         ph::direct_control());
+  const auto braked = [&](double time) { return control(falling(-1e-3, time)); };
+  EXPECT_GT(braked(0.0).capacity.norm(), 0);
+  EXPECT_GT(braked(0.05).capacity.norm(), 0) << "as old as allowed";
+  for (const double late : {0.051, 1.0, 1e9}) {
+    EXPECT_EQ(braked(late).outcome, ph::status::scene_stale);
+    EXPECT_EQ(braked(late).capacity.norm(), 0);
+    EXPECT_EQ(control(falling(1.0, late)).outcome, ph::status::scene_stale) << "in free space, too";
+  }
+  exchange.publish(floor_at(0), 2.0);
+  EXPECT_EQ(braked(2.01).outcome, ph::status::ok);
+  EXPECT_GT(braked(2.01).capacity.norm(), 0);
+  EXPECT_EQ(braked(1.99).outcome, ph::status::ok) << "published for a later cycle";
+  exchange.publish(floor_at(0), std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(braked(2.02).outcome, ph::status::scene_stale);
+}
+
+template <class Scene>
+void expect_carried_on(const Scene& scene) {
+  for (const bool asked : {false, true}) {
+    ph::scene_exchange<Scene> exchange(scene, 1.0);
+    ph::latest_scene latest(exchange, {.extrapolate = asked});
+    for (const double time : {1.0, 1.04, 1.02}) {
+      const double carried = asked ? 0.5 * (time - 1) : 0;
+      const auto& touched = ph::sense(latest, ph::point<2>(0, 0.1), time);
+      ASSERT_EQ(touched.size(), 1);
+      EXPECT_NEAR(touched[0].depth, 0.1 + carried, 1e-15) << time;
+      EXPECT_EQ(touched[0].wall_velocity, 0.5 * up);
+    }
+    EXPECT_NEAR(ph::sense(latest, ph::point<2>(0, 0.1), 9.0)[0].depth, asked ? 0.11 : 0.1, 1e-15)
+        << "not further than its last cycle that was not too late";
+  }
+}
+
+TEST(a_latest_scene, carries_moving_walls_on_only_if_asked) {
+  ph::scene fixed_walls{ph::wall(ph::moving(ph::half_space<2>({0, 0}, up)))};
+  fixed_walls.get<0>().shape.set_motion(0.2 * up, 0.5 * up);
+  expect_carried_on(fixed_walls);
+
+  ph::world_walls<2> walls;
+  const int lid = walls.add_moving(ph::wall(ph::half_space<2>({0, 0}, up)));
+  ph::world<2> world(walls);
+  world.set_motion(lid, 0.2 * up, 0.5 * up);
+  expect_carried_on(world);
+}
+
+struct bare {
+  static constexpr int dimension = 2;
+  using contacts_type = ph::contacts<2, 1>;
+};
+
+TEST(a_latest_scene, refuses_parameters_that_it_cannot_follow) {
+  ph::scene_exchange<floor_scene> exchange(floor_at(0), 0.0);
+  for (const double bad : {0.0, -1.0, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(ph::latest_scene(exchange, {.stale_after = bad}), std::invalid_argument);
+  ph::scene_exchange<bare> plain(bare{}, 0.0);
+  EXPECT_NO_THROW(ph::latest_scene{plain});
+  EXPECT_THROW(ph::latest_scene(plain, {.extrapolate = true}), std::invalid_argument);
+}
+
+// A sheet that the handle has been pushed through must hold it when the scene is exchanged.
+TEST(a_latest_scene, keeps_the_handle_on_its_side_of_a_thin_wall) {
+  const ph::mesh_parameters<2> line{.vertices = {{-1, 0}, {1, 0}}, .facets = {{1, 0}}};
+  ph::world_walls<2> walls;
+  const int sheet = walls.add_moving(ph::wall(ph::mesh_surface<2>(ph::mesh<2>(line))));
+  const ph::world<2> world(walls);
+  ph::point<2> front = {0.1, 0.01}, back = {0.1, -0.01};
+  {
+    ph::world<2> probe = world;
+    ph::sense(probe, front);
+    if (ph::sense(probe, back).empty()) std::swap(front, back);  // whichever side is its front
+  }
+  ph::scene_exchange<ph::world<2>> exchange(world, 0.0);
+  ph::latest_scene latest(exchange);
+  EXPECT_TRUE(ph::sense(latest, front, 0.0).empty());
+  EXPECT_EQ(ph::sense(latest, back, 0.001).size(), 1);
+  for (int k = 2; k < 50; ++k) {
+    const double time = 1e-3 * k;
+    if (k % 7 == 0) {
+      ph::world<2> next = world;
+      const double along = 1e-3 * k;
+      next.set_motion(sheet, {along, 0}, {1, 0});
+      exchange.publish(next, time);
+    }
+    ASSERT_EQ(ph::sense(latest, back, time).size(), 1) << "cycle " << k;
+    EXPECT_NEAR(ph::sense(latest, back, time)[0].depth, 0.01, 1e-9);
+  }
+  exchange.publish(ph::world<2>(ph::world_walls<2>()), 0.05);  // other walls: nothing to remember
+  EXPECT_TRUE(ph::sense(latest, back, 0.05).empty());
+}
+
+}  // namespace
