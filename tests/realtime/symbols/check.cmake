@@ -4,7 +4,7 @@
 set(ENV{LC_ALL} C)
 set(allowed
   sin|cos|sincos|sqrt|acos|atan2|hypot|sinf|cosf|sincosf|sqrtf|acosf|atan2f|hypotf
-  memcpy|memmove|memset|memcmp
+  memcpy|memmove|memset|memcmp|bcmp
   _GLOBAL_OFFSET_TABLE_|__stack_chk_fail
   __gxx_personality_v0|__cxa_begin_catch|_ZSt9terminatev)
 list(JOIN allowed "|" allowed)

@@ -19,3 +19,9 @@ extern "C" void cycle_of_the_table(control<table, ph::no_direct_control>& contro
                                    ph::step_result<table>& result) {
   result = control(state);
 }
+
+extern "C" void cycle_in_a_world_of_another_thread(
+    ph::controller<table, ph::latest_scene<ph::world<2>>, ph::direct_control>& control,
+    const ph::device_state<table>& state, ph::brake_command<table>& command) {
+  command = control.command(state);
+}
