@@ -31,6 +31,7 @@ present() {
     libeigen3-dev) found_by_dpkg "$1" || found_by_cmake Eigen3 ;;
     libboost-dev) found_by_dpkg "$1" || found_by_cmake Boost ;;
     libgtest-dev) found_by_dpkg "$1" || found_by_cmake GTest ;;
+    libassimp-dev) found_by_dpkg "$1" || found_by_cmake assimp ;;
     libbenchmark-dev) found_by_dpkg "$1" || found_by_cmake benchmark ;;
     clang) command -v clang++ >/dev/null ;;
     llvm) command -v llvm-cov >/dev/null ;;

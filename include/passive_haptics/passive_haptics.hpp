@@ -22,6 +22,7 @@
 #include <passive_haptics/scene/convex_polygon.hpp>
 #include <passive_haptics/scene/convex_polytope.hpp>
 #include <passive_haptics/scene/half_space.hpp>
+#include <passive_haptics/scene/height_field.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/mesh_solid.hpp>
 #include <passive_haptics/scene/mesh_surface.hpp>

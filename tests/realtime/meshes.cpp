@@ -43,7 +43,7 @@ void follow_a_star() {
   }
   EXPECT_GT(touched, 500);
   EXPECT_GT(several, 50);
-  EXPECT_GT(free, 300);
+  EXPECT_GT(free, 200);
 }
 
 TEST(no_allocation, in_a_polyline) { follow_a_star<2>(); }

@@ -8,9 +8,12 @@
 #include "../property/sample_meshes.hpp"
 #include "tracked_handle.hpp"
 
+#include <chrono>
+#include <iostream>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
 
 namespace ph = passive_haptics;
 using ph::testing::random_source;
@@ -225,6 +228,95 @@ TYPED_TEST(a_mesh_surface, that_is_smooth_makes_one_contact) {
       before = u;
     }
   }
+}
+
+// A leap across several facets of it: the proxy gets there in the same cycle.
+TEST(a_smooth_hollow, is_followed_over_many_facets_at_once) {
+  random_source random(seed);
+  const auto p = sample_meshes::globe(60, 30, [](const auto&) { return 1.0; });
+  for (const bool hollow : {false, true}) {
+    handle<3> h(surface_of(hollow ? sample_meshes::inside_out(p) : p));
+    const double side = hollow ? -1 : 1;
+    ph::point<3> u = ph::point<3>::UnitX();
+    h.go((1 + side * 0.1) * u);
+    for (int k = 0; k < 300; ++k) {
+      u = (u + 0.3 * random.direction<double, 3>()).normalized();
+      h.go((1 - side * 0.05) * u);
+      ASSERT_EQ(h.felt.size(), 1u);
+      EXPECT_LE((h.proxy() - u).norm(), 0.1) << "seed " << seed << ", leap " << k;
+    }
+  }
+}
+
+// Round and round a pencil: over each edge the proxy sinks towards the next face, and rises again.
+TYPED_TEST(a_mesh_surface, keeps_its_proxy_at_the_height_of_the_skin) {
+  constexpr int D = TestFixture::dimension;
+  const auto p = [] {
+    const auto same = [](const auto&) { return 1.0; };
+    if constexpr (D == 2) return sample_meshes::ring(7, same);
+    else return sample_meshes::globe(7, 3, same);
+  }();
+  handle<D> h(surface_of(p));
+  h.go(2 * ph::point<D>::UnitX());
+  for (int k = 0; k < 5000; ++k) {
+    const double angle = 0.03 * k;
+    h.go(0.7 * (std::cos(angle) * ph::point<D>::UnitX() + std::sin(angle) * ph::point<D>::UnitY()));
+    ASSERT_EQ(h.felt.size(), 1u) << k;
+    ASSERT_NEAR(h.distance_of_proxy(), skin, 0.11 * skin) << k;
+  }
+}
+
+// Two rims that meet at 1e-6 rad, each a lip wider, would meet 0.1 mm further on.
+TEST(a_needle, ends_at_its_tip) {
+  handle<3> h(surface_of(ph::mesh_parameters<3>{{{0, 0, 0}, {1, 0, 0}, {0, 1e-6, 0}}, {{0, 1, 2}}}));
+  for (const auto& [x, y, contacts] :
+       {std::tuple(0.5, 0.2e-6, 1u), {1 - 1e-6, 1e-13, 1u}, {1 + 1e-6, 0.0, 0u}, {0.5, 0.7e-6, 0u}}) {
+    h.go({x, y, 0.1});
+    h.go({x, y, -0.1});
+    EXPECT_EQ(h.felt.size(), contacts) << x;
+    h.go({2, 0, 0.1});
+  }
+}
+
+// As a hand moves, 0.1 mm a cycle: through the air, along the surface and away again.
+TEST(a_mesh_surface_of_100_000_triangles, costs_a_thousandth_of_a_scan) {
+  using clock = std::chrono::steady_clock;
+  const auto seconds = [](auto&& work) {
+    const auto start = clock::now();
+    work();
+    return std::chrono::duration<double>(clock::now() - start).count();
+  };
+  const auto shape = surface_of(sample_meshes::globe(320, 158, [](const auto&) { return 0.7; }));
+  handle<3> h(shape);
+  double may_go = 0;
+  ph::point<3> asked = ph::point<3>::Zero();
+  const int cycles = 100'000;
+  int touched = 0;
+  const double each =
+      seconds([&] {
+        for (int k = 0; k < cycles; ++k) {
+          const double angle = 1e-4 * k, height = 0.02 * std::cos(2e-3 * k) + 0.01;
+          const ph::point<3> x =
+              (0.7 + height) * ph::point<3>(0.8 * std::cos(angle), std::sin(angle), 0.6 * std::cos(angle));
+          if (k > 0 && (x - asked).norm() < may_go) {
+            h.x = x;
+            continue;
+          }
+          may_go = h.go(x);
+          asked = x;
+          touched += !h.felt.empty();
+        }
+      }) /
+      cycles;
+  double sum = 0;
+  const double scan = seconds([&] {
+    for (int i = 0; i < shape.surface().size(); ++i)
+      sum += ph::nearest_point(shape.surface()[i], asked).squared_distance;
+  });
+  std::cout << "a cycle " << 1e6 * each << " us, scan " << 1e6 * scan << " us: " << scan / each << " times\n";
+  EXPECT_GT(touched, cycles / 5);
+  EXPECT_GT(sum, 0);
+  EXPECT_GT(scan / each, 1000);
 }
 
 // 10^6 steps of any size in all on a star with deep valleys: the proxy stays outside, whatever the handle does.

@@ -115,6 +115,7 @@ inline facet_point<2> nearest_point(const mesh_facet<2>& f, const point<2>& x) {
   const double h = f.height(x);
   return {x - h * f.normal, h * h, facet_part::interior, 0};
 }
+/// The same in space.
 inline facet_point<3> nearest_point(const mesh_facet<3>& f, const point<3>& x) {
   facet_point<3> best{x, std::numeric_limits<double>::infinity(), facet_part::interior, 0};
   bool inside = true;
