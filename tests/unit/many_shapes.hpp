@@ -8,6 +8,8 @@
 #include <passive_haptics/testing/random.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace many_shapes {
@@ -20,16 +22,20 @@ struct shapes {
   std::vector<ph::ball<D>> balls;
   std::vector<ph::box<D>> boxes;
   std::vector<ph::half_space<D>> faces;
+  std::vector<std::pair<ph::point<D>, double>> ball_sizes;       // centre, radius
+  std::vector<std::pair<ph::point<D>, ph::point<D>>> box_sizes;  // centre, half extents
 
   shapes(int count, ph::testing::random_source& random) {
     const auto size = [&] { return random.uniform(1e-3, 5e-3); };
     for (int i = 0; i < count; ++i) {
       const ph::point<D> centre = random.between<double, D>(ph::point<D>::Zero(), ph::point<D>::Constant(1));
       if (i % 2 == 0) {
-        balls.emplace_back(centre, size());
+        ball_sizes.emplace_back(centre, size());
+        balls.emplace_back(centre, ball_sizes.back().second);
       } else {
         ph::point<D> half;
         for (int k = 0; k < D; ++k) half[k] = size();
+        box_sizes.emplace_back(centre, half);
         boxes.emplace_back(centre, half);
       }
     }
@@ -67,7 +73,7 @@ ph::contacts<D, Capacity> scan(const shapes<D>& all, const ph::point<D>& x) {
     if (!(distance >= 0)) {
       ph::contact<D> c;
       ph::describe(ph::wall(shape), x, distance, c);
-      found.from_wall(number, x, ph::point<D>::Zero());
+      found.from_wall(number, &x, nullptr);
       found.add(c);
     }
     ++number;

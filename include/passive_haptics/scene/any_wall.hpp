@@ -76,8 +76,8 @@ class any_wall {
     }
     double look(const point<D>& from, const point<D>& x, void* tracker,
                 contact_sink<D>& found) const override {
-      contact<D> c;
       if constexpr (TrackedShape<S>) {
+        contact<D> c;
         c.stiffness = held.stiffness;
         return held.shape.follow(from, x, *static_cast<typename S::tracker*>(tracker),
                                  [&](const point<D>& normal, double depth) {
@@ -88,6 +88,7 @@ class any_wall {
       } else {
         const double distance = held.shape.distance(x);
         if (distance >= 0) return distance;
+        contact<D> c;
         describe(held, x, distance, c);
         found.add(c);
         return 0;

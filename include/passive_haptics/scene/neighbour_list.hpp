@@ -27,7 +27,7 @@ namespace passive_haptics {
 /// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It searches the whole tree only
 /// when the handle jumps, or is faster than half the reach in the time that the next list takes. No allocation
 /// after construction.
-template <int D, int Listed = 24>
+template <int D, int Listed = 48>
 class neighbour_list {
  public:
   static constexpr int nodes_per_cycle = 24;  ///< Of the tree, while the next list is collected.
@@ -88,13 +88,14 @@ class neighbour_list {
 
   static constexpr double start_early = 0.85;  // begin the next list when this part of the reach is used up
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  static constexpr double relative_rounding = 64 * epsilon;
 
   list& near() { return lists_[static_cast<std::size_t>(current_)]; }
   list& next() { return lists_[static_cast<std::size_t>(1 - current_)]; }
 
-  // Of the distance of an item at x, and of the way
-  double rounding(const point<D>& x, double distance) const {
-    return 64 * epsilon * (scale_ + x.cwiseAbs().maxCoeff() + distance + travelled_);
+  // Of a distance at x, beside its own share, and of the way [m]
+  double rounding(const point<D>& x) const {
+    return relative_rounding * (scale_ + x.cwiseAbs().maxCoeff() + travelled_);
   }
 
   template <class Look>
@@ -115,11 +116,12 @@ class neighbour_list {
       start_collecting(tree, x);
     }
 
+    const double slack = rounding(x);
     double first_due = unbounded;
     const auto look_if_due = [&](double& due, int item) {
       if (due <= travelled_) {
         const double distance = look(item);
-        due = travelled_ + std::max(distance - rounding(x, distance), 0.0);
+        due = travelled_ + std::max(distance * (1 - relative_rounding) - slack, 0.0);
       }
       first_due = std::min(first_due, due);
     };
@@ -132,7 +134,7 @@ class neighbour_list {
     double clearance = first_due - travelled_;
     // The next list in time; and while one is collected, every cycle takes its share
     clearance = collecting_ ? 0 : std::min(clearance, start_early * near().reach - from_centre);
-    clearance = std::max(clearance - rounding(x, 0), 0.0);
+    clearance = std::max(clearance - slack, 0.0);
     squared_clearance_ = clearance * clearance;
   }
 
@@ -182,7 +184,7 @@ class neighbour_list {
     next().reach = std::sqrt(squared_limit_);
     if (next().reach == 0) next().size = 0;
     current_ = 1 - current_;
-    const double slack = rounding(near().centre, 0);
+    const double slack = rounding(near().centre);
     for (neighbour& n : near()) n.due -= slack;
   }
 

@@ -20,9 +20,9 @@ class strongest_contacts final : public contact_sink<D> {
     left_out_ = 0;
   }
 
-  /// What the contacts that come next have in common: the number and velocity [m/s] of their wall, and the handle's position
-  /// x [m], base frame.
-  void from_wall(int number, const point<D>& x, const point<D>& velocity) {
+  /// What the contacts that come next have in common: the number of their wall, the handle's position [m] and the velocity
+  /// of the wall beyond that of its shape [m/s], nullptr if it stays; base frame, both as long as they come.
+  void from_wall(int number, const point<D>* x, const point<D>* velocity) {
     wall_ = number;
     position_ = x;
     velocity_ = velocity;
@@ -32,8 +32,8 @@ class strongest_contacts final : public contact_sink<D> {
   void add(const contact<D>& touched) override {
     contact<D> c = touched;
     c.wall = wall_;
-    c.position = position_;
-    c.wall_velocity += velocity_;
+    c.position = *position_;
+    if (velocity_ != nullptr) c.wall_velocity += *velocity_;
     if (kept_.push_back(c)) return;
     ++left_out_;
     contact<D>* weakest = std::max_element(kept_.begin(), kept_.end(), stronger);
@@ -42,7 +42,9 @@ class strongest_contacts final : public contact_sink<D> {
 
   /// Those kept, in the order of their walls.
   const contacts<D, Capacity>& in_order() {
-    std::sort(kept_.begin(), kept_.end(), [](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    const auto comes_first = [](const auto& a, const auto& b) { return rank(a) < rank(b); };
+    for (contact<D>* c = kept_.begin(); c != kept_.end(); ++c)
+      std::rotate(std::upper_bound(kept_.begin(), c, *c, comes_first), c, c + 1);
     return kept_;
   }
 
@@ -60,8 +62,8 @@ class strongest_contacts final : public contact_sink<D> {
   contacts<D, Capacity> kept_;
   int left_out_ = 0;
   int wall_ = 0;
-  point<D> position_ = point<D>::Zero();
-  point<D> velocity_ = point<D>::Zero();
+  const point<D>* position_ = nullptr;
+  const point<D>* velocity_ = nullptr;
 };
 
 }  // namespace passive_haptics

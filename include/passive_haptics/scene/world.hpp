@@ -192,7 +192,7 @@ class world {
 
   double look(int item, const point<D>& x) {
     const int number = geometry_->in_tree[static_cast<std::size_t>(item)];
-    found_.from_wall(number, x, point<D>::Zero());
+    found_.from_wall(number, &x, nullptr);
     return geometry_->at(number).look(x, x, nullptr, found_);
   }
 
@@ -200,11 +200,11 @@ class world {
     const auto k = static_cast<std::size_t>(-1 - item);
     const int number = geometry_->others[k];
     if (k >= motions_.size()) {
-      found_.from_wall(number, x, point<D>::Zero());
+      found_.from_wall(number, &x, nullptr);
       return geometry_->at(number).look(previous_, x, tracker(k), found_);
     }
     motion& m = motions_[k];
-    found_.from_wall(number, x, m.velocity);
+    found_.from_wall(number, &x, &m.velocity);
     const double distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), found_);
     m.seen = m.now;
     return distance;
@@ -213,7 +213,7 @@ class world {
   const contacts_type& undefined_contact() {
     contact<D> c;
     c.depth = std::numeric_limits<double>::quiet_NaN();
-    found_.from_wall(0, point<D>::Zero(), point<D>::Zero());
+    found_.from_wall(0, &c.position, nullptr);
     found_.add(c);
     return found_.in_order();
   }
