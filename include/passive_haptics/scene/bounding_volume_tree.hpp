@@ -18,42 +18,69 @@
 
 namespace passive_haptics {
 
-/// A box in float, grown by what its arithmetic may lose: a fraction of the work, and a bound all the same.
+/// A box in float, grown by what its arithmetic may lose: a bound all the same.
 template <int D>
 struct outer_box {
-  /// A point [m]; as many lanes as a vector register has, those beyond D zero.
-  using float_point = Eigen::Array<float, (D + 3) / 4 * 4, 1>;
-
-  float_point lower;  ///< [m]
-  float_point upper;  ///< [m]
-
-  /// Holds a box with coordinates up to `scale` [m].
-  static outer_box about(const bounding_box<D>& b, double scale) {
-    const auto margin = point<D>::Constant(4 * epsilon * scale);
-    return {in_float(b.lower - margin), in_float(b.upper + margin)};
-  }
-
-  /// x in float.
-  static float_point in_float(const point<D>& x) {
-    float_point y = float_point::Zero();
-    unrolled<D>([&](auto i) { y[i] = static_cast<float>(x[i]); });
-    return y;
-  }
-
-  /// Not more than the square of the distance from x to the box [m^2], and less by rounding only; 0 inside.
-  double squared_distance(const float_point& x) const {
-    constexpr float largest = std::numeric_limits<float>::max();
-    const float square = (lower - x).max(x - upper).max(0.f).square().sum();
-    return (1 - 8 * epsilon) * double(std::min(square, largest));
-  }
-  /// The same.
-  double squared_distance(const point<D>& x) const { return squared_distance(in_float(x)); }
-
- private:
-  static constexpr double epsilon = std::numeric_limits<float>::epsilon();
+  vector<float, D> lower;  ///< [m]
+  vector<float, D> upper;  ///< [m]
 };
 
-/// A balanced binary tree over items 0 .. n-1, each known by its box. Immutable: any number of threads may search it.
+/// Four such boxes side by side, looked at together.
+template <int D>
+struct four_outer_boxes {
+  using four = Eigen::Array<float, 4, 1>;  ///< One value of each box.
+
+  std::array<four, static_cast<std::size_t>(D)> lower;  ///< By axes [m].
+  std::array<four, static_cast<std::size_t>(D)> upper;  ///< By axes [m].
+
+  /// Box k, 0 <= k < 4.
+  outer_box<D> operator[](int k) const {
+    outer_box<D> box;
+    unrolled<D>([&](auto i) {
+      box.lower[i] = lower[i][k];
+      box.upper[i] = upper[i][k];
+    });
+    return box;
+  }
+
+  /// Makes box k hold b, whose coordinates are up to `scale` [m].
+  void set(int k, const bounding_box<D>& b, double scale) {
+    const double margin = 4 * epsilon * scale;
+    unrolled<D>([&](auto i) {
+      lower[i][k] = static_cast<float>(b.lower[i] - margin);
+      upper[i][k] = static_cast<float>(b.upper[i] + margin);
+    });
+  }
+
+  /// Not more than the squares of the distances from x to the boxes [m^2], and less by rounding only; 0 inside.
+  four squared_distances(const vector<float, D>& x) const {
+    constexpr float largest = std::numeric_limits<float>::max();
+    four sum = four::Zero();
+    unrolled<D>([&](auto i) { sum += (lower[i] - x[i]).max(x[i] - upper[i]).max(0.f).square(); });
+    return (1 - 8 * epsilon) * sum.min(largest);
+  }
+
+ private:
+  static constexpr float epsilon = std::numeric_limits<float>::epsilon();
+};
+
+/// How far boxes are from a point: what limits a search for what is near.
+template <int D>
+class squared_distance_from {
+ public:
+  /// From x [m].
+  explicit squared_distance_from(const point<D>& x) : x_(x.template cast<float>()) {}
+
+  /// To each of four boxes [m^2].
+  auto operator()(const four_outer_boxes<D>& boxes) const { return boxes.squared_distances(x_); }
+
+ private:
+  vector<float, D> x_;
+};
+
+/// A balanced tree of four branches a node over items 0 .. n-1, each known by its box. Immutable: any number of threads may
+/// search it. A search is limited by a function of four_outer_boxes: for each, the least that it seeks in the box can be, as
+/// four floats or doubles.
 template <int D>
 class bounding_volume_tree {
  public:
@@ -66,26 +93,24 @@ class bounding_volume_tree {
    private:
     friend class bounding_volume_tree;
     struct entry {
-      double bound;
-      std::int32_t node;
+      double bound = 0;
+      std::int32_t node = 0;
     };
-    // A balanced tree of 2^31 items is 31 levels deep; each level leaves one node behind.
-    std::array<entry, 40> stack_{};
+    // A balanced tree of 2^31 items is 16 levels deep; each level leaves three nodes behind.
+    std::array<entry, 64> stack_{};
     int size_ = 0;
   };
 
   bounding_volume_tree() = default;
 
-  /// O(n log n); may allocate. Boxes finite or infinite, not NaN.
-  explicit bounding_volume_tree(const std::vector<bounding_box<D>>& boxes) {
+  /// O(n log n); may allocate. Boxes finite.
+  explicit bounding_volume_tree(const std::vector<bounding_box<D>>& boxes) : items_(boxes.size()) {
     if (boxes.empty()) return;
-    items_.resize(boxes.size());
     std::iota(items_.begin(), items_.end(), 0);
-    nodes_.resize(1);
     bounding_box<D> all;
     for (const auto& b : boxes) all.extend(b);
     scale_ = detail::largest_coordinate(all);
-    build(0, boxes, 0, static_cast<std::int32_t>(boxes.size()));
+    build(boxes, {0, static_cast<std::int32_t>(boxes.size())});
     nodes_.shrink_to_fit();
   }
 
@@ -95,78 +120,105 @@ class bounding_volume_tree {
   /// Largest coordinate of the boxes [m].
   double scale() const { return scale_; }
 
-  /// A search from the root. bound(outer_box) is what limits it: the least that it seeks in the box can be.
-  template <class Bound>
-  search start(const Bound& bound) const {
+  /// A search from the root.
+  search start() const {
     search s;
-    if (!nodes_.empty()) s.stack_[static_cast<std::size_t>(s.size_++)] = {bound(nodes_[0].box), 0};
+    if (!nodes_.empty()) s.size_ = 1;
     return s;
   }
 
-  /// Calls visit(item, bound) for items whose bound is <= limit, those in the nearer half first; visit may lower the
-  /// limit. Looks at no more than `budget` nodes and returns what is left of it.
+  /// Calls visit(item, bound) for items whose bound is <= limit, those in nearer branches first; visit may lower the
+  /// limit. Up to four items share the bound of a box about them. Opens no more than `budget` nodes.
   template <class Bound, class Visit>
-  int go_on(search& s, const Bound& bound, double& limit, const Visit& visit,
-            int budget = std::numeric_limits<int>::max()) const {
-    while (s.size_ > 0 && budget > 0) {
+  void go_on(search& s, const Bound& bound, double& limit, const Visit& visit,
+             int budget = std::numeric_limits<int>::max()) const {
+    for (; s.size_ > 0 && budget > 0;) {
       const auto top = s.stack_[static_cast<std::size_t>(--s.size_)];
       if (!(top.bound <= limit)) continue;
       --budget;
       const node& here = nodes_[static_cast<std::size_t>(top.node)];
-      if (here.count > 0) {
-        for (std::int32_t i = here.first; i < here.first + here.count; ++i)
-          visit(static_cast<int>(items_[static_cast<std::size_t>(i)]), top.bound);
-        continue;
+      const auto bounds = bound(here.boxes);
+      const int inner = s.size_;
+      for (int k = 0; k < 4; ++k) {
+        const auto branch = static_cast<std::size_t>(k);
+        const double b = bounds[k];
+        if (!(b <= limit)) continue;
+        if (here.count[branch] == 0) {
+          push(s, inner, {b, here.first[branch]});
+        } else {
+          for (std::int32_t i = 0; i < here.count[branch]; ++i)
+            visit(static_cast<int>(items_[static_cast<std::size_t>(here.first[branch] + i)]), b);
+        }
       }
-      const std::int32_t link = here.first;
-      typename search::entry near{bound(nodes_[static_cast<std::size_t>(link)].box), link};
-      typename search::entry far{bound(nodes_[static_cast<std::size_t>(link) + 1].box), link + 1};
-      if (far.bound < near.bound) std::swap(near, far);
-      if (far.bound <= limit) s.stack_[static_cast<std::size_t>(s.size_++)] = far;
-      if (near.bound <= limit) s.stack_[static_cast<std::size_t>(s.size_++)] = near;
     }
-    return budget;
   }
 
   /// The whole search at once: visits all items with bound <= limit, which visit may lower.
   template <class Bound, class Visit>
   void visit_within(const Bound& bound, double limit, const Visit& visit) const {
-    search s = start(bound);
+    search s = start();
     go_on(s, bound, limit, visit);
   }
 
  private:
+  static constexpr std::int32_t leaf_size = 4;
+  static constexpr std::int32_t empty = -1;
+
   struct node {
-    outer_box<D> box;
-    std::int32_t first;  // of its items; of an inner node, of its two children
-    std::int32_t count;  // of items; 0 of an inner node
+    four_outer_boxes<D> boxes;
+    std::array<std::int32_t, 4> first;  // of a leaf its first in items_; of an inner node its number
+    std::array<std::int32_t, 4> count;  // of items; 0 of an inner node, `empty` of a branch without any
   };
 
-  // The node `at` of items_[first] .. items_[first + count - 1]
-  void build(std::size_t at, const std::vector<bounding_box<D>>& boxes, std::int32_t first,
-             std::int32_t count) {
-    const auto box = [&](std::int32_t i) -> const bounding_box<D>& {
-      return boxes[static_cast<std::size_t>(i)];
-    };
-    const auto begin = items_.begin() + first, middle = begin + count / 2, end = begin + count;
-    bounding_box<D> all;
-    std::for_each(begin, end, [&](std::int32_t i) { all.extend(box(i)); });
-    nodes_[at] = {outer_box<D>::about(all, scale_), first, count};
-    if (count <= leaf_size) return;
-    int axis = 0;
-    (all.upper - all.lower).maxCoeff(&axis);
-    std::nth_element(begin, middle, end, [&](std::int32_t i, std::int32_t j) {
-      return box(i).lower[axis] + box(i).upper[axis] < box(j).lower[axis] + box(j).upper[axis];
-    });
-    const std::size_t children = nodes_.size();
-    nodes_.resize(children + 2);
-    nodes_[at].first = static_cast<std::int32_t>(children);
-    nodes_[at].count = 0;
-    build(children, boxes, first, count / 2);
-    build(children + 1, boxes, first + count / 2, count - count / 2);
+  struct range {
+    std::int32_t first, count;  // of items_
+  };
+
+  // Keeps those pushed since `from` in order, the nearest on top.
+  static void push(search& s, int from, typename search::entry e) {
+    int at = s.size_++;
+    for (; at > from && s.stack_[static_cast<std::size_t>(at - 1)].bound < e.bound; --at)
+      s.stack_[static_cast<std::size_t>(at)] = s.stack_[static_cast<std::size_t>(at - 1)];
+    s.stack_[static_cast<std::size_t>(at)] = e;
   }
 
-  static constexpr std::int32_t leaf_size = 4;  // less memory to fetch than one item a leaf
+  static bounding_box<D> box_of(const std::vector<bounding_box<D>>& boxes,
+                                const std::vector<std::int32_t>& items, range r) {
+    bounding_box<D> all;
+    for (std::int32_t i = r.first; i < r.first + r.count; ++i)
+      all.extend(boxes[static_cast<std::size_t>(items[static_cast<std::size_t>(i)])]);
+    return all;
+  }
+
+  // Two halves along the longest side of the box about all
+  std::array<range, 2> halves(const std::vector<bounding_box<D>>& boxes, range r) {
+    const bounding_box<D> all = box_of(boxes, items_, r);
+    int axis = 0;
+    if (r.count > 0) (all.upper - all.lower).maxCoeff(&axis);
+    const auto begin = items_.begin() + r.first;
+    std::nth_element(begin, begin + r.count / 2, begin + r.count, [&](std::int32_t i, std::int32_t j) {
+      const auto &a = boxes[static_cast<std::size_t>(i)], &b = boxes[static_cast<std::size_t>(j)];
+      return a.lower[axis] + a.upper[axis] < b.lower[axis] + b.upper[axis];
+    });
+    return {range{r.first, r.count / 2}, range{r.first + r.count / 2, r.count - r.count / 2}};
+  }
+
+  // Makes the node of these items and all below it, and returns its number.
+  std::int32_t build(const std::vector<bounding_box<D>>& boxes, range r) {
+    const auto at = nodes_.size();
+    nodes_.emplace_back();
+    const auto two = halves(boxes, r);
+    const auto low = halves(boxes, two[0]), high = halves(boxes, two[1]);
+    const std::array<range, 4> four{low[0], low[1], high[0], high[1]};
+    for (std::size_t k = 0; k < 4; ++k) {
+      nodes_[at].boxes.set(static_cast<int>(k), box_of(boxes, items_, four[k]), scale_);
+      const bool leaf = four[k].count <= leaf_size;
+      const std::int32_t first = leaf ? four[k].first : build(boxes, four[k]);
+      nodes_[at].first[k] = first;
+      nodes_[at].count[k] = !leaf ? 0 : four[k].count > 0 ? four[k].count : empty;
+    }
+    return static_cast<std::int32_t>(at);
+  }
 
   std::vector<node> nodes_;
   std::vector<std::int32_t> items_;  // in the order of the leaves

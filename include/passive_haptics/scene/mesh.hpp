@@ -54,16 +54,14 @@ class mesh {
   /// x gives a NaN distance.
   mesh_point<D> nearest(const point<D>& x, int guess = 0) const {
     mesh_point<D> best{nearest_point((*this)[guess], x), guess};
-    auto search = data_->tree.start([&](const auto& b) { return b.squared_distance(x); });
+    auto search = data_->tree.start();
     double limit = best.squared_distance;
-    data_->tree.go_on(
-        search, [&](const auto& b) { return b.squared_distance(x); }, limit,
-        [&](int i, double) {
-          const auto candidate = nearest_point((*this)[i], x);
-          if (!(candidate.squared_distance < limit)) return;
-          best = {candidate, i};
-          limit = candidate.squared_distance;
-        });
+    data_->tree.go_on(search, squared_distance_from<D>(x), limit, [&](int i, double) {
+      const auto candidate = nearest_point((*this)[i], x);
+      if (!(candidate.squared_distance < limit)) return;
+      best = {candidate, i};
+      limit = candidate.squared_distance;
+    });
     return best;
   }
 

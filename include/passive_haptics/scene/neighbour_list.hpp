@@ -27,10 +27,10 @@ namespace passive_haptics {
 /// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It searches the whole tree only
 /// when the handle jumps, or is faster than half the reach in the time that the next list takes. No allocation
 /// after construction.
-template <int D, int Listed = 48>
+template <int D, int Listed = 12>
 class neighbour_list {
  public:
-  static constexpr int nodes_per_cycle = 24;  ///< Of the tree, while the next list is collected.
+  static constexpr int nodes_per_cycle = 8;  ///< Of the tree, while the next list is collected.
 
   neighbour_list() = default;
 
@@ -51,6 +51,7 @@ class neighbour_list {
   /// An item that lies in no tree (0, 1, ... in their order) has moved by this distance [m].
   void moved(std::size_t other, double distance) {
     others_[other] -= distance;
+    first_other_ = std::min(first_other_, others_[other]);
     const double left = std::sqrt(squared_clearance_) - distance;
     squared_clearance_ = left > 0 ? left * left : 0;
   }
@@ -63,6 +64,7 @@ class neighbour_list {
     near().reach = 0;
     collecting_ = false;
     std::fill(others_.begin(), others_.end(), 0.0);
+    first_other_ = 0;
   }
 
  private:
@@ -86,7 +88,7 @@ class neighbour_list {
     auto end() { return items.begin() + size; }
   };
 
-  static constexpr double start_early = 0.85;  // begin the next list when this part of the reach is used up
+  static constexpr double start_early = 0.9;  // begin the next list when this part of the reach is used up
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   static constexpr double relative_rounding = 64 * epsilon;
 
@@ -117,25 +119,45 @@ class neighbour_list {
     }
 
     const double slack = rounding(x);
-    double first_due = unbounded;
-    const auto look_if_due = [&](double& due, int item) {
-      if (due <= travelled_) {
-        const double distance = look(item);
-        due = travelled_ + std::max(distance * (1 - relative_rounding) - slack, 0.0);
-      }
-      first_due = std::min(first_due, due);
+    const auto next_due = [&](int item) {
+      const double distance = look(item);
+      return travelled_ + std::max(distance * (1 - relative_rounding) - slack, 0.0);
     };
-    for (neighbour& n : near()) look_if_due(n.due, n.item);
-    for (std::size_t i = 0; i < others_.size(); ++i) look_if_due(others_[i], -1 - static_cast<int>(i));
+    look_at_near(next_due);
+    look_at_others(next_due);
     if (near().reach == 0) {  // more items about x than the list holds
-      tree.visit_within([&](const auto& box) { return box.squared_distance(x); }, 0.0,
-                        [&](int item, double) { look(item); });
+      tree.visit_within(squared_distance_from<D>(x), 0.0, [&](int item, double) { look(item); });
     }
-    double clearance = first_due - travelled_;
+    double clearance = std::min(near().size > 0 ? near().items[0].due : unbounded, first_other_) - travelled_;
     // The next list in time; and while one is collected, every cycle takes its share
     clearance = collecting_ ? 0 : std::min(clearance, start_early * near().reach - from_centre);
     clearance = std::max(clearance - slack, 0.0);
     squared_clearance_ = clearance * clearance;
+  }
+
+  // The list is in the order in which its items are due: those that are stand at its head.
+  template <class NextDue>
+  void look_at_near(const NextDue& next_due) {
+    auto& items = near().items;
+    const auto at = [&](int k) -> neighbour& { return items[static_cast<std::size_t>(k)]; };
+    int due = 0;
+    for (; due < near().size && at(due).due <= travelled_; ++due) at(due).due = next_due(at(due).item);
+    for (int k = due - 1; k >= 0; --k) {
+      const neighbour moved = at(k);
+      int to = k;
+      for (; to + 1 < near().size && at(to + 1).due < moved.due; ++to) at(to) = at(to + 1);
+      at(to) = moved;
+    }
+  }
+
+  template <class NextDue>
+  void look_at_others(const NextDue& next_due) {
+    if (first_other_ > travelled_) return;
+    first_other_ = unbounded;
+    for (std::size_t i = 0; i < others_.size(); ++i) {
+      if (others_[i] <= travelled_) others_[i] = next_due(-1 - static_cast<int>(i));
+      first_other_ = std::min(first_other_, others_[i]);
+    }
   }
 
   void start_collecting(const bounding_volume_tree<D>& tree, const point<D>& x) {
@@ -146,19 +168,14 @@ class neighbour_list {
     const double reach = (near().size < Listed / 2 ? 1.25 : 0.8) * near().reach;
     squared_limit_ = reach > 0 ? reach * reach : unbounded;
     started_at_ = travelled_;
-    centre_in_float_ = outer_box<D>::in_float(x);
-    search_ = tree.start(to_centre());
-  }
-
-  auto to_centre() const {
-    return [x = centre_in_float_](const outer_box<D>& box) { return box.squared_distance(x); };
+    search_ = tree.start();
   }
 
   // All boxes within reach; if they are more than can be listed, the nearest of them
   [[gnu::flatten]] void collect(const bounding_volume_tree<D>& tree, int budget) {
     list& next = this->next();
     tree.go_on(
-        search_, to_centre(), squared_limit_,
+        search_, squared_distance_from<D>(next.centre), squared_limit_,
         [&](int item, double squared_distance) {
           const neighbour found{std::sqrt(squared_distance), item};
           if (next.size < Listed) {
@@ -180,12 +197,14 @@ class neighbour_list {
     collecting_ = false;
     // The way starts anew with each list, so that it stays short and exact
     for (double& due : others_) due -= started_at_;
+    first_other_ -= started_at_;
     travelled_ -= started_at_;
     next().reach = std::sqrt(squared_limit_);
     if (next().reach == 0) next().size = 0;
     current_ = 1 - current_;
     const double slack = rounding(near().centre);
     for (neighbour& n : near()) n.due -= slack;
+    std::sort(near().begin(), near().end());
   }
 
   point<D> last_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -194,10 +213,9 @@ class neighbour_list {
   std::array<list, 2> lists_;
   int current_ = 0;             // of lists_; the other is the next
   std::vector<double> others_;  // when each is due [m]
+  double first_other_ = 0;      // the least of them
   double scale_ = 0;
   double squared_limit_ = 0;  // of the search for the next list [m^2]
-  typename outer_box<D>::float_point centre_in_float_ =
-      outer_box<D>::float_point::Zero();  // of the next list
   search search_;
   double started_at_ = 0;  // travelled_ when the next list was begun
   bool collecting_ = false;

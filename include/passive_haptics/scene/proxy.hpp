@@ -120,15 +120,20 @@ class proxy_way {
 
   // Which slab the step enters first; those of the facets on which the proxy rests only if told so.
   hit first_stop(const point<D>& step, bool resting_too) {
-    const auto entry = [&](const outer_box<D>& box) {
-      part_of_way way;
-      for (int i = 0; i < D; ++i) {
-        way.keep_between(p_[i], step[i], double(box.lower[i]) - 2 * skin_, double(box.upper[i]) + 2 * skin_);
+    const auto entry = [&](const four_outer_boxes<D>& boxes) {
+      std::array<double, 4> times;
+      for (int k = 0; k < 4; ++k) {
+        const outer_box<D> box = boxes[k];
+        part_of_way way;
+        for (int i = 0; i < D; ++i)
+          way.keep_between(p_[i], step[i], double(box.lower[i]) - 2 * skin_,
+                           double(box.upper[i]) + 2 * skin_);
+        times[static_cast<std::size_t>(k)] = way.empty() ? 2.0 : way.first;
       }
-      return way.empty() ? 2.0 : way.first;
+      return times;
     };
     hit first{1, -1};
-    auto search = surface_.tree().start(entry);
+    auto search = surface_.tree().start();
     surface_.tree().go_on(search, entry, first.time, [&](int i, double) {
       const double time = slab(i).stop(p_, step);
       const bool sooner = time < first.time || (time <= first.time && first.facet < 0);
