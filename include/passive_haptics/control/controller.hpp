@@ -20,28 +20,36 @@ L&& require_valid_law(L&& law) {
   else if constexpr (requires { validate(law.parameters); }) require_no_complaint(validate(law.parameters));
   return std::forward<L>(law);
 }
+// Brakes that have been checked.
+template <class B>
+const B& require_valid_brakes(const B& brakes) {
+  if constexpr (requires { validate(brakes); }) return require_valid(brakes);
+  require_no_complaint(check_brakes(brakes));
+  return brakes;
+}
 }  // namespace detail
 
 /// Owns all that a control loop needs but the state, which comes in each cycle.
 ///
 /// S: a scene<...> or a held_scene<...>, or any type with a contacts_type for which sense(s, x) or
-/// sense(s, x, time) gives such contacts.
-template <class M, class S, class L>
+/// sense(s, x, time) gives such contacts. B: brakes_of<M>, or any type with some of its members
+/// (brake/brake_concepts.hpp): what it lacks costs nothing.
+template <class M, class S, class L, class B = brakes_of<M>>
 class controller {
   static_assert(mechanism_requirements<M>::met);
   static_assert(!detail::has_another_dimension<S, M::task_dimension>,
                 "passive_haptics: the scene's dimension must be the mechanism's task_dimension.");
+  static_assert(detail::law_brake_requirements<M, L, B>::met);
 
  public:
   using mechanism_type = M;                               ///< The mechanism.
   using options_type = step_options<typename M::scalar>;  ///< Options of a step.
 
-  /// Throws std::invalid_argument with the text of validate(brakes), or of validate(law) or validate(law.parameters)
+  /// Throws std::invalid_argument with the text of validate(brakes) (check_brakes() where there is none), or of validate(law) or validate(law.parameters)
   /// where there is one.
-  controller(M mechanism, const brakes_of<M>& brakes, S scene, L law = {},
-             const options_type& options = options_type())
+  controller(M mechanism, const B& brakes, S scene, L law = {}, const options_type& options = options_type())
       : mechanism_(std::move(mechanism)),
-        brakes_(require_valid(brakes)),
+        brakes_(detail::require_valid_brakes(brakes)),
         scene_(std::move(scene)),
         law_(detail::require_valid_law(std::move(law))),
         options_(options),
@@ -51,7 +59,7 @@ class controller {
   /// One control cycle; see step(). A state or position that is not finite is not shown to the scene.
   template <class State>
   [[gnu::flatten]] step_result_for<M, typename S::contacts_type> operator()(const State& state) noexcept {
-    static_assert(detail::step_requirements<M, typename S::contacts_type, L, State>::met);
+    static_assert(detail::step_requirements<M, typename S::contacts_type, L, State, B>::met);
     step_result_for<M, typename S::contacts_type> result;
     status outcome = check_state<M>(state);
     if (outcome == status::ok) outcome = cycle(state, result);
@@ -77,7 +85,7 @@ class controller {
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
   /// The brakes.
-  const brakes_of<M>& brakes() const { return brakes_; }
+  const B& brakes() const { return brakes_; }
 
  private:
   template <class State>
@@ -91,8 +99,8 @@ class controller {
       return status::ok;
     }
     if (parameters_ != status::ok) return parameters_;
-    return detail::step_in_contact(mechanism_, at, x, reduction_, brakes_, touched, law_, state, memory_,
-                                   options_, result);
+    return detail::step_in_contact<walls_may_move<S>>(mechanism_, at, x, reduction_, brakes_, touched, law_,
+                                                      state, memory_, options_, result);
   }
 
   decltype(auto) sensed_at(const point<M::task_dimension>& x, double time) {
@@ -101,7 +109,7 @@ class controller {
   }
 
   M mechanism_;
-  brakes_of<M> brakes_;
+  [[no_unique_address]] B brakes_;
   S scene_;
   L law_;
   options_type options_;

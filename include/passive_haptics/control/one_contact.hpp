@@ -14,8 +14,8 @@ namespace passive_haptics {
 
 /// What the brakes can display of a unit force n with torques t = E^T n, in the form that fits the mechanism: half-spaces,
 /// or generators for redundant brakes and inertial forces.
-template <class M, class EMatrix>
-auto approximate_with(const brake_situation<M, EMatrix>& now, const task_vector<M>& n,
+template <class M, class EMatrix, class B>
+auto approximate_with(const brake_situation<M, EMatrix, B>& now, const task_vector<M>& n,
                       const brake_vector<M>& t, typename M::scalar min_cosine, half_space_set& idle) {
   if constexpr (detail::has_inertial_forces<M>) {
     return approximate_by_generators(inertial_force_generators(now.mechanism, now.q), now.s, n, min_cosine);
@@ -37,18 +37,25 @@ status check_contacts(const Contacts& touched) {
 }
 
 /// Torques td [N m] commanded for one contact: E^T Fc, scaled by the law and within the limits. Notes in `result` what
-/// it found. Section 4, steps 1 to 4.
-template <class M, class EMatrix, int D, class L>
-brake_vector<M> display_one(const brake_situation<M, EMatrix>& now, const contact<D>& touched, const L& law,
-                            step_memory<L>& memory, const step_options<typename M::scalar>& options,
-                            step_result<M>& result) {
+/// it found. Section 4, steps 1 to 4. Where walls cannot move, nothing is computed of their velocity.
+template <bool WallsMove = true, class M, class EMatrix, int D, class L, class B>
+brake_vector<M> display_one(const brake_situation<M, EMatrix, B>& now, const contact<D>& touched,
+                            const L& law, step_memory<L>& memory,
+                            const step_options<typename M::scalar>& options, step_result<M>& result) {
   using T = typename M::scalar;
   const auto [n, magnitude] = force_of<T>(touched);
   const brake_vector<M> t = brake_torque(now.E, n);
   const T outward = dot(t, now.w);  // n . v = n . E w
-  const T leaving = outward - dot(n, as<T>(touched.wall_velocity));
+  T leaving = T(0);
+  if constexpr (needs_normal_velocity<L>)
+    leaving = WallsMove ? outward - dot(n, as<T>(touched.wall_velocity)) : outward;
   // NaN or infinity in the contact, E or w reaches one of these
-  if (!all_finite(magnitude, t, leaving)) {
+  bool finite = all_finite(magnitude, t, leaving);
+  if constexpr (!needs_normal_velocity<L> && WallsMove)
+    finite = finite && all_finite(as<T>(touched.wall_velocity));
+  if constexpr (!needs_normal_velocity<L> && detail::has_exact_transmission<M>)
+    finite = finite && all_finite(now.w);
+  if (!finite) {
     result.outcome = all_finite(magnitude, n, as<T>(touched.wall_velocity)) ? status::pose_undefined
                                                                             : status::contact_not_finite;
     return brake_vector<M>::Zero();
@@ -72,9 +79,13 @@ brake_vector<M> display_one(const brake_situation<M, EMatrix>& now, const contac
   result.control_force = scaled(magnitude, Fc.force);
   result.cone_coefficients = scaled(magnitude, Fc.torque);
 
-  const auto command = saturate(Fc.torque, alpha * magnitude, now.brakes.torque_limit, options.limits);
-  result.saturated = command.limited;
-  return command.torque;
+  if constexpr (LimitedBrakes<B, T, M::brake_count>) {
+    const auto command = saturate(Fc.torque, alpha * magnitude, now.brakes.torque_limit, options.limits);
+    result.saturated = command.limited;
+    return command.torque;
+  } else {
+    return scaled(alpha * magnitude, Fc.torque);
+  }
 }
 
 }  // namespace passive_haptics

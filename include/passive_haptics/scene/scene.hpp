@@ -67,6 +67,12 @@ class scene {
   boost::hana::tuple<wall<First>, wall<Rest>...> walls_;
 };
 
+/// Whether sensing an S can give a wall_velocity other than zero; known to be false for scenes of fixed shapes.
+template <class S>
+inline constexpr bool walls_may_move = true;
+template <class... Shapes>
+inline constexpr bool walls_may_move<scene<Shapes...>> = (MovingShape<Shapes> || ...);
+
 /// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a contact with
 /// a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for each contact.
 template <class... Shapes>
