@@ -17,15 +17,18 @@ struct measurement {
   double time, x, y, vx, vy;  // [s], [m], [m/s]
 };
 
-enum class fault { none, state_not_finite, contact_not_finite, result_not_finite };
+enum class fault { none, state_not_finite, contact_not_finite, parameters_invalid, result_not_finite };
 
 struct command {
   double capacity_x = 0, capacity_y = 0;  // [N]
   fault outcome = fault::none;
 };
 
+// A force along the motion; a product could underflow
+inline bool drives(double v, double f) { return (v > 0 && f > 0) || (v < 0 && f < 0); }
+
 // min_cosine: of the largest angle between desired and displayed force
-inline command step(const wall& wall, double min_cosine, const measurement& at) {
+[[gnu::noinline]] inline command step(const wall& wall, double min_cosine, const measurement& at) {
   if (!(at.time * 0 + at.x * 0 + at.y * 0 + at.vx * 0 + at.vy * 0 == 0))
     return {.outcome = fault::state_not_finite};
   const double distance = wall.nx * (at.x - wall.px) + wall.ny * (at.y - wall.py);
@@ -36,12 +39,13 @@ inline command step(const wall& wall, double min_cosine, const measurement& at) 
 
   // A brake that would have to drive its axis is released; the force along n is made by the other
   double fx = wall.nx, fy = wall.ny;
-  const bool drives_x = at.vx * fx > 0, drives_y = at.vy * fy > 0;
+  const bool drives_x = drives(at.vx, fx), drives_y = drives(at.vy, fy);
   if (drives_x || drives_y) {
     if (drives_x) fx = 0;
     if (drives_y) fy = 0;
     const double square = fx * fx + fy * fy;
-    if (!(square >= min_cosine * min_cosine)) return {};
+    if (!(square >= min_cosine * min_cosine))
+      return {.outcome = min_cosine * 0 == 0 ? fault::none : fault::parameters_invalid};
     fx /= square;
     fy /= square;
   }

@@ -83,9 +83,11 @@ inline row by_hand_cycles(place where) {
   const ph::point<2> surface = (where == place::contact ? 10 : -10) * normal;
   const by_hand::wall wall{normal[0], normal[1], surface[0], surface[1], stiffness};
   const double min_cosine = ph::step_options<double>().min_cosine;
-  return [all = states<ph::sensorless_device_state<table>, table>(), wall, min_cosine] {
-    for (const auto& s : all)
-      use(by_hand::step(wall, min_cosine, {s.time, s.q[0], s.q[1], s.qd[0], s.qd[1]}));
+  std::vector<by_hand::measurement> all;
+  for (const auto& s : states<ph::sensorless_device_state<table>, table>())
+    all.push_back({s.time, s.q[0], s.q[1], s.qd[0], s.qd[1]});
+  return [all, wall, min_cosine] {
+    for (const auto& at : all) use(by_hand::step(wall, min_cosine, at));
   };
 }
 

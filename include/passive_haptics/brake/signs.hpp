@@ -30,7 +30,7 @@ vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes
   unrolled<Brakes>([&](auto i) {
     if constexpr (StickingBrakes<B, T, Brakes>)
       s[i] = brake_sign(w[i], th[i], brakes.rate_dead_band[i], torque_dead_band_of<T>(brakes, i));
-    else s[i] = sgn(w[i]);
+    else s[i] = w[i] > T(0) ? T(1) : (w[i] < T(0) ? T(-1) : T(0));
   });
   return s;
 }

@@ -5,6 +5,7 @@
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/scene/scene.hpp>
 
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -42,8 +43,9 @@ class controller {
   static_assert(detail::law_brake_requirements<M, L, B>::met);
 
  public:
-  using mechanism_type = M;                               ///< The mechanism.
-  using options_type = step_options<typename M::scalar>;  ///< Options of a step.
+  using mechanism_type = M;                                           ///< The mechanism.
+  using options_type = step_options<typename M::scalar>;              ///< Options of a step.
+  using result_type = step_result_for<M, typename S::contacts_type>;  ///< What a cycle decides.
 
   /// Throws std::invalid_argument with the text of validate(brakes) (check_brakes() where there is none), or of validate(law) or validate(law.parameters)
   /// where there is one.
@@ -54,26 +56,23 @@ class controller {
         law_(detail::require_valid_law(std::move(law))),
         options_(options),
         reduction_(mechanism_),
-        parameters_(check_parameters<L>(brakes_, options_)) {}
+        parameters_(check_parameters<L>(brakes_, options_)) {
+    if (parameters_ != status::ok) options_.min_cosine = std::numeric_limits<typename M::scalar>::quiet_NaN();
+  }
 
   /// One control cycle; see step(). A state or position that is not finite is not shown to the scene.
   template <class State>
-  [[gnu::flatten]] step_result_for<M, typename S::contacts_type> operator()(const State& state) noexcept {
-    static_assert(detail::step_requirements<M, typename S::contacts_type, L, State, B>::met);
-    step_result_for<M, typename S::contacts_type> result;
-    status outcome = check_state<M>(state);
-    if (outcome == status::ok) outcome = cycle(state, result);
-    if (outcome != status::ok) {
-      release(result, outcome);
-      detail::tell_released(law_, memory_.law, state.time);
-    }
+  [[gnu::flatten]] result_type operator()(const State& state) noexcept {
+    result_type result;
+    cycle<true>(state, result);
     return result;
   }
 
   /// The same cycle for a loop that only drives its brakes: what its account would cost is not computed.
   template <class State>
   [[gnu::flatten]] brake_command<M> command(const State& state) noexcept {
-    const auto result = (*this)(state);
+    result_type result;
+    cycle<false>(state, result);
     return {result.capacity, result.outcome};
   }
 
@@ -88,19 +87,34 @@ class controller {
   const B& brakes() const { return brakes_; }
 
  private:
-  template <class State>
-  status cycle(const State& state, step_result_for<M, typename S::contacts_type>& result) noexcept {
+  template <bool Account, class State>
+  void cycle(const State& state, result_type& result) noexcept {
+    static_assert(detail::step_requirements<M, typename S::contacts_type, L, State, B>::met);
+    status outcome = check_state<M>(state);
+    if (outcome == status::ok) outcome = sense_and_step<Account>(state, result);
+    if (outcome == status::ok) return;
+    release(result, outcome);
+    detail::tell_released(law_, memory_.law, state.time);
+  }
+
+  template <bool Account, class State>
+  status sense_and_step(const State& state, step_result_for<M, typename S::contacts_type>& result) noexcept {
+    constexpr step_knowledge known{walls_may_move<S>, Account};
     const auto at = pose(mechanism_, state.q);
     const point<M::task_dimension> x = as<double>(mechanism_.position(at));
-    if (!all_finite(x)) return status::pose_undefined;
+    // A constant Jacobian: finite q gives a finite position
+    if constexpr (!detail::jacobian_is_constant<M>)
+      if (!all_finite(x)) return status::pose_undefined;
     const auto& touched = sensed_at(x, state.time);
     if (touched.empty()) {
       detail::tell_released(law_, memory_.law, state.time);
       return status::ok;
     }
-    if (parameters_ != status::ok) return parameters_;
-    return detail::step_in_contact<walls_may_move<S>>(mechanism_, at, x, reduction_, brakes_, touched, law_,
-                                                      state, memory_, options_, result);
+    // Brakes without a member can have no invalid one: the angle is looked at where it is read
+    if constexpr (!std::is_empty_v<B>)
+      if (parameters_ != status::ok) return parameters_;
+    return detail::step_in_contact<known>(mechanism_, at, x, reduction_, brakes_, touched, law_, state,
+                                          memory_, options_, result);
   }
 
   decltype(auto) sensed_at(const point<M::task_dimension>& x, double time) {

@@ -24,7 +24,7 @@ auto force_map_of(const brake_situation<M, EMatrix, B>& now) {
 /// Torques td [N m] commanded for several contacts (force/contact_forces.hpp), with a_j = alpha_j k_j depth_j. Contacts
 /// being left under a law that gives way come first. Notes each contact's report in `result`; its classes and scale
 /// are those of the contact that asks for the largest force, display is exact where all that is wanted is met.
-template <bool WallsMove = true, class M, class EMatrix, class Contacts, class L, class B>
+template <step_knowledge Known = step_knowledge{}, class M, class EMatrix, class Contacts, class L, class B>
 brake_vector<M> display_several(const brake_situation<M, EMatrix, B>& now, const Contacts& touched,
                                 const L& law, typename L::memory& memory,
                                 step_result_of_contacts<M, Contacts::capacity>& result) {
@@ -42,7 +42,7 @@ brake_vector<M> display_several(const brake_situation<M, EMatrix, B>& now, const
     const auto [n, magnitude] = force_of<T>(touched[j]);
     const T outward = brake_torque(now.E, n).dot(now.w);
     T leaving = outward;
-    if constexpr (WallsMove) leaving -= n.dot(touched[j].wall_velocity.template cast<T>());
+    if constexpr (Known.walls_move) leaving -= n.dot(touched[j].wall_velocity.template cast<T>());
     const bool pressed = magnitude > T(0);
     const T alpha =
         pressed ? law.scale(contact_situation<T, D>{n, magnitude, leaving, now.hand_force}, memory) : T(1);

@@ -75,7 +75,7 @@ void tell_released(const L& law, typename L::memory& memory, double time) {
 
 // All of a step but the checks of what a loop knows to be fine: state and parameters; touched is not empty.
 // result is as made by default; where the status is not ok it has no meaning.
-template <bool WallsMove, class M, class Pose, class B, class Contacts, class L, class State>
+template <step_knowledge Known, class M, class Pose, class B, class Contacts, class L, class State>
 [[gnu::flatten]]
 status step_in_contact(const M& mechanism, const Pose& at, const point<M::task_dimension>& x,
                        const brake_reduction<M>& reduction, const B& brakes, const Contacts& touched,
@@ -119,10 +119,10 @@ status step_in_contact(const M& mechanism, const Pose& at, const point<M::task_d
   if constexpr (TorqueLaw<L>) {
     td = command_torques(situation, touched, law, memory.law, result);
   } else if constexpr (Contacts::capacity > 1) {
-    td = touched.size() > 1 ? display_several<WallsMove>(situation, touched, law, memory.law, result)
-                            : display_one<WallsMove>(situation, governing, law, memory, options, result);
+    td = touched.size() > 1 ? display_several<Known>(situation, touched, law, memory.law, result)
+                            : display_one<Known>(situation, governing, law, memory, options, result);
   } else {
-    td = display_one<WallsMove>(situation, governing, law, memory, options, result);
+    td = display_one<Known>(situation, governing, law, memory, options, result);
   }
   if (result.outcome != status::ok) return result.outcome;
   if (!all_finite(result.control_force, result.cone_coefficients)) return status::result_not_finite;
@@ -158,8 +158,8 @@ step_result_for<M, Contacts> step(
   if (outcome == status::ok && !free) {
     const auto at = pose(mechanism, state.q);
     const auto x = as<double>(mechanism.position(at));
-    outcome = detail::step_in_contact<true>(mechanism, at, x, brake_reduction<M>(mechanism), brakes, touched,
-                                            law, state, memory, options, result);
+    outcome = detail::step_in_contact<step_knowledge{}>(mechanism, at, x, brake_reduction<M>(mechanism),
+                                                        brakes, touched, law, state, memory, options, result);
   }
   if (outcome != status::ok) release(result, outcome);
   if (free || outcome != status::ok) detail::tell_released(law, memory.law, state.time);
