@@ -85,7 +85,9 @@ vector<T, Brakes> brake_torque(const matrix<T, D, Brakes>& E, const vector<T, D>
 /// The same for a diagonal E.
 template <class T, int D>
 vector<T, D> brake_torque(const diagonal_matrix<T, D>& E, const vector<T, D>& F) {
-  return E.diagonal().cwiseProduct(F);
+  vector<T, D> t;
+  unrolled<D>([&](auto i) { t[i] = E.diagonal()[i] * F[i]; });
+  return t;
 }
 
 }  // namespace passive_haptics

@@ -2,8 +2,7 @@
 /// Limits, dead bands and lags of the brakes.
 #pragma once
 
-#include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/brake/brake_concepts.hpp>
 
 #include <string>
 
@@ -29,11 +28,7 @@ using brakes_of = brake_parameters<typename M::scalar, M::brake_count>;
 /// What is wrong with the parameters; empty if nothing.
 template <class T, int Brakes>
 std::string validate(const brake_parameters<T, Brakes>& p) {
-  return detail::first_complaint(
-      detail::check_each_not_negative("torque_limit", "N m", p.torque_limit),
-      detail::check_each_not_negative("rate_dead_band", "rad/s", p.rate_dead_band),
-      detail::check_each_not_negative("torque_dead_band", "N m", p.torque_dead_band),
-      detail::check_each_not_negative("time_constant", "s", p.time_constant));
+  return check_brakes(p);
 }
 
 }  // namespace passive_haptics

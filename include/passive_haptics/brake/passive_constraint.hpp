@@ -33,14 +33,25 @@ T passive_torque(T td, T w, T th, T s, T rate_dead_band) {
   return slips(w, rate_dead_band) || std::abs(td) <= std::abs(th) ? td : -th;
 }
 
-/// Torques (m) [N m] that the brakes produce when torques td are commanded, at rates w and hand torques th.
-template <class T, int Brakes>
+/// Torques (m) [N m] that brakes of signs s = brake_signs(w, th, brakes) produce when torques td are commanded. Without a
+/// rate_dead_band (3a) alone.
+template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,
-                                 const vector<T, Brakes>& th, const brake_parameters<T, Brakes>& brakes) {
-  const vector<T, Brakes> s = brake_signs(w, th, brakes);
+                                 const vector<T, Brakes>& th, const vector<T, Brakes>& s, const B& brakes) {
   vector<T, Brakes> t;
-  for (int i = 0; i < Brakes; ++i) t[i] = passive_torque(td[i], w[i], th[i], s[i], brakes.rate_dead_band[i]);
+  unrolled<Brakes>([&](auto i) {
+    if constexpr (StickingBrakes<B, T, Brakes>)
+      t[i] = passive_torque(td[i], w[i], th[i], s[i], brakes.rate_dead_band[i]);
+    else t[i] = s[i] * td[i] < T(0) ? td[i] : T(0);
+  });
   return t;
+}
+
+/// Torques (m) [N m] that the brakes produce when torques td are commanded, at rates w and hand torques th.
+template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
+vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,
+                                 const vector<T, Brakes>& th, const B& brakes) {
+  return passive_torque(td, w, th, brake_signs(w, th, brakes), brakes);
 }
 
 }  // namespace passive_haptics

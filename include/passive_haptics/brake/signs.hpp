@@ -23,21 +23,24 @@ T brake_sign(T w, T th, T rate_dead_band, T torque_dead_band) {
 }
 
 /// Signs s (m) of all brakes from their rates w [rad/s] and the hand torques th [N m] on their axes.
-/// Entries are exactly -1, 0 or 1. Pass th = 0 where no hand force is known.
-template <class T, int Brakes>
-vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes>& th,
-                              const brake_parameters<T, Brakes>& brakes) {
+/// Entries are exactly -1, 0 or 1. Pass th = 0 where no hand force is known. Brakes without a rate_dead_band: s = sgn(w).
+template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
+vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes>& th, const B& brakes) {
   vector<T, Brakes> s;
-  unrolled<Brakes>(
-      [&](auto i) { s[i] = brake_sign(w[i], th[i], brakes.rate_dead_band[i], brakes.torque_dead_band[i]); });
+  unrolled<Brakes>([&](auto i) {
+    if constexpr (StickingBrakes<B, T, Brakes>)
+      s[i] = brake_sign(w[i], th[i], brakes.rate_dead_band[i], torque_dead_band_of<T>(brakes, i));
+    else s[i] = w[i] > T(0) ? T(1) : (w[i] < T(0) ? T(-1) : T(0));
+  });
   return s;
 }
 
-/// True if some brake is at rest, so that hand torques decide its sign.
-template <class T, int Brakes>
-bool any_sticks(const vector<T, Brakes>& w, const brake_parameters<T, Brakes>& brakes) {
+/// True if some brake is at rest, so that hand torques decide its sign. Never for brakes without a rate_dead_band.
+template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
+bool any_sticks([[maybe_unused]] const vector<T, Brakes>& w, [[maybe_unused]] const B& brakes) {
   bool sticks = false;
-  unrolled<Brakes>([&](auto i) { sticks |= !slips(w[i], brakes.rate_dead_band[i]); });
+  if constexpr (StickingBrakes<B, T, Brakes>)
+    unrolled<Brakes>([&](auto i) { sticks |= !slips(w[i], brakes.rate_dead_band[i]); });
   return sticks;
 }
 

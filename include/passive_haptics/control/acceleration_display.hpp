@@ -43,8 +43,8 @@ struct acceleration_map {
 };
 
 /// The acceleration map of a mechanism with inertia, the hand doing Fh to it. Cost: a Cholesky of n x n.
-template <class M, class EMatrix>
-auto accelerations(const brake_situation<M, EMatrix>& now) {
+template <class M, class EMatrix, class B>
+auto accelerations(const brake_situation<M, EMatrix, B>& now) {
   static_assert(Dynamics<M>,
                 "passive_haptics: this law needs a mechanism that models Dynamics (mechanism/dynamics.hpp).");
   using T = typename M::scalar;
@@ -109,17 +109,18 @@ class wanted_accelerations {
 /// Torques [N m] that come nearest to the wanted accelerations, knowing that a brake at rest makes no more than what holds
 /// it: where it would be told more, it is held, and the others do the rest for the device with that brake held.
 /// (Without this the handle slides into a wall along the path that a brake at rest leaves it.)
-template <class M, class EMatrix, int D, int Capacity>
-brake_vector<M> nearest_torques(const brake_situation<M, EMatrix>& now,
+template <class M, class EMatrix, int D, int Capacity, class B>
+brake_vector<M> nearest_torques(const brake_situation<M, EMatrix, B>& now,
                                 const wanted_accelerations<typename M::scalar, D, Capacity>& wanted) {
   using T = typename M::scalar;
   constexpr int m = M::brake_count;
-  const auto box = torques_within(now.s, now.brakes.torque_limit);
+  const auto box = torques_within(now.s, torque_limits_of<T, m>(now.brakes));
   auto map = accelerations(now);
   brake_vector<M> t = wanted.torques(map, box), told = brake_vector<M>::Zero();
   std::array<bool, static_cast<std::size_t>(m)> is_held{};
   for (int i = 0; i < m; ++i) {
-    if (is_held[static_cast<std::size_t>(i)] || slips(now.w[i], now.brakes.rate_dead_band[i])) continue;
+    if (is_held[static_cast<std::size_t>(i)] || slips(now.w[i], rate_dead_band_of<T>(now.brakes, i)))
+      continue;
     const T holding = map.holding_torque(i, t);
     if (!(t[i] * holding > T(0) && std::abs(t[i]) >= std::abs(holding))) continue;
     is_held[static_cast<std::size_t>(i)] = true;

@@ -8,11 +8,12 @@
 
 namespace passive_haptics {
 
-/// The device at one instant; E from brake_jacobian. Lives no longer than the values that it refers to.
-template <class M, class EMatrix>
+/// The device at one instant; E from brake_jacobian. Lives no longer than the values that it refers to. A TorqueLaw that
+/// takes any B also runs on brakes that lack members (brake/brake_concepts.hpp).
+template <class M, class EMatrix, class B = brakes_of<M>>
 struct brake_situation {
   const M& mechanism;                 ///< The mechanism,
-  const brakes_of<M>& brakes;         ///< its brakes.
+  const B& brakes;                    ///< its brakes.
   double time;                        ///< Now [s],
   const joint_vector<M>& q;           ///< joint positions [rad or m],
   const joint_vector<M>& qd;          ///< their rates [rad/s or m/s],

@@ -37,8 +37,8 @@ struct coercive_force_approximation {
   struct memory {};                               ///< None.
 
   /// Brake torques [N m].
-  template <class M, class EMatrix, int D, int Capacity>
-  brake_vector<M> torque(const brake_situation<M, EMatrix>& now, const contacts<D, Capacity>& touched,
+  template <class M, class EMatrix, int D, int Capacity, class B>
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
                          memory&) const noexcept {
     using T = typename M::scalar;
     static_assert(M::brake_count == M::dof,
@@ -52,8 +52,9 @@ struct coercive_force_approximation {
         if (!drives) held[i] = std::max(held[i], std::abs(t[i]) * Fd.magnitude);
       });
     }
-    unrolled<M::brake_count>(
-        [&](auto i) { held[i] = holding_torque(now.s[i], std::min(held[i], now.brakes.torque_limit[i])); });
+    unrolled<M::brake_count>([&](auto i) {
+      held[i] = holding_torque(now.s[i], std::min(held[i], torque_limit_of<T>(now.brakes, i)));
+    });
     return held;
   }
 };

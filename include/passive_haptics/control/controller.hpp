@@ -5,6 +5,7 @@
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/scene/scene.hpp>
 
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -20,52 +21,58 @@ L&& require_valid_law(L&& law) {
   else if constexpr (requires { validate(law.parameters); }) require_no_complaint(validate(law.parameters));
   return std::forward<L>(law);
 }
+// Brakes that have been checked.
+template <class B>
+const B& require_valid_brakes(const B& brakes) {
+  if constexpr (requires { validate(brakes); }) return require_valid(brakes);
+  require_no_complaint(check_brakes(brakes));
+  return brakes;
+}
 }  // namespace detail
 
 /// Owns all that a control loop needs but the state, which comes in each cycle.
 ///
 /// S: a scene<...>, held_scene<...>, world<...> or latest_scene<...>, or any type with a contacts_type for which sense(s, x)
-/// or sense(s, x, time) gives such contacts. Where there is a scene_status(s), a cycle ends with it unless it is ok.
-template <class M, class S, class L>
+/// or sense(s, x, time) gives such contacts. Where there is a scene_status(s), a cycle ends with it unless it is ok. B:
+/// brakes_of<M>, or any type with some of its members (brake/brake_concepts.hpp): what it lacks costs nothing.
+template <class M, class S, class L, class B = brakes_of<M>>
 class controller {
   static_assert(mechanism_requirements<M>::met);
   static_assert(!detail::has_another_dimension<S, M::task_dimension>,
                 "passive_haptics: the scene's dimension must be the mechanism's task_dimension.");
+  static_assert(detail::law_brake_requirements<M, L, B>::met);
 
  public:
-  using mechanism_type = M;                               ///< The mechanism.
-  using options_type = step_options<typename M::scalar>;  ///< Options of a step.
+  using mechanism_type = M;                                           ///< The mechanism.
+  using options_type = step_options<typename M::scalar>;              ///< Options of a step.
+  using result_type = step_result_for<M, typename S::contacts_type>;  ///< What a cycle decides.
 
-  /// Throws std::invalid_argument with the text of validate(brakes), or of validate(law) or validate(law.parameters)
+  /// Throws std::invalid_argument with the text of validate(brakes) (check_brakes() where there is none), or of validate(law) or validate(law.parameters)
   /// where there is one.
-  controller(M mechanism, const brakes_of<M>& brakes, S scene, L law = {},
-             const options_type& options = options_type())
+  controller(M mechanism, const B& brakes, S scene, L law = {}, const options_type& options = options_type())
       : mechanism_(std::move(mechanism)),
-        brakes_(require_valid(brakes)),
+        brakes_(detail::require_valid_brakes(brakes)),
         scene_(std::move(scene)),
         law_(detail::require_valid_law(std::move(law))),
         options_(options),
         reduction_(mechanism_),
-        parameters_(check_parameters<L>(brakes_, options_)) {}
+        parameters_(check_parameters<L>(brakes_, options_)) {
+    if (parameters_ != status::ok) options_.min_cosine = std::numeric_limits<typename M::scalar>::quiet_NaN();
+  }
 
   /// One control cycle; see step(). A state or position that is not finite is not shown to the scene.
   template <class State>
-  [[gnu::flatten]] step_result_for<M, typename S::contacts_type> operator()(const State& state) noexcept {
-    static_assert(detail::step_requirements<M, typename S::contacts_type, L, State>::met);
-    step_result_for<M, typename S::contacts_type> result;
-    status outcome = check_state<M>(state);
-    if (outcome == status::ok) outcome = cycle(state, result);
-    if (outcome != status::ok) {
-      release(result, outcome);
-      detail::tell_released(law_, memory_.law, state.time);
-    }
+  [[gnu::flatten]] result_type operator()(const State& state) noexcept {
+    result_type result;
+    cycle<true>(state, result);
     return result;
   }
 
   /// The same cycle for a loop that only drives its brakes: what its account would cost is not computed.
   template <class State>
   [[gnu::flatten]] brake_command<M> command(const State& state) noexcept {
-    const auto result = (*this)(state);
+    result_type result;
+    cycle<false>(state, result);
     return {result.capacity, result.outcome};
   }
 
@@ -77,14 +84,27 @@ class controller {
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
   /// The brakes.
-  const brakes_of<M>& brakes() const { return brakes_; }
+  const B& brakes() const { return brakes_; }
 
  private:
-  template <class State>
-  status cycle(const State& state, step_result_for<M, typename S::contacts_type>& result) noexcept {
+  template <bool Account, class State>
+  void cycle(const State& state, result_type& result) noexcept {
+    static_assert(detail::step_requirements<M, typename S::contacts_type, L, State, B>::met);
+    status outcome = check_state<M>(state);
+    if (outcome == status::ok) outcome = sense_and_step<Account>(state, result);
+    if (outcome == status::ok) return;
+    release(result, outcome);
+    detail::tell_released(law_, memory_.law, state.time);
+  }
+
+  template <bool Account, class State>
+  status sense_and_step(const State& state, step_result_for<M, typename S::contacts_type>& result) noexcept {
+    constexpr step_knowledge known{walls_may_move<S>, Account};
     const auto at = pose(mechanism_, state.q);
     const point<M::task_dimension> x = as<double>(mechanism_.position(at));
-    if (!all_finite(x)) return status::pose_undefined;
+    // A constant Jacobian: finite q gives a finite position
+    if constexpr (!detail::jacobian_is_constant<M>)
+      if (!all_finite(x)) return status::pose_undefined;
     const auto& touched = sensed_at(x, state.time);
     if constexpr (requires { scene_status(scene_); }) {
       if (scene_status(scene_) != status::ok) return scene_status(scene_);
@@ -93,9 +113,11 @@ class controller {
       detail::tell_released(law_, memory_.law, state.time);
       return status::ok;
     }
-    if (parameters_ != status::ok) return parameters_;
-    return detail::step_in_contact(mechanism_, at, x, reduction_, brakes_, touched, law_, state, memory_,
-                                   options_, result);
+    // Brakes without a member can have no invalid one: the angle is looked at where it is read
+    if constexpr (!std::is_empty_v<B>)
+      if (parameters_ != status::ok) return parameters_;
+    return detail::step_in_contact<known>(mechanism_, at, x, reduction_, brakes_, touched, law_, state,
+                                          memory_, options_, result);
   }
 
   decltype(auto) sensed_at(const point<M::task_dimension>& x, double time) {
@@ -104,7 +126,7 @@ class controller {
   }
 
   M mechanism_;
-  brakes_of<M> brakes_;
+  [[no_unique_address]] B brakes_;
   S scene_;
   L law_;
   options_type options_;

@@ -9,12 +9,12 @@ namespace passive_haptics {
 
 /// Rates of the brakes [rad/s or m/s], those at rest taken to turn at their dead band where the hand pushes them; 0 where
 /// nobody pushes. So E times it has the direction in which the handle moves, or would if it were let go.
-template <class M, class EMatrix>
-brake_vector<M> intended_rates(const brake_situation<M, EMatrix>& now) {
+template <class M, class EMatrix, class B>
+brake_vector<M> intended_rates(const brake_situation<M, EMatrix, B>& now) {
   using T = typename M::scalar;
   brake_vector<M> w;
   unrolled<M::brake_count>([&](auto i) {
-    const T band = now.brakes.rate_dead_band[i];
+    const T band = rate_dead_band_of<T>(now.brakes, i);
     w[i] = slips(now.w[i], band) ? now.w[i] : now.s[i] * band;
   });
   return w;

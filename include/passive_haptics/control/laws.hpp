@@ -11,11 +11,12 @@ namespace passive_haptics {
 
 /// The approximated force as it is, alpha = 1: what makes the hand bounce off a wall (section 3).
 struct no_direct_control {
-  static constexpr bool needs_hand_force = false;  ///< Runs without a force sensor.
-  static constexpr bool gives_way = false;         ///< Displays all that is desired.
-  static constexpr bool needs_dynamics = false;    ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;   ///< Knows no lag.
-  struct memory {};                                ///< None.
+  static constexpr bool needs_hand_force = false;       ///< Runs without a force sensor.
+  static constexpr bool gives_way = false;              ///< Displays all that is desired.
+  static constexpr bool needs_dynamics = false;         ///< Knows no inertia.
+  static constexpr bool needs_brake_lag = false;        ///< Knows no lag.
+  static constexpr bool needs_normal_velocity = false;  ///< Does the same whichever way the handle moves.
+  struct memory {};                                     ///< None.
 
   /// alpha = 1.
   template <class T, int D>

@@ -59,8 +59,8 @@ struct on_off_control {
   on_off_parameters parameters = {};  ///< The constants.
 
   /// Brake torques [N m].
-  template <class M, class EMatrix, int D, int Capacity>
-  brake_vector<M> torque(const brake_situation<M, EMatrix>& now, const contacts<D, Capacity>& touched,
+  template <class M, class EMatrix, int D, int Capacity, class B>
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
     std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)> demands;
@@ -75,16 +75,17 @@ struct on_off_control {
       if (wall.on) demands[static_cast<std::size_t>(count++)] = {n, magnitude, false};
     }
     if (count == 0) return brake_vector<M>::Zero();
+    const auto limits = torque_limits_of<T, M::brake_count>(now.brakes);
     if (count > 1) {
       const auto map = force_map_of(now);
-      return contact_forces<T, D, M::brake_count, Capacity>(
-                 map, torques_within(now.s, now.brakes.torque_limit), demands, count)
+      return contact_forces<T, D, M::brake_count, Capacity>(map, torques_within(now.s, limits), demands,
+                                                            count)
           .torque;
     }
     half_space_set idle = 0;
     const task_vector<M>& n = demands[0].normal;
     const auto Fc = approximate_with(now, n, brake_torque(now.E, n), step_options<T>().min_cosine, idle);
-    return saturate(Fc.torque, demands[0].force, now.brakes.torque_limit, saturation::keep_direction).torque;
+    return saturate(Fc.torque, demands[0].force, limits, saturation::keep_direction).torque;
   }
 
   /// Free space or a fault: all relays are off.

@@ -8,8 +8,8 @@
 namespace passive_haptics {
 
 /// F = G t in the form that fits the mechanism.
-template <class M, class EMatrix>
-auto force_map_of(const brake_situation<M, EMatrix>& now) {
+template <class M, class EMatrix, class B>
+auto force_map_of(const brake_situation<M, EMatrix, B>& now) {
   using T = typename M::scalar;
   using map = force_map<T, M::task_dimension, M::brake_count>;
   if constexpr (detail::has_inertial_forces<M>) {
@@ -24,9 +24,9 @@ auto force_map_of(const brake_situation<M, EMatrix>& now) {
 /// Torques td [N m] commanded for several contacts (force/contact_forces.hpp), with a_j = alpha_j k_j depth_j. Contacts
 /// being left under a law that gives way come first. Notes each contact's report in `result`; its classes and scale
 /// are those of the contact that asks for the largest force, display is exact where all that is wanted is met.
-template <class M, class EMatrix, class Contacts, class L>
-brake_vector<M> display_several(const brake_situation<M, EMatrix>& now, const Contacts& touched, const L& law,
-                                typename L::memory& memory,
+template <step_knowledge Known = step_knowledge{}, class M, class EMatrix, class Contacts, class L, class B>
+brake_vector<M> display_several(const brake_situation<M, EMatrix, B>& now, const Contacts& touched,
+                                const L& law, typename L::memory& memory,
                                 step_result_of_contacts<M, Contacts::capacity>& result) {
   using T = typename M::scalar;
   constexpr int D = M::task_dimension;
@@ -41,7 +41,8 @@ brake_vector<M> display_several(const brake_situation<M, EMatrix>& now, const Co
   for (int j = 0; j < touched.size(); ++j) {
     const auto [n, magnitude] = force_of<T>(touched[j]);
     const T outward = brake_torque(now.E, n).dot(now.w);
-    const T leaving = outward - n.dot(touched[j].wall_velocity.template cast<T>());
+    T leaving = outward;
+    if constexpr (Known.walls_move) leaving -= n.dot(touched[j].wall_velocity.template cast<T>());
     const bool pressed = magnitude > T(0);
     const T alpha =
         pressed ? law.scale(contact_situation<T, D>{n, magnitude, leaving, now.hand_force}, memory) : T(1);
@@ -60,7 +61,7 @@ brake_vector<M> display_several(const brake_situation<M, EMatrix>& now, const Co
   if (!all_finite(map.G)) result.outcome = status::pose_undefined;
   if (result.outcome != status::ok) return brake_vector<M>::Zero();
   const auto answer = contact_forces<T, D, M::brake_count, Contacts::capacity>(
-      map, torques_within(now.s, now.brakes.torque_limit), demands, touched.size());
+      map, torques_within(now.s, torque_limits_of<T, M::brake_count>(now.brakes)), demands, touched.size());
   result.stages.add(stage::projection);
 
   bool met = true;
@@ -79,7 +80,8 @@ brake_vector<M> display_several(const brake_situation<M, EMatrix>& now, const Co
   result.approximation_cosine = size > T(0) ? along / size : T(met ? 1 : 0);
   result.control_force = answer.force;
   result.cone_coefficients = answer.torque;
-  result.saturated = (answer.torque.cwiseAbs().array() >= now.brakes.torque_limit.array()).any();
+  if constexpr (LimitedBrakes<B, T, M::brake_count>)
+    result.saturated = (answer.torque.cwiseAbs().array() >= now.brakes.torque_limit.array()).any();
   return answer.torque;
 }
 

@@ -42,10 +42,11 @@ inline std::string validate(const single_degree_of_freedom_parameters& p) {
 /// Assumed: the reference depth, the band's width, the flattest path among several, and that a locked brake is told its
 /// torque limit.
 struct single_degree_of_freedom_control {
-  static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
-  static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;  ///< Knows no lag.
-  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
+  static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
+  static constexpr bool needs_dynamics = false;     ///< Knows no inertia.
+  static constexpr bool needs_brake_lag = false;    ///< Knows no lag.
+  static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
+  static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
 
   /// Of one wall.
   struct locked_brake {
@@ -59,8 +60,8 @@ struct single_degree_of_freedom_control {
   single_degree_of_freedom_parameters parameters = {};  ///< The constants.
 
   /// Brake torques [N m].
-  template <class M, class EMatrix, int D, int Capacity>
-  brake_vector<M> torque(const brake_situation<M, EMatrix>& now, const contacts<D, Capacity>& touched,
+  template <class M, class EMatrix, int D, int Capacity, class B>
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     static_assert(
         M::brake_count == M::dof && M::dof == M::task_dimension && M::dof >= 2,
@@ -85,8 +86,8 @@ struct single_degree_of_freedom_control {
   static constexpr int all = -2;
 
   // Sines of the angles at which the handle leaves the wall with brake i locked
-  template <class M, class EMatrix, int D>
-  static brake_vector<M> slopes(const brake_situation<M, EMatrix>& now, const contact<D>& c) {
+  template <class M, class EMatrix, int D, class B>
+  static brake_vector<M> slopes(const brake_situation<M, EMatrix, B>& now, const contact<D>& c) {
     using T = typename M::scalar;
     const matrix<T, D, M::brake_count> E(now.E);
     const brake_vector<M> w = intended_rates(now);

@@ -11,11 +11,15 @@ namespace passive_haptics {
 
 /// Torques td [N m] that a TorqueLaw commands, within the limits and none that would have to drive. Notes in `result`
 /// the account: power of the governing contact, and how much of what the law wanted is commanded.
-template <class M, class EMatrix, class Contacts, class L>
-brake_vector<M> command_torques(const brake_situation<M, EMatrix>& now, const Contacts& touched, const L& law,
-                                typename L::memory& memory, step_result<M>& result) {
+template <class M, class EMatrix, class Contacts, class L, class B>
+brake_vector<M> command_torques(const brake_situation<M, EMatrix, B>& now, const Contacts& touched,
+                                const L& law, typename L::memory& memory, step_result<M>& result) {
   using T = typename M::scalar;
   constexpr int m = M::brake_count;
+  static_assert(
+      requires { law.torque(now, touched, memory); },
+      "passive_haptics: torque() of this law takes brakes_of<M> alone; let it take a brake_situation<M, "
+      "E, B> of any brakes B, or give the step brakes_of<M>.");
   result.outcome = check_contacts<T>(touched);
   if (result.outcome == status::ok && !all_finite(now.E, now.w)) result.outcome = status::pose_undefined;
   if (result.outcome != status::ok) return brake_vector<M>::Zero();
@@ -28,7 +32,7 @@ brake_vector<M> command_torques(const brake_situation<M, EMatrix>& now, const Co
   brake_vector<M> td = brake_vector<M>::Zero();
   bool opposes = true;
   unrolled<m>([&](auto i) {
-    const T limit = now.brakes.torque_limit[i];
+    const T limit = torque_limit_of<T>(now.brakes, i);
     if (std::abs(wanted[i]) > limit) result.saturated = true;
     if (now.s[i] * wanted[i] <= T(0)) td[i] = std::clamp(wanted[i], -limit, limit);
     else opposes = false;

@@ -78,8 +78,8 @@ class velocity_direct_control {
   const velocity_direct_control_parameters& parameters() const { return p_; }
 
   /// Brake torques [N m].
-  template <class M, class EMatrix, int D, int Capacity>
-  brake_vector<M> torque(const brake_situation<M, EMatrix>& now, const contacts<D, Capacity>& touched,
+  template <class M, class EMatrix, int D, int Capacity, class B>
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
     const point<D> v = as<double>(product(matrix<T, D, M::brake_count>(now.E), now.w));
@@ -97,7 +97,7 @@ class velocity_direct_control {
     remembered.brakes.advance(now.time, now.brakes.time_constant);
     unrolled<M::brake_count>([&](auto i) {
       const T u = remembered.brakes.command(i, std::abs(t[i]), now.brakes.time_constant[i],
-                                            now.brakes.torque_limit[i], p_.horizon);
+                                            torque_limit_of<T>(now.brakes, i), p_.horizon);
       t[i] = std::copysign(u, t[i]);
     });
     return t;

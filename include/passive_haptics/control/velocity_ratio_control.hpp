@@ -49,17 +49,18 @@ inline std::string validate(const velocity_ratio_parameters& p) {
 /// Assumed: the reference depth, the correction towards it, a braking that is proportional to the share (so that it
 /// has no unit and holds at rest), E^+ for more joints than task dimensions.
 struct velocity_ratio_control {
-  static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
-  static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;  ///< Knows no lag.
-  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
-  struct memory {};                               ///< None.
+  static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
+  static constexpr bool needs_dynamics = false;     ///< Knows no inertia.
+  static constexpr bool needs_brake_lag = false;    ///< Knows no lag.
+  static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
+  static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
+  struct memory {};                                 ///< None.
 
   velocity_ratio_parameters parameters = {};  ///< The constants.
 
   /// Brake torques [N m].
-  template <class M, class EMatrix, int D, int Capacity>
-  brake_vector<M> torque(const brake_situation<M, EMatrix>& now, const contacts<D, Capacity>& touched,
+  template <class M, class EMatrix, int D, int Capacity, class B>
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
                          memory&) const noexcept {
     using T = typename M::scalar;
     static_assert(M::brake_count == M::dof,
@@ -84,8 +85,8 @@ struct velocity_ratio_control {
 
  private:
   // w* [rad/s or m/s]: w + E^+ (v* - v)
-  template <class M, class EMatrix, int D>
-  brake_vector<M> wanted_rates(const brake_situation<M, EMatrix>& now, const contact<D>& c,
+  template <class M, class EMatrix, int D, class B>
+  brake_vector<M> wanted_rates(const brake_situation<M, EMatrix, B>& now, const contact<D>& c,
                                const brake_vector<M>& w) const {
     using T = typename M::scalar;
     const matrix<T, D, M::brake_count> E(now.E);

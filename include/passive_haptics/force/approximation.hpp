@@ -45,13 +45,19 @@ struct approximated_force {
 /// that its component in the normal direction becomes Fd" (section 4); cos(gamma) = |Fp|. None where |Fp| is
 /// of rounding size or gamma is over the limit. Feasible to rounding: Fp = Fc cos^2(gamma), not Fc itself.
 /// idle: brakes to begin with, left with those that the answer releases; the answer does not depend on them.
-template <class EMatrix, class T, int D, int Brakes>
+/// WithCosine: without it the cosine of an approximate force is left out, and with it a square root.
+template <bool WithCosine = true, class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, const vector<T, Brakes>& t, T min_cosine,
                                              half_space_set& idle) {
-  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
-
   approximated_force<T, D, Brakes> result;
+  if (producible(s, t)) {
+    result.display = display_class::exact;
+    result.cosine = T(1);
+    unrolled<D>([&](auto i) { result.force[i] = n[i]; });
+    unrolled<Brakes>([&](auto i) { result.torque[i] = t[i]; });
+    return result;
+  }
   const auto nearest = nearest_force(E, s, n, idle);
   idle = nearest.idle;
   const vector<T, D>& Fp = nearest.force;
@@ -59,13 +65,57 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
   if (!(square >= least * least)) return result;
 
   result.display = display_class::approximate;
-  result.cosine = std::sqrt(square);
+  if constexpr (WithCosine) result.cosine = std::sqrt(square);
   result.force = scaled(T(1) / square, Fp);
   const vector<T, Brakes> tc = brake_torque(E, result.force);
   // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0
   unrolled<Brakes>(
       [&](auto i) { result.torque[i] = (idle >> i & 1u) != 0 || s[i] * tc[i] > T(0) ? T(0) : tc[i]; });
   return result;
+}
+
+namespace detail {
+
+// For a diagonal E each axis is alone and nothing is solved. drives(i): whether brake i would have to, s_i t_i > 0.
+template <bool WithCosine, class T, int D, class Drives>
+approximated_force<T, D, D> approximate_axes(const vector<T, D>& n, const vector<T, D>& t, T min_cosine,
+                                             const Drives& drives) {
+  approximated_force<T, D, D> result;
+  bool exact = true;
+  unrolled<D>([&](auto i) {
+    const bool released = drives(i);
+    exact &= !released;
+    result.force[i] = released ? T(0) : n[i];
+    result.torque[i] = released ? T(0) : t[i];
+  });
+  if (exact) {
+    result.display = display_class::exact;
+    result.cosine = T(1);
+    return result;
+  }
+  const T square = dot(result.force, result.force);
+  // No rounding of a sum is in the square: what is not zero is meant
+  const bool displayed = square > T(0) && square >= min_cosine * min_cosine;
+  if (displayed) {
+    result.display = display_class::approximate;
+    if constexpr (WithCosine) result.cosine = std::sqrt(square);
+  }
+  const T scale = displayed ? T(1) / square : T(0);
+  unrolled<D>([&](auto i) {
+    result.force[i] *= scale;
+    result.torque[i] *= scale;
+  });
+  return result;
+}
+
+}  // namespace detail
+
+/// The same for a diagonal E: each axis alone. Nothing is solved, so there is nothing to begin with.
+template <bool WithCosine = true, class T, int D>
+approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>&, const vector<T, D>& s,
+                                        const vector<T, D>& n, const vector<T, D>& t, T min_cosine,
+                                        half_space_set&) {
+  return detail::approximate_axes<WithCosine>(n, t, min_cosine, [&](int i) { return s[i] * t[i] > T(0); });
 }
 
 /// The same from nothing.

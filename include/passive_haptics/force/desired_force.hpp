@@ -26,6 +26,7 @@ desired_force<T, D> force_of(const contact<D>& c) {
 /// so that the step reports it.
 template <int D, int Capacity>
 int governing_contact(const contacts<D, Capacity>& touched) {
+  if constexpr (Capacity == 1) return touched.size() - 1;
   int governing = -1;
   double largest = 0;
   for (int i = 0; i < touched.size(); ++i) {

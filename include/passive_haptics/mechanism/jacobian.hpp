@@ -77,7 +77,7 @@ auto transmission(const M& mechanism, const joint_vector<M>& q) {
 template <class M>
 brake_vector<M> brake_rates(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
   if constexpr (!detail::has_exact_transmission<M>) {
-    return qd;
+    return as<typename M::scalar>(qd);  // entry by entry: a packet would go through memory
   } else {
     const auto A = transmission(mechanism, q);
     if constexpr (ExactDiagonal<decltype(A), typename M::scalar, M::dof>) return A * qd;

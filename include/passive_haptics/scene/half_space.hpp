@@ -40,13 +40,13 @@ class half_space {
 
   /// Signed distance [m]; D multiplications.
   double distance(const point<D>& x) const {
-    double along = 0;
-    unrolled<D>([&](auto i) { along += normal_[i] * (x[i] - point_[i]); });
-    return along;
+    point<D> moved;
+    unrolled<D>([&](auto i) { moved[i] = x[i] - point_[i]; });
+    return dot(normal_, moved);
   }
 
   /// The unit normal.
-  point<D> gradient(const point<D>&) const { return normal_; }
+  point<D> gradient(const point<D>&) const { return as<double>(normal_); }
 
  private:
   point<D> normal_;

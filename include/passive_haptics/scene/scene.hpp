@@ -80,13 +80,19 @@ class scene {
 /// All that a contact of this wall at x [m] tells, but the wall's number.
 template <class S>
 void describe(const wall<S>& w, const point<S::dimension>& x, double distance, contact<S::dimension>& c) {
-  c.normal = w.shape.gradient(x);
+  c.normal = as<double>(w.shape.gradient(x));
   c.depth = -distance;
   c.stiffness = w.stiffness;
   c.wall_velocity = surface_velocity(w.shape, x);
   c.position = x;
   c.curvature = surface_curvature(w.shape, x);
 }
+
+/// Whether sensing an S can give a wall_velocity other than zero; known to be false for scenes of fixed shapes.
+template <class S>
+inline constexpr bool walls_may_move = true;
+template <class... Shapes>
+inline constexpr bool walls_may_move<scene<Shapes...>> = (MovingShape<Shapes> || ...);
 
 /// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a contact with
 /// a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for each contact.

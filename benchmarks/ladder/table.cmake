@@ -1,0 +1,48 @@
+# Prints the ladder: instructions of a control cycle of each rung, and how many more than of the rung before.
+# Needs: valgrind, program.
+include(${CMAKE_CURRENT_LIST_DIR}/../../tests/budget/count.cmake)
+
+# Text, filled up with blanks on the left or right.
+function(padded side text width result)
+  string(LENGTH "${text}" length)
+  while(length LESS width)
+    if(side STREQUAL left)
+      set(text " ${text}")
+    else()
+      string(APPEND text " ")
+    endif()
+    math(EXPR length "${length} + 1")
+  endwhile()
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+execute_process(COMMAND ${CMAKE_COMMAND} -E echo
+  "Instructions of one control cycle: each rung has one need more than the one above it
+                                            contact   more    free   more")
+set(contact_before "")
+execute_process(COMMAND ${program} --needs OUTPUT_VARIABLE rungs COMMAND_ERROR_IS_FATAL ANY)
+string(STRIP "${rungs}" rungs)
+string(REPLACE "\n" ";" rungs "${rungs}")
+foreach(rung IN LISTS rungs)
+  string(REGEX MATCH "^([^ ]+) (.*)$" matched "${rung}")
+  set(name ${CMAKE_MATCH_1})
+  padded(right "${CMAKE_MATCH_2}" 42 line)
+  foreach(place IN ITEMS contact free)
+    count_instructions(${valgrind} ${program} ladder/${name}/${place} count)
+    set(count_of_${name}_${place} ${count})
+    set(more "")
+    if(contact_before)
+      math(EXPR more "${count} - ${${place}_before}")
+    endif()
+    set(now_${place} ${count})
+    padded(left "${count}" 9 count)
+    padded(left "${more}" 7 more)
+    string(APPEND line "${count}${more}")
+  endforeach()
+  set(contact_before ${now_contact})
+  set(free_before ${now_free})
+  execute_process(COMMAND ${CMAKE_COMMAND} -E echo "${line}")
+endforeach()
+math(EXPR percent "(100 * ${count_of_unlimited_contact} + ${count_of_by_hand_contact} / 2) / ${count_of_by_hand_contact}")
+execute_process(COMMAND ${CMAKE_COMMAND} -E echo
+  "summary: the smallest scene in contact ${percent} % of by hand, ${count_of_unlimited_contact} instructions")

@@ -1,0 +1,140 @@
+/// @file
+/// What a type tells about the brakes: limits, dead bands, lags, each optional.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/mechanism/mechanism.hpp>
+
+#include <concepts>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+namespace passive_haptics {
+namespace detail {
+
+template <class B>
+concept names_torque_limit = requires(const B brakes) { brakes.torque_limit; };
+template <class B>
+concept names_rate_dead_band = requires(const B brakes) { brakes.rate_dead_band; };
+template <class B>
+concept names_torque_dead_band = requires(const B brakes) { brakes.torque_dead_band; };
+template <class B>
+concept names_time_constant = requires(const B brakes) { brakes.time_constant; };
+
+}  // namespace detail
+
+/// Brakes with a largest torque: `vector<T, m> torque_limit` [N m], >= 0. Without it nothing is ever cut.
+template <class B, class T, int Brakes>
+concept LimitedBrakes = requires(const B brakes) {
+  { brakes.torque_limit } -> ExactVector<T, Brakes>;
+};
+
+/// Brakes that can be at rest: `vector<T, m> rate_dead_band` [rad/s], >= 0. Without it there is slip alone, s = sgn(w), and
+/// no hand torque is ever computed.
+template <class B, class T, int Brakes>
+concept StickingBrakes = requires(const B brakes) {
+  { brakes.rate_dead_band } -> ExactVector<T, Brakes>;
+};
+
+/// Brakes at rest on which a small push counts as none: `vector<T, m> torque_dead_band` [N m], >= 0. Without it any counts.
+template <class B, class T, int Brakes>
+concept TorqueDeadBandBrakes = StickingBrakes<B, T, Brakes> && requires(const B brakes) {
+  { brakes.torque_dead_band } -> ExactVector<T, Brakes>;
+};
+
+/// Brakes of a known lag: `vector<T, m> time_constant` [s], >= 0. Read by laws that need it, and by nothing else.
+template <class B, class T, int Brakes>
+concept LaggingBrakes = requires(const B brakes) {
+  { brakes.time_constant } -> ExactVector<T, Brakes>;
+};
+
+/// What a control cycle takes for the m brakes of mechanism M: a class with any of the members torque_limit, rate_dead_band,
+/// torque_dead_band and time_constant, of exactly these types. What a type lacks costs nothing. Mind the spelling: what is
+/// not there cannot be missed. brake_parameters has all, unlimited_brakes none.
+template <class B, class M>
+concept BrakesFor =
+    std::is_class_v<B> &&
+    (!detail::names_torque_limit<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>) &&
+    (!detail::names_rate_dead_band<B> || StickingBrakes<B, typename M::scalar, M::brake_count>) &&
+    (!detail::names_torque_dead_band<B> || TorqueDeadBandBrakes<B, typename M::scalar, M::brake_count>) &&
+    (!detail::names_time_constant<B> || LaggingBrakes<B, typename M::scalar, M::brake_count>);
+
+/// The same requirements, one short message for each: what takes brakes begins with
+/// `static_assert(brake_requirements<B, M>::met)`.
+template <class B, class M>
+struct brake_requirements {
+  static_assert(
+      std::is_class_v<B>,
+      "passive_haptics: the brakes must be a brake_parameters, unlimited_brakes, or a class with some of "
+      "the members torque_limit, rate_dead_band, torque_dead_band and time_constant.");
+  static_assert(!detail::names_torque_limit<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>,
+                "passive_haptics: torque_limit of the brakes must be a vector<scalar, brake_count> exactly.");
+  static_assert(
+      !detail::names_rate_dead_band<B> || StickingBrakes<B, typename M::scalar, M::brake_count>,
+      "passive_haptics: rate_dead_band of the brakes must be a vector<scalar, brake_count> exactly.");
+  static_assert(!detail::names_torque_dead_band<B> ||
+                    TorqueDeadBandBrakes<B, typename M::scalar, M::brake_count>,
+                "passive_haptics: torque_dead_band of the brakes must be a vector<scalar, brake_count> "
+                "exactly, beside a "
+                "rate_dead_band: it is for brakes at rest.");
+  static_assert(
+      !detail::names_time_constant<B> || LaggingBrakes<B, typename M::scalar, M::brake_count>,
+      "passive_haptics: time_constant of the brakes must be a vector<scalar, brake_count> exactly.");
+  static constexpr bool met = true;
+};
+
+/// Brakes without a member: each makes any torque at once and slips at any rate but zero. For a device whose brakes are
+/// never asked for more than they can make (a soft wall, a driver that limits the current itself), whose rates are exactly 0 at rest (encoders)
+/// or need no dead band, and for the fewest instructions. A brake at rest has sign 0: it may hold either way, whoever
+/// pushes; a rate that is noise about zero decides a sign. 0 <= capacity, without an upper bound.
+struct unlimited_brakes {};
+
+/// Nothing can be wrong with them.
+inline std::string validate(const unlimited_brakes&) { return {}; }
+
+/// Most torque of brake i [N m]; infinite where no limit is named.
+template <class T, class B>
+T torque_limit_of(const B& brakes, int i) {
+  if constexpr (detail::names_torque_limit<B>) return brakes.torque_limit[i];
+  else return std::numeric_limits<T>::infinity();
+}
+
+/// The same of all.
+template <class T, int Brakes, class B>
+vector<T, Brakes> torque_limits_of(const B& brakes) {
+  if constexpr (detail::names_torque_limit<B>) return brakes.torque_limit;
+  else return vector<T, Brakes>::Constant(std::numeric_limits<T>::infinity());
+}
+
+/// Rate under which brake i counts as at rest [rad/s]; 0 where no dead band is named.
+template <class T, class B>
+T rate_dead_band_of(const B& brakes, int i) {
+  if constexpr (detail::names_rate_dead_band<B>) return brakes.rate_dead_band[i];
+  else return T(0);
+}
+
+/// Hand torque on brake i that counts as none [N m]; 0 where no dead band is named.
+template <class T, class B>
+T torque_dead_band_of(const B& brakes, int i) {
+  if constexpr (detail::names_torque_dead_band<B>) return brakes.torque_dead_band[i];
+  else return T(0);
+}
+
+/// What is wrong with the brakes, whatever members they have; empty if nothing.
+template <class B>
+std::string check_brakes(const B& brakes) {
+  using detail::check_each_not_negative;
+  std::string limit, rate, torque, lag;
+  if constexpr (detail::names_torque_limit<B>)
+    limit = check_each_not_negative("torque_limit", "N m", brakes.torque_limit);
+  if constexpr (detail::names_rate_dead_band<B>)
+    rate = check_each_not_negative("rate_dead_band", "rad/s", brakes.rate_dead_band);
+  if constexpr (detail::names_torque_dead_band<B>)
+    torque = check_each_not_negative("torque_dead_band", "N m", brakes.torque_dead_band);
+  if constexpr (detail::names_time_constant<B>)
+    lag = check_each_not_negative("time_constant", "s", brakes.time_constant);
+  return detail::first_complaint(limit, rate, torque, lag);
+}
+
+}  // namespace passive_haptics
