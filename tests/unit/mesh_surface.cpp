@@ -276,6 +276,11 @@ TEST(a_needle, ends_at_its_tip) {
     EXPECT_EQ(h.felt.size(), contacts) << x;
     h.go({2, 0, 0.1});
   }
+  h.go({1 - 1e-6, 1e-13, 0.1});
+  h.go({1 - 1e-6, 1e-13, -1e-3});
+  EXPECT_EQ(h.felt.size(), 1u);
+  h.go({1 + 1e-6, 0, -1e-3});
+  EXPECT_TRUE(h.felt.empty()) << "slid off the tip";
 }
 
 // As a hand moves, 0.1 mm a cycle: through the air, along the surface and away again.

@@ -54,16 +54,18 @@ class mesh {
   /// x gives a NaN distance.
   mesh_point<D> nearest(const point<D>& x, int guess = 0) const {
     mesh_point<D> best{nearest_point((*this)[guess], x), guess};
-    auto search = data_->tree.start([&](const auto& b) { return b.squared_distance(x); });
+    const auto bound = [&](const outer_box<D>& box) { return box.squared_distance(x); };
     double limit = best.squared_distance;
-    data_->tree.go_on(
-        search, [&](const auto& b) { return b.squared_distance(x); }, limit,
-        [&](int i, double) {
-          const auto candidate = nearest_point((*this)[i], x);
-          if (!(candidate.squared_distance < limit)) return;
-          best = {candidate, i};
-          limit = candidate.squared_distance;
-        });
+    auto search = data_->tree.start(bound);
+    data_->tree.go_on(search, bound, limit, [&](int i, double) {
+      const auto& f = (*this)[i];
+      const double height = f.height(x);
+      if (!(height * height < limit)) return;  // as from inside a ball, where all boxes are about as near
+      const auto candidate = nearest_point(f, x);
+      if (!(candidate.squared_distance < limit)) return;
+      best = {candidate, i};
+      limit = candidate.squared_distance;
+    });
     return best;
   }
 
