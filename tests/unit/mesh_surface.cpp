@@ -155,6 +155,25 @@ TYPED_TEST(a_mesh_surface, takes_a_handle_within_it_for_come_through_the_nearest
   }
 }
 
+TYPED_TEST(a_mesh_surface, takes_any_handle_within_a_star_for_come_through_a_facet) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  for (const int around : {5, 9, 24}) {
+    const auto shape = surface_of(sample_meshes::star<D>(random, around));
+    for (int k = 0; k < 2000; ++k) {
+      const ph::point<D> x = random.uniform(0.0, 1.0) * random.direction<double, D>();
+      const double distance = shape.surface().signed_distance(x, shape.surface().nearest(x));
+      handle<D> h(shape);
+      h.go(x);
+      ASSERT_GT(h.distance_of_proxy(), -lip) << "seed " << seed << ", handle " << k;
+      ASSERT_EQ(h.felt.empty(), distance >= 0) << "seed " << seed << ", handle " << k;
+      if (distance < 0) {
+        ASSERT_LE((h.proxy() - x).norm(), 1e-5 - distance) << "handle " << k;
+      }
+    }
+  }
+}
+
 TYPED_TEST(a_mesh_surface, lets_the_handle_come_round_a_convex_edge) {
   constexpr int D = TestFixture::dimension;
   handle<D> h(surface_of(cube<D>()));
@@ -511,6 +530,16 @@ TYPED_TEST(a_mesh_surface, says_how_far_the_handle_may_go) {
   }
   EXPECT_GT(touched, 500);
   EXPECT_LT(calls - touched, 4000);
+}
+
+// Two planes that face each other, and nothing between them: each gets what it can.
+TEST(shares_of_displacement, of_planes_that_contradict_are_their_depths) {
+  ph::matrix<double, 2, 4> N = ph::matrix<double, 2, 4>::Zero();
+  N.col(0) = ph::point<2>::UnitX();
+  N.col(1) = -ph::point<2>::UnitX();
+  const ph::vector<double, 4> feasible(0.3, -0.3, 0, 0), contradicting(0.3, -0.2, 0, 0);
+  EXPECT_NEAR(ph::detail::shares_of_displacement(N, feasible)[0], 0.3, 1e-12);
+  EXPECT_EQ(ph::detail::shares_of_displacement(N, contradicting)[0], 0.3);
 }
 
 TEST(mesh_surface, says_what_is_wrong_with_its_parameters) {

@@ -42,6 +42,8 @@ std::string validate(const mesh_surface_parameters<D>& p) {
 /// pushed through a thin wall still is pushed back to where it came from. Rests the proxy in a concave corner, each face
 /// is a contact of its own.
 ///
+/// Neighbours must share their vertices: a crack wider than a thousandth of the skin lets a handle through.
+///
 /// A handle that is seen for the first time within the wall of a closed mesh is taken to have come through the nearest facet.
 template <int D>
 class mesh_surface {

@@ -30,6 +30,7 @@ struct any_adder {
 ///
 /// Laws: what follow adds depends on `from`, x and t alone. A NaN in x adds a contact with a NaN depth, so that no step mistakes it
 /// for free space, and leaves t alone. It never allocates, and takes a bounded time however far x is.
+/// testing/tracked_shape_laws.hpp checks the first two.
 template <class S>
 concept TrackedShape = detail::names_dimension<S> && std::is_trivially_copyable_v<typename S::tracker> &&
                        std::default_initializable<typename S::tracker> &&
