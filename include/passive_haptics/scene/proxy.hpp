@@ -1,8 +1,9 @@
 /// @file
 /// A proxy: the point on the free side of a mesh that stands for a handle behind it.
 ///
-/// References: C. B. Zilles, J. K. Salisbury, A constraint-based god-object method for haptic display, IROS 1995, pp. 146-151;
-/// D. C. Ruspini, K. Kolarov, O. Khatib, The haptic display of complex graphical environments, SIGGRAPH 1997, pp. 345-352.
+/// References: C. B. Zilles, J. K. Salisbury, A constraint-based god-object method for haptic display, IROS 1995,
+/// pp. 146-151; D. C. Ruspini, K. Kolarov, O. Khatib, The haptic display of complex graphical environments, SIGGRAPH
+/// 1997, pp. 345-352.
 #pragma once
 
 #include <passive_haptics/core/cone.hpp>
@@ -17,12 +18,11 @@ namespace passive_haptics {
 /// What is remembered of one handle at one mesh.
 template <int D>
 struct proxy_tracker {
-  static constexpr int most_facets =
-      4 * (D - 1);  ///< Facets on which a proxy rests at once; of more, some wait.
+  /// Facets on which a proxy rests at once; of more, some wait.
+  static constexpr int most_facets = 4 * (D - 1);
 
   bool known = false;  ///< Whether the handle was seen.
-  bool held =
-      false;  ///< Whether the surface keeps the proxy from the handle; else both are in the same place.
+  bool held = false;   ///< Whether the surface keeps the proxy from the handle; else they are in one place.
   std::array<double, static_cast<std::size_t>(D)> position{};  ///< Of the proxy, if held [m].
   std::array<int, most_facets> facets{};                       ///< On which it rests, if held.
   int facet_count = 0;                                         ///< How many.
@@ -31,8 +31,8 @@ struct proxy_tracker {
 
 namespace detail {
 
-/// The way of a proxy towards the handle in one cycle. It stays a skin in front of the facets that it meets; none lets it from the
-/// front to the back, since each straight part of its way ends where a facet's slab begins.
+/// The way of a proxy towards the handle in one cycle. It stays a skin in front of the facets that it meets; none lets
+/// it from the front to the back, since each straight part of its way ends where a facet's slab begins.
 template <int D>
 class proxy_way {
  public:

@@ -12,8 +12,8 @@
 namespace passive_haptics::detail {
 
 /// The shares m >= 0 of the least displacement N m that brings a point in front of all of K planes, N the unit normals by
-/// columns (zero: no plane) and depth how far it is behind each; one of them must be > 0; where nothing is in front of all, the depths themselves. By Lawson and Hanson's
-/// least-distance programme, as in convex_polytope.hpp.
+/// columns (zero: no plane) and depth how far it is behind each; one of them must be > 0. Where nothing is in front of
+/// all, the depths themselves. By Lawson and Hanson's least-distance programme, as in convex_polytope.hpp.
 template <int D, int K>
 vector<double, K> shares_of_displacement(const matrix<double, D, K>& N, const vector<double, K>& depth) {
   constexpr double far_before = -1e100;  // in units of the largest depth: keeps the squares finite

@@ -91,7 +91,7 @@ TYPED_TEST_P(tracked_shape_laws, contacts_have_a_direction_and_a_depth) {
   EXPECT_GT(free, 0);
 }
 
-/// As far as it is said the handle may go any way and touches nothing.
+/// As far as it is said the handle may go any way and touches nothing; so outside of the bounds.
 TYPED_TEST_P(tracked_shape_laws, what_may_be_skipped_is_free) {
   random_source random(this->seed);
   int tried = 0;
@@ -102,6 +102,14 @@ TYPED_TEST_P(tracked_shape_laws, what_may_be_skipped_is_free) {
     const at near = x + random.uniform(0.0, 1.0) * may_go *
                             random.template direction<double, TypeParam::shape::dimension>();
     ASSERT_TRUE(this->follow(x, near, t).felt.empty());
+    // along the outside of a face of the bounds
+    const auto bounds = this->shape.bounds();
+    const int axis = tried % this->d;
+    at start = bounds.lower, end = bounds.upper;
+    start[axis] = end[axis] = tried % 2 == 0 ? bounds.lower[axis] : bounds.upper[axis];
+    typename TypeParam::shape::tracker fresh;
+    this->follow(start, start, fresh);
+    ASSERT_TRUE(this->follow(start, end, fresh).felt.empty());
     ++tried;
   });
   EXPECT_GT(tried, 0);
