@@ -8,6 +8,7 @@
 #include "../property/sample_meshes.hpp"
 #include "tracked_handle.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <limits>
@@ -155,6 +156,25 @@ TYPED_TEST(a_mesh_surface, takes_a_handle_within_it_for_come_through_the_nearest
   }
 }
 
+TYPED_TEST(a_mesh_surface, takes_any_handle_within_a_star_for_come_through_a_facet) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  for (const int around : {5, 9, 24}) {
+    const auto shape = surface_of(sample_meshes::star<D>(random, around));
+    for (int k = 0; k < 2000; ++k) {
+      const ph::point<D> x = random.uniform(0.0, 1.0) * random.direction<double, D>();
+      const double distance = shape.surface().signed_distance(x, shape.surface().nearest(x));
+      handle<D> h(shape);
+      h.go(x);
+      ASSERT_GT(h.distance_of_proxy(), -lip) << "seed " << seed << ", handle " << k;
+      ASSERT_EQ(h.felt.empty(), distance >= 0) << "seed " << seed << ", handle " << k;
+      if (distance < 0) {
+        ASSERT_LE((h.proxy() - x).norm(), 1e-5 - distance) << "handle " << k;
+      }
+    }
+  }
+}
+
 TYPED_TEST(a_mesh_surface, lets_the_handle_come_round_a_convex_edge) {
   constexpr int D = TestFixture::dimension;
   handle<D> h(surface_of(cube<D>()));
@@ -276,47 +296,57 @@ TEST(a_needle, ends_at_its_tip) {
     EXPECT_EQ(h.felt.size(), contacts) << x;
     h.go({2, 0, 0.1});
   }
+  h.go({1 - 1e-6, 1e-13, 0.1});
+  h.go({1 - 1e-6, 1e-13, -1e-3});
+  EXPECT_EQ(h.felt.size(), 1u);
+  h.go({1 + 1e-6, 0, -1e-3});
+  EXPECT_TRUE(h.felt.empty()) << "slid off the tip";
 }
 
 // As a hand moves, 0.1 mm a cycle: through the air, along the surface and away again.
 TEST(a_mesh_surface_of_100_000_triangles, costs_a_thousandth_of_a_scan) {
   using clock = std::chrono::steady_clock;
-  const auto seconds = [](auto&& work) {
-    const auto start = clock::now();
-    work();
-    return std::chrono::duration<double>(clock::now() - start).count();
+  const auto seconds = [](auto&& work) {  // the least of three, since others use the machine, too
+    double least = infinity;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      const auto start = clock::now();
+      work();
+      least = std::min(least, std::chrono::duration<double>(clock::now() - start).count());
+    }
+    return least;
   };
   const auto shape = surface_of(sample_meshes::globe(320, 158, [](const auto&) { return 0.7; }));
-  handle<3> h(shape);
-  double may_go = 0;
-  ph::point<3> asked = ph::point<3>::Zero();
   const int cycles = 100'000;
   int touched = 0;
-  const double each =
-      seconds([&] {
-        for (int k = 0; k < cycles; ++k) {
-          const double angle = 1e-4 * k, height = 0.02 * std::cos(2e-3 * k) + 0.01;
-          const ph::point<3> x =
-              (0.7 + height) * ph::point<3>(0.8 * std::cos(angle), std::sin(angle), 0.6 * std::cos(angle));
-          if (k > 0 && (x - asked).norm() < may_go) {
-            h.x = x;
-            continue;
-          }
-          may_go = h.go(x);
-          asked = x;
-          touched += !h.felt.empty();
-        }
-      }) /
-      cycles;
+  const auto lead = [&] {
+    handle<3> h(shape);
+    double may_go = 0;
+    ph::point<3> asked = ph::point<3>::Zero();
+    touched = 0;
+    for (int k = 0; k < cycles; ++k) {
+      const double angle = 1e-4 * k, height = 0.02 * std::cos(2e-3 * k) + 0.01;
+      const ph::point<3> x =
+          (0.7 + height) * ph::point<3>(0.8 * std::cos(angle), std::sin(angle), 0.6 * std::cos(angle));
+      if (k > 0 && (x - asked).norm() < may_go) {
+        h.x = x;
+        continue;
+      }
+      may_go = h.go(x);
+      asked = x;
+      touched += !h.felt.empty();
+    }
+  };
   double sum = 0;
-  const double scan = seconds([&] {
+  const auto scan = [&] {
     for (int i = 0; i < shape.surface().size(); ++i)
-      sum += ph::nearest_point(shape.surface()[i], asked).squared_distance;
-  });
-  std::cout << "a cycle " << 1e6 * each << " us, scan " << 1e6 * scan << " us: " << scan / each << " times\n";
+      sum += ph::nearest_point(shape.surface()[i], ph::point<3>(0.8, 0, 0)).squared_distance;
+  };
+  const double each = seconds(lead) / cycles, whole = seconds(scan);
+  std::cout << "a cycle " << 1e6 * each << " us, scan " << 1e6 * whole << " us: " << whole / each
+            << " times\n";
   EXPECT_GT(touched, cycles / 5);
   EXPECT_GT(sum, 0);
-  EXPECT_GT(scan / each, 1000);
+  EXPECT_GT(whole / each, 1000);
 }
 
 // 10^6 steps of any size in all on a star with deep valleys: the proxy stays outside, whatever the handle does.
@@ -349,8 +379,8 @@ TYPED_TEST(a_mesh_surface, is_never_passed_by_its_proxy) {
   constexpr int D = TestFixture::dimension;
   random_source random(seed);
   for (const int around : {5, 9, 24}) {
-    slide<D>(sample_meshes::star<D>(random, around), 100'000, 0.3);
-    slide<D>(sample_meshes::star<D>(random, around), 100'000, 1e-3);
+    slide<D>(sample_meshes::star<D>(random, around), PASSIVE_HAPTICS_LONG_TESTS ? 100'000 : 10'000, 0.3);
+    slide<D>(sample_meshes::star<D>(random, around), PASSIVE_HAPTICS_LONG_TESTS ? 100'000 : 10'000, 1e-3);
   }
 }
 
@@ -506,6 +536,16 @@ TYPED_TEST(a_mesh_surface, says_how_far_the_handle_may_go) {
   }
   EXPECT_GT(touched, 500);
   EXPECT_LT(calls - touched, 4000);
+}
+
+// Two planes that face each other, and nothing between them: each gets what it can.
+TEST(shares_of_displacement, of_planes_that_contradict_are_their_depths) {
+  ph::matrix<double, 2, 4> N = ph::matrix<double, 2, 4>::Zero();
+  N.col(0) = ph::point<2>::UnitX();
+  N.col(1) = -ph::point<2>::UnitX();
+  const ph::vector<double, 4> feasible(0.3, -0.3, 0, 0), contradicting(0.3, -0.2, 0, 0);
+  EXPECT_NEAR(ph::detail::shares_of_displacement(N, feasible)[0], 0.3, 1e-12);
+  EXPECT_EQ(ph::detail::shares_of_displacement(N, contradicting)[0], 0.3);
 }
 
 TEST(mesh_surface, says_what_is_wrong_with_its_parameters) {

@@ -86,8 +86,8 @@ inline std::string check_mesh_file(const mesh_file& file) {
 
 }  // namespace detail
 
-/// The mesh of a file whose unit is `metres_per_unit` (1e-3: millimetres). Polygons are cut into triangles; parts are put where the
-/// file says. Assimp keeps coordinates in float, 24 bits.
+/// The mesh of a file whose unit is `metres_per_unit` (1e-3: millimetres). Polygons are cut into triangles; parts are
+/// put where the file says. Assimp keeps coordinates in float, 24 bits.
 ///
 /// Throws std::invalid_argument, its text names the file: no such file, no mesh in it, a scale that is not positive, no
 /// triangles, coordinates that are not finite. For set-up, never for a control cycle.

@@ -30,15 +30,15 @@ template <int D>
 struct four_outer_boxes {
   using four = Eigen::Array<float, 4, 1>;  ///< One value of each box.
 
-  std::array<four, static_cast<std::size_t>(D)> lower;  ///< By axes [m].
-  std::array<four, static_cast<std::size_t>(D)> upper;  ///< By axes [m].
+  Eigen::Array<float, 4, D> lower;  ///< A column for each axis [m].
+  Eigen::Array<float, 4, D> upper;  ///< A column for each axis [m].
 
   /// Box k, 0 <= k < 4.
   outer_box<D> operator[](int k) const {
     outer_box<D> box;
     unrolled<D>([&](auto i) {
-      box.lower[i] = lower[i][k];
-      box.upper[i] = upper[i][k];
+      box.lower[i] = lower(k, i);
+      box.upper[i] = upper(k, i);
     });
     return box;
   }
@@ -47,8 +47,8 @@ struct four_outer_boxes {
   void set(int k, const bounding_box<D>& b, double scale) {
     const double margin = 4 * epsilon * scale;
     unrolled<D>([&](auto i) {
-      lower[i][k] = static_cast<float>(b.lower[i] - margin);
-      upper[i][k] = static_cast<float>(b.upper[i] + margin);
+      lower(k, i) = static_cast<float>(b.lower[i] - margin);
+      upper(k, i) = static_cast<float>(b.upper[i] + margin);
     });
   }
 
@@ -56,7 +56,7 @@ struct four_outer_boxes {
   four squared_distances(const vector<float, D>& x) const {
     constexpr float largest = std::numeric_limits<float>::max();
     four sum = four::Zero();
-    unrolled<D>([&](auto i) { sum += (lower[i] - x[i]).max(x[i] - upper[i]).max(0.f).square(); });
+    unrolled<D>([&](auto i) { sum += (lower.col(i) - x[i]).max(x[i] - upper.col(i)).max(0.f).square(); });
     return (1 - 8 * epsilon) * sum.min(largest);
   }
 

@@ -43,17 +43,17 @@ void for_each_rim(const mesh_facet<3>& f, const F& rim) {
   }
 }
 
-/// All points at a height in [-lip, skin] over the facet or, at its rims, up to a lip beside it. The lip closes the cracks that
-/// rounding leaves between neighbours. It is much thinner than the skin, so that who rests on a facet at the height of
-/// the skin is beside the slabs of those beyond a convex edge.
+/// All points at a height in [-lip, skin] over the facet or, at its rims, up to a lip beside it. The lip closes the
+/// cracks that rounding leaves between neighbours. It is much thinner than the skin, so that who rests on a facet at the
+/// height of the skin is beside the slabs of those beyond a convex edge.
 template <int D>
 struct facet_slab {
   const mesh_facet<D>& f;
   double skin;  // [m]
   double lip;   // [m]
 
-  /// When on its way p + t step to stop: where it enters the slab from the front or from beside, > 1 if it need not. Falling by
-  /// less than a lip under the skin, as between neighbours in one plane, is let through.
+  /// When on its way p + t step to stop: where it enters the slab from the front or from beside, > 1 if it need not.
+  /// Falling by less than a lip under the skin, as between neighbours in one plane, is let through.
   double stop(const point<D>& p, const point<D>& step) const {
     constexpr double never = 2;
     const double fall = f.normal.dot(step), height = f.height(p);

@@ -54,10 +54,13 @@ class mesh {
   /// x gives a NaN distance.
   mesh_point<D> nearest(const point<D>& x, int guess = 0) const {
     mesh_point<D> best{nearest_point((*this)[guess], x), guess};
-    auto search = data_->tree.start();
     double limit = best.squared_distance;
+    auto search = data_->tree.start();
     data_->tree.go_on(search, squared_distance_from<D>(x), limit, [&](int i, double) {
-      const auto candidate = nearest_point((*this)[i], x);
+      const auto& f = (*this)[i];
+      const double height = f.height(x);
+      if (!(height * height < limit)) return;  // as from inside a ball, where all boxes are about as near
+      const auto candidate = nearest_point(f, x);
       if (!(candidate.squared_distance < limit)) return;
       best = {candidate, i};
       limit = candidate.squared_distance;

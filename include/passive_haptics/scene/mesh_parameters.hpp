@@ -12,8 +12,8 @@
 
 namespace passive_haptics {
 
-/// A polyline (D = 2: segments) or a triangle mesh (D = 3). Which side is free: see mesh_facet. Vertices in the same place count as
-/// one, so that a list of loose triangles (STL) has a topology.
+/// A polyline (D = 2: segments) or a triangle mesh (D = 3). Which side is free: see mesh_facet. Vertices in the same
+/// place count as one, so that a list of loose triangles (STL) has a topology.
 template <int D>
 struct mesh_parameters {
   std::vector<point<D>> vertices;                                    ///< [m]; some may be unused.
@@ -53,8 +53,8 @@ std::string validate(const mesh_parameters<D>& p) {
   return {};
 }
 
-/// The same without the facets that have no area; such facets of corners that lie on a line are no loss of surface, but where
-/// one joined an edge to two shorter ones the mesh is open then. All indices must be valid.
+/// The same without the facets that have no area. That is no loss of surface, but where one joined an edge to two
+/// shorter ones the mesh is open then. All indices must be valid.
 template <int D>
 mesh_parameters<D> without_slivers(mesh_parameters<D> p) {
   std::size_t kept = 0;

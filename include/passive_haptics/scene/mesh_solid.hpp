@@ -26,8 +26,8 @@ std::string validate(const mesh_solid_parameters<D>& p) {
 
 /// distance(x) = +- |x - nearest point|, with the sign of (x - nearest point) . pseudonormal there. Exact on both sides.
 ///
-/// One contact at most, as every shape, and none for what has been passed through: for thin walls and corners that are touched
-/// from inside take mesh_surface.
+/// One contact at most, as every shape, and none for what has been passed through: for thin walls and corners that are
+/// touched from inside take mesh_surface.
 template <int D>
 class mesh_solid {
  public:

@@ -15,18 +15,17 @@ namespace passive_haptics {
 /// A surface and how it is felt.
 template <int D>
 struct mesh_surface_parameters {
-  mesh<D> surface;  ///< Open or closed.
-  double skin =
-      1e-7;  ///< How far before the surface the proxy stays [m]: far over rounding, far under what is felt.
-  double crease_angle =
-      std::numbers::pi / 6;  ///< Facets whose normals differ by less are one smooth surface [rad].
+  mesh<D> surface;     ///< Open or closed.
+  double skin = 1e-7;  ///< From the surface to the proxy [m]: far over rounding, far under what is felt.
+  /// Facets whose normals differ by less are one smooth surface [rad].
+  double crease_angle = std::numbers::pi / 6;
 };
 
 /// What is wrong with the parameters; empty if nothing.
 template <int D>
 std::string validate(const mesh_surface_parameters<D>& p) {
-  constexpr double least_skin =
-      1e-9;  // by the largest coordinate: a thousandth of it still is 4500 roundings
+  // By the largest coordinate: a thousandth of it still is 4500 roundings.
+  constexpr double least_skin = 1e-9;
   const double size = detail::largest_coordinate(p.surface.bounds());
   if (!(p.skin >= least_skin * size) || !std::isfinite(p.skin) || !(p.skin > 0))
     return detail::complaint("skin of a mesh_surface [m]", p.skin,
@@ -38,11 +37,14 @@ std::string validate(const mesh_surface_parameters<D>& p) {
   return {};
 }
 
-/// Stops what moves from the front of a facet to its back; from behind it is free. A proxy stays in front, so that a handle
-/// pushed through a thin wall still is pushed back to where it came from. Rests the proxy in a concave corner, each face
-/// is a contact of its own.
+/// Stops what moves from the front of a facet to its back; from behind it is free. A proxy stays in front, so that a
+/// handle pushed through a thin wall still is pushed back to where it came from. Where the proxy rests in a concave
+/// corner, each face is a contact of its own.
 ///
-/// A handle that is seen for the first time within the wall of a closed mesh is taken to have come through the nearest facet.
+/// Neighbours must share their vertices: a crack wider than a thousandth of the skin lets a handle through.
+///
+/// A handle that is seen for the first time within the wall of a closed mesh is taken to have come through the nearest
+/// facet.
 template <int D>
 class mesh_surface {
  public:
@@ -59,11 +61,14 @@ class mesh_surface {
   /// A surface that is felt as by default.
   explicit mesh_surface(mesh<D> surface) : mesh_surface(mesh_surface_parameters<D>{std::move(surface)}) {}
 
-  /// The box about the surface.
-  bounding_box<D> bounds() const { return surface_.bounds(); }
+  /// The box about the surface and what a proxy stays away from it.
+  bounding_box<D> bounds() const {
+    const point<D> margin = point<D>::Constant(slab_reach * skin_);
+    return {surface_.bounds().lower - margin, surface_.bounds().upper + margin};
+  }
 
-  /// See TrackedShape. While it touches, `from` is not read. Cost: free, a search for the way and one for the nearest facet; in
-  /// contact, a search or two of the few facets near the proxy.
+  /// See TrackedShape. While it touches, `from` is not read. Cost: free, a search for the way and one for the nearest
+  /// facet; in contact, a search or two of the few facets near the proxy.
   template <class Add>
   double follow(const point<D>& from, const point<D>& x, tracker& t, Add&& add) const {
     if (!all_finite(x)) {

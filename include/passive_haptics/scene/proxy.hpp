@@ -1,8 +1,9 @@
 /// @file
 /// A proxy: the point on the free side of a mesh that stands for a handle behind it.
 ///
-/// References: C. B. Zilles, J. K. Salisbury, A constraint-based god-object method for haptic display, IROS 1995, pp. 146-151;
-/// D. C. Ruspini, K. Kolarov, O. Khatib, The haptic display of complex graphical environments, SIGGRAPH 1997, pp. 345-352.
+/// References: C. B. Zilles, J. K. Salisbury, A constraint-based god-object method for haptic display, IROS 1995,
+/// pp. 146-151; D. C. Ruspini, K. Kolarov, O. Khatib, The haptic display of complex graphical environments, SIGGRAPH
+/// 1997, pp. 345-352.
 #pragma once
 
 #include <passive_haptics/core/cone.hpp>
@@ -17,12 +18,11 @@ namespace passive_haptics {
 /// What is remembered of one handle at one mesh.
 template <int D>
 struct proxy_tracker {
-  static constexpr int most_facets =
-      4 * (D - 1);  ///< Facets on which a proxy rests at once; of more, some wait.
+  /// Facets on which a proxy rests at once; of more, some wait.
+  static constexpr int most_facets = 4 * (D - 1);
 
   bool known = false;  ///< Whether the handle was seen.
-  bool held =
-      false;  ///< Whether the surface keeps the proxy from the handle; else both are in the same place.
+  bool held = false;   ///< Whether the surface keeps the proxy from the handle; else they are in one place.
   std::array<double, static_cast<std::size_t>(D)> position{};  ///< Of the proxy, if held [m].
   std::array<int, most_facets> facets{};                       ///< On which it rests, if held.
   int facet_count = 0;                                         ///< How many.
@@ -31,8 +31,8 @@ struct proxy_tracker {
 
 namespace detail {
 
-/// The way of a proxy towards the handle in one cycle. It stays a skin in front of the facets that it meets; none lets it from the
-/// front to the back, since each straight part of its way ends where a facet's slab begins.
+/// The way of a proxy towards the handle in one cycle. It stays a skin in front of the facets that it meets; none lets
+/// it from the front to the back, since each straight part of its way ends where a facet's slab begins.
 template <int D>
 class proxy_way {
  public:
@@ -121,14 +121,14 @@ class proxy_way {
   // Which slab the step enters first; those of the facets on which the proxy rests only if told so.
   hit first_stop(const point<D>& step, bool resting_too) {
     const auto entry = [&](const four_outer_boxes<D>& boxes) {
-      std::array<double, 4> times;
+      Eigen::Array<double, 4, 1> times;
       for (int k = 0; k < 4; ++k) {
         const outer_box<D> box = boxes[k];
         part_of_way way;
         for (int i = 0; i < D; ++i)
           way.keep_between(p_[i], step[i], double(box.lower[i]) - 2 * skin_,
                            double(box.upper[i]) + 2 * skin_);
-        times[static_cast<std::size_t>(k)] = way.empty() ? 2.0 : way.first;
+        times[k] = way.empty() ? 2.0 : way.first;
       }
       return times;
     };

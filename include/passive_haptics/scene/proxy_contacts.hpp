@@ -12,8 +12,8 @@
 namespace passive_haptics::detail {
 
 /// The shares m >= 0 of the least displacement N m that brings a point in front of all of K planes, N the unit normals by
-/// columns (zero: no plane) and depth how far it is behind each; one of them must be > 0. By Lawson and Hanson's
-/// least-distance programme, as in convex_polytope.hpp.
+/// columns (zero: no plane) and depth how far it is behind each; one of them must be > 0. Where nothing is in front of
+/// all, the depths themselves. By Lawson and Hanson's least-distance programme, as in convex_polytope.hpp.
 template <int D, int K>
 vector<double, K> shares_of_displacement(const matrix<double, D, K>& N, const vector<double, K>& depth) {
   constexpr double far_before = -1e100;  // in units of the largest depth: keeps the squares finite
@@ -22,7 +22,8 @@ vector<double, K> shares_of_displacement(const matrix<double, D, K>& N, const ve
   B.row(D) = (depth / depth.maxCoeff()).cwiseMax(far_before).transpose();
   const vector<double, K> c =
       project_onto_half_spaces<double, D + 1, K>(B, vector<double, D + 1>::Unit(D)).coefficients;
-  return c * (c.dot(depth) / (N * c).squaredNorm());
+  const double square = (N * c).squaredNorm();
+  return square > 0 ? vector<double, K>(c * (c.dot(depth) / square)) : vector<double, K>(depth.cwiseMax(0));
 }
 
 /// Facets of one smooth surface make one contact, others one each.
