@@ -84,7 +84,7 @@ typename scene<Shapes...>::contacts_type sense(const scene<Shapes...>& walls,
     const double distance = w.shape.distance(x);
     if (!(distance >= 0)) {
       auto& c = *touched.append();  // in place: a copy would wait for its parts to be stored
-      c.normal = as<double>(w.shape.gradient(x));
+      c.normal = w.shape.gradient(x);
       c.depth = -distance;
       c.stiffness = w.stiffness;
       c.wall_velocity = surface_velocity(w.shape, x);
