@@ -5,6 +5,13 @@
 namespace ph = passive_haptics;
 using device = ph::tendon_two_link<double>;
 
+// A driver that limits the current itself, and a law that wants to know the lag.
+struct lagging_brakes {
+  ph::vector<double, 2> rate_dead_band = {0.02, 0.02};   // [rad/s]
+  ph::vector<double, 2> time_constant = {0.020, 0.030};  // [s]
+};
+static_assert(ph::BrakesFor<lagging_brakes, device> && !ph::LimitedBrakes<lagging_brakes, double, 2>);
+
 int main() {
   const device arm;
   const auto q = arm.inverse({0.12, 0.225}, ph::elbow::left).q;
@@ -17,5 +24,12 @@ int main() {
   const auto s = ph::brake_signs(w, th, brakes);                     // -1, and the sign of th[1]
   const auto t = ph::passive_torque({0.5, 0.5}, w, th, brakes);      // what they make of 0.5 N m each
   std::cout << "s = " << s.transpose() << "\nt = " << t.transpose() << " N m\n";
-  return (s.array() * t.array() <= 0).all() ? 0 : 1;
+
+  const ph::scene wall(ph::wall(ph::half_space<2>({0, 0.2249}, {0, -1}), 1e4));
+  ph::controller gliding(arm, lagging_brakes(), wall, ph::velocity_direct_control());
+  ph::controller bare(arm, ph::unlimited_brakes(), wall, ph::no_direct_control());
+  const ph::device_state<device> state{0, q, {-0.3, 0.1}, {0, 2}};
+  const ph::sensorless_device_state<device> blind{0, q, {-0.3, 0.1}};
+  const bool run = gliding(state).outcome == ph::status::ok && bare(blind).outcome == ph::status::ok;
+  return run && (s.array() * t.array() <= 0).all() ? 0 : 1;
 }

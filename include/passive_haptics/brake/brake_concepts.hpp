@@ -15,6 +15,9 @@ namespace detail {
 
 template <class B>
 concept names_torque_limit = requires(const B brakes) { brakes.torque_limit; };
+// So that a misspelled limit is not none
+template <class B>
+concept is_unlimited = !names_torque_limit<B> && requires { requires B::unlimited; };
 template <class B>
 concept names_rate_dead_band = requires(const B brakes) { brakes.rate_dead_band; };
 template <class B>
@@ -24,7 +27,8 @@ concept names_time_constant = requires(const B brakes) { brakes.time_constant; }
 
 }  // namespace detail
 
-/// Brakes with a largest torque: `vector<T, m> torque_limit` [N m], >= 0. Without it nothing is ever cut.
+/// Brakes with a largest torque: `vector<T, m> torque_limit` [N m], >= 0. A type without it has to say that it means it,
+/// `static constexpr bool unlimited = true`; then nothing is ever cut.
 template <class B, class T, int Brakes>
 concept LimitedBrakes = requires(const B brakes) {
   { brakes.torque_limit } -> ExactVector<T, Brakes>;
@@ -50,12 +54,12 @@ concept LaggingBrakes = requires(const B brakes) {
 };
 
 /// What a control cycle takes for the m brakes of mechanism M: a class with any of the members torque_limit, rate_dead_band,
-/// torque_dead_band and time_constant, of exactly these types. What a type lacks costs nothing. Mind the spelling: what is
-/// not there cannot be missed. brake_parameters has all, unlimited_brakes none.
+/// torque_dead_band and time_constant, of exactly these types. What a type lacks costs nothing. brake_parameters has all,
+/// unlimited_brakes none.
 template <class B, class M>
 concept BrakesFor =
     std::is_class_v<B> &&
-    (!detail::names_torque_limit<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>) &&
+    (detail::is_unlimited<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_rate_dead_band<B> || StickingBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_torque_dead_band<B> || TorqueDeadBandBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_time_constant<B> || LaggingBrakes<B, typename M::scalar, M::brake_count>);
@@ -68,6 +72,8 @@ struct brake_requirements {
       std::is_class_v<B>,
       "passive_haptics: the brakes must be a brake_parameters, unlimited_brakes, or a class with some of "
       "the members torque_limit, rate_dead_band, torque_dead_band and time_constant.");
+  static_assert(detail::names_torque_limit<B> || detail::is_unlimited<B> || !std::is_class_v<B>,
+                "passive_haptics: the brakes need a torque_limit, or static constexpr bool unlimited = true.");
   static_assert(!detail::names_torque_limit<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>,
                 "passive_haptics: torque_limit of the brakes must be a vector<scalar, brake_count> exactly.");
   static_assert(
@@ -88,7 +94,9 @@ struct brake_requirements {
 /// never asked for more than they can make (a soft wall, a driver that limits the current itself), whose rates are exactly 0 at rest (encoders)
 /// or need no dead band, and for the fewest instructions. A brake at rest has sign 0: it may hold either way, whoever
 /// pushes; a rate that is noise about zero decides a sign. 0 <= capacity, without an upper bound.
-struct unlimited_brakes {};
+struct unlimited_brakes {
+  static constexpr bool unlimited = true;  ///< There is no torque_limit, and none is missing.
+};
 
 /// Nothing can be wrong with them.
 inline std::string validate(const unlimited_brakes&) { return {}; }

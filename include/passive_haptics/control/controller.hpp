@@ -47,8 +47,8 @@ class controller {
   using options_type = step_options<typename M::scalar>;              ///< Options of a step.
   using result_type = step_result_for<M, typename S::contacts_type>;  ///< What a cycle decides.
 
-  /// Throws std::invalid_argument with the text of validate(brakes) (check_brakes() where there is none), or of validate(law) or validate(law.parameters)
-  /// where there is one.
+  /// Throws std::invalid_argument with the text of validate(brakes) or check_brakes(brakes), or of validate(law) or
+  /// validate(law.parameters) where there is one.
   controller(M mechanism, const B& brakes, S scene, L law = {}, const options_type& options = options_type())
       : mechanism_(std::move(mechanism)),
         brakes_(detail::require_valid_brakes(brakes)),
@@ -60,7 +60,8 @@ class controller {
     if (parameters_ != status::ok) options_.min_cosine = std::numeric_limits<typename M::scalar>::quiet_NaN();
   }
 
-  /// One control cycle; see step(). A state or position that is not finite is not shown to the scene.
+  /// One control cycle; see step(). A state that is not finite is not shown to the scene, nor is a position, unless the
+  /// Jacobian is constant: then a finite q gives a finite position.
   template <class State>
   [[gnu::flatten]] result_type operator()(const State& state) noexcept {
     result_type result;
@@ -98,7 +99,7 @@ class controller {
   }
 
   template <bool Account, class State>
-  status sense_and_step(const State& state, step_result_for<M, typename S::contacts_type>& result) noexcept {
+  status sense_and_step(const State& state, result_type& result) noexcept {
     constexpr step_knowledge known{walls_may_move<S>, Account};
     const auto at = pose(mechanism_, state.q);
     const point<M::task_dimension> x = as<double>(mechanism_.position(at));

@@ -50,14 +50,8 @@ template <bool WithCosine = true, class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, const vector<T, Brakes>& t, T min_cosine,
                                              half_space_set& idle) {
+  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
   approximated_force<T, D, Brakes> result;
-  if (producible(s, t)) {
-    result.display = display_class::exact;
-    result.cosine = T(1);
-    unrolled<D>([&](auto i) { result.force[i] = n[i]; });
-    unrolled<Brakes>([&](auto i) { result.torque[i] = t[i]; });
-    return result;
-  }
   const auto nearest = nearest_force(E, s, n, idle);
   idle = nearest.idle;
   const vector<T, D>& Fp = nearest.force;

@@ -46,7 +46,7 @@ class half_space {
   }
 
   /// The unit normal.
-  point<D> gradient(const point<D>&) const { return as<double>(normal_); }
+  point<D> gradient(const point<D>&) const { return normal_; }
 
  private:
   point<D> normal_;

@@ -80,7 +80,7 @@ class scene {
 /// All that a contact of this wall at x [m] tells, but the wall's number.
 template <class S>
 void describe(const wall<S>& w, const point<S::dimension>& x, double distance, contact<S::dimension>& c) {
-  c.normal = as<double>(w.shape.gradient(x));
+  c.normal = w.shape.gradient(x);
   c.depth = -distance;
   c.stiffness = w.stiffness;
   c.wall_velocity = surface_velocity(w.shape, x);
