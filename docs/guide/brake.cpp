@@ -7,6 +7,7 @@ using device = ph::tendon_two_link<double>;
 
 // A driver that limits the current itself, and a law that wants to know the lag.
 struct lagging_brakes {
+  static constexpr bool unlimited = true;                // there is no torque_limit, and none is missing
   ph::vector<double, 2> rate_dead_band = {0.02, 0.02};   // [rad/s]
   ph::vector<double, 2> time_constant = {0.020, 0.030};  // [s]
 };

@@ -25,9 +25,11 @@ struct limits {
   V2 torque_limit;
 };
 struct dead_bands {
+  static constexpr bool unlimited = true;
   V2 rate_dead_band;
 };
 struct torque_dead_band_alone {
+  static constexpr bool unlimited = true;
   V2 torque_dead_band;
 };
 struct limits_in_float {
@@ -40,6 +42,7 @@ struct limits_of_any_size {
   Eigen::VectorXd torque_limit;
 };
 struct lag_as_number {
+  static constexpr bool unlimited = true;
   double time_constant;
 };
 static_assert(ph::BrakesFor<limits, arm> && ph::LimitedBrakes<limits, double, 2> &&
@@ -48,6 +51,10 @@ static_assert(ph::BrakesFor<dead_bands, arm> && !ph::TorqueDeadBandBrakes<dead_b
 static_assert(!ph::BrakesFor<torque_dead_band_alone, arm>);
 static_assert(!ph::BrakesFor<limits_in_float, arm> && !ph::BrakesFor<limits_of_three, arm> &&
               !ph::BrakesFor<limits_of_any_size, arm> && !ph::BrakesFor<lag_as_number, arm>);
+struct misspelled {
+  V2 torque_limits;
+};
+static_assert(!ph::BrakesFor<misspelled, arm>);
 static_assert(!ph::BrakesFor<double, arm> && !ph::BrakesFor<ph::brakes_of<ph::two_link<float>>, arm>);
 
 // What a law says that it needs

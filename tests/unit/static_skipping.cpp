@@ -88,9 +88,11 @@ struct limits_alone {
   pair torque_limit = {1, 1};
 };
 struct dead_bands_alone {
+  static constexpr bool unlimited = true;
   pair rate_dead_band = {0.02, 0.02};
 };
 struct lag_alone {
+  static constexpr bool unlimited = true;
   pair time_constant = {0.02, 0.02};
 };
 
