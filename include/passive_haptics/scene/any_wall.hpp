@@ -31,13 +31,11 @@ class any_wall {
   /// A wall within bounds that hold all of it; for shapes that do not tell theirs.
   template <class S>
   any_wall(wall<S> w, const bounding_box<D>& bounds)
-      : held_(std::make_shared<model<S>>(std::move(w))), bounds_(bounds) {
-    static_assert(S::dimension == D, "passive_haptics: all walls of a world need the world's dimension.");
-  }
+      : held_(std::make_shared<model<S>>(std::move(w))), bounds_(bounds) {}
 
   /// A wall within the bounds that its shape tells, else anywhere.
   template <class S>
-  explicit any_wall(const wall<S>& w) : any_wall(w, bounds_of<D>(w.shape)) {}
+  explicit any_wall(const wall<S>& w) : any_wall(w, bounds_within_world(w.shape)) {}
 
   /// A box that holds all of the wall.
   const bounding_box<D>& bounds() const { return bounds_; }
@@ -55,6 +53,13 @@ class any_wall {
   }
 
  private:
+  template <class S>
+  static bounding_box<D> bounds_within_world(const S& shape) {
+    static_assert(S::dimension == D, "passive_haptics: all walls of a world need the world's dimension.");
+    if constexpr (S::dimension == D) return bounds_of<D>(shape);
+    else return {};
+  }
+
   struct any_model {
     virtual ~any_model() = default;
     virtual std::size_t tracker_size() const = 0;
