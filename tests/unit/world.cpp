@@ -129,6 +129,32 @@ TYPED_TEST(world, finds_all_of_many_walls_in_one_place) {
   }
 }
 
+// A heap of balls of all sizes, and steps of all sizes: the next list may reach less far than the handle went meanwhile.
+TYPED_TEST(world, is_touched_as_a_scan_says_in_a_heap_of_all_sizes) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  many_shapes::shapes<D> all(0, random);
+  const ph::point<D> middle = ph::point<D>::Constant(0.5);
+  for (int i = 0; i < 3000; ++i) {
+    const double spread = random.positive(1e-5, 0.3);
+    all.balls.emplace_back(middle + spread * random.normal_vector<double, D>(),
+                           (D == 2 ? 0.03 : 0.1) * spread);
+  }
+  ph::world<D> w(all.walls());
+  ph::point<D> x = middle;
+  int touched = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const double r = (x - middle).norm();  // the size of the balls about x, too
+    if (r < 1e-5 || r > 0.5) x = middle + random.positive(1e-4, 0.3) * random.direction<double, D>();
+    else x += random.positive(0.01, 1.0) * r * random.direction<double, D>();
+    const auto& found = ph::sense(w, x);
+    ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<D + 1>(all, x)))
+        << "seed " << seed << ", step " << k;
+    touched += found.size();
+  }
+  EXPECT_GT(touched, 1000);
+}
+
 TYPED_TEST(world, of_nothing_is_free) {
   constexpr int D = TestFixture::dimension;
   ph::world<D> w{ph::world_walls<D>()};

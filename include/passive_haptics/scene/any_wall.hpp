@@ -40,6 +40,9 @@ class any_wall {
   /// A box that holds all of the wall.
   const bounding_box<D>& bounds() const { return bounds_; }
 
+  /// Whether both hold the same wall, not an equal one.
+  bool shares(const any_wall& other) const { return held_ == other.held_; }
+
   /// Size of what is remembered of one handle [bytes]; 0 if nothing is.
   std::size_t tracker_size() const { return held_->tracker_size(); }
 

@@ -21,12 +21,12 @@ namespace passive_haptics {
 /// Three bounds, each looked at only when the one before is used up:
 ///   - clearance: the way that can be travelled until any item is due. Most cycles end here;
 ///   - due: for each of the nearest items, the way at which it can be touched at the earliest;
-///   - reach: the distance of the nearest item that is not in the list. Half of it travelled, the next list is collected, a
+///   - reach: the distance of the nearest item that is not in the list. Most of it travelled, the next list is collected, a
 ///     few nodes of the tree a cycle, so that no cycle pays for all.
 ///
-/// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It searches the whole tree only
-/// when the handle jumps, or is faster than half the reach in the time that the next list takes. No allocation
-/// after construction.
+/// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It collects a list at once, some
+/// ten to a hundred nodes, when the handle jumps or leaves the reach before the next list is complete; and it asks
+/// all items whose boxes hold the handle where they are more than Listed. No allocation after construction.
 template <int D, int Listed = 12>
 class neighbour_list {
  public:
@@ -107,14 +107,13 @@ class neighbour_list {
       travelled_ = (travelled_ + step) * (1 + 4 * epsilon);  // rather too far than too short
     else reset();
     last_ = x;
+    if (collecting_) collect(tree, nodes_per_cycle);
     double from_centre = (x - near().centre).norm();
     if (!(from_centre < near().reach)) {
       start_collecting(tree, x);
       collect(tree, std::numeric_limits<int>::max());
       from_centre = 0;
-    } else if (collecting_) {
-      collect(tree, nodes_per_cycle);
-    } else if (from_centre > start_early * near().reach) {
+    } else if (!collecting_ && from_centre > start_early * near().reach) {
       start_collecting(tree, x);
     }
 

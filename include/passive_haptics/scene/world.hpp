@@ -4,61 +4,16 @@
 
 #include <passive_haptics/scene/neighbour_list.hpp>
 #include <passive_haptics/scene/strongest_contacts.hpp>
+#include <passive_haptics/scene/world_walls.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace passive_haptics {
-
-/// The walls of a world to be, numbered from 0 in the order in which they are added.
-template <int D>
-class world_walls {
- public:
-  /// Adds a wall that stays where it is and returns its number.
-  int add(any_wall<D> w) {
-    walls_.push_back(std::move(w));
-    return static_cast<int>(walls_.size()) - 1;
-  }
-  /// The same of a shape that is to be wrapped.
-  template <class S>
-  int add(const wall<S>& w) {
-    return add(any_wall<D>(w));
-  }
-
-  /// Adds a wall that world::set_motion can move, and returns its number.
-  template <class S>
-  int add_moving(const wall<S>& w) {
-    moving_.push_back(add(w));
-    return moving_.back();
-  }
-
-  /// All walls, by their numbers.
-  const std::vector<any_wall<D>>& all() const { return walls_; }
-  /// The numbers of those that may move.
-  const std::vector<int>& moving() const { return moving_; }
-
- private:
-  std::vector<any_wall<D>> walls_;
-  std::vector<int> moving_;
-};
-
-/// What is wrong with the walls; empty if nothing.
-template <int D>
-std::string validate(const world_walls<D>& walls) {
-  for (std::size_t i = 0; i < walls.all().size(); ++i) {
-    const bounding_box<D>& b = walls.all()[i].bounds();
-    if (!(b.lower.array() <= b.upper.array()).all())
-      return detail::indexed(
-          "bounds of wall ", i,
-          " of a world are not lower <= upper, expected a box of finite or infinite metres");
-  }
-  return {};
-}
 
 /// Many walls, of which a cycle looks at those that the handle can have reached since it last looked: the contacts are those
 /// of a scan over all of them (neighbour_list.hpp). At most Capacity contacts, those of the largest forces.
@@ -77,7 +32,7 @@ class world {
   explicit world(world_walls<D> walls) : geometry_(std::make_shared<const geometry>(require_valid(walls))) {
     near_ = neighbour_list<D>(geometry_->others.size(), geometry_->tree.scale());
     motions_.resize(geometry_->walls.moving().size());
-    trackers_.resize(geometry_->tracker_storage);
+    trackers_.resize(geometry_->trackers.back());
     start_trackers();
   }
 
@@ -124,14 +79,18 @@ class world {
     previous_.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  /// Takes over what another world knows of the handle, if the walls that remember it are the same in both; so that it does
-  /// not slip through them where a scene is exchanged.
-  void remember(const world& other) {
-    if (other.geometry_->tracked != geometry_->tracked || other.trackers_.size() != trackers_.size()) return;
-    std::copy(other.trackers_.begin(), other.trackers_.end(), trackers_.begin());
+  /// Takes over what another world knows of the handle at the walls that both share (copies of one any_wall under one number),
+  /// so that it does not slip through them where a scene is exchanged. At other walls it is seen for the first time.
+  void remember(const world& other) noexcept {
+    const geometry &mine = *geometry_, &others = *other.geometry_;
     previous_ = other.previous_;
-    for (std::size_t k = 0; k < std::min(motions_.size(), other.motions_.size()); ++k)
-      motions_[k].seen = other.motions_[k].seen;
+    for (std::size_t k = 0; k < std::min(mine.others.size(), others.others.size()); ++k) {
+      const int number = mine.others[k];
+      if (number != others.others[k] || !mine.at(number).shares(others.at(number))) continue;
+      std::copy_n(other.trackers_.begin() + others.tracker_at(k), mine.tracker_at(k + 1) - mine.tracker_at(k),
+                  trackers_.begin() + mine.tracker_at(k));
+      if (k < std::min(motions_.size(), other.motions_.size())) motions_[k].seen = other.motions_[k].seen;
+    }
   }
 
   /// The walls.
@@ -154,21 +113,23 @@ class world {
       }
       tree = bounding_volume_tree<D>(boxes);
       for (const int i : others) {
-        trackers.push_back(tracker_storage);
-        tracker_storage += (at(i).tracker_size() + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
-        if (at(i).tracker_size() > 0) tracked.push_back(i);
+        const std::size_t units =
+            (at(i).tracker_size() + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
+        trackers.push_back(trackers.back() + units);
       }
     }
 
+    std::ptrdiff_t tracker_at(std::size_t other) const {
+      return static_cast<std::ptrdiff_t>(trackers[other]);
+    }
     const any_wall<D>& at(int number) const { return walls.all()[static_cast<std::size_t>(number)]; }
 
     world_walls<D> walls;
     std::vector<int> in_tree;  // numbers of the walls in the tree
     bounding_volume_tree<D> tree;
-    std::vector<int> others;            // numbers of those outside, the moving ones first
-    std::vector<std::size_t> trackers;  // where the tracker of each of these begins
-    std::size_t tracker_storage = 0;    // in units of max_align_t
-    std::vector<int> tracked;           // numbers of the walls that have one
+    std::vector<int> others;  // numbers of those outside, the moving ones first
+    std::vector<std::size_t> trackers{
+        0};  // where the tracker of each of these begins, and the last ends [max_align_t]
   };
 
   struct motion {
