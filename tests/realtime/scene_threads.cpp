@@ -1,5 +1,7 @@
 // A control loop against a thread that owns its scene: every snapshot is whole, the loop allocates nothing and never waits.
 // Built with ThreadSanitizer, where the compiler has it.
+#include "allocations.hpp"
+
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws.hpp>
 #include <passive_haptics/mechanism/xy_table.hpp>
@@ -14,29 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <new>
 #include <thread>
-
-namespace {
-thread_local long allocations = 0;  // of this thread
-
-void* allocate(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void operator delete(void* p) noexcept {
-  ++allocations;
-  std::free(p);
-}
-void operator delete[](void* p) noexcept { operator delete(p); }
-void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
-void operator delete[](void* p, std::size_t) noexcept { operator delete(p); }
 
 namespace {
 
@@ -75,26 +55,26 @@ TEST(a_loop_and_a_scene_thread, share_whole_scenes_without_waiting) {
   long torn = 0, unbraked = 0, seen = 0;
   double last = 0;
   ph::device_state<M> state{.time = 0, .q = {0, -1e-3}, .qd = {0.1, -0.1}, .hand_force = {0, -1}};
-  const long before = allocations;
-  for (int k = 0; k < loop_steps; ++k) {
-    state.time = 1e-3 * k;
-    if (k % 1000 == 0) now = state.time;
-    if (k % 10 == 0) {
-      if (!(control(state).capacity.norm() > 0)) ++unbraked;
-      continue;
+  const long allocated = allocations_in([&] {
+    for (int k = 0; k < loop_steps; ++k) {
+      state.time = 1e-3 * k;
+      if (k % 1000 == 0) now = state.time;
+      if (k % 10 == 0) {
+        if (!(control(state).capacity.norm() > 0)) ++unbraked;
+        continue;
+      }
+      if (k % 10 != 5) {
+        if (!ph::sense(direct, ph::point<2>(0, 0.2 + 1e-9 * k), state.time).empty()) ++torn;
+        continue;
+      }
+      const auto& touched = ph::sense(direct, ph::point<2>(0, -1e-3), state.time);
+      const bool whole = touched.size() == 2 && touched[0].depth == touched[1].depth &&
+                         std::abs(touched[1].wall_velocity.y() + 1e-3 - touched[1].depth) < 1e-12;
+      if (!whole) ++torn;
+      if (whole && touched[0].depth != last) ++seen;
+      last = touched.empty() ? 0 : touched[0].depth;
     }
-    if (k % 10 != 5) {
-      if (!ph::sense(direct, ph::point<2>(0, 0.2 + 1e-9 * k), state.time).empty()) ++torn;
-      continue;
-    }
-    const auto& touched = ph::sense(direct, ph::point<2>(0, -1e-3), state.time);
-    const bool whole = touched.size() == 2 && touched[0].depth == touched[1].depth &&
-                       std::abs(touched[1].wall_velocity.y() + 1e-3 - touched[1].depth) < 1e-12;
-    if (!whole) ++torn;
-    if (whole && touched[0].depth != last) ++seen;
-    last = touched.empty() ? 0 : touched[0].depth;
-  }
-  const long allocated = allocations - before;
+  });
   done = true;
   owner.join();
   std::printf("%d steps, %ld scenes published, %ld changes seen\n", loop_steps, published, seen);
