@@ -22,8 +22,9 @@ struct height_field_parameters {
   point<3> origin = point<3>::Zero();  ///< Of column 0 and row 0, at height 0 [m].
 };
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const height_field_parameters& p) {
+/// What is wrong with the parameters; empty if nothing. (A template, so that who makes none does not compile it.)
+template <class = void>
+std::string validate(const height_field_parameters& p) {
   constexpr const char* grid = "2 or more, and at most 2^31 triangles in all";
   if (p.columns < 2) return detail::complaint("columns of a height_field", p.columns, grid);
   if (p.rows < 2) return detail::complaint("rows of a height_field", p.rows, grid);
@@ -48,7 +49,8 @@ inline std::string validate(const height_field_parameters& p) {
 
 /// Two triangles for each cell, cut along the diagonal whose ends differ less in height, so that a ridge or a valley is not
 /// cut into teeth. An open surface: take mesh_surface. Throws std::invalid_argument with the text of validate(p).
-inline mesh_parameters<3> height_field(const height_field_parameters& p) {
+template <class = void>
+mesh_parameters<3> height_field(const height_field_parameters& p) {
   require_valid(p);
   mesh_parameters<3> m;
   m.vertices.reserve(p.heights.size());

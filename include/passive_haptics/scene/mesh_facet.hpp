@@ -10,8 +10,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace passive_haptics {
+
+/// The corners of a facet [m].
+template <int D>
+using facet_corners = std::array<point<D>, static_cast<std::size_t>(D)>;
 
 /// D corners and the unit normal towards the free side: in the plane on the right of the way from corner 0 to 1 (a
 /// polygon that runs counterclockwise is solid), in space where the corners run counterclockwise.
@@ -19,8 +24,8 @@ template <int D>
 struct mesh_facet {
   static_assert(D == 2 || D == 3, "passive_haptics: a facet is a segment (D = 2) or a triangle (D = 3).");
 
-  std::array<point<D>, static_cast<std::size_t>(D)> corners;  ///< [m]
-  point<D> normal;                                            ///< Unit vector.
+  facet_corners<D> corners;  ///< [m]
+  point<D> normal;           ///< Unit vector.
 
   /// Corner i, counted round.
   const point<D>& corner(int i) const { return corners[static_cast<std::size_t>(i % D)]; }
@@ -46,13 +51,17 @@ struct facet_point {
 
 namespace detail {
 
-/// a x b in space.
-inline point<3> cross_in_space(const point<3>& a, const point<3>& b) {
+// Templates throughout, so that who includes this and has no mesh pays nothing for it.
+
+/// a x b; D = 3.
+template <int D>
+point<D> cross_in_space(const point<D>& a, const point<D>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// Index of the longest edge of a triangle: it runs from corner i to the next.
-inline int longest_edge(const std::array<point<3>, 3>& c) {
+template <int D>
+int longest_edge(const facet_corners<D>& c) {
   const std::array<double, 3> square{(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(),
                                      (c[0] - c[2]).squaredNorm()};
   return static_cast<int>(std::max_element(square.begin(), square.end()) - square.begin());
@@ -60,35 +69,40 @@ inline int longest_edge(const std::array<point<3>, 3>& c) {
 
 /// How far a facet reaches in its narrowest direction, by its longest: |b - a| > 0 of a segment gives 1, a triangle
 /// its height by its longest edge. 0 if it has no area, NaN if its coordinates overflow.
-inline double slenderness(const std::array<point<2>, 2>& c) {
-  const double length = (c[1] - c[0]).stableNorm();
-  return length / length > 0 ? 1 : 0;
-}
-inline double slenderness(const std::array<point<3>, 3>& c) {
-  const int i = longest_edge(c);
-  const auto at = [&](int k) { return c[static_cast<std::size_t>(k % 3)]; };
-  const point<3> along = (at(i + 1) - at(i)).stableNormalized(), up = at(i + 2) - at(i);
-  const double height = (up - along.dot(up) * along).stableNorm(), length = (at(i + 1) - at(i)).stableNorm();
-  return length > 0 ? height / length : 0;
+template <int D>
+double slenderness(const facet_corners<D>& c) {
+  if constexpr (D == 2) {
+    const double length = (c[1] - c[0]).stableNorm();
+    return length / length > 0 ? 1 : 0;
+  } else {
+    const int i = longest_edge<D>(c);
+    const auto at = [&](int k) { return c[static_cast<std::size_t>(k % 3)]; };
+    const point<D> along = (at(i + 1) - at(i)).stableNormalized(), up = at(i + 2) - at(i);
+    const double height = (up - along.dot(up) * along).stableNorm(),
+                 length = (at(i + 1) - at(i)).stableNorm();
+    return length > 0 ? height / length : 0;
+  }
 }
 
-/// The unit normal of a facet that has one.
-inline point<2> normal_of(const std::array<point<2>, 2>& c) {
-  const point<2> along = (c[1] - c[0]).stableNormalized();
-  return {along[1], -along[0]};
-}
-/// Of a needle it still is at right angles to the long edge: all three corners stay in its plane to rounding.
-inline point<3> normal_of(const std::array<point<3>, 3>& c) {
-  const int i = longest_edge(c);
-  const auto at = [&](int k) { return c[static_cast<std::size_t>(k % 3)]; };
-  const point<3> along = (at(i + 1) - at(i)).stableNormalized();
-  point<3> n =
-      cross_in_space((at(i + 2) - at(i + 1)).stableNormalized(), (at(i) - at(i + 2)).stableNormalized());
-  for (int pass = 0; pass < 2; ++pass) {
-    n -= along.dot(n) * along;
-    n.normalize();
+/// The unit normal of a facet that has one. Of a needle it still is at right angles to the long edge: all three corners
+/// stay in its plane to rounding.
+template <int D>
+point<D> normal_of(const facet_corners<D>& c) {
+  if constexpr (D == 2) {
+    const point<D> along = (c[1] - c[0]).stableNormalized();
+    return {along[1], -along[0]};
+  } else {
+    const int i = longest_edge<D>(c);
+    const auto at = [&](int k) { return c[static_cast<std::size_t>(k % 3)]; };
+    const point<D> along = (at(i + 1) - at(i)).stableNormalized();
+    point<D> n =
+        cross_in_space<D>((at(i + 2) - at(i + 1)).stableNormalized(), (at(i) - at(i + 2)).stableNormalized());
+    for (int pass = 0; pass < 2; ++pass) {
+      n -= along.dot(n) * along;
+      n.normalize();
+    }
+    return n;
   }
-  return n;
 }
 
 /// The point of the segment a b nearest to x.
@@ -109,26 +123,27 @@ facet_point<D> nearest_on_segment(const point<D>& a, const point<D>& b, const po
 /// If the foot of x on the plane lies between the edges it is the one, else the point lies on an edge behind which the
 /// foot lies. Longer than with barycentric coordinates (Ericson, Real-Time Collision Detection, 2005, ch. 5.1.5), but those
 /// lose a needle's short side to rounding, the square of its slenderness.
-inline facet_point<2> nearest_point(const mesh_facet<2>& f, const point<2>& x) {
-  const auto on_segment = detail::nearest_on_segment<2>(f.corners[0], f.corners[1], x, 0);
-  if (on_segment.part == facet_part::corner) return on_segment;
-  const double h = f.height(x);
-  return {x - h * f.normal, h * h, facet_part::interior, 0};
-}
-/// The same in space.
-inline facet_point<3> nearest_point(const mesh_facet<3>& f, const point<3>& x) {
-  facet_point<3> best{x, std::numeric_limits<double>::infinity(), facet_part::interior, 0};
-  bool inside = true;
-  for (int i = 0; i < 3; ++i) {
-    const point<3>&a = f.corner(i), &b = f.corner(i + 1);
-    if (!(f.normal.dot(detail::cross_in_space(b - a, x - a)) < 0)) continue;
-    inside = false;
-    const auto on_edge = detail::nearest_on_segment<3>(a, b, x, i);
-    if (on_edge.squared_distance < best.squared_distance) best = on_edge;
+template <int D>
+facet_point<D> nearest_point(const mesh_facet<D>& f, const std::type_identity_t<point<D>>& x) {
+  const auto on_plane = [&] {
+    const double h = f.height(x);
+    return facet_point<D>{x - h * f.normal, h * h, facet_part::interior, 0};
+  };
+  if constexpr (D == 2) {
+    const auto on_segment = detail::nearest_on_segment<D>(f.corners[0], f.corners[1], x, 0);
+    return on_segment.part == facet_part::corner ? on_segment : on_plane();
+  } else {
+    facet_point<D> best{x, std::numeric_limits<double>::infinity(), facet_part::interior, 0};
+    bool inside = true;
+    for (int i = 0; i < 3; ++i) {
+      const point<D>&a = f.corner(i), &b = f.corner(i + 1);
+      if (!(f.normal.dot(detail::cross_in_space<D>(b - a, x - a)) < 0)) continue;
+      inside = false;
+      const auto on_edge = detail::nearest_on_segment<D>(a, b, x, i);
+      if (on_edge.squared_distance < best.squared_distance) best = on_edge;
+    }
+    return inside ? on_plane() : best;
   }
-  if (!inside) return best;
-  const double h = f.height(x);
-  return {x - h * f.normal, h * h, facet_part::interior, 0};
 }
 
 }  // namespace passive_haptics
