@@ -58,8 +58,7 @@ concept LaggingBrakes = requires(const B brakes) {
 /// unlimited_brakes none.
 template <class B, class M>
 concept BrakesFor =
-    std::is_class_v<B> &&
-    (detail::is_unlimited<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>) &&
+    std::is_class_v<B> && (detail::is_unlimited<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_rate_dead_band<B> || StickingBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_torque_dead_band<B> || TorqueDeadBandBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_time_constant<B> || LaggingBrakes<B, typename M::scalar, M::brake_count>);
@@ -72,8 +71,9 @@ struct brake_requirements {
       std::is_class_v<B>,
       "passive_haptics: the brakes must be a brake_parameters, unlimited_brakes, or a class with some of "
       "the members torque_limit, rate_dead_band, torque_dead_band and time_constant.");
-  static_assert(detail::names_torque_limit<B> || detail::is_unlimited<B> || !std::is_class_v<B>,
-                "passive_haptics: the brakes need a torque_limit, or static constexpr bool unlimited = true.");
+  static_assert(
+      detail::names_torque_limit<B> || detail::is_unlimited<B> || !std::is_class_v<B>,
+      "passive_haptics: the brakes need a torque_limit, or static constexpr bool unlimited = true.");
   static_assert(!detail::names_torque_limit<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>,
                 "passive_haptics: torque_limit of the brakes must be a vector<scalar, brake_count> exactly.");
   static_assert(
@@ -87,7 +87,7 @@ struct brake_requirements {
   static_assert(
       !detail::names_time_constant<B> || LaggingBrakes<B, typename M::scalar, M::brake_count>,
       "passive_haptics: time_constant of the brakes must be a vector<scalar, brake_count> exactly.");
-  static constexpr bool met = true;
+  static constexpr bool met = true;  ///< Or the compiler says what is not.
 };
 
 /// Brakes without a member: each makes any torque at once and slips at any rate but zero. For a device whose brakes are

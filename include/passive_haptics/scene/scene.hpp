@@ -91,6 +91,7 @@ void describe(const wall<S>& w, const point<S::dimension>& x, double distance, c
 /// Whether sensing an S can give a wall_velocity other than zero; known to be false for scenes of fixed shapes.
 template <class S>
 inline constexpr bool walls_may_move = true;
+/// The same of a scene known to the compiler: true if one of its shapes moves.
 template <class... Shapes>
 inline constexpr bool walls_may_move<scene<Shapes...>> = (MovingShape<Shapes> || ...);
 
