@@ -25,6 +25,8 @@ constexpr int shape_count = 100'000;
 constexpr int cycles = 20'000;        // 20 s at 1 kHz
 constexpr double step_length = 2e-4;  // [m]: 0.2 m/s
 
+constexpr double globe_radius = 0.7;  // [m]
+
 using path = std::vector<ph::point<3>>;
 
 path wandering() {
@@ -120,9 +122,8 @@ int main(int argc, char** argv) {
   const many_shapes::shapes<3> all(shape_count, random);
   const path hand = wandering();
 
-  constexpr double radius = 0.7;
-  const ph::mesh<3> globe(sample_meshes::globe(320, 158, [](const auto&) { return radius; }));
-  const path round = around_globe(radius);
+  const ph::mesh<3> globe(sample_meshes::globe(320, 158, [](const auto&) { return globe_radius; }));
+  const path round = around_globe(globe_radius);
 
   add_row(
       "shapes/scan", hand,
