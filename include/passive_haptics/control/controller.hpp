@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/step.hpp>
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/scene/scene.hpp>
 
 #include <limits>
@@ -63,7 +64,7 @@ class controller {
   /// One control cycle; see step(). A state that is not finite is not shown to the scene, nor is a position, unless the
   /// Jacobian is constant: then a finite q gives a finite position.
   template <class State>
-  [[gnu::flatten]] result_type operator()(const State& state) noexcept {
+  PASSIVE_HAPTICS_FLATTEN result_type operator()(const State& state) noexcept {
     result_type result;
     cycle<true>(state, result);
     return result;
@@ -71,7 +72,7 @@ class controller {
 
   /// The same cycle for a loop that only drives its brakes: what its account would cost is not computed.
   template <class State>
-  [[gnu::flatten]] brake_command<M> command(const State& state) noexcept {
+  PASSIVE_HAPTICS_FLATTEN brake_command<M> command(const State& state) noexcept {
     result_type result;
     cycle<false>(state, result);
     return {result.capacity, result.outcome};

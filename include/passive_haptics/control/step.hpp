@@ -7,6 +7,7 @@
 #include <passive_haptics/control/one_contact.hpp>
 #include <passive_haptics/control/several_contacts.hpp>
 #include <passive_haptics/control/torque_command.hpp>
+#include <passive_haptics/core/flatten.hpp>
 
 #include <cmath>
 
@@ -76,12 +77,13 @@ void tell_released(const L& law, typename L::memory& memory, double time) {
 // All of a step but the checks of what a loop knows to be fine: state and parameters; touched is not empty.
 // result is as made by default; where the status is not ok it has no meaning.
 template <step_knowledge Known, class M, class Pose, class B, class Contacts, class L, class State>
-[[gnu::flatten]]
-status step_in_contact(const M& mechanism, const Pose& at, const point<M::task_dimension>& x,
-                       const brake_reduction<M>& reduction, const B& brakes, const Contacts& touched,
-                       const L& law, const State& state, step_memory<L>& memory,
-                       const step_options<typename M::scalar>& options,
-                       step_result_for<M, Contacts>& result) noexcept {
+PASSIVE_HAPTICS_FLATTEN status step_in_contact(const M& mechanism, const Pose& at,
+                                               const point<M::task_dimension>& x,
+                                               const brake_reduction<M>& reduction, const B& brakes,
+                                               const Contacts& touched, const L& law, const State& state,
+                                               step_memory<L>& memory,
+                                               const step_options<typename M::scalar>& options,
+                                               step_result_for<M, Contacts>& result) noexcept {
   using T = typename M::scalar;
   constexpr bool feels_hand = HandForceState<State, M>;
   constexpr bool may_stick = StickingBrakes<B, T, M::brake_count>;

@@ -5,6 +5,7 @@
 /// of neighbours that holds until one has moved too far is that of L. Verlet, Phys. Rev. 159 (1967), 98-103.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/scene/bounding_volume_tree.hpp>
 
 #include <algorithm>
@@ -171,7 +172,7 @@ class neighbour_list {
   }
 
   // All boxes within reach; if they are more than can be listed, the nearest of them
-  [[gnu::flatten]] void collect(const bounding_volume_tree<D>& tree, int budget) {
+  PASSIVE_HAPTICS_FLATTEN void collect(const bounding_volume_tree<D>& tree, int budget) {
     list& next = this->next();
     tree.go_on(
         search_, squared_distance_from<D>(next.centre), squared_limit_,
