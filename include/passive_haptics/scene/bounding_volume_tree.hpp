@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -138,17 +139,16 @@ class bounding_volume_tree {
       --budget;
       const node& here = nodes_[static_cast<std::size_t>(top.node)];
       const auto bounds = bound(here.boxes);
+      unsigned within = 0;  // a bit for each branch: cheaper to find out first than to guess four times
+      for (int k = 0; k < 4; ++k) within |= static_cast<unsigned>(bounds[k] <= limit) << k;
       const int inner = s.size_;
-      for (int k = 0; k < 4; ++k) {
+      for (; within != 0; within &= within - 1) {
+        const int k = std::countr_zero(within);
         const auto branch = static_cast<std::size_t>(k);
         const double b = bounds[k];
-        if (!(b <= limit)) continue;
-        if (here.count[branch] == 0) {
-          push(s, inner, {b, here.first[branch]});
-        } else {
-          for (std::int32_t i = 0; i < here.count[branch]; ++i)
-            visit(static_cast<int>(items_[static_cast<std::size_t>(here.first[branch] + i)]), b);
-        }
+        if (here.count[branch] == 0) push(s, inner, {b, here.first[branch]});
+        for (std::int32_t i = 0; i < here.count[branch] && b <= limit; ++i)
+          visit(static_cast<int>(items_[static_cast<std::size_t>(here.first[branch] + i)]), b);
       }
     }
   }

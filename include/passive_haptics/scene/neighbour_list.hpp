@@ -28,7 +28,7 @@ namespace passive_haptics {
 /// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It collects a list at once, some
 /// ten to a hundred nodes, when the handle jumps or leaves the reach before the next list is complete; and it asks
 /// all items whose boxes hold the handle where they are more than Listed. No allocation after construction.
-template <int D, int Listed = 12>
+template <int D, int Listed = 16>
 class neighbour_list {
  public:
   static constexpr int nodes_per_cycle = 8;  ///< Of the tree, while the next list is collected.

@@ -42,9 +42,7 @@ class strongest_contacts final : public contact_sink<D> {
 
   /// Those kept, in the order of their walls.
   const contacts<D, Capacity>& in_order() {
-    const auto comes_first = [](const auto& a, const auto& b) { return rank(a) < rank(b); };
-    for (contact<D>* c = kept_.begin(); c != kept_.end(); ++c)
-      std::rotate(std::upper_bound(kept_.begin(), c, *c, comes_first), c, c + 1);
+    if (kept_.size() > 1) sort_by_wall();
     return kept_;
   }
 
@@ -58,6 +56,11 @@ class strongest_contacts final : public contact_sink<D> {
   }
   // Of one wall with several contacts the deepest comes first
   static auto rank(const contact<D>& c) { return std::tuple(c.wall, -c.depth); }
+  void sort_by_wall() {
+    const auto comes_first = [](const auto& a, const auto& b) { return rank(a) < rank(b); };
+    for (contact<D>* c = kept_.begin(); c != kept_.end(); ++c)
+      std::rotate(std::upper_bound(kept_.begin(), c, *c, comes_first), c, c + 1);
+  }
 
   contacts<D, Capacity> kept_;
   int left_out_ = 0;
