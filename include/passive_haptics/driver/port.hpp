@@ -1,0 +1,81 @@
+/// @file
+/// What a driver asks of hardware: a port to brakes and encoders, and a force sensor.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace passive_haptics {
+
+/// How a transfer ended.
+enum class port_status {
+  ok,         ///< A new sample was read; the currents were handed to the device.
+  no_sample,  ///< Nothing new came. The loop bridges it for a while.
+  bad_sample,  ///< What came is damaged: cut off, a wrong checksum, a wrong length. The loop bridges it for a while.
+  failed,  ///< The device is gone or refuses; no further transfer can be expected.
+};
+
+/// The status in words.
+constexpr std::string_view to_string(port_status s) {
+  switch (s) {
+    case port_status::ok: return "ok";
+    case port_status::no_sample: return "no new sample";
+    case port_status::bad_sample: return "damaged sample";
+    case port_status::failed: return "device lost";
+  }
+  return "unknown port status";
+}
+
+/// One reading of N channels: encoders [counts] or force channels [N or N m, in the sensor's frame].
+template <int N>
+struct port_sample {
+  static constexpr auto channels = static_cast<std::size_t>(N);
+  double time = 0;                       ///< When it was taken [s], CLOCK_MONOTONIC.
+  std::uint32_t sequence = 0;            ///< One more with each sample that the device takes, modulo 2^32.
+  std::array<double, channels> value{};  ///< As the device tells them; encoders need not tell whole counts.
+  std::array<bool, channels>
+      valid{};  ///< False where the device itself says that a channel is not to be trusted.
+};
+
+/// Currents for N brakes [A], each >= 0.
+template <int N>
+using brake_currents = std::array<double, static_cast<std::size_t>(N)>;
+
+/// The way to the brakes and encoders of a device. A minimal one has
+///
+///     static constexpr int encoder_count, brake_count;
+///     std::string open();
+///     port_status read(port_sample<encoder_count>&) noexcept;
+///     port_status write(const brake_currents<brake_count>&) noexcept;
+///     void release() noexcept;
+///
+/// open: called once, before the loop. Empty if the device is ready, else what is missing, by name, and what to do; then
+///   nothing else but release() is called.
+/// read: the latest sample. Returns at once, whether there is a new one or not; the sample counts only with ok.
+/// write: hands over currents in [0, limit], already checked. Returns at once.
+/// release: 0 A on all brakes, as fast as the device can. May be called at any time, also before open(), twice and after a
+///   failure; the destructor calls it. A port that is still there can be written to again.
+///
+/// Laws: read, write and release neither allocate, throw, lock nor wait. A second port of the same type may be open to the
+/// same device in another process, of which only open() and release() are called (supervisor).
+template <class P>
+concept BrakePort =
+    requires(P port, port_sample<P::encoder_count>& sample, const brake_currents<P::brake_count>& currents) {
+      { port.open() } -> std::same_as<std::string>;
+      { port.read(sample) } noexcept -> std::same_as<port_status>;
+      { port.write(currents) } noexcept -> std::same_as<port_status>;
+      { port.release() } noexcept;
+    };
+
+/// A force (and torque) sensor between last link and handle: `channel_count`, and open and read as of a BrakePort.
+template <class S>
+concept ForceSensor = requires(S sensor, port_sample<S::channel_count>& sample) {
+  { sensor.open() } -> std::same_as<std::string>;
+  { sensor.read(sample) } noexcept -> std::same_as<port_status>;
+};
+
+}  // namespace passive_haptics
