@@ -196,7 +196,10 @@ class safe_port {
   }
 
   void fail(const incident& why) noexcept {
-    if (why.what == fault::device_lost && why.source != fault_source::force_sensor) lost_ = true;
+    if (why.what == fault::device_lost && why.source != fault_source::force_sensor) {
+      lost_ = true;
+      homed_ = false;
+    }
     if (state_ != port_state::released) {
       reason_ = why;
       release_.begin(limiter_.flowing());
