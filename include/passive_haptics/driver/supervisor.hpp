@@ -15,6 +15,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -60,7 +61,7 @@ class supervisor {
   bool beat(double now) noexcept {
     shared_->beats.fetch_add(1, std::memory_order_relaxed);
     const std::uint32_t looks = shared_->looks.load(std::memory_order_relaxed);
-    if (looks != looks_ || looks_ == 0) {
+    if (looks != looks_ || !std::isfinite(seen_)) {
       looks_ = looks;
       seen_ = now;
     }
@@ -116,7 +117,7 @@ class supervisor {
   shared_memory<heart> shared_;
   child_process child_;
   std::uint32_t looks_ = 0;
-  double seen_ = 0;
+  double seen_ = -std::numeric_limits<double>::infinity();  // [s]
 };
 
 }  // namespace passive_haptics
