@@ -22,7 +22,7 @@ struct device {
   ph::port_sample<3> force{0, 0, {0, 0, 0}, {true, true, true}};
 
   ph::brake_currents<2> currents{};  // what flows now
-  int writes = 0, releases = 0;
+  int writes = 0, releases = 0, counter_bits = 0;
 
   bool flows() const { return currents != ph::brake_currents<2>{}; }
 };
@@ -41,6 +41,7 @@ struct port {
     if (of->write_status == ph::port_status::ok) of->currents = currents;
     return of->write_status;
   }
+  int counter_bits() const noexcept { return of->counter_bits; }
   void release() noexcept {
     ++of->releases;
     of->currents = {};

@@ -15,7 +15,6 @@ namespace passive_haptics {
 
 /// What encoders of a device can do.
 struct encoder_limits {
-  int counter_bits = 0;  ///< Width of the counter, which wraps; 0 for one that never does.
   double largest_rate =
       2e5;  ///< Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts.
   /// An encoder that does not change while the others together turn so far and no brake holds is frozen [counts]; 0: never
@@ -25,12 +24,8 @@ struct encoder_limits {
 
 /// What is wrong with the limits; empty if nothing.
 inline std::string validate(const encoder_limits& p) {
-  return detail::first_complaint(
-      p.counter_bits == 0 || (p.counter_bits >= 8 && p.counter_bits <= 52)
-          ? ""
-          : detail::complaint("counter_bits", p.counter_bits, "0 (never wraps) or 8 to 52"),
-      detail::check_positive("largest_rate [counts/s]", p.largest_rate),
-      detail::check_not_negative("frozen_travel [counts]", p.frozen_travel));
+  return detail::first_complaint(detail::check_positive("largest_rate [counts/s]", p.largest_rate),
+                                 detail::check_not_negative("frozen_travel [counts]", p.frozen_travel));
 }
 
 /// Follows N encoders from sample to sample.
@@ -39,9 +34,10 @@ class encoder_check {
  public:
   using counts = std::array<double, static_cast<std::size_t>(N)>;  ///< [counts]
 
-  explicit encoder_check(const encoder_limits& limits)
-      : limits_(require_valid(limits)),
-        turn_(limits.counter_bits == 0 ? 0 : std::ldexp(1.0, limits.counter_bits)) {}
+  explicit encoder_check(const encoder_limits& limits) : limits_(require_valid(limits)) {}
+
+  /// Counters of this width wrap; 0: they never do. Before the first sample.
+  void set_counter_bits(int bits) noexcept { turn_ = bits > 0 ? std::ldexp(1.0, bits) : 0.0; }
 
   /// Takes a sample; `free` says that no brake holds. A fault: the sample was not taken, or an encoder froze, which stays so.
   incident operator()(const port_sample<N>& sample, bool free) noexcept {
@@ -85,7 +81,7 @@ class encoder_check {
   }
 
   encoder_limits limits_;
-  double turn_;  // counts until the counter wraps
+  double turn_ = 0;  // counts until the counter wraps
   bool started_ = false;
   bool jumped_ = false;  // the sample before this one
   double unseen_ = 0;    // [s]

@@ -61,6 +61,7 @@ class safe_port {
     if (state_ != port_state::closed) return "open() was called before: the device is open";
     std::string complaint = port_.open();
     if (complaint.empty()) complaint = sensor_.open();
+    encoder_check_.set_counter_bits(counter_bits(port_));
     if (complaint.empty()) state_ = port_state::ready;
     else port_.release();
     return complaint;
