@@ -136,14 +136,15 @@ class rate_estimator {
       if (slope < least || slope > most) break;
       moved = dy;
       elapsed = dt;
-      least = std::max(least, (dy - p_.resolution) / dt);
-      most = std::min(most, (dy + p_.resolution) / dt);
+      least = std::max(least, (dy - reach_) / dt);
+      most = std::min(most, (dy + reach_) / dt);
     }
     of.span = elapsed;
     rate_[i] = std::abs(moved) > p_.resolution ? moved / elapsed : 0.0;
   }
 
   rate_estimator_parameters p_;
+  double reach_ = p_.resolution * (1 + 1e-9);  // whole counts meet the limit exactly, whatever rounds
   std::array<history, static_cast<std::size_t>(Axes)> axes_{};
   vector<double, Axes> rate_ = vector<double, Axes>::Zero();
 };
