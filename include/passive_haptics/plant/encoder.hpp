@@ -2,7 +2,7 @@
 /// Encoders: positions in whole counts, rates by differences.
 #pragma once
 
-#include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/brake/encoder_axes.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/plant/first_order_lag.hpp>
 
@@ -68,9 +68,7 @@ class encoder {
   vector<T, N> count_ = vector<T, N>::Zero(), position_ = vector<T, N>::Zero(), rate_ = vector<T, N>::Zero();
 };
 
-/// Encoders of mechanism M and the joint positions and rates that a controller gets from them. They sit on the brakes'
-/// axes if the transmission is constant, then q = T^+ theta and qd = T^+ w (the mean of what redundant brakes tell); on the joints if
-/// the transmission depends on the pose, where a brake's angle is no function that a controller could invert.
+/// Encoders on the encoder_axes of mechanism M and the joint positions and rates that a controller gets from them.
 template <class M>
 class joint_encoders {
  public:
@@ -78,25 +76,14 @@ class joint_encoders {
 
   /// Read every period [s]. Throws std::invalid_argument as encoder.
   joint_encoders(const M& mechanism, const encoder_parameters& p, double period)
-      : encoder_(p, period), exact_(!(p.resolution > 0)) {
-    if constexpr (on_brakes) {
-      to_axes_ = wide(mechanism.transmission());
-      to_joints_ = matrix<scalar, M::dof, M::brake_count>(pseudo_inverse(mechanism.transmission()));
-    }
-  }
+      : axes_(mechanism), encoder_(p, period), exact_(!(p.resolution > 0)) {}
 
   /// One reading of joints at q [rad or m] that move with qd [rad/s or m/s].
   void read(const joint_vector<M>& q, const joint_vector<M>& qd) {
-    if constexpr (on_brakes) {
-      encoder_.read(to_axes_ * q, to_axes_ * qd);
-      // There and back through the transmission would round
-      q_ = exact_ ? q : joint_vector<M>(to_joints_ * encoder_.position());
-      qd_ = exact_ ? qd : joint_vector<M>(to_joints_ * encoder_.rate());
-    } else {
-      encoder_.read(q, qd);
-      q_ = encoder_.position();
-      qd_ = encoder_.rate();
-    }
+    encoder_.read(axes_.from_joints(q), axes_.from_joints(qd));
+    // There and back through the transmission would round
+    q_ = exact_ ? q : axes_.to_joints(encoder_.position());
+    qd_ = exact_ ? qd : axes_.to_joints(encoder_.rate());
   }
 
   /// Joint positions as read [rad or m].
@@ -105,14 +92,9 @@ class joint_encoders {
   const joint_vector<M>& qd() const { return qd_; }
 
  private:
-  static constexpr bool on_brakes = detail::transmission_is_constant<M>;
-  static constexpr int axes = on_brakes ? M::brake_count : M::dof;
-  using wide = matrix<scalar, M::brake_count, M::dof>;
-
-  encoder<scalar, axes> encoder_;
+  encoder_axes<M> axes_;
+  encoder<scalar, encoder_axes<M>::count> encoder_;
   bool exact_;
-  wide to_axes_ = wide::Zero();
-  matrix<scalar, M::dof, M::brake_count> to_joints_ = matrix<scalar, M::dof, M::brake_count>::Zero();
   joint_vector<M> q_ = joint_vector<M>::Zero(), qd_ = joint_vector<M>::Zero();
 };
 

@@ -1,0 +1,242 @@
+#include <gtest/gtest.h>
+#include <passive_haptics/driver/brake_calibration.hpp>
+#include <passive_haptics/testing/random.hpp>
+
+#include <iostream>
+
+namespace ph = passive_haptics;
+using ph::testing::random_source;
+using one = ph::vector<double, 1>;
+
+namespace {
+
+ph::brake_curve random_curve(random_source& random) {
+  ph::brake_curve p;
+  p.residual_torque = random.uniform(0.0, 0.1);
+  p.torque_per_ampere = random.positive(0.05, 20.0);
+  p.current_limit = random.positive(0.1, 3.0);
+  if (random.coin()) {
+    p.points = 2 + static_cast<int>(random.uniform(0.0, 14.99));
+    p.table[0] = {0, p.residual_torque};
+    for (int i = 1; i < p.points; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      p.table[k] = {p.table[k - 1].current + random.positive(0.01, 1.0),
+                    p.table[k - 1].torque + random.positive(0.001, 1.0)};
+    }
+    p.current_limit = p.table[static_cast<std::size_t>(p.points - 1)].current * random.uniform(0.3, 1.0);
+  }
+  if (random.coin()) p.loss_per_kelvin = random.uniform(0.0, 0.01);
+  return p;
+}
+
+double random_temperature(random_source& random) {
+  return random.uniform(0.0, 1.0) < 0.2 ? NAN : random.uniform(273.0, 400.0);
+}
+
+// A brake with remanence: a play as wide as its hysteresis, at its true temperature
+struct simulated_brake {
+  ph::brake_curve p;
+  double torque = p.residual_torque;
+  double make(double current, double temperature) {
+    const double rising = torque_of_current(p, current, temperature);
+    return torque = std::clamp(torque, rising, rising + p.hysteresis);
+  }
+};
+
+TEST(brake_curve, gives_the_current_of_a_torque_back) {
+  std::cout << "seeds 1 to 500\n";
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    random_source random(seed);
+    const ph::brake_curve p = random_curve(random);
+    ASSERT_EQ(validate(p), "") << seed;
+    for (int k = 0; k < 20; ++k) {
+      const double current = random.uniform(0.0, p.current_limit), temperature = random_temperature(random);
+      const double torque = torque_of_current(p, current, temperature);
+      ASSERT_NEAR(current_of_torque(p, torque, temperature), current, 1e-12 * p.current_limit) << seed;
+    }
+  }
+}
+
+TEST(brake_curve, meets_the_points_of_a_table) {
+  ph::brake_curve p{.residual_torque = 0.02, .current_limit = 1};
+  p.table[0] = {0, 0.02};
+  p.table[1] = {0.2, 0.1};
+  p.table[2] = {1, 1.1};
+  p.points = 3;
+  ASSERT_EQ(validate(p), "");
+  EXPECT_DOUBLE_EQ(torque_of_current(p, 0.2), 0.1);
+  EXPECT_DOUBLE_EQ(torque_of_current(p, 0.6), 0.6);
+  EXPECT_DOUBLE_EQ(current_of_torque(p, 0.06), 0.1);
+  EXPECT_DOUBLE_EQ(current_of_torque(p, 1.1), 1);
+  EXPECT_DOUBLE_EQ(current_of_torque(p, 7), 1);
+}
+
+TEST(brake_curve, rises_with_torque_within_its_limit_and_is_zero_up_to_the_residual_torque) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    random_source random(seed);
+    const ph::brake_curve p = random_curve(random);
+    const double temperature = random_temperature(random);
+    double before = 0;
+    for (int k = 0; k <= 400; ++k) {
+      const double torque = 0.005 * k * torque_of_current(p, p.current_limit);
+      const double current = current_of_torque(p, torque, temperature);
+      ASSERT_GE(current, before) << seed;
+      ASSERT_LE(current, p.current_limit);
+      ASSERT_TRUE(current == 0 || torque > p.residual_torque);
+      before = current;
+    }
+  }
+}
+
+TEST(brake_curve, gives_no_current_for_what_is_no_torque) {
+  const ph::brake_curve p{.residual_torque = 0.1, .current_limit = 0.5};
+  EXPECT_EQ(current_of_torque(p, NAN), 0);
+  EXPECT_EQ(current_of_torque(p, -1), 0);
+  EXPECT_EQ(current_of_torque(p, -INFINITY), 0);
+  EXPECT_EQ(current_of_torque(p, INFINITY), 0.5) << "all that there is";
+}
+
+TEST(brake_curve, takes_an_unknown_temperature_for_the_coldest) {
+  const ph::brake_curve p{.current_limit = 10, .loss_per_kelvin = 0.005};
+  EXPECT_DOUBLE_EQ(current_of_torque(p, 1, 333.15), 1 / 0.8);
+  for (const double t : {double(NAN), double(INFINITY), -double(INFINITY), 293.15, 0.0})
+    EXPECT_DOUBLE_EQ(current_of_torque(p, 1, t), 1) << t;
+  EXPECT_DOUBLE_EQ(current_of_torque(p, 1, 1e6), 1 / 0.7) << "no hotter than the hottest";
+}
+
+TEST(brake_calibration, never_makes_more_torque_than_asked_but_what_is_there_without_current) {
+  std::cout << "seeds 1 to 1000\n";
+  double excess = -1;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    random_source random(seed);
+    ph::brake_curve p = random_curve(random);
+    if (random.coin()) p.hysteresis = random.uniform(0.0, 0.3);
+    ph::brake_calibration<1> calibration({p});
+    simulated_brake brake{p};
+    const double most = 1.3 * (torque_of_current(p, p.current_limit) + p.hysteresis);
+    double capacity = 0;
+    for (int k = 0; k < 300; ++k) {
+      const double chance = random.uniform(0.0, 1.0);
+      if (chance < 0.3) capacity = random.uniform(-0.1, 1.0) * most;
+      else if (chance < 0.8) capacity += random.uniform(-0.05, 0.05) * most;
+      else if (chance < 0.82) capacity = NAN;
+      else if (chance < 0.84) capacity = INFINITY;
+      const double current = calibration.currents(one(capacity))[0];
+      ASSERT_TRUE(current >= 0 && current <= p.current_limit);
+      const double allowed = std::max(capacity > 0 ? capacity : 0, p.residual_torque + p.hysteresis);
+      const double made = brake.make(current, random_temperature(random));
+      excess = std::max(excess, std::isinf(allowed) ? -1 : made - allowed);
+      ASSERT_LE(made, allowed + 1e-12) << "seed " << seed << ", step " << k;
+      if (std::isnan(capacity)) capacity = 0;
+    }
+  }
+  std::cout << "largest torque over the one allowed: " << excess << " N m\n";
+}
+
+TEST(brake_calibration, makes_just_the_torque_asked_with_hysteresis_both_ways) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    random_source random(seed);
+    ph::brake_curve p = random_curve(random);
+    p.loss_per_kelvin = 0;
+    const double most = torque_of_current(p, p.current_limit);
+    p.hysteresis = random.uniform(0.0, 0.3) * (most - p.residual_torque);
+    ph::brake_calibration<1> calibration({p});
+    simulated_brake brake{p};
+    for (int k = 0; k < 200; ++k) {
+      const double capacity = random.uniform(p.residual_torque + p.hysteresis, most);
+      const double made = brake.make(calibration.currents(one(capacity))[0], NAN);
+      ASSERT_NEAR(made, capacity, 1e-12) << "seed " << seed << ", step " << k;
+      ASSERT_NEAR(calibration.torque()[0], made, 1e-12);
+    }
+  }
+}
+
+TEST(brake_calibration, keeps_its_current_while_the_capacity_stays) {
+  ph::brake_curve p{.current_limit = 2, .hysteresis = 0.1};
+  ph::brake_calibration<1> calibration({p});
+  for (const double capacity : {0.3, 0.7, 0.4, 5.0, 2.05, 0.0}) {
+    const double current = calibration.currents(one(capacity))[0];
+    for (int k = 0; k < 10; ++k) EXPECT_EQ(calibration.currents(one(capacity))[0], current) << capacity;
+  }
+}
+
+TEST(brake_calibration, gives_more_current_for_more_capacity_whatever_was_before) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    random_source random(seed);
+    ph::brake_curve p = random_curve(random);
+    p.hysteresis = random.uniform(0.0, 0.2);
+    ph::brake_calibration<1> calibration({p});
+    const double most = 1.2 * torque_of_current(p, p.current_limit);
+    for (int k = 0; k < 20; ++k) calibration.currents(one(random.uniform(0.0, most)));
+    double before = 0;
+    for (int k = 0; k <= 100; ++k) {
+      ph::brake_calibration<1> copy = calibration;
+      const double current = copy.currents(one(0.01 * k * most))[0];
+      ASSERT_GE(current, before) << seed;
+      before = current;
+    }
+  }
+}
+
+TEST(brake_calibration, is_back_at_rest_after_a_restart) {
+  ph::brake_calibration<2> calibration({ph::brake_curve{.hysteresis = 0.2}, ph::brake_curve{}});
+  calibration.currents({0.8, 0.8});
+  calibration.currents({0.0, 0.0});
+  EXPECT_DOUBLE_EQ(calibration.torque()[0], 0.2) << "remanence";
+  EXPECT_EQ(calibration.currents({0.1, 0.1})[0], 0) << "which makes this already";
+  calibration.restart();
+  EXPECT_DOUBLE_EQ(calibration.currents({0.1, 0.1})[0], 0.1);
+}
+
+TEST(brake_calibration, tells_the_torque_of_currents_for_logs) {
+  ph::brake_calibration<2> calibration({ph::brake_curve{.residual_torque = 0.05, .torque_per_ampere = 2},
+                                        ph::brake_curve{.loss_per_kelvin = 0.01}});
+  const auto torque = calibration.rising_torque({0.5, 0.5}, {NAN, 303.15});
+  EXPECT_DOUBLE_EQ(torque[0], 1.05);
+  EXPECT_DOUBLE_EQ(torque[1], 0.45);
+}
+
+TEST(brake_calibration, names_what_is_wrong) {
+  const auto complaint = [](auto change) {
+    ph::brake_curves<2> curves{};
+    ph::brake_curve& p = curves[1];
+    p.points = 3;
+    p.table[1] = {0.5, 0.4};
+    p.table[2] = {1, 1};
+    change(p);
+    return validate(curves);
+  };
+  using curve = ph::brake_curve;
+  EXPECT_EQ(complaint([](curve&) {}), "");
+  EXPECT_EQ(complaint([](curve& p) { p.residual_torque = -1; }),
+            "brakes[1].residual_torque [N m] = -1, expected a finite number >= 0");
+  EXPECT_EQ(complaint([](curve& p) { p.torque_per_ampere = 0; }),
+            "brakes[1].torque_per_ampere [N m/A] = 0, expected a finite number > 0");
+  EXPECT_EQ(complaint([](curve& p) { p.current_limit = INFINITY; }),
+            "brakes[1].current_limit [A] = inf, expected a finite number > 0");
+  EXPECT_EQ(complaint([](curve& p) { p.hysteresis = NAN; }),
+            "brakes[1].hysteresis [N m] = nan, expected a finite number >= 0");
+  EXPECT_EQ(complaint([](curve& p) { p.points = 1; }),
+            "brakes[1].points = 1, expected 0 for a straight line, or 2 to 16");
+  EXPECT_EQ(complaint([](curve& p) { p.points = 17; }),
+            "brakes[1].points = 17, expected 0 for a straight line, or 2 to 16");
+  EXPECT_EQ(complaint([](curve& p) { p.table[2].current = 0.5; }),
+            "brakes[1].table[2].current [A] = 0.5, expected more than in the point before it");
+  EXPECT_EQ(complaint([](curve& p) { p.table[2].torque = 0.4; }),
+            "brakes[1].table[2].torque [N m] = 0.4, expected more than in the point before it");
+  EXPECT_EQ(complaint([](curve& p) { p.table[1].torque = NAN; }),
+            "brakes[1].table[1].torque [N m] = nan, expected a finite number");
+  EXPECT_EQ(complaint([](curve& p) { p.table[0].current = -1; }),
+            "brakes[1].table[0].current [A] = -1, expected 0");
+  EXPECT_EQ(complaint([](curve& p) { p.residual_torque = 0.1; }),
+            "brakes[1].table[0].torque [N m] = 0, expected the residual_torque");
+  EXPECT_EQ(complaint([](curve& p) { p.current_limit = 1.5; }),
+            "brakes[1].current_limit [A] = 1.5, expected at most the last current of the table");
+  EXPECT_EQ(complaint([](curve& p) { p.highest_temperature = 290; }),
+            "brakes[1].highest_temperature [K] = 290, expected at least reference_temperature");
+  EXPECT_EQ(complaint([](curve& p) { p.loss_per_kelvin = 0.02; }),
+            "brakes[1].loss_per_kelvin [1/K] = 0.02, expected less than 1 / (highest_temperature - "
+            "reference_temperature)");
+}
+
+}  // namespace

@@ -1,0 +1,303 @@
+#include <gtest/gtest.h>
+#include <passive_haptics/driver/rate_estimator.hpp>
+#include <passive_haptics/plant/encoder.hpp>
+#include <passive_haptics/testing/random.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <iostream>
+
+namespace ph = passive_haptics;
+using one = ph::vector<double, 1>;
+using ph::testing::random_source;
+
+namespace {
+
+constexpr double T = 0.001;  // [s]
+constexpr int window = 16;
+
+int sign(double x) { return (x > 0) - (x < 0); }
+
+// Positions in counts: a sum of three sines, from less than a count to thousands
+struct random_motion {
+  std::array<double, 3> amplitude{}, pulsation{}, phase{};
+  double start = 0, drift = 0;
+
+  explicit random_motion(random_source& random) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      amplitude[i] = random.positive(0.1, 3000.0);
+      pulsation[i] = random.positive(0.5, 200.0);
+      phase[i] = random.uniform(0.0, 6.3);
+    }
+    start = random.uniform(-10.0, 10.0);
+    drift = random.wide(0.01, 1000.0);
+  }
+  double operator()(double t) const {
+    double x = start + drift * t;
+    for (std::size_t i = 0; i < 3; ++i) x += amplitude[i] * std::sin(pulsation[i] * t + phase[i]);
+    return x;
+  }
+};
+
+// Runs an estimator beside a record of true positions.
+struct watched {
+  explicit watched(const ph::rate_estimator_parameters& p = {}) : estimator(p) {}
+  void add(double t, double x, double count) {
+    estimator.add(t, one(count));
+    true_positions.push_back({t, x});
+  }
+  double rate() const { return estimator.rate()[0]; }
+  // True mean rate over the estimate's window
+  double mean_rate() const {
+    const auto& [t, x] = true_positions.back();
+    for (const auto& [then, was] : true_positions)
+      if (std::abs(t - then - estimator.span(0)) < 1e-9) return (x - was) / (t - then);
+    return NAN;
+  }
+  ph::rate_estimator<1> estimator;
+  std::deque<std::pair<double, double>> true_positions;
+};
+
+// (a), (e)
+TEST(rate_estimator, never_has_the_wrong_sign_for_its_window) {
+  std::cout << "seeds 1 to 200";
+  int zeros = 0, signs = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    random_source random(seed);
+    const random_motion motion(random);
+    const double jitter = seed % 2 == 0 ? 0 : 0.2;   // of the edges [counts]
+    const double missing = seed % 3 == 0 ? 0.3 : 0;  // share of samples
+    watched run;
+    for (int k = 0; k < 2000; ++k) {
+      const double t = k * T + (seed % 5 == 0 ? random.uniform(-0.2, 0.2) * T : 0);
+      const double x = motion(t), count = std::floor(x + random.uniform(-jitter, jitter));
+      if (random.uniform(0.0, 1.0) < missing) continue;
+      run.add(t, x, count);
+      if (run.estimator.span(0) == 0) continue;
+      ASSERT_FALSE(std::isnan(run.mean_rate()));
+      (run.rate() == 0 ? zeros : signs) += 1;
+      if (run.rate() != 0) {
+        ASSERT_EQ(sign(run.rate()), sign(run.mean_rate())) << "seed " << seed << ", t " << t;
+      }
+      ASSERT_LT(std::abs(run.rate() - run.mean_rate()) * run.estimator.span(0),
+                run.rate() == 0 ? 2 + 2 * jitter : 1 + 2 * jitter + 1e-9);
+    }
+  }
+  std::cout << ": " << signs << " rates with a sign, none wrong; " << zeros << " zeros\n";
+}
+
+TEST(rate_estimator, is_at_rest_while_the_encoder_stands_on_an_edge) {
+  random_source random(7);
+  ph::rate_estimator<1> estimator;
+  for (int k = 0; k < 5000; ++k) ASSERT_EQ(estimator.add(k * T, one(random.coin() ? 41 : 42))[0], 0.0) << k;
+}
+
+// (b)
+TEST(rate_estimator, is_within_a_resolution_over_the_window_at_constant_rate) {
+  random_source random(11);
+  for (int run = 0; run < 500; ++run) {
+    const double rate = random.wide(1.0, 1e6), start = random.uniform(0.0, 1.0);
+    const double missing = run % 2 == 0 ? 0 : 0.4;
+    ph::rate_estimator<1> estimator;
+    int samples = 0;
+    for (int k = 0; k < 100; ++k) {
+      if (random.uniform(0.0, 1.0) < missing) continue;
+      ++samples;
+      const double estimate = estimator.add(k * T, one(std::floor(start + rate * k * T)))[0];
+      const double span = estimator.span(0);
+      if (samples < 2) continue;
+      ASSERT_LT(std::abs(estimate - rate), (estimate == 0 ? 2 : 1) / span * (1 + 1e-9)) << rate;
+      // A steady motion fits any window
+      if (samples > window && missing == 0) {
+        ASSERT_NEAR(span, window * T, 1e-9) << rate;
+      }
+    }
+  }
+}
+
+TEST(rate_estimator, tells_no_rate_within_its_dead_band_and_sees_twice_that) {
+  const double band = ph::rate_dead_band(1, window, T);
+  EXPECT_DOUBLE_EQ(band, 62.5);
+  random_source random(12);
+  for (int run = 0; run < 300; ++run) {
+    const double rate = random.uniform(0.0, 4 * band), start = random.uniform(0.0, 1.0);
+    ph::rate_estimator<1> estimator;
+    for (int k = 0; k < 500; ++k) {
+      const double estimate = estimator.add(k * T, one(std::floor(start + rate * k * T)))[0];
+      if (k < window) continue;
+      ASSERT_TRUE(estimate == 0 || estimate > band * (1 + 1e-9)) << estimate;
+      ASSERT_TRUE(estimate > 0 || rate < 2 * band * (1 + 1e-9)) << rate;
+    }
+  }
+}
+
+// (c)
+TEST(rate_estimator, lags_behind_an_acceleration_by_no_more_than_documented) {
+  random_source random(13);
+  double largest_share = 0;
+  for (int run = 0; run < 500; ++run) {
+    const double a = random.positive(100.0, 1e7), v0 = random.wide(1.0, 1e4), x0 = random.uniform(0.0, 1.0);
+    const double lag = ph::rate_lag(1, window, T, a);
+    ph::rate_estimator<1> estimator;
+    for (int k = 0; k < 200; ++k) {
+      const double t = k * T;
+      const double estimate = estimator.add(t, one(std::floor(x0 + v0 * t + a * t * t / 2)))[0];
+      if (k == 0) continue;
+      const double span = estimator.span(0);
+      ASSERT_LE(span / 2, lag * (1 + 1e-6)) << "a " << a;
+      largest_share = std::max(largest_share, span / 2 / lag);
+      const double steps = estimate == 0 ? 2 : 1;
+      ASSERT_LT(std::abs(estimate - (v0 + a * (t - span / 2))), steps / span * (1 + 1e-6));
+    }
+  }
+  std::cout << "group delay up to " << largest_share << " of rate_lag\n";
+  EXPECT_GT(largest_share, 0.9) << "the bound is far from what happens";
+}
+
+// (d)
+TEST(rate_estimator, has_the_right_sign_after_a_reversal_or_a_start_within_the_documented_time) {
+  random_source random(14);
+  double largest_share = 0, earliest = 1e9, latest = 0;
+  for (int run = 0; run < 4000; ++run) {
+    const double a = random.positive(100.0, 1e7), turn = random.uniform(0.03, 0.031),
+                 x0 = random.uniform(0.0, 1.0);
+    const bool from_rest = run % 2 == 0, down = run % 4 < 2;
+    const double onset = ph::rate_onset(1, window, T, a);
+    ph::rate_estimator<1> estimator;
+    double last_wrong = turn;
+    for (int k = 0; k * T < turn + 3 * onset; ++k) {
+      const double t = k * T, since = t - turn;
+      const double moved = from_rest && since < 0 ? 0 : a * since * since / 2;
+      const double estimate = estimator.add(t, one(std::floor(x0 + (down ? -moved : moved))))[0];
+      if (since > 0 && sign(estimate) != (down ? -1 : 1)) last_wrong = t;
+    }
+    // The next sample is right
+    ASSERT_LE(last_wrong + T - turn, onset * (1 + 1e-9))
+        << "a " << a << (from_rest ? " from rest" : " reversed");
+    largest_share = std::max(largest_share, (last_wrong + T - turn) / onset);
+    earliest = std::min(earliest, onset);
+    latest = std::max(latest, onset);
+  }
+  std::cout << "seen after up to " << largest_share << " of rate_onset, " << earliest << " to " << latest
+            << " s\n";
+  EXPECT_GT(largest_share, 0.8) << "the bound is far from what happens";
+}
+
+// (f)
+TEST(rate_estimator, is_not_changed_by_times_that_do_not_go_on_or_by_counts_that_are_no_numbers) {
+  ph::rate_estimator<2> plain, disturbed;
+  random_source random(15);
+  for (int k = 0; k < 200; ++k) {
+    const ph::vector<double, 2> counts(std::floor(3.7 * k), std::floor(50 * std::sin(0.1 * k)));
+    plain.add(k * T, counts);
+    disturbed.add(k * T, counts);
+    disturbed.add(k * T, {1e6, -1e6});
+    disturbed.add((k - random.uniform(0.0, 5.0)) * T, {1e6, -1e6});
+    disturbed.add((k + 0.5) * T, {NAN, INFINITY});
+    disturbed.add(NAN, counts);
+    disturbed.add(INFINITY, counts);
+    ASSERT_EQ(plain.rate(), disturbed.rate()) << k;
+  }
+}
+
+TEST(rate_estimator, loses_no_axis_to_another_that_is_no_number) {
+  ph::rate_estimator<2> estimator;
+  for (int k = 0; k < 50; ++k) estimator.add(k * T, {k < 10 ? 5.0 * k : NAN, 5.0 * k});
+  EXPECT_NEAR(estimator.rate()[0], 5 / T, 1e-6) << "as it was";
+  EXPECT_NEAR(estimator.rate()[1], 5 / T, 1e-6);
+}
+
+TEST(rate_estimator, starts_anew) {
+  ph::rate_estimator<1> estimator;
+  for (int k = 0; k < 50; ++k) estimator.add(k * T, one(5 * k));
+  estimator.restart();
+  EXPECT_EQ(estimator.rate()[0], 0);
+  EXPECT_EQ(estimator.add(0.0, one(0))[0], 0) << "an earlier time is new";
+  EXPECT_NEAR(estimator.add(T, one(7))[0], 7 / T, 1e-9);
+}
+
+TEST(rate_estimator, agrees_with_a_window_that_is_tested_line_by_line) {
+  random_source random(16);
+  for (int run = 0; run < 50; ++run) {
+    const random_motion motion(random);
+    ph::rate_estimator<1> estimator;
+    std::vector<std::pair<double, double>> y;
+    for (int k = 0; k < 500; ++k) {
+      y.emplace_back(k * T, std::floor(motion(k * T)));
+      const double rate = estimator.add(y.back().first, one(y.back().second))[0];
+      const auto [t, now] = y.back();
+      double moved = 0, span = 0;
+      for (std::size_t n = 1; n < y.size() && n <= window; ++n) {
+        const auto [t_n, y_n] = y[y.size() - 1 - n];
+        const double slope = (now - y_n) / (t - t_n);
+        bool fits = true;
+        for (std::size_t i = 1; i < n; ++i) {
+          const auto [t_i, y_i] = y[y.size() - 1 - i];
+          fits &= std::abs(now - slope * (t - t_i) - y_i) <= 1 + 1e-9;
+        }
+        if (!fits) break;
+        moved = now - y_n;
+        span = t - t_n;
+      }
+      ASSERT_NEAR(estimator.span(0), span, 1e-12) << "run " << run << ", sample " << k;
+      ASSERT_EQ(rate, std::abs(moved) > 1 ? moved / span : 0.0);
+    }
+  }
+}
+
+// What sgn(w) gets of a slow motion with reversals: +-0.15 rad/s at 0.5 Hz, 8192 counts a turn, edges with a jitter [counts].
+// A rate in the dead band of the window is no sign, whoever estimates it.
+struct sign_errors {
+  int cycles = 0, differences = 0, differences_unknown = 0, windowed = 0, windowed_unknown = 0;
+
+  explicit sign_errors(double jitter) {
+    random_source random(17);
+    const double turn = 2 * std::numbers::pi, amplitude = 0.15 / turn * 8192, pulsation = 0.5 * turn;
+    const double band = ph::rate_dead_band(1, window, T);
+    ph::encoder<double, 1> encoder({.resolution = 1}, T);
+    ph::rate_estimator<1> estimator;
+    for (; cycles < 20000; ++cycles) {
+      const double t = cycles * T, x = amplitude / pulsation * std::sin(pulsation * t);
+      const double v = amplitude * std::cos(pulsation * t);
+      encoder.read(one(x + random.uniform(-jitter, jitter)), one(v));
+      count(encoder.rate()[0], band, v, differences, differences_unknown);
+      count(estimator.add(t, encoder.position())[0], band, v, windowed, windowed_unknown);
+    }
+  }
+  static void count(double rate, double band, double truth, int& wrong, int& unknown) {
+    if (std::abs(rate) <= band) ++unknown;
+    else wrong += sign(rate) != sign(truth);
+  }
+  double per_1000(int n) const { return 1000.0 * n / cycles; }
+};
+
+TEST(rate_estimator, has_fewer_wrong_signs_than_low_passed_differences) {
+  for (const double jitter : {0.0, 0.1, 0.3}) {
+    const sign_errors e(jitter);
+    std::cout << "edges +-" << jitter
+              << " counts, per 1000 cycles: differences, 50 Hz low-pass: " << e.per_1000(e.differences)
+              << " wrong, " << e.per_1000(e.differences_unknown)
+              << " in the dead band; adaptive window: " << e.per_1000(e.windowed) << " wrong, "
+              << e.per_1000(e.windowed_unknown) << " zero\n";
+    EXPECT_LE(e.windowed, e.differences);
+    EXPECT_EQ(e.windowed, 0);
+  }
+}
+
+TEST(rate_estimator, complains_of_what_it_cannot_do) {
+  EXPECT_EQ(validate(ph::rate_estimator_parameters{}), "");
+  EXPECT_EQ(validate(ph::rate_estimator_parameters{.resolution = 0}),
+            "resolution [counts] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(ph::rate_estimator_parameters{.window = 0}),
+            "window [periods] = 0, expected at least 1");
+  try {
+    ph::rate_estimator<1, 8> small({.window = 9});
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_STREQ(e.what(), "passive_haptics: window [periods] = 9, expected at most the capacity, 8");
+  }
+}
+
+}  // namespace
