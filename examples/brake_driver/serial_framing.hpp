@@ -170,6 +170,7 @@ class decoder {
     if (byte_reader(std::span<const std::uint8_t>(body).subspan(checked.size())).get(4) != crc32(checked))
       return false;
     byte_reader in(checked);
+    last_ = {};
     last_.type = static_cast<std::uint8_t>(in.get(1));
     last_.sequence = in.get(4);
     last_.size = static_cast<std::uint8_t>(checked.size() - header_size);

@@ -5,8 +5,8 @@
 //   PA2, PA3                 serial line, 1 Mbit/s (USART 2)
 //   PA6, PA7                 PWM, 20 kHz, 0 % = 0 A to current amplifiers; each needs a pull-down, for the time of a reset
 //   PC0, PC1 and PC2, PC3    fault outputs of amplifiers and of encoder receivers, low = fault
-#include <brake_controller.hpp>
-#include <registers.hpp>
+#include <firmware/brake_controller.hpp>
+#include <firmware/registers.hpp>
 
 #include <atomic>
 

@@ -3,8 +3,8 @@
 //   brake_firmware_host [--encoders N] [--brakes N] [--link FILE]
 //
 // Prints the file that a host opens, also reached as FILE, and runs until SIGINT or SIGTERM.
-#include <brake_controller.hpp>
-#include <host_board.hpp>
+#include <firmware/brake_controller.hpp>
+#include <firmware/host_board.hpp>
 
 #include <passive_haptics/driver/clock.hpp>
 
