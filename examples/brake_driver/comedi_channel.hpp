@@ -13,17 +13,10 @@
 
 namespace passive_haptics {
 
-/// What an analog input is measured against.
-enum class comedi_reference : unsigned {
-  ground = AREF_GROUND,
-  common = AREF_COMMON,
-  differential = AREF_DIFF
-};
-
 /// A channel of a card with what turns volts into its samples. A counter has no volts: low = high = 0.
 struct comedi_channel {
   unsigned subdevice = 0, channel = 0, range = 0;
-  comedi_reference reference = comedi_reference::ground;
+  unsigned reference = AREF_GROUND;
   lsampl_t largest = 0;         ///< The largest sample; the smallest is 0.
   lsampl_t zero = 0;            ///< The sample nearest to 0 V.
   double low = 0, high = 0;     ///< The range [V].
@@ -75,7 +68,7 @@ class comedi_transfer {
 
  private:
   static unsigned chanspec(const comedi_channel& c) noexcept {
-    return CR_PACK(c.channel, c.range, static_cast<unsigned>(c.reference));
+    return CR_PACK(c.channel, c.range, c.reference);
   }
   std::array<comedi_insn, count> instructions_{};
 };

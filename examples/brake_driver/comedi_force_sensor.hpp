@@ -13,33 +13,6 @@
 
 namespace passive_haptics {
 
-/// The channels of a comedi_force_sensor.
-template <int Channels>
-struct comedi_force_sensor_parameters {
-  std::string device = "/dev/comedi0";
-  int subdevice = -1;  ///< -1 for the first analog input of the card.
-  std::array<int, static_cast<std::size_t>(Channels)> channels = in_turn();
-  int range = 0;  ///< Index, of all channels; in volts.
-  comedi_reference reference = comedi_reference::ground;
-
-  static constexpr auto in_turn() {
-    std::array<int, static_cast<std::size_t>(Channels)> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-    return all;
-  }
-};
-
-/// What is wrong with the parameters, whatever the card; empty if nothing.
-template <int Channels>
-std::string validate(const comedi_force_sensor_parameters<Channels>& p) {
-  std::string text = detail::first_complaint(detail::check_device_file(p.device),
-                                             detail::check_index("subdevice", p.subdevice, -1),
-                                             detail::check_index("range", p.range, 0));
-  for (std::size_t i = 0; i < p.channels.size() && text.empty(); ++i)
-    text = detail::check_index(detail::indexed("channels[", i, "]"), p.channels[i], 0);
-  return text;
-}
-
 /// A ForceSensor that tells volts: newtons per volt are the calibration's. A channel at either end of its range is not valid.
 /// read is one system call, see comedi_port.
 template <int Channels>
@@ -62,7 +35,7 @@ class comedi_force_sensor {
       c.subdevice = subdevice;
       c.channel = static_cast<unsigned>(p_.channels[i]);
       c.range = static_cast<unsigned>(p_.range);
-      c.reference = p_.reference;
+      c.reference = reference_of(p_.reference);
       text = device_.check_channel(detail::indexed("channels[", i, "]"), c);
       if (text.empty()) text = device_.check_range("range", c);
       voltages_.set(i, INSN_READ, c);
@@ -85,6 +58,12 @@ class comedi_force_sensor {
   }
 
  private:
+  static unsigned reference_of(comedi_reference r) noexcept {
+    return r == comedi_reference::ground   ? AREF_GROUND
+           : r == comedi_reference::common ? AREF_COMMON
+                                           : AREF_DIFF;
+  }
+
   std::string check_reference(unsigned subdevice) const {
     const auto flags = static_cast<unsigned>(comedi_get_subdevice_flags(device_.get(), subdevice));
     const auto offered = [&](comedi_reference r) {

@@ -10,6 +10,9 @@
 
 namespace passive_haptics {
 
+/// What an analog input is measured against.
+enum class comedi_reference { ground, common, differential };
+
 /// An analog output, through a current amplifier to a brake.
 struct comedi_brake {
   int channel = 0;
@@ -103,6 +106,33 @@ std::string validate(const comedi_port_parameters<Encoders, Brakes>& p) {
           return x.subdevice == y.subdevice && x.channel == y.channel;
         }));
   }
+  return text;
+}
+
+/// The channels of a comedi_force_sensor.
+template <int Channels>
+struct comedi_force_sensor_parameters {
+  std::string device = "/dev/comedi0";
+  int subdevice = -1;  ///< -1 for the first analog input of the card.
+  std::array<int, static_cast<std::size_t>(Channels)> channels = in_turn();
+  int range = 0;  ///< Index, of all channels; in volts.
+  comedi_reference reference = comedi_reference::ground;
+
+  static constexpr auto in_turn() {
+    std::array<int, static_cast<std::size_t>(Channels)> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+    return all;
+  }
+};
+
+/// What is wrong with the parameters, whatever the card; empty if nothing.
+template <int Channels>
+std::string validate(const comedi_force_sensor_parameters<Channels>& p) {
+  std::string text = detail::first_complaint(detail::check_device_file(p.device),
+                                             detail::check_index("subdevice", p.subdevice, -1),
+                                             detail::check_index("range", p.range, 0));
+  for (std::size_t i = 0; i < p.channels.size() && text.empty(); ++i)
+    text = detail::check_index(detail::indexed("channels[", i, "]"), p.channels[i], 0);
   return text;
 }
 

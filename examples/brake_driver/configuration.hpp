@@ -3,7 +3,7 @@
 #pragma once
 
 #include <comedi_parameters.hpp>
-#include <net_ft_parameters.hpp>
+#include <net_ft.hpp>
 #include <serial_port_parameters.hpp>
 #include <simulation_parameters.hpp>
 
@@ -14,6 +14,7 @@
 #include <passive_haptics/driver/supervisor.hpp>
 #include <passive_haptics/passive_haptics.hpp>
 
+#include <functional>
 #include <string>
 
 namespace example {
@@ -22,6 +23,9 @@ namespace ph = passive_haptics;
 
 /// Of all devices of this program: planar, two encoders, two brakes, a force sensor with up to six channels.
 inline constexpr int axes = 2, sensor_channels = 6;
+
+/// The unit normal of a wall near a point, out of the wall.
+using wall_normal = std::function<ph::point<2>(const ph::point<2>&)>;
 
 /// A configuration file, checked.
 struct configuration {
@@ -32,6 +36,7 @@ struct configuration {
 
   std::string law = "direct_control";  ///< Or velocity_direct_control, no_direct_control.
   ph::world_walls<2> walls;
+  wall_normal first_normal;                   ///< Of the first of them.
   ph::brake_parameters<double, axes> brakes;  ///< What the controller believes.
 
   // What was measured on the device
@@ -42,7 +47,7 @@ struct configuration {
   ph::planar_sensor_frame<2> sensor_frame;
   ph::vector<double, axes> home = {0.55, -1.6};  ///< Joint positions at the start [rad or m].
   ph::steady_parameters homing;
-  bool tare = true;            ///< Whether the sensor's offset is taken at the start, with the hand off.
+  bool tare = true;             ///< Whether the sensor's offset is taken at the start, with the hand off.
   double tare_tolerance = 0.5;  ///< Most that a channel may move meanwhile, in its unit.
 
   // How the loop runs and when it lets go
@@ -52,10 +57,10 @@ struct configuration {
   ph::supervisor_parameters supervisor;
 
   std::string port = "simulated";  ///< Or comedi, serial.
-  comedi_port_parameters<axes, axes> comedi;
+  ph::comedi_port_parameters<axes, axes> comedi;
   serial_port_parameters serial;
   std::string sensor = "simulated";  ///< Or comedi, net_ft, none.
-  comedi_sensor_parameters<sensor_channels> comedi_sensor;
+  ph::comedi_force_sensor_parameters<2> comedi_sensor;
   net_ft_parameters net_ft;
   simulation_parameters simulation;
 

@@ -1,0 +1,314 @@
+#include <configuration.hpp>
+#include <toml_section.hpp>
+
+#include <cmath>
+
+namespace example {
+namespace {
+
+// The values of a fixed-size vector or matrix, and of an array, read like each other.
+template <class Parameters>
+void check(toml_section& from, const Parameters& p) {
+  from.require(validate(p));
+}
+
+void read_mechanism(toml_section from, configuration& c) {
+  from.read("type", c.mechanism, {"tendon_two_link", "xy_table", "five_bar"});
+  if (c.mechanism == "tendon_two_link") {
+    auto& arm = c.tendon_two_link.arm;
+    from.read("length_1", arm.length_1);
+    from.read("length_2", arm.length_2);
+    from.read("mass_1", arm.mass_1);
+    from.read("mass_2", arm.mass_2);
+    from.read("handle_mass", arm.handle_mass);
+    from.read("rotor_inertia_1", arm.rotor_inertia_1);
+    from.read("rotor_inertia_2", arm.rotor_inertia_2);
+    from.read("reduction_2", c.tendon_two_link.reduction_2);
+    check(from, c.tendon_two_link);
+  } else if (c.mechanism == "xy_table") {
+    from.read("mass_x", c.xy_table.mass_x);
+    from.read("mass_y", c.xy_table.mass_y);
+    check(from, c.xy_table);
+  } else {
+    auto& p = c.five_bar;
+    from.read("base_distance", p.base_distance);
+    from.read("proximal_1", p.proximal_1);
+    from.read("proximal_2", p.proximal_2);
+    from.read("distal_1", p.distal_1);
+    from.read("distal_2", p.distal_2);
+    std::string side = "left";
+    from.read("assembly", side, {"left", "right"});
+    p.assembly = side == "left" ? ph::five_bar_assembly::left : ph::five_bar_assembly::right;
+    from.read("proximal_mass", p.proximal_mass);
+    from.read("distal_mass", p.distal_mass);
+    from.read("handle_mass", p.handle_mass);
+    from.read("rotor_inertia", p.rotor_inertia);
+    from.read("gravity", p.gravity);
+    check(from, p);
+  }
+}
+
+// A wall, and its normal near a point.
+wall_normal add_wall(toml_section& from, ph::world_walls<2>& walls) {
+  std::string type = "plane", filling = "solid";
+  ph::point<2> point(0, 0.225), normal(0, -1);
+  double radius = 0, stiffness = ph::wall(ph::half_space<2>(point, normal)).stiffness;
+  from.read("type", type, {"plane", "ball"});
+  from.read("stiffness", stiffness);
+  from.read(type == "plane" ? "point" : "centre", point);
+  if (type == "plane") {
+    from.read("normal", normal);
+    try {
+      const ph::half_space<2> plane(point, normal);
+      walls.add(ph::wall(plane, stiffness));
+      return [plane](const ph::point<2>& x) { return plane.gradient(x); };
+    } catch (const std::invalid_argument& error) {
+      from.require(error.what());
+    }
+  }
+  from.read("radius", radius);
+  from.read("filling", filling, {"solid", "hollow"});
+  try {
+    const ph::ball<2> ball(point, radius, filling == "solid" ? ph::filling::solid : ph::filling::hollow);
+    walls.add(ph::wall(ball, stiffness));
+    return [ball](const ph::point<2>& x) { return ball.gradient(x); };
+  } catch (const std::invalid_argument& error) {
+    from.require(error.what());
+  }
+  return {};
+}
+
+void read_walls(toml_section& file, configuration& c) {
+  auto walls = file.sections("wall");
+  if (walls.empty()) {
+    auto usual = toml_section::nothing();  // the paper's wall
+    c.first_normal = add_wall(usual, c.walls);
+  }
+  for (auto& from : walls) {
+    const wall_normal normal = add_wall(from, c.walls);
+    if (!c.first_normal) c.first_normal = normal;
+  }
+}
+
+void read_brakes(toml_section from, configuration& c) {
+  std::array<double, axes> residual{}, slope, limit, hysteresis{}, loss{};
+  slope.fill(1);
+  limit.fill(1);
+  from.read("residual_torque", residual);
+  from.read("torque_per_ampere", slope);
+  from.read("current_limit", limit);
+  from.read("hysteresis", hysteresis);
+  from.read("loss_per_kelvin", loss);
+  for (std::size_t i = 0; i < c.curves.size(); ++i) {
+    ph::brake_curve& curve = c.curves[i];
+    curve.residual_torque = residual[i];
+    curve.torque_per_ampere = slope[i];
+    curve.current_limit = limit[i];
+    curve.hysteresis = hysteresis[i];
+    curve.loss_per_kelvin = loss[i];
+    std::array<double, 2 * ph::brake_curve::most_points> pairs{};
+    curve.points = static_cast<int>(
+        from.read_pairs(i == 0 ? "table_1" : "table_2", pairs.data(), ph::brake_curve::most_points));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(curve.points); ++k)
+      curve.table[k] = {pairs[2 * k], pairs[2 * k + 1]};
+    c.brakes.torque_limit[static_cast<int>(i)] = torque_of_current(curve, curve.current_limit);
+  }
+  check(from, c.curves);
+  from.read("torque_limit", c.brakes.torque_limit);
+  from.read("time_constant", c.brakes.time_constant);
+  from.read("torque_dead_band", c.brakes.torque_dead_band);
+  from.read("rate_dead_band", c.brakes.rate_dead_band);
+  check(from, c.brakes);
+
+  c.safety.currents.largest = limit;
+  c.safety.currents.continuous = limit;
+  from.read("continuous_current", c.safety.currents.continuous);
+  from.read("heat", c.safety.currents.heat);
+  from.read("fastest_rise", c.safety.currents.fastest_rise);
+  check(from, c.safety.currents);
+}
+
+void read_encoders(toml_section from, configuration& c) {
+  c.encoders.slides.fill(c.mechanism == "xy_table");
+  if (c.mechanism == "xy_table") c.encoders.counts_per_turn.setConstant(100'000);  // 10 um
+  from.read("counts_per_turn", c.encoders.counts_per_turn);
+  from.read("slides", c.encoders.slides);
+  from.read("window", c.rates.window);
+  from.read("largest_rate", c.safety.encoders.largest_rate);
+  from.read("frozen_travel", c.safety.encoders.frozen_travel);
+  check(from, c.encoders);
+  check(from, c.rates);
+  check(from, c.safety.encoders);
+}
+
+void read_homing(toml_section from, configuration& c) {
+  if (c.mechanism == "five_bar" && !from.has("pose"))
+    from.require("pose is missing, expected the joint positions at the start [rad]");
+  if (c.mechanism == "xy_table") c.home = {0.08, 0.2245};
+  else c.home = ph::tendon_two_link<double>(c.tendon_two_link).inverse({0.08, 0.2245}, ph::elbow::left).q;
+  from.read("pose", c.home);
+  from.read("duration", c.homing.duration);
+  from.read("tolerance", c.homing.tolerance);
+  if (!c.home.allFinite())
+    from.require(
+        "pose is missing, expected joint positions at the start [rad]: this arm does not reach (0.08, "
+        "0.2245) m");
+  check(from, c.homing);
+}
+
+void read_sensor(toml_section from, configuration& c) {
+  from.read("type", c.sensor, {"simulated", "comedi", "net_ft", "none"});
+  std::array<double, 2> x{1, 0}, y{0, 1};
+  if (c.sensor == "comedi") {
+    from.read("device", c.comedi_sensor.device);
+    from.read("subdevice", c.comedi_sensor.subdevice);
+    from.read("channels", c.comedi_sensor.channels);
+    from.read("range", c.comedi_sensor.range);
+    std::string reference = "ground";
+    from.read("reference", reference, {"ground", "common", "differential"});
+    c.comedi_sensor.reference = reference == "ground"   ? ph::comedi_reference::ground
+                                : reference == "common" ? ph::comedi_reference::common
+                                                        : ph::comedi_reference::differential;
+    check(from, c.comedi_sensor);
+  } else if (c.sensor == "net_ft") {
+    from.read("host", c.net_ft.host);
+    from.read("port", c.net_ft.port);
+    from.read("counts_per_force", c.net_ft.counts_per_force);
+    from.read("counts_per_torque", c.net_ft.counts_per_torque);
+    from.read("open_timeout", c.net_ft.open_timeout);
+    from.read("silence", c.net_ft.silence);
+    check(from, c.net_ft);
+  } else if (c.sensor == "none") {
+    c.tare = false;
+    return;
+  }
+  from.read("x_newtons_per_unit", x);
+  from.read("y_newtons_per_unit", y);
+  c.force.newtons_per_unit.setZero();
+  c.force.newtons_per_unit.leftCols<2>() << x[0], x[1], y[0], y[1];
+  from.read("range_of_values", c.safety.sensor.range);
+  from.read("handle_mass", c.force.handle_mass);
+  from.read("gravity", c.force.gravity);
+  if (c.mechanism == "xy_table") c.sensor_frame.link.setZero();
+  from.read("link", c.sensor_frame.link);
+  from.read("mounting", c.sensor_frame.mounting);
+  from.read("tare", c.tare);
+  from.read("tare_tolerance", c.tare_tolerance);
+  check(from, c.force);
+  check(from, c.safety.sensor);
+  check(from, ph::steady_parameters{.tolerance = c.tare_tolerance});
+}
+
+void read_port(toml_section from, configuration& c) {
+  from.read("type", c.port, {"simulated", "comedi", "serial"});
+  if (c.port == "comedi") {
+    from.read("device", c.comedi.device);
+    from.read("output_subdevice", c.comedi.output_subdevice);
+    std::array<int, axes> channel{0, 1}, range{}, subdevice{-1, -1}, counter{0, 1}, a{-1, -1}, b{-1, -1};
+    std::array<double, axes> gain{};
+    std::string setup = "keep";
+    from.read("output_channels", channel);
+    from.read("output_ranges", range);
+    from.read("amperes_per_volt", gain);
+    from.read("counter_subdevices", subdevice);
+    from.read("counter_channels", counter);
+    from.read("counter_setup", setup, {"keep", "ni_quadrature"});
+    from.read("counter_a", a);
+    from.read("counter_b", b);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(axes); ++i) {
+      c.comedi.brakes[i] = {channel[i], range[i], gain[i], c.safety.currents.largest[i]};
+      c.comedi.encoders[i] = {
+          subdevice[i], counter[i],
+          setup == "keep" ? ph::comedi_counter_setup::keep : ph::comedi_counter_setup::ni_quadrature, a[i],
+          b[i]};
+    }
+    check(from, c.comedi);
+  } else if (c.port == "serial") {
+    from.read("device", c.serial.device);
+    from.read("baud", c.serial.baud);
+    from.read("open_timeout", c.serial.open_timeout);
+    check(from, c.serial);
+  }
+}
+
+void read_simulation(toml_section from, configuration& c) {
+  simulation_parameters& p = c.simulation;
+  int seed = 1;
+  from.read("hand_start", p.hand_start);
+  from.read("direction", p.direction);
+  from.read("path", p.path);
+  from.read("speed", p.speed);
+  from.read("push", p.push);
+  from.read("hand_mass", p.hand_mass);
+  from.read("brake_lag", p.brake_lag);
+  from.read("sensor_noise", p.sensor_noise);
+  from.read("seed", seed);
+  p.seed = static_cast<std::uint64_t>(seed);
+  check(from, p);
+}
+
+void read_loop(toml_section from, configuration& c) {
+  from.read("period", c.loop.period);
+  from.read("most_overruns", c.loop.most_overruns);
+  from.read("longest_sleep", c.loop.longest_sleep);
+  check(from, c.loop);
+  from.read("priority", c.real_time.priority);
+  from.read("lock_memory", c.real_time.lock_memory);
+  from.read("cpu", c.real_time.cpu);
+  from.read("dma_latency", c.real_time.dma_latency);
+  check(from, c.real_time);
+}
+
+void read_safety(toml_section from, configuration& c) {
+  std::string policy = "zero";
+  from.read("at_release", policy, {"zero", "ramp", "hold"});
+  c.safety.at_release.policy = policy == "zero"   ? ph::release_policy::zero
+                               : policy == "ramp" ? ph::release_policy::ramp
+                                                  : ph::release_policy::hold;
+  from.read("ramp_time", c.safety.at_release.ramp_time);
+  from.read("bridge", c.safety.bridge);
+  check(from, c.safety);
+  from.read("supervisor_timeout", c.supervisor.timeout);
+  from.read("supervisor_priority", c.supervisor.priority);
+  check(from, c.supervisor);
+}
+
+}  // namespace
+
+configuration read_configuration(const std::string& path) {
+  toml_section file = path.empty() ? toml_section::nothing() : toml_section::file(path);
+  configuration c;
+  read_mechanism(file.section("mechanism"), c);
+  read_walls(file, c);
+  file.read("law", c.law, {"direct_control", "velocity_direct_control", "no_direct_control"});
+  file.read("log", c.log);
+  read_loop(file.section("loop"), c);
+  read_encoders(file.section("encoders"), c);
+  // The slowest rate that the encoders tell from rest, unless the file has its own
+  for (int i = 0; i < axes; ++i)
+    c.brakes.rate_dead_band[i] = ph::rate_dead_band(ph::encoder_calibration<axes>(c.encoders).resolution()[i],
+                                                    c.rates.window, c.loop.period);
+  read_brakes(file.section("brakes"), c);
+  read_safety(file.section("safety"), c);
+  read_homing(file.section("homing"), c);
+  read_sensor(file.section("sensor"), c);
+  read_port(file.section("port"), c);
+  read_simulation(file.section("simulation"), c);
+  file.finish();
+  if (c.sensor == "none" && c.law != "no_direct_control")
+    file.require("law = \"" + c.law +
+                 "\" needs a force sensor, expected [sensor] type other than \"none\", or law = "
+                 "\"no_direct_control\"");
+  if ((c.sensor == "simulated") != (c.port == "simulated") && c.sensor != "none")
+    file.require("[port] type = \"" + c.port + "\" and [sensor] type = \"" + c.sensor +
+                 "\", expected both simulated or none");
+  return c;
+}
+
+configuration simulated(configuration c) {
+  c.port = "simulated";
+  if (c.sensor != "none") c.sensor = "simulated";
+  return c;
+}
+
+}  // namespace example

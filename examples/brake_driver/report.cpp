@@ -1,0 +1,163 @@
+#include <report.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+namespace example {
+namespace {
+
+constexpr double terminal_interval = 0.2, line_interval = 1;  // [s]
+
+const char* words(phase p) {
+  switch (p) {
+    case phase::homing: return "homing: hold the handle still at the home pose";
+    case phase::taring: return "taring: let go of the handle";
+    case phase::running: break;
+  }
+  return "";
+}
+
+// printf into a string.
+template <class... Arguments>
+std::string text(const char* format, Arguments... arguments) {
+  std::array<char, 400> line{};
+  std::snprintf(line.data(), line.size(), format, arguments...);
+  return line.data();
+}
+
+std::string bar(double share, std::size_t width) {
+  const auto full =
+      static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(width)));
+  return std::string(full, '#') + std::string(width - full, '.');
+}
+
+}  // namespace
+
+std::string duration(double nanoseconds) {
+  if (nanoseconds < 1e3) return text("%.0f ns", nanoseconds);
+  if (nanoseconds < 1e5) return text("%.1f us", 1e-3 * nanoseconds);
+  if (nanoseconds < 1e6) return text("%.0f us", 1e-3 * nanoseconds);
+  return text("%.2f ms", 1e-6 * nanoseconds);
+}
+
+std::string bars(const ph::duration_histogram& h) {
+  std::string all;
+  for (std::uint64_t from = 1024; from <= static_cast<std::uint64_t>(h.largest()) || from == 1024;
+       from *= 2) {
+    const std::uint64_t count = h.between(from == 1024 ? 0 : from, 2 * from);
+    const double share =
+        static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(1, h.count()));
+    all += text("  %s %8s %10llu  ", from == 1024 ? "up to" : "     ",
+                duration(2.0 * static_cast<double>(from)).c_str(), static_cast<unsigned long long>(count)) +
+           bar(share, 50) + "\n";
+  }
+  return all;
+}
+
+report_sink::report_sink(std::string file, bool live, const configuration& c)
+    : file_(std::move(file)),
+      part_(file_ + ".part"),
+      title_(c.mechanism + ", " + c.port + " device, " + c.sensor + " force sensor, " + c.law),
+      live_(live) {
+  for (std::size_t i = 0; i < c.curves.size(); ++i) current_limit_[i] = c.curves[i].current_limit;
+}
+
+std::string report_sink::open() {
+  terminal_ = isatty(STDOUT_FILENO) != 0;
+  if (file_.empty()) return {};
+  out_ = std::fopen(part_.c_str(), "w");
+  if (out_ == nullptr) return "cannot write '" + part_ + "': " + std::strerror(errno);
+  std::fputs(
+      "t,cycle,state,reason,bridged,status,power,display,gamma,alpha,q1,q2,qd1,qd2,x,y,Fh_x,Fh_y,Fd_x,Fd_y,"
+      "capacity1,capacity2,current1,current2,late,compute\n",
+      out_);
+  return {};
+}
+
+void report_sink::take(const record& r) {
+  last_ = r;
+  ++count_;
+  late_.add(std::llround(1e9 * r.late));
+  compute_.add(std::llround(1e9 * r.compute));
+  if (out_ == nullptr) return;
+  const auto say = [](const ph::incident& i) {
+    return i.what == ph::fault::none ? std::string() : to_string(i);
+  };
+  std::fprintf(
+      out_,
+      "%.6f,%lld,%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,"
+      "%.6g,%.6g,%.3g,%.3g\n",
+      r.time, static_cast<long long>(r.number), to_string(r.state).data(), say(r.reason).c_str(),
+      say(r.bridged).c_str(), to_string(r.outcome).data(), to_string(r.power).data(),
+      to_string(r.display).data(), r.gamma, r.alpha, r.q[0], r.q[1], r.qd[0], r.qd[1], r.x[0], r.x[1],
+      r.hand[0], r.hand[1], r.desired[0], r.desired[1], r.capacity[0], r.capacity[1], r.current[0],
+      r.current[1], r.late, r.compute);
+}
+
+void report_sink::rest() {
+  if (out_ != nullptr) std::fflush(out_);
+  const double interval = terminal_ ? terminal_interval : line_interval;
+  if (!live_ || count_ == 0 || last_.time < shown_ + interval) return;
+  shown_ = last_.time;
+  show();
+}
+
+void report_sink::show() {
+  const record& r = last_;
+  const double degrees = ph::degrees(r.gamma);
+  std::string state(to_string(r.state));
+  if (r.state == ph::port_state::ready) state += std::string(", ") + words(r.phase);
+  if (r.reason.what != ph::fault::none) state += ": " + to_string(r.reason);
+  else if (r.bridged.what != ph::fault::none) state += ", bridging " + to_string(r.bridged);
+
+  if (!terminal_) {
+    std::printf(
+        "%7.1f s  %-10s handle (%.4f, %.4f) m  hand (%5.2f, %5.2f) N  %-11s brakes %.3f, %.3f A  late %s at "
+        "most\n",
+        r.time, state.c_str(), r.x[0], r.x[1], r.hand[0], r.hand[1], to_string(r.display).data(),
+        r.current[0], r.current[1], duration(static_cast<double>(late_.largest())).c_str());
+    std::fflush(stdout);
+    return;
+  }
+  std::string table;
+  table += text("%s%*s\n", title_.c_str(), std::max(1, 78 - static_cast<int>(title_.size())),
+                text("%.1f s", r.time).c_str());
+  table += "state    " + state + "\n";
+  table += text("handle   x %8.4f m    y %8.4f m\n", r.x[0], r.x[1]);
+  table += text("hand     x %8.3f N    y %8.3f N\n", r.hand[0], r.hand[1]);
+  table += text("wall     x %8.1f N    y %8.1f N    %s, %s, gamma %.0f deg, alpha %.2f\n", r.desired[0],
+                r.desired[1], to_string(r.power).data(), to_string(r.display).data(), degrees, r.alpha);
+  for (std::size_t i = 0; i < r.current.size(); ++i)
+    table += text("brake %zu  %9.4f /s  may hold %6.3f N m  %6.3f A  ", i + 1, r.qd[i], r.capacity[i],
+                  r.current[i]) +
+             bar(r.current[i] / current_limit_[i], 20) + "\n";
+  for (const auto& [name, h] : {std::pair{"late", &late_}, std::pair{"compute", &compute_}})
+    table += text("%-8s p50 %8s   p99 %8s   p99.9 %8s   max %8s\n", name,
+                  duration(static_cast<double>(h->percentile(0.5))).c_str(),
+                  duration(static_cast<double>(h->percentile(0.99))).c_str(),
+                  duration(static_cast<double>(h->percentile(0.999))).c_str(),
+                  duration(static_cast<double>(h->largest())).c_str());
+  table += "late, of " + text("%llu cycles\n", static_cast<unsigned long long>(count_)) + bars(late_);
+
+  if (lines_ > 0) std::printf("\033[%dA", lines_);  // over the table before
+  lines_ = static_cast<int>(std::count(table.begin(), table.end(), '\n'));
+  std::string clearing;  // each line to its end
+  for (const char c : table) clearing += c == '\n' ? std::string("\033[K\n") : std::string(1, c);
+  std::fputs((clearing + "\033[J").c_str(), stdout);
+  std::fflush(stdout);
+}
+
+void report_sink::close() {
+  if (live_ && count_ > 0) show();
+  if (out_ == nullptr) return;
+  const bool whole = std::ferror(out_) == 0 && std::fclose(out_) == 0;
+  if (!whole || std::rename(part_.c_str(), file_.c_str()) != 0)
+    std::fprintf(stderr, "error: cannot write '%s': %s\n", file_.c_str(), std::strerror(errno));
+}
+
+}  // namespace example

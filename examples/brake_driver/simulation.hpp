@@ -1,0 +1,187 @@
+/// @file
+/// A device without hardware, seen through the same counts, readings and currents as a real one.
+#pragma once
+
+#include <configuration.hpp>
+
+#include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/shared_memory.hpp>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+namespace example {
+
+/// Plant, hand, encoders and force sensor of mechanism M, calibrated as the configuration says. It goes on to the present
+/// whenever somebody reads it. The currents are in memory that a supervisor's process shares.
+template <class M>
+class simulation {
+ public:
+  simulation(const M& mechanism, const configuration& c)
+      : calibration_(mechanism, {c.encoders, c.rates, c.curves, c.force}, c.sensor_frame),
+        p_(c.simulation),
+        frame_(c.sensor_frame),
+        force_(c.force),
+        curves_(c.curves),
+        normal_(c.first_normal),
+        device_(mechanism, real_brakes(c), c.simulation.hand_mass, c.home),
+        sensor_({.corner = 200, .noise = c.simulation.sensor_noise, .seed = c.simulation.seed}) {
+    take_hold(1, 0);
+  }
+
+  /// Counts of the encoders, which start anywhere and wrap at 2^counter_bits.
+  std::array<double, axes> counts() noexcept {
+    advance();
+    const auto exact = calibration_.encoders.counts(calibration_.axis_positions(device_.q()));
+    std::array<double, axes> all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const double count = std::floor(exact[static_cast<int>(i)]) + somewhere[i];
+      all[i] = count - std::floor(count / turn) * turn;
+    }
+    return all;
+  }
+
+  /// Raw values of the force sensor, with an offset: C raw = R^T (F + m g) + offset, the least such raw.
+  std::array<double, sensor_channels> readings() noexcept {
+    advance();
+    const ph::vector<double, 2> force = sensor_.read() + force_.handle_mass * force_.gravity;
+    const ph::vector<double, 2> felt = frame_(device_.q()).transpose() * force + offset;
+    const auto& C = force_.newtons_per_unit;
+    const ph::matrix<double, 2, 2> CCt = C * C.transpose();
+    const ph::vector<double, sensor_channels> raw = C.transpose() * CCt.inverse() * felt;
+    std::array<double, sensor_channels> all;
+    std::copy_n(raw.data(), all.size(), all.begin());
+    return all;
+  }
+
+  void set(const ph::brake_currents<axes>& currents) noexcept {
+    advance();
+    for (std::size_t i = 0; i < currents.size(); ++i) currents_->value[i] = currents[i];
+  }
+  /// From any process.
+  void release() noexcept {
+    for (auto& one : currents_->value) one = 0;
+  }
+
+  static constexpr int counter_bits = 24;
+
+ private:
+  static constexpr double dt = 1e-4, most_at_once = 0.1, turn = 1 << counter_bits;  // [s, s, counts]
+  static constexpr std::array<double, axes> somewhere{100.0, turn - 200};
+  inline static const ph::vector<double, 2> offset{0.3, -0.2};  // [N]
+  struct shared_currents {
+    std::array<std::atomic<double>, axes> value{};
+  };
+
+  static ph::simulated_brakes_of<M> real_brakes(const configuration& c) {
+    ph::simulated_brakes_of<M> real;
+    for (int i = 0; i < axes; ++i) {
+      const ph::brake_curve& curve = c.curves[static_cast<std::size_t>(i)];
+      real.residual_torque[i] = curve.residual_torque;
+      real.torque_limit[i] = torque_of_current(curve, curve.current_limit);
+    }
+    real.time_constant.setConstant(c.simulation.brake_lag);
+    return real;
+  }
+
+  void take_hold(double sense, double time) {
+    const ph::vector<double, 2> direction(sense * p_.direction[0], sense * p_.direction[1]);
+    hand_.emplace(
+        direction, device_.position(),
+        ph::following_hand_parameters<double>{.speed = p_.speed, .push = p_.push, .mass = p_.hand_mass});
+    hand_from_ = device_.position();
+    hand_since_ = time;
+    sense_ = sense;
+  }
+
+  void advance() noexcept {
+    const double now = ph::monotonic_seconds();
+    if (start_ < 0) start_ = now;
+    // A program that was stopped does not catch up on hours
+    if (now - start_ - time_ > most_at_once) start_ = now - time_ - most_at_once;
+    for (; time_ + dt <= now - start_; time_ += dt) {
+      ph::vector<double, axes> strength;
+      for (int i = 0; i < axes; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        strength[i] = torque_of_current(curves_[k], currents_->value[k]) - curves_[k].residual_torque;
+      }
+      const ph::vector<double, 2> x = device_.position();
+      ph::vector<double, 2> muscle = ph::vector<double, 2>::Zero();
+      if (time_ >= p_.hand_start) {
+        if ((x - hand_from_).norm() > p_.path) take_hold(-sense_, time_);
+        muscle =
+            hand_->force(time_ - std::max(hand_since_, p_.hand_start), x, device_.velocity(), normal_(x));
+      }
+      device_.advance(dt, strength, muscle);
+      sensor_.advance(dt, device_.sensed_force());
+    }
+  }
+
+  ph::device_calibration<M, sensor_channels, ph::planar_sensor_frame<2>> calibration_;
+  simulation_parameters p_;
+  ph::planar_sensor_frame<2> frame_;
+  ph::force_calibration_parameters<2, sensor_channels> force_;
+  ph::brake_curves<axes> curves_;
+  wall_normal normal_;
+  ph::simulated_device<M> device_;
+  ph::force_sensor<double, 2> sensor_;
+  std::optional<ph::following_hand<double, 2>> hand_;
+  ph::vector<double, 2> hand_from_;
+  double hand_since_ = 0, sense_ = 1;
+  double start_ = -1, time_ = 0;  // [s]
+  ph::shared_memory<shared_currents> currents_;
+};
+
+/// A BrakePort to a simulation.
+template <class M>
+class simulated_port {
+ public:
+  static constexpr int encoder_count = axes, brake_count = axes;
+
+  explicit simulated_port(std::shared_ptr<simulation<M>> device) : device_(std::move(device)) {}
+
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<axes>& sample) noexcept {
+    sample = {ph::monotonic_seconds(), ++sequence_, device_->counts(), {true, true}};
+    return ph::port_status::ok;
+  }
+  ph::port_status write(const ph::brake_currents<axes>& currents) noexcept {
+    device_->set(currents);
+    return ph::port_status::ok;
+  }
+  void release() noexcept { device_->release(); }
+  int counter_bits() const noexcept { return simulation<M>::counter_bits; }
+
+ private:
+  std::shared_ptr<simulation<M>> device_;
+  std::uint32_t sequence_ = 0;
+};
+
+/// The ForceSensor of a simulation.
+template <class M>
+class simulated_force_sensor {
+ public:
+  static constexpr int channel_count = sensor_channels;
+
+  explicit simulated_force_sensor(std::shared_ptr<simulation<M>> device) : device_(std::move(device)) {}
+
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<sensor_channels>& sample) noexcept {
+    sample.time = ph::monotonic_seconds();
+    sample.sequence = ++sequence_;
+    sample.value = device_->readings();
+    sample.valid.fill(true);
+    return ph::port_status::ok;
+  }
+
+ private:
+  std::shared_ptr<simulation<M>> device_;
+  std::uint32_t sequence_ = 0;
+};
+
+}  // namespace example
