@@ -33,6 +33,8 @@ present() {
     libgtest-dev) found_by_dpkg "$1" || found_by_cmake GTest ;;
     libassimp-dev) found_by_dpkg "$1" || found_by_cmake assimp ;;
     libbenchmark-dev) found_by_dpkg "$1" || found_by_cmake benchmark ;;
+    libcomedi-dev) found_by_dpkg "$1" || [[ -f /usr/include/comedilib.h ]] ;;
+    qemu-system-x86) command -v qemu-system-x86_64 >/dev/null ;;
     clang) command -v clang++ >/dev/null ;;
     llvm) command -v llvm-cov >/dev/null ;;
     libclang-rt-dev) echo 'int main() {}' | clang++ -fsanitize=address -x c++ - -o /dev/null 2>/dev/null ;;

@@ -35,8 +35,10 @@ class comedi_port {
     if (text.empty()) text = device_.open(p_.device);
     if (text.empty()) text = find_outputs();
     if (text.empty()) text = find_counters();
-    if (text.empty() && write({}) != port_status::ok)
+    if (text.empty() && write({}) != port_status::ok) {
       text = p_.device + " refuses 0 V: " + comedi_strerror(comedi_errno());
+      release();  // the outputs that do not refuse
+    }
     for (std::size_t i = 0; i < counters_.size() && p_.start_counters && text.empty(); ++i)
       text = start_counter(i);
     if (!text.empty()) device_.close();  // then release() touches no channel that was not checked

@@ -50,8 +50,8 @@ int set_up(unsigned index, const std::string& call) {
 extern "C" {
 
 comedi_t* comedi_open(const char* file) {
-  if (plugged.open_error == 0 && file != plugged.file) plugged.open_error = ENOENT;
-  if (plugged.open_error != 0) return failed(plugged.open_error), nullptr;
+  const int error = plugged.open_error != 0 ? plugged.open_error : file != plugged.file ? ENOENT : 0;
+  if (error != 0) return failed(error), nullptr;
   ++plugged.handles;
   return &the_handle;
 }

@@ -67,7 +67,8 @@ TEST_F(comedi_port, tells_the_width_of_its_counters_so_that_a_wrap_is_undone) {
   port card(p);
   ASSERT_EQ(card.open(), "");
   EXPECT_EQ(card.counter_bits(), 24);
-  ph::encoder_check<2> encoders({.counter_bits = card.counter_bits()});
+  ph::encoder_check<2> encoders({});
+  encoders.set_counter_bits(ph::counter_bits(card));
   double travelled = 0;
   for (lsampl_t count = 0xffff00; travelled <= 1000; travelled += 100, count = (count + 100) & 0xffffff) {
     plugged.subdevices[2].value[0] = count;                    // up, over the end

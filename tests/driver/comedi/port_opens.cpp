@@ -106,8 +106,10 @@ TEST_F(opening_a_comedi_port, frees_brakes_that_an_earlier_program_left_on) {
 }
 
 TEST_F(opening_a_comedi_port, fails_if_it_may_not_write) {
-  plugged.subdevices[1].broken[1] = true;
+  plugged.subdevices[1].value = {60000, 50000};
+  plugged.subdevices[1].broken[0] = true;
   expect_complaint("/dev/comedi0 refuses 0 V: Input/output error");
+  EXPECT_EQ(output(1), zero) << "the other brake is free";
 }
 
 TEST_F(opening_a_comedi_port, sets_counters_up_for_quadrature_if_asked_to) {
