@@ -75,9 +75,7 @@ int main(int argc, char** argv) try {
               << " force sensor, " << c.law << "\n";
     return 0;
   }
-  if (c.mechanism == "xy_table") return example::run_xy_table(c, chosen.options);
-  if (c.mechanism == "five_bar") return example::run_five_bar(c, chosen.options);
-  return example::run_tendon_two_link(c, chosen.options);
+  return example::run_session(c, chosen.options);
 } catch (const std::invalid_argument& error) {
   std::cerr << "error: " << error.what() << "\n";
   return 2;

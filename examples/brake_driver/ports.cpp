@@ -20,7 +20,8 @@ namespace {
 
 }  // namespace
 
-any_brake_port<axes, axes> make_real_port(const configuration& c, port_use use) {
+any_brake_port<axes, axes> make_port(const configuration& c, haptic_device& device, port_use use) {
+  if (c.port == "simulated") return device.simulated_port();
   if (c.port == "serial") {
     serial_port_parameters p = c.serial;
     p.release_only = use == port_use::release;
@@ -31,12 +32,12 @@ any_brake_port<axes, axes> make_real_port(const configuration& c, port_use use) 
   p.start_counters = use == port_use::control;
   return any_brake_port<axes, axes>::of<ph::comedi_port<axes, axes>>(p);
 #else
-  static_cast<void>(use);
   without_comedi();
 #endif
 }
 
-any_force_sensor make_real_sensor(const configuration& c) {
+any_force_sensor make_sensor(const configuration& c, haptic_device& device) {
+  if (c.sensor == "simulated") return device.simulated_sensor();
   if (c.sensor == "none") return any_force_sensor::none();
   if (c.sensor == "net_ft") return any_force_sensor::of<net_ft>(c.net_ft);
 #if PASSIVE_HAPTICS_COMEDI

@@ -111,7 +111,7 @@ void report_sink::show() {
   const record& r = last_;
   const double degrees = ph::degrees(r.gamma);
   std::string state(to_string(r.state));
-  if (r.state == ph::port_state::ready) state += std::string(", ") + words(r.phase);
+  if (r.state == ph::port_state::ready) state += std::string(", ") + words(r.doing);
   if (r.reason.what != ph::fault::none) state += ": " + to_string(r.reason);
   else if (r.bridged.what != ph::fault::none) state += ", bridging " + to_string(r.bridged);
 

@@ -1,40 +1,18 @@
 /// @file
-/// What the loop says of each cycle, and who writes it down.
+/// Who writes down what the loop says of each cycle.
 #pragma once
 
 #include <configuration.hpp>
+#include <record.hpp>
 
 #include <passive_haptics/driver/duration_histogram.hpp>
 
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <string>
 
 namespace example {
-
-/// What the driver is doing.
-enum class phase : std::uint8_t { homing, taring, running };
-
-/// A cycle, as a value that processes can hand over.
-struct record {
-  double time = 0;          ///< [s], since the loop began.
-  std::int64_t number = 0;  ///< Of the period.
-  example::phase phase = phase::homing;
-  ph::port_state state = ph::port_state::ready;
-  ph::incident reason;   ///< Why the brakes are released.
-  ph::incident bridged;  ///< What is wrong with the last samples.
-  ph::status outcome = ph::status::ok;
-  ph::power_class power = ph::power_class::none;
-  ph::display_class display = ph::display_class::exact;
-  double gamma = 0, alpha = 1;          ///< [rad], [1]
-  std::array<double, axes> q{}, qd{};   ///< [rad or m], and of it a second
-  std::array<double, 2> x{};            ///< Handle [m].
-  std::array<double, 2> hand{};         ///< Force of the hand [N].
-  std::array<double, 2> desired{};      ///< Force that the walls ask for [N].
-  std::array<double, axes> capacity{};  ///< What each brake may hold [N m].
-  std::array<double, axes> current{};   ///< What each brake gets [A].
-  double late = 0, compute = 0;         ///< [s]
-};
 
 /// A RecordSink: a CSV file, whole or not at all, and a table in the terminal. Lives in the recorder's process.
 class report_sink {

@@ -1,0 +1,96 @@
+/// @file
+/// A haptic_device of mechanism M under law Law.
+#pragma once
+
+#include <haptic_device.hpp>
+#include <simulation.hpp>
+
+#include <memory>
+
+namespace example {
+
+template <class M, class Law>
+class mechanism_device final : public haptic_device {
+ public:
+  mechanism_device(const M& mechanism, const Law& law, const configuration& c)
+      : configuration_(c),
+        calibration_(mechanism, {c.encoders, c.rates, c.curves, c.force}, c.sensor_frame),
+        control_(mechanism, c.brakes, ph::world<2>(c.walls), law),
+        homing_(calibration_.encoders, calibration_.axis_positions(c.home), c.homing),
+        tare_({.duration = c.homing.duration, .tolerance = c.tare_tolerance}) {
+    if (c.port == "simulated") plant_ = std::make_shared<simulation<M>>(mechanism, c);
+  }
+
+  any_brake_port<axes, axes> simulated_port() override {
+    return any_brake_port<axes, axes>::of<example::simulated_port<M>>(plant_);
+  }
+  any_force_sensor simulated_sensor() override {
+    return any_force_sensor::of<simulated_force_sensor<M>>(plant_);
+  }
+
+  phase prepare(const samples& now) noexcept override {
+    if (doing_ == phase::homing) {
+      const ph::vector<double, axes> counts(now.counts.data());
+      if (homing_.add(now.time, counts) == ph::steady_status::done) {
+        calibration_.encoders.set_zero_count(homing_.zero_count());
+        doing_ = configuration_.tare ? phase::taring : phase::running;
+      }
+    } else if (doing_ == phase::taring) {
+      const ph::vector<double, sensor_channels> raw(now.readings.data());
+      if (tare_.add(now.time, raw) == ph::steady_status::done) {
+        const auto R = calibration_.sensor_frame(configuration_.home);
+        calibration_.force.set_tare(calibration_.force.tare_of(tare_.mean(), R));
+        doing_ = phase::running;
+      }
+    }
+    return doing_;
+  }
+
+  ph::brake_currents<axes> cycle(const samples& now, phase doing, record& r) noexcept override {
+    auto state = calibration_.state(now.time, now.counts, now.readings);
+    state.time = now.now;
+    typename decltype(control_)::result_type decided;
+    if (doing == phase::running) decided = control_(state);
+
+    r.outcome = decided.outcome;
+    r.power = decided.power;
+    r.display = decided.display;
+    r.gamma = decided.wall < 0 ? 0 : decided.approximation_angle();
+    r.alpha = decided.alpha;
+    const ph::task_vector<M> x = control_.mechanism().position(state.q);
+    for (int i = 0; i < 2; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      r.q[k] = state.q[i];
+      r.qd[k] = state.qd[i];
+      r.x[k] = x[i];
+      r.hand[k] = state.hand_force[i];
+      r.desired[k] = decided.desired_force[i];
+      r.capacity[k] = decided.capacity[i];
+    }
+    return calibration_.currents(decided.capacity);
+  }
+
+  void reset() noexcept override { control_.reset(); }
+
+ private:
+  configuration configuration_;
+  ph::device_calibration<M, sensor_channels, ph::planar_sensor_frame<2>> calibration_;
+  ph::controller<M, ph::world<2>, Law> control_;
+  ph::homing<axes> homing_;
+  ph::steady_mean<sensor_channels> tare_;
+  phase doing_ = phase::homing;
+  std::shared_ptr<simulation<M>> plant_;
+};
+
+/// Mechanism M under the law that the configuration names.
+template <class M>
+std::unique_ptr<haptic_device> device_of(const M& mechanism, const configuration& c) {
+  const auto under = [&](const auto& law) -> std::unique_ptr<haptic_device> {
+    return std::make_unique<mechanism_device<M, std::decay_t<decltype(law)>>>(mechanism, law, c);
+  };
+  if (c.law == "velocity_direct_control") return under(ph::velocity_direct_control());
+  if (c.law == "no_direct_control") return under(ph::no_direct_control());
+  return under(ph::direct_control());
+}
+
+}  // namespace example

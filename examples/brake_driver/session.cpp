@@ -1,0 +1,124 @@
+#include <haptic_device.hpp>
+#include <ports.hpp>
+#include <report.hpp>
+#include <session.hpp>
+
+#include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/real_time.hpp>
+#include <passive_haptics/driver/recorder.hpp>
+#include <passive_haptics/driver/safe_port.hpp>
+#include <passive_haptics/driver/stop_signals.hpp>
+#include <passive_haptics/driver/supervisor.hpp>
+
+#include <iostream>
+
+namespace example {
+namespace {
+
+using brake_port = any_brake_port<axes, axes>;
+
+class session {
+ public:
+  session(const configuration& c, const session_options& options)
+      : configuration_(c),
+        options_(options),
+        device_(make_device(c)),
+        port_(make_port(c, *device_, port_use::control), make_sensor(c, *device_), c.safety),
+        record_(report_sink(c.log, options.live, c)),
+        guard_(make_port(c, *device_, port_use::release), c.supervisor) {}
+
+  int run() {
+    // Processes first, then the device, then what makes the loop quick
+    std::string complaint = record_.start();
+    if (complaint.empty()) complaint = guard_.start();
+    if (complaint.empty()) complaint = port_.open();
+    if (!complaint.empty()) {
+      std::cerr << "error: " << complaint << "\n";
+      return 1;
+    }
+    const ph::real_time quick(configuration_.real_time);
+    for (const auto& setting : quick.settings())
+      std::cout << setting.what << (setting.refused.empty() ? "" : ": refused, " + setting.refused) << "\n";
+    std::cout << std::flush;
+
+    ph::control_loop loop(configuration_.loop);
+    begin_ = ph::monotonic_seconds();
+    ph::incident reason;
+    const ph::loop_report report =
+        loop.run([&](const ph::loop_cycle& now) { return cycle(now); }, [&] { return signals_.stop() != 0; },
+                 [&](ph::fault why) {
+                   port_.release({why});
+                   reason = port_.reason();
+                 });
+    guard_.stop();
+    record_.stop();
+    summarise(report, reason);
+    return reason.what == ph::fault::user ? 0 : 1;
+  }
+
+ private:
+  bool cycle(const ph::loop_cycle& now) {
+    if (!guard_.beat(now.time)) port_.release({ph::fault::supervisor_lost});
+    port_.read(now.time);
+    const samples read{now.time, port_.position_time(), port_.position(), port_.force()};
+    const bool good = port_.bridged().what == ph::fault::none;
+    if (doing_ != phase::running && port_.state() == ph::port_state::ready && good)
+      doing_ = device_->prepare(read);
+    if (signals_.rearm() && port_.rearm()) {
+      guard_.rearm();
+      device_->reset();
+    }
+    if (doing_ == phase::running && port_.state() == ph::port_state::ready) port_.activate();
+
+    record r;
+    port_.write(device_->cycle(read, doing_, r));
+    r.time = now.time - begin_;
+    r.number = now.number;
+    r.doing = doing_;
+    r.state = port_.state();
+    r.reason = port_.reason();
+    r.bridged = port_.bridged();
+    r.current = port_.applied();
+    r.late = now.late;
+    r.compute = ph::monotonic_seconds() - now.time;
+    record_(r);
+    return r.time < options_.seconds;
+  }
+
+  void summarise(const ph::loop_report& report, const ph::incident& reason) const {
+    const auto line = [](const char* name, const ph::duration_histogram& h) {
+      const auto at = [&](double share) { return duration(static_cast<double>(h.percentile(share))); };
+      std::cout << name << "  mean " << duration(h.mean()) << ", p50 " << at(0.5) << ", p99 " << at(0.99)
+                << ", p99.9 " << at(0.999) << ", max " << duration(static_cast<double>(h.largest())) << "\n"
+                << bars(h);
+    };
+    std::cout << "\n"
+              << report.cycles << " cycles, " << report.missed << " missed, " << report.overruns
+              << " overruns\n";
+    line("late   ", report.late);
+    line("compute", report.compute);
+    std::cout << "brakes released: " << to_string(reason) << "\n";
+    if (!report.exception.empty()) std::cout << "the control law threw: " << report.exception << "\n";
+    if (doing_ != phase::running)
+      std::cout << (doing_ == phase::homing ? "homing" : "taring") << " did not end: something moved\n";
+    if (port_.needs_homing()) std::cout << "the encoders lost their way: start again, at the home pose\n";
+    if (!configuration_.log.empty())
+      std::cout << "log: " << configuration_.log << ", " << record_.lost() << " cycles lost\n";
+  }
+
+  configuration configuration_;
+  session_options options_;
+  std::unique_ptr<haptic_device> device_;
+  ph::safe_port<brake_port, any_force_sensor> port_;
+  ph::recorder<record, report_sink> record_;
+  ph::supervisor<brake_port> guard_;
+  ph::stop_signals signals_;
+  phase doing_ = phase::homing;
+  double begin_ = 0;  // [s]
+};
+
+}  // namespace
+
+int run_session(const configuration& c, const session_options& options) { return session(c, options).run(); }
+
+}  // namespace example
