@@ -60,6 +60,8 @@ using brake_currents = std::array<double, static_cast<std::size_t>(N)>;
 /// release: 0 A on all brakes, as fast as the device can. May be called at any time, also before open(), twice and after a
 ///   failure; the destructor calls it. A port that is still there can be written to again.
 ///
+/// A port whose counters wrap also has `int counter_bits() const noexcept`, their width, once it is open.
+///
 /// Laws: read, write and release neither allocate, throw, lock nor wait. A second port of the same type may be open to the
 /// same device in another process, of which only open() and release() are called (supervisor).
 template <class P>
@@ -70,6 +72,13 @@ concept BrakePort =
       { port.write(currents) } noexcept -> std::same_as<port_status>;
       { port.release() } noexcept;
     };
+
+/// Width of the counters behind a port [bits]; 0 where they never wrap.
+template <BrakePort P>
+constexpr int counter_bits(const P& port) noexcept {
+  if constexpr (requires { port.counter_bits(); }) return port.counter_bits();
+  else return 0;
+}
 
 /// A force (and torque) sensor between last link and handle: `channel_count`, and open and read as of a BrakePort.
 template <class S>

@@ -1,0 +1,111 @@
+/// @file
+/// A force sensor at analog inputs of a Comedi card. Needs libcomedi.
+#pragma once
+
+#include "comedi_device.hpp"
+#include "comedi_parameters.hpp"
+
+#include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/port.hpp>
+
+#include <string>
+#include <utility>
+
+namespace passive_haptics {
+
+/// The channels of a comedi_force_sensor.
+template <int Channels>
+struct comedi_force_sensor_parameters {
+  std::string device = "/dev/comedi0";
+  int subdevice = -1;  ///< -1 for the first analog input of the card.
+  std::array<int, static_cast<std::size_t>(Channels)> channels = in_turn();
+  int range = 0;  ///< Index, of all channels; in volts.
+  comedi_reference reference = comedi_reference::ground;
+
+  static constexpr auto in_turn() {
+    std::array<int, static_cast<std::size_t>(Channels)> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+    return all;
+  }
+};
+
+/// What is wrong with the parameters, whatever the card; empty if nothing.
+template <int Channels>
+std::string validate(const comedi_force_sensor_parameters<Channels>& p) {
+  std::string text = detail::first_complaint(detail::check_device_file(p.device),
+                                             detail::check_index("subdevice", p.subdevice, -1),
+                                             detail::check_index("range", p.range, 0));
+  for (std::size_t i = 0; i < p.channels.size() && text.empty(); ++i)
+    text = detail::check_index(detail::indexed("channels[", i, "]"), p.channels[i], 0);
+  return text;
+}
+
+/// A ForceSensor that tells volts: newtons per volt are the calibration's. A channel at either end of its range is not valid.
+/// read is one system call, see comedi_port.
+template <int Channels>
+class comedi_force_sensor {
+ public:
+  static constexpr int channel_count = Channels;
+  using parameters = comedi_force_sensor_parameters<Channels>;
+
+  explicit comedi_force_sensor(parameters p) : p_(std::move(p)) {}
+
+  /// Checks all that the card says against the parameters.
+  std::string open() {
+    std::string text = validate(p_);
+    unsigned subdevice = 0;
+    if (text.empty()) text = device_.open(p_.device);
+    if (text.empty()) text = device_.find("subdevice", p_.subdevice, COMEDI_SUBD_AI, subdevice);
+    if (text.empty()) text = check_reference(subdevice);
+    for (std::size_t i = 0; i < inputs_.size() && text.empty(); ++i) {
+      comedi_channel& c = inputs_[i];
+      c.subdevice = subdevice;
+      c.channel = static_cast<unsigned>(p_.channels[i]);
+      c.range = static_cast<unsigned>(p_.range);
+      c.reference = p_.reference;
+      text = device_.check_channel(detail::indexed("channels[", i, "]"), c);
+      if (text.empty()) text = device_.check_range("range", c);
+      voltages_.set(i, INSN_READ, c);
+    }
+    if (!text.empty()) device_.close();
+    return text;
+  }
+
+  /// A new sample with each call [V]. no_sample: the card was busy; it may be asked again.
+  port_status read(port_sample<Channels>& sample) noexcept {
+    if (const port_status status = voltages_.run(device_.get()); status != port_status::ok) return status;
+    sample.time = monotonic_seconds();
+    sample.sequence = ++sequence_;
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+      const lsampl_t s = voltages_.samples[i];
+      sample.value[i] = inputs_[i].volts(s);
+      sample.valid[i] = s > 0 && s < inputs_[i].largest;
+    }
+    return port_status::ok;
+  }
+
+ private:
+  std::string check_reference(unsigned subdevice) const {
+    const auto flags = static_cast<unsigned>(comedi_get_subdevice_flags(device_.get(), subdevice));
+    const auto offered = [&](comedi_reference r) {
+      return (flags & (r == comedi_reference::ground   ? SDF_GROUND
+                       : r == comedi_reference::common ? SDF_COMMON
+                                                       : SDF_DIFF)) != 0;
+    };
+    if (offered(p_.reference)) return "";
+    std::string text = "reference: not of this card, expected one of";
+    for (const auto& [reference, name] :
+         {std::pair{comedi_reference::ground, " ground"}, std::pair{comedi_reference::common, " common"},
+          std::pair{comedi_reference::differential, " differential"}})
+      if (offered(reference)) text += name;
+    return text;
+  }
+
+  parameters p_;
+  comedi_device device_;
+  std::uint32_t sequence_ = 0;
+  std::array<comedi_channel, static_cast<std::size_t>(Channels)> inputs_;
+  comedi_transfer<Channels> voltages_;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,174 @@
+/// @file
+/// Brakes at analog outputs and encoders at counters of a Comedi card. Needs libcomedi.
+#pragma once
+
+#include "comedi_device.hpp"
+#include "comedi_parameters.hpp"
+
+#include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/port.hpp>
+
+#include <bit>
+#include <string>
+#include <utility>
+
+namespace passive_haptics {
+
+/// A BrakePort: each brake's current as a voltage to its amplifier, each encoder's counts as the counter tells them.
+///
+/// A counter wraps after 2^counter_bits() counts, which the reader undoes (encoder_limits::counter_bits). read and write are
+/// one system call each (ioctl), which takes as long as the card's driver: microseconds on PCI, up to milliseconds on USB.
+/// An analog output keeps its voltage when the program dies: run a supervisor.
+template <int Encoders, int Brakes>
+class comedi_port {
+ public:
+  static constexpr int encoder_count = Encoders, brake_count = Brakes;
+  using parameters = comedi_port_parameters<Encoders, Brakes>;
+
+  explicit comedi_port(parameters p) : p_(std::move(p)) {}
+  comedi_port(comedi_port&&) noexcept = default;
+  ~comedi_port() { release(); }
+
+  /// Checks all that the card says against the parameters, puts 0 V to all brakes and starts the counters.
+  std::string open() {
+    std::string text = validate(p_);
+    if (text.empty()) text = device_.open(p_.device);
+    if (text.empty()) text = find_outputs();
+    if (text.empty()) text = find_counters();
+    if (text.empty() && write({}) != port_status::ok)
+      text = p_.device + " refuses 0 V: " + comedi_strerror(comedi_errno());
+    for (std::size_t i = 0; i < counters_.size() && p_.start_counters && text.empty(); ++i)
+      text = start_counter(i);
+    if (!text.empty()) device_.close();  // then release() touches no channel that was not checked
+    return text;
+  }
+
+  /// A new sample with each call. no_sample: the card was busy; it may be asked again.
+  port_status read(port_sample<Encoders>& sample) noexcept {
+    if (const port_status status = counts_.run(device_.get()); status != port_status::ok) return status;
+    sample.time = monotonic_seconds();
+    sample.sequence = ++sequence_;
+    for (std::size_t i = 0; i < counters_.size(); ++i) {
+      sample.value[i] = counts_.samples[i];
+      sample.valid[i] = true;
+    }
+    return port_status::ok;
+  }
+
+  /// To the nearest sample within the range. Anything but ok: some brakes may have got their current, others not.
+  port_status write(const brake_currents<Brakes>& currents) noexcept {
+    for (std::size_t i = 0; i < outputs_.size(); ++i)
+      voltages_.samples[i] = outputs_[i].sample(currents[i] / p_.brakes[i].amperes_per_volt);
+    return voltages_.run(device_.get()) == port_status::ok ? port_status::ok : port_status::failed;
+  }
+
+  /// 0 V to each brake by itself, so that one that fails keeps no other.
+  void release() noexcept {
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      voltages_.samples[i] = outputs_[i].zero;
+      voltages_.run_one(device_.get(), i);
+    }
+  }
+
+  /// Width of the counters, the same of all; 0 without encoders and before open().
+  int counter_bits() const noexcept {
+    return Encoders == 0 ? 0 : static_cast<int>(std::bit_width(counters_.front().largest));
+  }
+
+ private:
+  std::string find_outputs() {
+    unsigned subdevice = 0;
+    std::string text = device_.find("output_subdevice", p_.output_subdevice, COMEDI_SUBD_AO, subdevice);
+    for (std::size_t i = 0; i < outputs_.size() && text.empty(); ++i) {
+      const comedi_brake& b = p_.brakes[i];
+      comedi_channel& c = outputs_[i];
+      c.subdevice = subdevice;
+      c.channel = static_cast<unsigned>(b.channel);
+      c.range = static_cast<unsigned>(b.range);
+      const std::string name = detail::indexed("brakes[", i, "].");
+      text = device_.check_channel(name + "channel", c);
+      if (text.empty()) text = device_.check_range(name + "range", c);
+      if (text.empty()) text = check_currents(name, b, c);
+      voltages_.set(i, INSN_WRITE, c);
+    }
+    return text;
+  }
+
+  std::string check_currents(const std::string& name, const comedi_brake& b, const comedi_channel& c) const {
+    std::ostringstream text;
+    const double needed = b.largest_current / b.amperes_per_volt;
+    if (!(c.low <= 0 && c.high > 0)) {
+      text << name << "range = " << b.range << " (" << c.low << " to " << c.high
+           << " V), expected one from 0 V, where the brake is free, upwards: the channel has"
+           << device_.ranges(c);
+    } else if (needed > c.high) {
+      text << name << "largest_current [A] = " << b.largest_current << " takes " << needed
+           << " V, expected at most " << c.high << " V: lower it, or take another of the ranges"
+           << device_.ranges(c);
+    }
+    return text.str();
+  }
+
+  std::string find_counters() {
+    std::string text;
+    for (std::size_t i = 0; i < counters_.size() && text.empty(); ++i) {
+      const comedi_encoder& e = p_.encoders[i];
+      comedi_channel& c = counters_[i];
+      const std::string name = detail::indexed("encoders[", i, "].");
+      c.channel = static_cast<unsigned>(e.channel);
+      text = device_.find(name + "subdevice", e.subdevice, COMEDI_SUBD_COUNTER, c.subdevice);
+      if (text.empty()) text = device_.check_channel(name + "channel", c);
+      if (text.empty()) text = check_width(name, c);
+      counts_.set(i, INSN_READ, c);
+    }
+    return text;
+  }
+
+  std::string check_width(const std::string& name, const comedi_channel& c) const {
+    const unsigned expected = counters_.front().largest;
+    if (c.largest == expected && c.largest > 1 && std::has_single_bit(std::uint64_t{c.largest} + 1))
+      return "";
+    std::ostringstream text;
+    text << name << "channel = " << c.channel << " counts to " << c.largest
+         << ", expected 2^n - 1, the same of all encoders: take counters of one kind";
+    return text.str();
+  }
+
+  // As libcomedi's demo gpct_encoder does.
+  std::string start_counter(std::size_t i) {
+    const comedi_encoder& e = p_.encoders[i];
+    if (e.setup == comedi_counter_setup::keep) return "";
+    comedi_t* const card = device_.get();
+    const unsigned s = counters_[i].subdevice, middle = counters_[i].largest / 2 + 1;
+    bool done = comedi_reset(card, s) >= 0;
+    // The counter itself and the two registers that it is loaded from
+    for (unsigned place = 0; place < 3; ++place)
+      done = done && comedi_data_write(card, s, place, 0, 0, middle) == 1;
+    done = done && comedi_set_gate_source(card, s, 0, 0, NI_GPCT_DISABLED_GATE_SELECT) >= 0;
+    if (done)
+      comedi_set_gate_source(card, s, 0, 1, NI_GPCT_DISABLED_GATE_SELECT);  // not every card has this gate
+    const auto wire = [&](unsigned input, int terminal) {
+      const unsigned source = NI_GPCT_PFI_OTHER_SELECT(static_cast<unsigned>(terminal));
+      return terminal < 0 || comedi_set_other_source(card, s, 0, input, source) >= 0;
+    };
+    done = done && wire(NI_GPCT_SOURCE_ENCODER_A, e.a) && wire(NI_GPCT_SOURCE_ENCODER_B, e.b);
+    const unsigned mode =
+        NI_GPCT_COUNTING_MODE_QUADRATURE_X4_BITS | NI_GPCT_COUNTING_DIRECTION_HW_UP_DOWN_BITS;
+    done = done && comedi_set_counter_mode(card, s, 0, mode) >= 0 &&
+           comedi_arm(card, s, NI_GPCT_ARM_IMMEDIATE) >= 0;
+    if (done) return "";
+    return detail::indexed("encoders[", i, "].setup = ni_quadrature: the card refuses (") +
+           comedi_strerror(comedi_errno()) +
+           "); expected a counter of National Instruments, else setup = keep";
+  }
+
+  parameters p_;
+  comedi_device device_;
+  std::uint32_t sequence_ = 0;
+  std::array<comedi_channel, static_cast<std::size_t>(Brakes)> outputs_;
+  std::array<comedi_channel, static_cast<std::size_t>(Encoders)> counters_;
+  comedi_transfer<Brakes> voltages_;
+  comedi_transfer<Encoders> counts_;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,71 @@
+/// @file
+/// All that the driver is told, with the paper's device as the default.
+#pragma once
+
+#include <comedi_parameters.hpp>
+#include <net_ft_parameters.hpp>
+#include <serial_port_parameters.hpp>
+#include <simulation_parameters.hpp>
+
+#include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/device_calibration.hpp>
+#include <passive_haptics/driver/real_time.hpp>
+#include <passive_haptics/driver/safe_port_parameters.hpp>
+#include <passive_haptics/driver/supervisor.hpp>
+#include <passive_haptics/passive_haptics.hpp>
+
+#include <string>
+
+namespace example {
+
+namespace ph = passive_haptics;
+
+/// Of all devices of this program: planar, two encoders, two brakes, a force sensor with up to six channels.
+inline constexpr int axes = 2, sensor_channels = 6;
+
+/// A configuration file, checked.
+struct configuration {
+  std::string mechanism = "tendon_two_link";  ///< Or xy_table, five_bar.
+  ph::tendon_two_link_parameters<double> tendon_two_link;
+  ph::xy_table_parameters<double> xy_table;
+  ph::five_bar_parameters<double> five_bar;
+
+  std::string law = "direct_control";  ///< Or velocity_direct_control, no_direct_control.
+  ph::world_walls<2> walls;
+  ph::brake_parameters<double, axes> brakes;  ///< What the controller believes.
+
+  // What was measured on the device
+  ph::encoder_calibration_parameters<axes> encoders;
+  ph::rate_estimator_parameters rates;
+  ph::brake_curves<axes> curves{};
+  ph::force_calibration_parameters<2, sensor_channels> force;
+  ph::planar_sensor_frame<2> sensor_frame;
+  ph::vector<double, axes> home = {0.55, -1.6};  ///< Joint positions at the start [rad or m].
+  ph::steady_parameters homing;
+  bool tare = true;            ///< Whether the sensor's offset is taken at the start, with the hand off.
+  double tare_tolerance = 0.5;  ///< Most that a channel may move meanwhile, in its unit.
+
+  // How the loop runs and when it lets go
+  ph::control_loop_parameters loop;
+  ph::real_time_parameters real_time;
+  ph::safe_port_parameters<axes, sensor_channels> safety;
+  ph::supervisor_parameters supervisor;
+
+  std::string port = "simulated";  ///< Or comedi, serial.
+  comedi_port_parameters<axes, axes> comedi;
+  serial_port_parameters serial;
+  std::string sensor = "simulated";  ///< Or comedi, net_ft, none.
+  comedi_sensor_parameters<sensor_channels> comedi_sensor;
+  net_ft_parameters net_ft;
+  simulation_parameters simulation;
+
+  std::string log = "brake_driver.csv";  ///< Empty for none.
+};
+
+/// Of a file; of the default without one. Throws std::invalid_argument that names file, line, key, value and expectation.
+configuration read_configuration(const std::string& path);
+
+/// The device and the sensor replaced by simulated ones.
+configuration simulated(configuration c);
+
+}  // namespace example

@@ -1,0 +1,166 @@
+/// @file
+/// An ATI Net F/T force/torque sensor, read over the network (raw data transfer, RDT).
+#pragma once
+
+#include <udp_peer.hpp>
+
+#include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/port.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+namespace example {
+
+/// Where the sensor is and how it counts; the last two stand on its web page "Configurations".
+struct net_ft_parameters {
+  std::string host = "192.168.1.1";      ///< Name or address; this one is the manufacturer's setting.
+  int port = 49152;                      ///< UDP.
+  double counts_per_force = 1'000'000;   ///< [1/N]; set the sensor's force unit to N.
+  double counts_per_torque = 1'000'000;  ///< [1/(N m)]; set the sensor's torque unit to N m.
+  double open_timeout = 1;               ///< For the first record [s].
+  double silence = 0.1;                  ///< Without a record for so long it is asked again to send [s].
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const net_ft_parameters& p) {
+  return ph::detail::first_complaint(
+      p.host.empty() ? std::string("host is empty, expected a name or an address, as 192.168.1.1") : "",
+      p.port >= 1 && p.port <= 65535 ? "" : ph::detail::complaint("port", p.port, "1 to 65535"),
+      ph::detail::check_positive("counts_per_force [1/N]", p.counts_per_force),
+      ph::detail::check_positive("counts_per_torque [1/(N m)]", p.counts_per_torque),
+      ph::detail::check_positive("open_timeout [s]", p.open_timeout),
+      ph::detail::check_positive("silence [s]", p.silence));
+}
+
+/// A record of RDT: 36 bytes, big-endian.
+struct rdt_record {
+  static constexpr std::size_t size = 36;  ///< [bytes]
+
+  std::uint32_t sequence = 0;            ///< Of the record; one more with each that is sent.
+  std::uint32_t ft_sequence = 0;         ///< Of the measurement.
+  std::uint32_t status = 0;              ///< 0 if all is well.
+  std::array<std::int32_t, 6> counts{};  ///< Fx, Fy, Fz, Tx, Ty, Tz.
+
+  /// From exactly these bytes.
+  static rdt_record from(std::span<const std::uint8_t, size> bytes) {
+    const auto word = [&](std::size_t i) {
+      std::uint32_t value = 0;
+      for (std::size_t k = 0; k < 4; ++k) value = value << 8 | bytes[4 * i + k];
+      return value;
+    };
+    rdt_record r{word(0), word(1), word(2), {}};
+    for (std::size_t i = 0; i < r.counts.size(); ++i) r.counts[i] = static_cast<std::int32_t>(word(3 + i));
+    return r;
+  }
+
+  /// Are the counts to be trusted? Any bit of the status speaks against it (bit 17 is saturation, others are failures of the
+  /// electronics), but for bit 16: a threshold that the user set was once exceeded. Bit 31 comes with every other.
+  bool trusted() const { return status == 0 || (status & 0x7FFF'FFFFu) == 0x0001'0000u; }
+};
+
+/// A ForceSensor: forces [N] and torques [N m] in the sensor's frame. Samples carry the record's sequence and the time of
+/// the read that found them; the sensor tells no time of its own.
+///
+/// read: `ok` with the record of the highest sequence of all that came; all channels are invalid unless rdt_record::trusted().
+///   `bad_sample` if only datagrams of another length came. `no_sample` if nothing came, also while the network or the sensor
+///   refuses: after a pull of a cable or a power failure the sensor comes back, and is then asked again, every `silence`
+///   seconds. `failed` if the socket itself is broken, or not open. At most most_datagrams + 1 system calls and a send.
+/// Nothing but open() allocates, waits or looks up a name.
+class net_ft {
+ public:
+  static constexpr int channel_count = 6;     ///< Fx, Fy, Fz, Tx, Ty, Tz.
+  static constexpr int most_datagrams = 256;  ///< Of one read(): 36 ms of a sensor at its fastest.
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit net_ft(const net_ft_parameters& p) : parameters_(ph::require_valid(p)) {}
+  /// Asks the sensor to stop sending.
+  ~net_ft() { ask(stop); }
+  net_ft(const net_ft&) = delete;
+  net_ft& operator=(const net_ft&) = delete;
+
+  /// Looks the host up, asks for records and waits for the first.
+  std::string open() {
+    const std::string name =
+        "force sensor " + parameters_.host + ":" + std::to_string(parameters_.port) + ": ";
+    if (const std::string text = peer_.open(parameters_.host, parameters_.port); !text.empty())
+      return name + text;
+    const double end = ph::monotonic_seconds() + parameters_.open_timeout;
+    bool other = false, refused = false;
+    for (double now; (now = ph::monotonic_seconds()) < end;) {
+      constexpr double again = 0.1;  // [s]
+      if (now - asked_ >= again) ask(start);
+      peer_.wait(std::min(again, end - now));
+      ph::port_sample<channel_count> first;
+      const auto status = read(first);
+      if (status == ph::port_status::ok) return "";
+      other = other || status == ph::port_status::bad_sample;
+      refused = refused || peer_.refused();
+    }
+    const std::string waited =
+        "no record in " + std::to_string(std::lround(1e3 * parameters_.open_timeout)) + " ms; ";
+    if (other) return name + waited + "something else answers there: is it a Net F/T with RDT enabled?";
+    if (refused)
+      return name + waited +
+             "the host is there but does not listen: enable RDT on its web page, check the port";
+    return name + waited + "is it powered and connected, and this computer in its subnet (`ping " +
+           parameters_.host + "`)?";
+  }
+
+  /// See above.
+  ph::port_status read(ph::port_sample<channel_count>& to) noexcept {
+    std::array<std::uint8_t, rdt_record::size> bytes;
+    rdt_record newest;
+    bool fresh = false, damaged = false;
+    for (int i = 0; i < most_datagrams; ++i) {
+      const auto got = peer_.receive(bytes);
+      if (got == udp_peer::broken) return ph::port_status::failed;
+      if (got == udp_peer::nothing) break;
+      if (got != rdt_record::size) {
+        damaged = true;
+        continue;
+      }
+      const auto r = rdt_record::from(bytes);
+      if (!fresh || static_cast<std::int32_t>(r.sequence - newest.sequence) > 0) newest = r;
+      fresh = true;
+    }
+    const double now = ph::monotonic_seconds();
+    if (!fresh) {
+      if (now - heard_ > parameters_.silence && now - asked_ > parameters_.silence) ask(start);
+      return damaged ? ph::port_status::bad_sample : ph::port_status::no_sample;
+    }
+    heard_ = now;
+    to.time = now;
+    to.sequence = newest.sequence;
+    for (std::size_t i = 0; i < to.channels; ++i) {
+      to.value[i] = newest.counts[i] / (i < 3 ? parameters_.counts_per_force : parameters_.counts_per_torque);
+      to.valid[i] = newest.trusted();
+    }
+    status_ = newest.status;
+    return ph::port_status::ok;
+  }
+
+  /// The status word of the newest record, for a message.
+  std::uint32_t status() const { return status_; }
+
+ private:
+  static constexpr std::uint8_t stop = 0,
+                                start = 2;  // commands of RDT; start: as fast as set on its web page
+
+  net_ft_parameters parameters_;
+  udp_peer peer_;
+  double heard_ = 0, asked_ = 0;  // the latest record, the latest request [s]
+  std::uint32_t status_ = 0;
+
+  void ask(std::uint8_t command) noexcept {
+    // Header 0x1234, command, number of records: 0 is without end
+    const std::array<std::uint8_t, 8> request{0x12, 0x34, 0, command, 0, 0, 0, 0};
+    peer_.send(request);
+    asked_ = ph::monotonic_seconds();
+  }
+};
+
+}  // namespace example

@@ -1,0 +1,169 @@
+/// @file
+/// A serial port of the operating system: raw bytes, both ways, without waiting.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+
+#include <fcntl.h>
+#include <linux/serial.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace example {
+
+namespace ph = passive_haptics;
+
+/// The rates that a serial port can be set to [bit/s].
+inline constexpr std::array<std::pair<int, speed_t>, 14> baud_rates{{{9600, B9600},
+                                                                     {19200, B19200},
+                                                                     {38400, B38400},
+                                                                     {57600, B57600},
+                                                                     {115200, B115200},
+                                                                     {230400, B230400},
+                                                                     {460800, B460800},
+                                                                     {500000, B500000},
+                                                                     {921600, B921600},
+                                                                     {1000000, B1000000},
+                                                                     {1500000, B1500000},
+                                                                     {2000000, B2000000},
+                                                                     {3000000, B3000000},
+                                                                     {4000000, B4000000}}};
+
+/// What is wrong with a rate; empty if nothing.
+inline std::string check_baud(std::string_view name, int baud) {
+  std::string rates;
+  for (const auto& [rate, code] : baud_rates) {
+    if (rate == baud) return "";
+    rates += (rates.empty() ? "" : ", ") + std::to_string(rate);
+  }
+  return ph::detail::complaint(name, baud, "one of " + rates);
+}
+
+/// One. Nothing but open() allocates; nothing waits, but for closing it, where the kernel sends what is under way first.
+class serial_line {
+ public:
+  /// How a transfer ended.
+  enum class transfer {
+    done,     ///< All of it, or for read() at least one byte.
+    nothing,  ///< No byte came; there was no room for all bytes, and some may have gone out.
+    lost,     ///< The port is gone.
+  };
+
+  serial_line() = default;
+  serial_line(const serial_line&) = delete;
+  serial_line& operator=(const serial_line&) = delete;
+  ~serial_line() { close(); }
+
+  /// Raw, 8 data bits, no parity, 1 stop bit, no flow control. Not exclusive: a second process may open it, too, and takes
+  /// nothing away as long as it does not read. Empty, or what is wrong and what to do.
+  std::string open(const std::string& path, int baud) {
+    close();
+    fd_ = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (fd_ < 0) return "serial port " + path + ": " + refusal(errno);
+    const std::string text = set_up(baud);
+    if (text.empty()) return "";
+    close();
+    return "serial port " + path + ": " + text;
+  }
+
+  /// Is it?
+  bool is_open() const noexcept { return fd_ >= 0; }
+
+  /// Takes what has come, as far as it has room. One system call.
+  transfer read(std::span<std::uint8_t> to, std::size_t& count) noexcept {
+    count = 0;
+    for (;;) {
+      const auto n = ::read(fd_, to.data(), to.size());
+      if (n > 0) {
+        count = static_cast<std::size_t>(n);
+        return transfer::done;
+      }
+      if (n == 0) return transfer::lost;  // hung up: with VMIN = 1, "nothing came" is EAGAIN
+      if (errno == EINTR) continue;
+      return errno == EAGAIN ? transfer::nothing : transfer::lost;
+    }
+  }
+
+  /// Hands over all bytes, or as many as there is room for. One system call.
+  transfer write(std::span<const std::uint8_t> bytes) noexcept {
+    for (;;) {
+      const auto n = ::write(fd_, bytes.data(), bytes.size());
+      if (n == static_cast<ssize_t>(bytes.size())) return transfer::done;
+      if (n >= 0) return transfer::nothing;
+      if (errno == EINTR) continue;
+      return errno == EAGAIN ? transfer::nothing : transfer::lost;
+    }
+  }
+
+  /// Throws away what is handed over but not sent yet.
+  void discard_output() noexcept { tcflush(fd_, TCOFLUSH); }
+  /// Throws away what has come but is not read yet.
+  void discard_input() noexcept { tcflush(fd_, TCIFLUSH); }
+
+  /// Waits until something has come, at most so long [s].
+  void wait(double timeout) noexcept {
+    pollfd p{fd_, POLLIN, 0};
+    poll(&p, 1, static_cast<int>(1e3 * timeout) + 1);
+  }
+
+  /// Nothing if it is not open.
+  void close() noexcept {
+    if (fd_ >= 0) ::close(fd_);
+    fd_ = -1;
+  }
+
+ private:
+  int fd_ = -1;
+
+  static std::string refusal(int error) {
+    switch (error) {
+      case ENOENT: return "no such file; plug the device in, or find its name by `ls /dev/serial/by-id`";
+      case EACCES:
+        return "no permission; add the user to the group that owns it (dialout in Debian) by `sudo usermod "
+               "-aG dialout "
+               "$USER` and log in again";
+      case EBUSY: return "another program holds it exclusively; end that program";
+      case ENXIO:
+      case ENODEV:
+      case EIO: return "there is a file but no device behind it; plug the device in";
+      default: return std::strerror(error);
+    }
+  }
+
+  std::string set_up(int baud) {
+    if (const std::string text = check_baud("baud [bit/s]", baud); !text.empty()) return text;
+    termios settings;
+    if (tcgetattr(fd_, &settings) != 0) return "is no serial port but another kind of file";
+    cfmakeraw(&settings);
+    settings.c_cflag |= CLOCAL | CREAD;
+    settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
+    settings.c_cc[VMIN] = 1;
+    settings.c_cc[VTIME] = 0;
+    for (const auto& [rate, code] : baud_rates)
+      if (rate == baud) cfsetspeed(&settings, code);
+    termios result;
+    if (tcsetattr(fd_, TCSANOW, &settings) != 0 || tcgetattr(fd_, &result) != 0)
+      return std::string("cannot be set up: ") + std::strerror(errno);
+    if (cfgetospeed(&result) != cfgetospeed(&settings))
+      return ph::detail::complaint("baud [bit/s]", baud, "a rate that this port can do");
+    // An FTDI chip keeps what it received for 16 ms unless asked not to; who cannot do it refuses, and that is all right.
+    serial_struct driver;
+    if (ioctl(fd_, TIOCGSERIAL, &driver) == 0) {
+      driver.flags |= ASYNC_LOW_LATENCY;
+      ioctl(fd_, TIOCSSERIAL, &driver);
+    }
+    return "";
+  }
+};
+
+}  // namespace example

@@ -1,0 +1,184 @@
+/// @file
+/// Brakes and encoders behind a microcontroller on a serial line, which speaks serial_protocol.hpp.
+#pragma once
+
+#include <device_clock.hpp>
+#include <serial_line.hpp>
+#include <serial_port_parameters.hpp>
+
+#include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/port.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace example {
+
+/// A BrakePort. Samples carry the device's sequence and time (device_clock); a channel is invalid where the device reports a
+/// fault of its encoder. read() and write() take a few system calls each.
+///
+/// read: `ok` with the newest whole sample of all that came; `bad_sample` if there was none but damage (a wrong checksum, a
+///   frame cut off, one of another number of encoders); `failed` if the port is gone, or if currents were written and the
+///   device says that they are not on the brakes: a brake's fault, its watchdog, a release by somebody else, a restart. That
+///   is looked at once the first currents after a release had its watchdog's time to arrive.
+/// write: `no_sample` if the operating system had no room for the whole frame; half of one may be out, which the device
+///   drops when the next begins. What waits is thrown away then: currents that are late are wrong. `failed` if the port is gone.
+/// release: throws away what waits, and sends the release three times, so that one disturbance does not take all. If it gets
+///   lost nevertheless the device's watchdog does the same. Safe in a signal handler.
+template <int Encoders, int Brakes>
+  requires(Encoders >= 1 && Encoders <= int{serial::most_channels} && Brakes >= 1 &&
+           Brakes <= int{serial::most_channels})
+class serial_port {
+ public:
+  static constexpr int encoder_count = Encoders;  ///< Channels of a sample.
+  static constexpr int brake_count = Brakes;      ///< Currents.
+  static constexpr int release_copies = 3;        ///< Frames of one release().
+
+  /// What went wrong on the line, since open().
+  struct statistics {
+    unsigned long samples = 0;  ///< Whole samples, also those that a newer one of the same read() replaced.
+    unsigned long damaged = 0;  ///< Frames that were none.
+    unsigned long unsent = 0;   ///< Currents that had no room.
+  };
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit serial_port(const serial_port_parameters& p) : parameters_(ph::require_valid(p)) {}
+  ~serial_port() { release(); }
+  serial_port(const serial_port&) = delete;
+  serial_port& operator=(const serial_port&) = delete;
+
+  /// Opens the port, releases the brakes, and asks the device who it is.
+  std::string open() {
+    if (const std::string text = line_.open(parameters_.device, parameters_.baud); !text.empty()) return text;
+    lost_ = false;
+    line_.discard_input();  // samples of before
+    release();
+    const std::string text = parameters_.release_only ? "" : greet();
+    return text.empty() ? "" : "serial port " + parameters_.device + ": " + text;
+  }
+
+  /// See above; bounded by the 4 KiB that the kernel keeps.
+  ph::port_status read(ph::port_sample<Encoders>& to) noexcept {
+    const double now = ph::monotonic_seconds();
+    bool fresh = false, damaged = false;
+    take([&](serial::outcome o) {
+      serial::sample m;
+      const bool is_sample = o == serial::outcome::packet && unpack(decoder_.last(), m);
+      if (is_sample && m.encoders == Encoders) {
+        fresh = true;
+        newest_ = m;
+        to.sequence = decoder_.last().sequence;
+        to.time = clock_.to_host(m.time, now);
+        ++statistics_.samples;
+      } else if (is_sample || o == serial::outcome::damaged) {
+        damaged = true;
+        ++statistics_.damaged;
+      }
+    });
+    if (lost_) return ph::port_status::failed;
+    if (!fresh) return damaged ? ph::port_status::bad_sample : ph::port_status::no_sample;
+    for (std::size_t i = 0; i < to.channels; ++i) {
+      to.value[i] = newest_.count[i];
+      to.valid[i] = ((newest_.encoder_faults >> i) & 1) == 0;
+    }
+    return refused(now) ? ph::port_status::failed : ph::port_status::ok;
+  }
+
+  /// See above. Rounds to serial::current_unit, cuts at the device's limit, and takes what is no number for 0.
+  ph::port_status write(const ph::brake_currents<Brakes>& currents) noexcept {
+    if (lost_ || !line_.is_open()) return ph::port_status::failed;
+    serial::currents m;
+    m.brakes = Brakes;
+    for (std::size_t i = 0; i < currents.size(); ++i) {
+      const double units = std::round(currents[i] / serial::current_unit);
+      m.current[i] = units > 0 ? static_cast<std::uint16_t>(std::min<double>(units, hello_.current_limit))
+                               : std::uint16_t{0};
+    }
+    if (!armed_) armed_since_ = ph::monotonic_seconds();
+    armed_ = true;
+    switch (line_.write(serial::encode(serial::pack(sequence_++, m)).content())) {
+      case serial_line::transfer::done: return ph::port_status::ok;
+      case serial_line::transfer::nothing:
+        line_.discard_output();
+        ++statistics_.unsent;
+        return ph::port_status::no_sample;
+      default: lost_ = true; return ph::port_status::failed;
+    }
+  }
+
+  /// See above.
+  void release() noexcept {
+    armed_ = false;
+    if (!line_.is_open()) return;
+    line_.discard_output();
+    for (int i = 0; i < release_copies; ++i)
+      line_.write(serial::encode(serial::pack(sequence_++, serial::message_type::release)).content());
+  }
+
+  /// What the device said of itself; of its limits.
+  const serial::hello& device() const { return hello_; }
+  /// The newest sample as it came: what read() refused, and why.
+  const serial::sample& newest() const { return newest_; }
+  /// What went wrong on the line.
+  const statistics& line_statistics() const { return statistics_; }
+
+ private:
+  serial_port_parameters parameters_;
+  serial_line line_;
+  serial::decoder decoder_;
+  serial::hello hello_;
+  serial::sample newest_;
+  device_clock clock_;
+  statistics statistics_;
+  bool lost_ = false, armed_ = false;
+  double armed_since_ = 0;  // the first currents after a release [s]
+  std::uint32_t sequence_ = 0;
+
+  // Feeds what came to the decoder, calls f(outcome) where a frame ends, and returns how many bytes that were.
+  template <class F>
+  std::size_t take(F&& f) noexcept {
+    constexpr std::size_t most = 4096;
+    std::array<std::uint8_t, 512> bytes;
+    std::size_t all = 0, count = 0;
+    lost_ = lost_ || !line_.is_open();
+    while (!lost_ && all < most) {
+      const auto ended = line_.read(bytes, count);
+      lost_ = ended == serial_line::transfer::lost;
+      if (ended != serial_line::transfer::done) break;
+      all += count;
+      for (const std::uint8_t b : std::span(bytes).first(count))
+        if (const auto o = decoder_.take(b); o != serial::outcome::nothing) f(o);
+    }
+    return all;
+  }
+
+  // Currents were written, they had time to arrive, and the device does not have them on its brakes.
+  bool refused(double now) const noexcept {
+    const bool on = (newest_.state & serial::sample::active) != 0 && newest_.brake_faults == 0;
+    return armed_ && !on && now - armed_since_ > 1e-3 * hello_.watchdog;
+  }
+
+  // Asks until there is an answer.
+  std::string greet() {
+    constexpr double again = 0.1;  // [s]
+    const double end = ph::monotonic_seconds() + parameters_.open_timeout;
+    bool answered = false;
+    std::size_t bytes = 0, packets = 0;
+    for (double now; !answered && !lost_ && (now = ph::monotonic_seconds()) < end;) {
+      line_.write(serial::encode(serial::pack(sequence_++, serial::message_type::ask)).content());
+      const double next = std::min(now + again, end);
+      for (; !answered && !lost_ && (now = ph::monotonic_seconds()) < next;) {
+        line_.wait(next - now);
+        bytes += take([&](serial::outcome o) {
+          packets += o == serial::outcome::packet;
+          answered = answered || (o == serial::outcome::packet && unpack(decoder_.last(), hello_));
+        });
+      }
+    }
+    if (lost_) return "the device went away while it was asked who it is";
+    return answered ? complaint_of_hello(hello_, Encoders, Brakes)
+                    : complaint_of_silence(parameters_, bytes, packets);
+  }
+};
+
+}  // namespace example

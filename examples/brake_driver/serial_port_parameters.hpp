@@ -1,0 +1,57 @@
+/// @file
+/// Where a device on a serial line is, and what there is to say if it is not there.
+#pragma once
+
+#include <serial_line.hpp>
+#include <serial_protocol.hpp>
+
+#include <cmath>
+
+namespace example {
+
+/// Where the device is.
+struct serial_port_parameters {
+  std::string device = "/dev/ttyACM0";  ///< A name under /dev/serial/by-id stays the same at another socket.
+  int baud = 1'000'000;                 ///< [bit/s]; USB boards without a UART ignore it.
+  double open_timeout = 3;  ///< For an answer [s]; boards that opening the port resets take 2 s to start.
+  bool release_only =
+      false;  ///< For a supervisor: open() asks nothing, so it takes no byte from the process that reads.
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const serial_port_parameters& p) {
+  return ph::detail::first_complaint(
+      p.device.empty() ? std::string("device is empty, expected the file of a serial port, as /dev/ttyACM0")
+                       : "",
+      check_baud("baud [bit/s]", p.baud), ph::detail::check_positive("open_timeout [s]", p.open_timeout));
+}
+
+/// What to say when nobody answers but `bytes` bytes came with so many whole frames in them.
+inline std::string complaint_of_silence(const serial_port_parameters& p, std::size_t bytes,
+                                        std::size_t frames) {
+  const std::string start = "no answer in " + std::to_string(std::lround(1e3 * p.open_timeout)) + " ms; ";
+  if (bytes == 0)
+    return start + "not a byte came: is the board powered, is its firmware running, is it this port?";
+  if (frames == 0)
+    return start + std::to_string(bytes) +
+           " bytes came, with no whole frame in them: is baud = " + std::to_string(p.baud) +
+           " that of the firmware, is it this port?";
+  return start + "samples came: the way to the device is cut, check the line";
+}
+
+/// What is wrong with the device that answered; empty if nothing.
+inline std::string complaint_of_hello(const serial::hello& h, int encoders, int brakes) {
+  const auto counted = [](int n, const char* what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  if (h.version != serial::protocol_version)
+    return "the device speaks version " + std::to_string(h.version) + " of the protocol, expected " +
+           std::to_string(serial::protocol_version) + "; flash the firmware that came with this program";
+  if (h.encoders != encoders || h.brakes != brakes)
+    return "the device has " + counted(h.encoders, "encoder") + " and " + counted(h.brakes, "brake") +
+           ", expected " + counted(encoders, "encoder") + " and " + counted(brakes, "brake") +
+           "; flash firmware with these settings, or configure another device";
+  return "";
+}
+
+}  // namespace example

@@ -1,0 +1,160 @@
+/// @file
+/// The messages between a host and a brake controller on a serial line, in frames of serial_framing.hpp.
+/// docs/guide/serial_protocol.md specifies them byte by byte.
+#pragma once
+
+#include <serial_framing.hpp>
+
+namespace example::serial {
+
+inline constexpr std::uint8_t protocol_version = 1;
+inline constexpr std::size_t most_channels = 8;        ///< Brakes, and encoders, of one device.
+inline constexpr double current_unit = 1e-4;           ///< Of currents on the line [A].
+inline constexpr std::uint16_t most_current = 0xFFFF;  ///< What a message can carry [current_unit].
+
+/// The first byte of a packet. The high bit: from the device.
+enum class message_type : std::uint8_t {
+  ask = 0x01,       ///< Host: who are you? No content.
+  currents = 0x02,  ///< Host: these currents, until further notice or the watchdog.
+  release = 0x03,   ///< Host: 0 A. No content.
+  hello = 0x81,     ///< Device: the answer to ask.
+  sample = 0x82,    ///< Device: encoders and state, once a period.
+};
+
+/// Currents of all brakes.
+struct currents {
+  std::uint8_t brakes = 0;                             ///< How many count.
+  std::array<std::uint16_t, most_channels> current{};  ///< [current_unit]
+  bool operator==(const currents&) const = default;
+};
+
+/// What a device is.
+struct hello {
+  std::uint8_t version = protocol_version;  ///< First in any version of this message.
+  std::uint8_t encoders = 0;                ///< How many.
+  std::uint8_t brakes = 0;                  ///< How many.
+  std::uint16_t current_limit = 0;          ///< It cuts currents here [current_unit].
+  std::uint16_t watchdog = 0;               ///< Without currents for so long it goes to 0 A [ms].
+  std::uint16_t period = 0;                 ///< Of samples [us].
+  bool operator==(const hello&) const = default;
+};
+
+/// Encoders and state at one time.
+struct sample {
+  static constexpr std::uint8_t active = 1;  ///< In `state`: currents are on; else 0 A.
+  static constexpr std::uint8_t tripped =
+      2;  ///< In `state`: the watchdog went off, and no release came since.
+  static constexpr std::uint8_t limited = 4;  ///< In `state`: the last currents were cut at the limit.
+
+  std::uint8_t encoders = 0;        ///< How many count.
+  std::uint32_t time = 0;           ///< When the counts were latched, the device's clock, modulo 2^32 [us].
+  std::uint8_t state = 0;           ///< The bits above.
+  std::uint8_t encoder_faults = 0;  ///< Bit i: counts of encoder i are not to be trusted.
+  std::uint8_t brake_faults = 0;    ///< Bit i: brake i does not get its current.
+  std::array<std::int32_t, most_channels> count{};  ///< Modulo 2^32.
+  bool operator==(const sample&) const = default;
+};
+
+namespace detail {
+inline constexpr std::size_t hello_size = 9, sample_head = 7;
+
+constexpr packet packed(message_type type, std::uint32_t sequence) {
+  packet p;
+  p.type = static_cast<std::uint8_t>(type);
+  p.sequence = sequence;
+  return p;
+}
+constexpr bool is(const packet& p, message_type type) { return p.type == static_cast<std::uint8_t>(type); }
+// How many values of `bytes` bytes follow `head` bytes; 0 if that does not come out even.
+constexpr std::uint8_t values(const packet& p, std::size_t head, std::size_t bytes) {
+  const bool whole =
+      p.size > head && (p.size - head) % bytes == 0 && (p.size - head) / bytes <= most_channels;
+  return whole ? static_cast<std::uint8_t>((p.size - head) / bytes) : std::uint8_t{0};
+}
+}  // namespace detail
+
+/// A message without content: ask or release.
+constexpr packet pack(std::uint32_t sequence, message_type type) { return detail::packed(type, sequence); }
+
+/// Currents.
+constexpr packet pack(std::uint32_t sequence, const currents& m) {
+  packet p = detail::packed(message_type::currents, sequence);
+  byte_writer out(p.payload);
+  for (std::size_t i = 0; i < m.brakes && i < most_channels; ++i) out.put(m.current[i], 2);
+  p.size = static_cast<std::uint8_t>(out.size());
+  return p;
+}
+
+/// A hello.
+constexpr packet pack(std::uint32_t sequence, const hello& m) {
+  packet p = detail::packed(message_type::hello, sequence);
+  byte_writer out(p.payload);
+  out.put(m.version, 1);
+  out.put(m.encoders, 1);
+  out.put(m.brakes, 1);
+  out.put(m.current_limit, 2);
+  out.put(m.watchdog, 2);
+  out.put(m.period, 2);
+  p.size = static_cast<std::uint8_t>(out.size());
+  return p;
+}
+
+/// A sample.
+constexpr packet pack(std::uint32_t sequence, const sample& m) {
+  packet p = detail::packed(message_type::sample, sequence);
+  byte_writer out(p.payload);
+  out.put(m.time, 4);
+  out.put(m.state, 1);
+  out.put(m.encoder_faults, 1);
+  out.put(m.brake_faults, 1);
+  for (std::size_t i = 0; i < m.encoders && i < most_channels; ++i)
+    out.put(static_cast<std::uint32_t>(m.count[i]), 4);
+  p.size = static_cast<std::uint8_t>(out.size());
+  return p;
+}
+
+/// Is it this message without content?
+constexpr bool unpack(const packet& p, message_type type) { return detail::is(p, type) && p.size == 0; }
+
+/// Is it currents? Then fills m.
+constexpr bool unpack(const packet& p, currents& m) {
+  const std::uint8_t n = detail::values(p, 0, 2);
+  if (!detail::is(p, message_type::currents) || n == 0) return false;
+  m = {};
+  m.brakes = n;
+  byte_reader in(p.content());
+  for (std::size_t i = 0; i < n; ++i) m.current[i] = static_cast<std::uint16_t>(in.get(2));
+  return true;
+}
+
+/// Is it a hello? Then fills m; of another version the version only, whatever else it holds.
+constexpr bool unpack(const packet& p, hello& m) {
+  if (!detail::is(p, message_type::hello) || p.size == 0) return false;
+  byte_reader in(p.content());
+  m = {};
+  m.version = static_cast<std::uint8_t>(in.get(1));
+  if (m.version != protocol_version) return true;
+  m.encoders = static_cast<std::uint8_t>(in.get(1));
+  m.brakes = static_cast<std::uint8_t>(in.get(1));
+  m.current_limit = static_cast<std::uint16_t>(in.get(2));
+  m.watchdog = static_cast<std::uint16_t>(in.get(2));
+  m.period = static_cast<std::uint16_t>(in.get(2));
+  return p.size == detail::hello_size;
+}
+
+/// Is it a sample? Then fills m.
+constexpr bool unpack(const packet& p, sample& m) {
+  const std::uint8_t n = detail::values(p, detail::sample_head, 4);
+  if (!detail::is(p, message_type::sample) || n == 0) return false;
+  m = {};
+  m.encoders = n;
+  byte_reader in(p.content());
+  m.time = in.get(4);
+  m.state = static_cast<std::uint8_t>(in.get(1));
+  m.encoder_faults = static_cast<std::uint8_t>(in.get(1));
+  m.brake_faults = static_cast<std::uint8_t>(in.get(1));
+  for (std::size_t i = 0; i < n; ++i) m.count[i] = static_cast<std::int32_t>(in.get(4));
+  return true;
+}
+
+}  // namespace example::serial

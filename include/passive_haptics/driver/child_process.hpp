@@ -1,0 +1,156 @@
+/// @file
+/// A process beside the loop that outlives it.
+#pragma once
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <string>
+
+namespace passive_haptics {
+
+/// What a child knows of its parent.
+class parent_link {
+ public:
+  explicit parent_link(int pipe) : pipe_(pipe) {}
+
+  /// Waits up to `milliseconds`; true at once where the parent is dead or called child_process::stop().
+  bool gone(int milliseconds) const noexcept {
+    pollfd watched{pipe_, POLLIN, 0};
+    return poll(&watched, 1, milliseconds) > 0;
+  }
+
+ private:
+  int pipe_;
+};
+
+/// A forked process. Start it before the loop's real-time set-up and before any thread. It leaves the terminal's process
+/// group, so that Ctrl-C does not reach it, and keeps no file open but the standard ones.
+class child_process {
+ public:
+  child_process() = default;
+  child_process(const child_process&) = delete;
+  child_process& operator=(const child_process&) = delete;
+  ~child_process() { stop(); }
+
+  /// Forks. In the child: prepare() returns a complaint or an empty string, which start() returns in the parent; if
+  /// empty, run(parent_link) follows, and the child ends with it.
+  template <class Prepare, class Run>
+  std::string start(Prepare&& prepare, Run&& run) {
+    std::array<int, 2> down{-1, -1}, up{-1, -1};
+    if (pipe2(down.data(), O_CLOEXEC) != 0) return system_complaint("pipe2");
+    if (pipe2(up.data(), O_CLOEXEC) != 0) {
+      const std::string complaint = system_complaint("pipe2");
+      close_both(down);
+      return complaint;
+    }
+    pid_ = fork();
+    if (pid_ < 0) {
+      const std::string complaint = system_complaint("fork");
+      close_both(down);
+      close_both(up);
+      return complaint;
+    }
+    if (pid_ == 0) {
+      setsid();
+      close_all_but(down[0], up[1]);
+      be_child(up[1], parent_link(down[0]), prepare, run);
+    }
+    close(down[0]);
+    close(up[1]);
+    pipe_ = down[1];
+    const std::string complaint = answer(up[0]);
+    close(up[0]);
+    if (!complaint.empty()) stop();
+    return complaint;
+  }
+
+  /// Tells the child to end, and waits for it.
+  void stop() noexcept {
+    if (pid_ <= 0) return;
+    close(pipe_);
+    while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    pid_ = -1;
+  }
+
+  /// Its process number; <= 0 if it does not run.
+  pid_t pid() const noexcept { return pid_; }
+
+ private:
+  static constexpr char ready = '\n';
+
+  static std::string system_complaint(const char* call) {
+    return std::string(call).append(": ").append(std::strerror(errno));
+  }
+  static void close_both(const std::array<int, 2>& ends) noexcept {
+    for (const int end : ends) close(end);
+  }
+
+  // Another child's pipe, held open here, would keep that one from seeing its parent die
+  static void close_all_but(int a, int b) noexcept {
+    const auto [low, high] = std::minmax({static_cast<unsigned>(a), static_cast<unsigned>(b)});
+    if (low > 3) close_range(3, low - 1, 0);
+    if (high > low + 1) close_range(low + 1, high - 1, 0);
+    close_range(high + 1, ~0U, 0);
+  }
+
+  template <class Prepare, class Run>
+  [[noreturn]] static void be_child(int up, parent_link parent, Prepare& prepare, Run& run) noexcept {
+    std::string complaint = attempt([&] { return prepare(); });
+    if (complaint.empty()) {
+      const bool told = write(up, &ready, 1) == 1;
+      close(up);
+      if (told)
+        complaint = attempt([&] {
+          run(parent);
+          return std::string();
+        });
+      if (!complaint.empty()) complain(STDERR_FILENO, complaint.append("\n"));
+    } else {
+      complain(up, complaint);
+    }
+    _exit(complaint.empty() ? 0 : 1);  // not what the parent registered with atexit
+  }
+  template <class Function>
+  static std::string attempt(Function&& function) noexcept {
+#if defined(__cpp_exceptions)
+    try {
+      return function();
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+#else
+    return function();
+#endif
+  }
+  static void complain(int to, const std::string& complaint) noexcept {
+    if (write(to, complaint.data(), complaint.size()) < 0) return;
+  }
+
+  // The child's complaint; empty if it is ready
+  static std::string answer(int from) {
+    std::string text;
+    std::array<char, 256> part;
+    for (;;) {
+      const ssize_t size = ::read(from, part.data(), part.size());
+      if (size < 0 && errno == EINTR) continue;
+      if (size <= 0) break;
+      text.append(part.data(), static_cast<std::size_t>(size));
+    }
+    if (text == std::string(1, ready)) return {};
+    return text.empty() ? "the process ended before it was ready" : text;
+  }
+
+  pid_t pid_ = -1;
+  int pipe_ = -1;  // its other end is in the child, which sees it close
+};
+
+}  // namespace passive_haptics

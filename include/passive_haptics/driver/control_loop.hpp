@@ -1,0 +1,121 @@
+/// @file
+/// A loop that wakes at absolute times.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/duration_histogram.hpp>
+#include <passive_haptics/driver/fault.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace passive_haptics {
+
+/// Timing of a control loop.
+struct control_loop_parameters {
+  double period = 1e-3;   ///< [s]; section 5.1: 1 kHz.
+  int most_overruns = 5;  ///< So many cycles in a row may end late; one more releases the brakes.
+  double longest_sleep =
+      0.1;  ///< Waking later than this releases the brakes: the machine or the process stood still [s].
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const control_loop_parameters& p) {
+  return detail::first_complaint(
+      p.period >= 1e-6 && p.period <= 1 ? "" : detail::complaint("period [s]", p.period, "1e-6 to 1"),
+      p.most_overruns >= 0 ? "" : detail::complaint("most_overruns", p.most_overruns, "a number >= 0"),
+      detail::check_positive("longest_sleep [s]", p.longest_sleep));
+}
+
+/// A cycle of the loop.
+struct loop_cycle {
+  std::int64_t number = 0;  ///< Of the periods since the start; what was missed is counted, too.
+  double time = 0;          ///< When it began [s], on the loop's clock.
+  double late = 0;          ///< After it should have begun [s].
+};
+
+/// What a loop did.
+struct loop_report {
+  std::uint64_t cycles = 0;      ///< That ran.
+  std::uint64_t missed = 0;      ///< That were skipped because one before them took too long.
+  std::uint64_t overruns = 0;    ///< That ended after the next should have begun.
+  duration_histogram late;       ///< From when a cycle should have begun to when it did.
+  duration_histogram compute;    ///< From when a cycle began to when it ended.
+  fault ended_by = fault::none;  ///< none if the cycle or stop() ended it, law_failed where the cycle threw.
+  std::string exception;         ///< What the cycle threw.
+};
+
+/// Wakes at start + k period, so that lateness never adds up; what a long cycle missed is skipped, and the phase kept.
+template <LoopClock Clock = monotonic_clock>
+class control_loop {
+ public:
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit control_loop(const control_loop_parameters& p = {}, Clock clock = {})
+      : p_(require_valid(p)), clock_(std::move(clock)), period_(std::llround(1e9 * p.period)) {}
+
+  /// Runs until stop() is true or cycle(loop_cycle) is false. Before it returns, and where it runs late or the clock jumps, it calls
+  /// release(fault), which must not throw; after those the loop goes on, so that somebody can rearm.
+  ///
+  /// A cycle that throws ends the loop: its exception is in the report. Between cycles nothing but the clock is called.
+  template <class Cycle, class Stop, class Release>
+  loop_report run(Cycle&& cycle, Stop&& stop, Release&& release) {
+    loop_report report;
+    const std::int64_t start = clock_.now();
+    std::int64_t number = 0, before = start;
+    int overruns = 0;
+    while (!stop()) {
+      const std::int64_t deadline = start + ++number * period_;
+      clock_.sleep_until(deadline);
+      const std::int64_t begin = clock_.now(), late = begin - deadline;
+      if (late < 0 || begin < before || static_cast<double>(late) > 1e9 * p_.longest_sleep)
+        release(fault::clock_jump);
+      report.late.add(late);
+      bool go_on = false;
+#if defined(__cpp_exceptions)
+      try {
+        go_on =
+            cycle(loop_cycle{number, 1e-9 * static_cast<double>(begin), 1e-9 * static_cast<double>(late)});
+      } catch (const std::exception& e) {
+        release(fault::law_failed);
+        report.exception = e.what();
+        report.ended_by = fault::law_failed;
+      } catch (...) {
+        release(fault::law_failed);
+        report.exception = "something that is no std::exception";
+        report.ended_by = fault::law_failed;
+      }
+#else
+      go_on = cycle(loop_cycle{number, 1e-9 * static_cast<double>(begin), 1e-9 * static_cast<double>(late)});
+#endif
+      const std::int64_t end = clock_.now();
+      before = end;
+      ++report.cycles;
+      report.compute.add(end - begin);
+      if (!go_on) break;
+
+      if (end <= deadline + period_) {
+        overruns = 0;
+        continue;
+      }
+      ++report.overruns;
+      if (++overruns > p_.most_overruns) release(fault::overruns);
+      // Only such deadlines as are still ahead
+      const std::int64_t past = (end - start) / period_ - number;
+      report.missed += static_cast<std::uint64_t>(past);
+      number += past;
+    }
+    release(report.ended_by == fault::none ? fault::user : report.ended_by);
+    return report;
+  }
+
+ private:
+  control_loop_parameters p_;
+  Clock clock_;
+  std::int64_t period_;  // [ns]
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,73 @@
+/// @file
+/// How long things took, counted while they happen.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace passive_haptics {
+
+/// Counts durations in bins of 1/16 of their power of two, from 1 ns to years: percentiles to 6 %, the largest exactly. Adding
+/// one costs some instructions; no allocation.
+class duration_histogram {
+ public:
+  /// One duration [ns]; a negative one counts as 0.
+  void add(std::int64_t duration) noexcept {
+    const auto value = static_cast<std::uint64_t>(std::max<std::int64_t>(0, duration));
+    ++bins_[index_of(value)];
+    ++count_;
+    sum_ += static_cast<double>(value);
+    largest_ = std::max(largest_, value);
+  }
+
+  /// How many.
+  std::uint64_t count() const noexcept { return count_; }
+  /// The largest [ns]; 0 if there is none.
+  std::int64_t largest() const noexcept { return static_cast<std::int64_t>(largest_); }
+  /// The mean [ns]; 0 if there is none.
+  double mean() const noexcept { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
+
+  /// What a share of all, 0 to 1, is not over [ns]: the upper end of its bin. 0 if there is none.
+  std::int64_t percentile(double share) const noexcept {
+    const double wanted = share * static_cast<double>(count_);
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < bins_.size(); ++i) {
+      sum += bins_[i];
+      if (sum > 0 && static_cast<double>(sum) >= wanted)
+        return static_cast<std::int64_t>(std::min(largest_, lowest_of(i + 1) - 1));
+    }
+    return largest();
+  }
+
+  /// How many were in [from, to) [ns], where both are powers of two.
+  std::uint64_t between(std::uint64_t from, std::uint64_t to) const noexcept {
+    std::uint64_t sum = 0;
+    for (std::size_t i = index_of(from); i < index_of(to); ++i) sum += bins_[i];
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t parts = 16;  // of a power of two
+  static constexpr int part_bits = 4;
+
+  // The first 16 bins are whole numbers, then 16 for each power of two
+  static std::size_t index_of(std::uint64_t value) noexcept {
+    if (value < parts) return value;
+    const auto power = static_cast<int>(std::bit_width(value)) - 1;
+    return static_cast<std::size_t>(power - part_bits) * parts + (value >> (power - part_bits));
+  }
+  static std::uint64_t lowest_of(std::size_t index) noexcept {
+    if (index < 2 * parts) return index;
+    return (parts + index % parts) << (index / parts - 1);
+  }
+
+  std::array<std::uint64_t, 960> bins_{};  // to 2^63
+  std::uint64_t count_ = 0;
+  double sum_ = 0;
+  std::uint64_t largest_ = 0;
+};
+
+}  // namespace passive_haptics

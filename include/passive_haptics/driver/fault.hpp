@@ -1,0 +1,92 @@
+/// @file
+/// Why a driver releases the brakes.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <string_view>
+
+namespace passive_haptics {
+
+/// What can be wrong with a device, its samples, a command or the loop.
+enum class fault {
+  none,
+  // of a transfer
+  device_lost,          ///< The port says that no further transfer can be expected.
+  sample_missing,       ///< Nothing came.
+  sample_damaged,       ///< Cut off, or a wrong checksum.
+  sample_repeated,      ///< The same sequence number again.
+  sample_out_of_order,  ///< An older one than the last.
+  sample_late,          ///< Its time is too long ago, or ahead.
+  device_restarted,     ///< The sequence number jumped: nobody knows what the device did meanwhile.
+  write_refused,        ///< The device took no currents.
+  // of a channel
+  channel_invalid,    ///< The device itself says so.
+  value_not_finite,   ///< NaN or infinity.
+  encoder_jump,       ///< Faster than the device can move.
+  encoder_frozen,     ///< Does not change while the others move.
+  sensor_saturated,   ///< At the end of its range.
+  current_not_valid,  ///< A command that is NaN, infinite or negative.
+  // of the loop
+  law_failed,       ///< The control law threw, or its result is a fault.
+  overruns,         ///< Too many cycles in a row took too long.
+  clock_jump,       ///< The clock went back, or the loop slept far too long.
+  supervisor_lost,  ///< The other process does not answer, or released the brakes itself.
+  user,             ///< Somebody asked for it: a signal, or a call of release().
+};
+
+/// The fault in words.
+constexpr std::string_view to_string(fault f) {
+  switch (f) {
+    case fault::none: return "no fault";
+    case fault::device_lost: return "device lost";
+    case fault::sample_missing: return "no sample";
+    case fault::sample_damaged: return "damaged samples";
+    case fault::sample_repeated: return "the same sample again and again";
+    case fault::sample_out_of_order: return "samples out of order";
+    case fault::sample_late: return "samples too late";
+    case fault::device_restarted: return "the device restarted";
+    case fault::write_refused: return "the device takes no currents";
+    case fault::channel_invalid: return "invalid, says the device";
+    case fault::value_not_finite: return "NaN or infinity";
+    case fault::encoder_jump: return "jumped";
+    case fault::encoder_frozen: return "frozen";
+    case fault::sensor_saturated: return "saturated";
+    case fault::current_not_valid: return "the commanded current is NaN, infinite or negative";
+    case fault::law_failed: return "the control law failed";
+    case fault::overruns: return "cycles took too long";
+    case fault::clock_jump: return "the clock jumped";
+    case fault::supervisor_lost: return "the supervisor is lost, or released the brakes";
+    case fault::user: return "as asked";
+  }
+  return "unknown fault";
+}
+
+/// Where a fault is.
+enum class fault_source { loop, encoders, force_sensor, brakes };
+
+/// A fault, and where.
+struct incident {
+  fault what = fault::none;
+  fault_source source = fault_source::loop;
+  int channel = -1;  ///< From 0; -1 where it is of no single one.
+
+  bool operator==(const incident&) const = default;
+};
+
+/// The incident in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.
+inline std::string to_string(const incident& i) {
+  std::ostringstream text;
+  switch (i.source) {
+    case fault_source::loop: break;
+    case fault_source::encoders: text << (i.channel < 0 ? "encoders" : "encoder"); break;
+    case fault_source::force_sensor: text << (i.channel < 0 ? "force sensor" : "force channel"); break;
+    case fault_source::brakes: text << (i.channel < 0 ? "brakes" : "brake"); break;
+  }
+  if (i.channel >= 0) text << ' ' << i.channel + 1;
+  if (i.source != fault_source::loop) text << ": ";
+  text << to_string(i.what);
+  return text.str();
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,106 @@
+/// @file
+/// What Linux can do for a loop that must not be late.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace passive_haptics {
+
+/// What to ask the kernel for; by default nothing.
+struct real_time_parameters {
+  int priority = 0;          ///< SCHED_FIFO priority, 1 to 99; 0 for none.
+  bool lock_memory = false;  ///< mlockall, so that no page is ever fetched from a disk.
+  int cpu = -1;              ///< Processor to stay on, from 0; -1 for any.
+  double dma_latency = -1;   ///< Longest wake-up from an idle state, /dev/cpu_dma_latency [s]; < 0 for any.
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const real_time_parameters& p) {
+  return detail::first_complaint(
+      p.priority >= 0 && p.priority <= 99 ? "" : detail::complaint("priority", p.priority, "0 (none) to 99"),
+      p.cpu >= -1 && p.cpu < CPU_SETSIZE
+          ? ""
+          : detail::complaint("cpu", p.cpu, "-1 (any) or the number of a processor"),
+      std::isfinite(p.dma_latency) && p.dma_latency <= 1
+          ? ""
+          : detail::complaint("dma_latency [s]", p.dma_latency, "< 0 (any) to 1"));
+}
+
+/// What became of a request.
+struct real_time_setting {
+  std::string what;     ///< For a person.
+  std::string refused;  ///< Why, and what would help; empty where it was granted.
+};
+
+/// Asks for what the parameters say, when it is made: call it in the loop's thread, after forking. A refusal is told, never fatal.
+/// The latency request ends with it; the rest stays.
+class real_time {
+ public:
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit real_time(const real_time_parameters& p = {}) {
+    require_valid(p);
+    if (p.lock_memory) lock_memory();
+    if (p.cpu >= 0) pin(p.cpu);
+    if (p.dma_latency >= 0) ask_for_latency(p.dma_latency);
+    if (p.priority > 0) prioritise(p.priority);
+  }
+  real_time(const real_time&) = delete;
+  real_time& operator=(const real_time&) = delete;
+  ~real_time() {
+    if (latency_file_ >= 0) close(latency_file_);
+  }
+
+  /// All requests, in the order in which they were made.
+  const std::vector<real_time_setting>& settings() const { return settings_; }
+
+ private:
+  void note(std::string what, bool granted, const char* help) {
+    const std::string refused = granted ? "" : std::string(std::strerror(errno)).append("; ").append(help);
+    settings_.push_back({std::move(what), refused});
+  }
+
+  void lock_memory() {
+    note("memory locked", mlockall(MCL_CURRENT | MCL_FUTURE) == 0, "run as root, or raise `ulimit -l`");
+  }
+
+  void pin(int cpu) {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    CPU_SET(static_cast<std::size_t>(cpu), &set);
+    note(detail::indexed("stays on processor ", cpu, ""), sched_setaffinity(0, sizeof set, &set) == 0,
+         "`nproc` tells how many there are, from 0");
+  }
+
+  void ask_for_latency(double seconds) {
+    latency_file_ = open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);
+    const auto microseconds = static_cast<std::int32_t>(std::lround(1e6 * seconds));
+    const bool granted =
+        latency_file_ >= 0 && write(latency_file_, &microseconds, sizeof microseconds) == sizeof microseconds;
+    note(detail::indexed("wakes from idle within ", microseconds, " us"), granted,
+         "run as root, or give write access to /dev/cpu_dma_latency");
+  }
+
+  void prioritise(int priority) {
+    sched_param wanted{};
+    wanted.sched_priority = priority;
+    note(detail::indexed("SCHED_FIFO priority ", priority, ""),
+         sched_setscheduler(0, SCHED_FIFO, &wanted) == 0, "run as root, or raise `ulimit -r`");
+  }
+
+  std::vector<real_time_setting> settings_;
+  int latency_file_ = -1;
+};
+
+}  // namespace passive_haptics

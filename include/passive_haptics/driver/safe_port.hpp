@@ -1,0 +1,240 @@
+/// @file
+/// A port that no bad sample, command or device can hurt a hand through.
+#pragma once
+
+#include <passive_haptics/driver/safe_port_parameters.hpp>
+#include <passive_haptics/driver/sample_check.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace passive_haptics {
+
+/// For a device without a force sensor.
+struct no_force_sensor {
+  static constexpr int channel_count = 0;
+  std::string open() { return {}; }
+  port_status read(port_sample<0>&) noexcept { return port_status::ok; }
+};
+
+/// A port and a force sensor, watched: the last good samples in, currents that may flow out. To be called once a cycle,
+/// read(), then write(), with the time of the cycle [s] on the clock of the samples.
+///
+///   open -> ready -> activate -> active <-> degraded -> (fault) -> released -> rearm -> ready
+///
+/// A bad sample is bridged: what was read before stays. After `bridge` seconds without a good one the brakes are released; at
+/// once where the device is lost or restarted, an encoder froze, a command is not valid, or no cycle came for `bridge`
+/// seconds. `bridge` also bounds how long ago a sample may have been taken. Where nobody knows any more how far the encoders
+/// went, the program must start again, with homing. Nothing here allocates, throws, locks or reads a clock after open().
+template <BrakePort Port, ForceSensor Sensor = no_force_sensor>
+class safe_port {
+ public:
+  static constexpr int encoder_count = Port::encoder_count;    ///< Encoders.
+  static constexpr int brake_count = Port::brake_count;        ///< Brakes.
+  static constexpr int channel_count = Sensor::channel_count;  ///< Channels of the force sensor.
+  using currents = brake_currents<brake_count>;                ///< [A]
+  using parameters = safe_port_parameters<brake_count, channel_count>;
+  using encoder_counts = typename encoder_check<encoder_count>::counts;  ///< [counts]
+  using force_reading =
+      std::array<double, static_cast<std::size_t>(channel_count)>;  ///< As the sensor tells.
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit safe_port(Port port, Sensor sensor = {}, const parameters& p = {})
+      : port_(std::move(port)),
+        sensor_(std::move(sensor)),
+        bridge_(require_valid(p).bridge),
+        sample_check_(bridge_),
+        encoder_check_(p.encoders),
+        sensor_sample_check_(bridge_),
+        sensor_check_(p.sensor),
+        limiter_(p.currents),
+        release_(p.at_release) {}
+  safe_port(const safe_port&) = delete;
+  safe_port& operator=(const safe_port&) = delete;
+  ~safe_port() { port_.release(); }
+
+  /// Opens device and sensor, once; empty if both are there, else what is missing.
+  std::string open() {
+    if (state_ != port_state::closed) return "open() was called before: the device is open";
+    std::string complaint = port_.open();
+    if (complaint.empty()) complaint = sensor_.open();
+    encoder_check_.set_counter_bits(counter_bits(port_));
+    if (complaint.empty()) state_ = port_state::ready;
+    else port_.release();
+    return complaint;
+  }
+
+  /// Takes this cycle's samples.
+  port_state read(double now) noexcept {
+    if (state_ == port_state::closed) return state_;
+    if (!(now > now_) || (holds() && now - now_ > bridge_)) fail({fault::clock_jump});
+    dt_ = now > now_ && std::isfinite(now_) ? now - now_ : 0;
+    now_ = now;
+    if (lost_) return state_;
+
+    const incident encoders = read_encoders();
+    const incident sensor = read_sensor();
+    bridged_ = encoders.what != fault::none ? encoders : sensor;
+    if (in_doubt(encoders.what) && (at_once(encoders) || now_ - encoders_good_ > bridge_)) homed_ = false;
+    watch(encoders, encoders_good_);
+    watch(sensor, sensor_good_);
+    settle();
+    return state_;
+  }
+
+  /// Gives the brakes their currents [A], or what the state allows of them; see applied().
+  port_state write(const currents& wanted) noexcept {
+    if (state_ == port_state::closed) return state_;
+    if (holds()) {
+      for (int i = 0; i < brake_count; ++i) {
+        const double current = wanted[static_cast<std::size_t>(i)];
+        if (!(std::isfinite(current) && current >= 0))
+          fail({fault::current_not_valid, fault_source::brakes, i});
+      }
+    }
+    currents asked{};
+    if (holds()) asked = wanted;
+    if (state_ == port_state::released) asked = release_(dt_);
+    const currents flowing = limiter_(asked, dt_);
+    if (lost_) return state_;
+
+    const port_status written = port_.write(flowing);
+    if (written == port_status::failed) fail({fault::device_lost, fault_source::brakes});
+    else
+      watch({written == port_status::ok ? fault::none : fault::write_refused, fault_source::brakes},
+            write_good_);
+    settle();
+    return state_;
+  }
+
+  /// From ready to active; false, and nothing happens, unless ready and the last samples are good.
+  bool activate() noexcept {
+    if (state_ != port_state::ready || !samples_are_good()) return false;
+    state_ = port_state::active;
+    return true;
+  }
+
+  /// Releases the brakes. What is released stays so, with the first reason.
+  void release(const incident& why = {fault::user}) noexcept {
+    if (state_ != port_state::closed) fail(why);
+  }
+
+  /// From released to ready; false, and nothing happens, unless released, the last samples are good and the encoders have
+  /// not lost their way (needs_homing()).
+  bool rearm() noexcept {
+    if (state_ != port_state::released || !homed_ || !samples_are_good()) return false;
+    reason_ = {};
+    limiter_.release();
+    state_ = port_state::ready;
+    return true;
+  }
+
+  /// The state.
+  port_state state() const noexcept { return state_; }
+  /// Why the brakes are released; none where they are not.
+  const incident& reason() const noexcept { return reason_; }
+  /// What was wrong with the last samples, bridged or not; none where they are good.
+  const incident& bridged() const noexcept { return bridged_; }
+  /// Whether nobody knows how far the encoders went: the program must start again.
+  bool needs_homing() const noexcept { return !homed_; }
+  /// Where the encoders are, past every wrap of their counters: the last good reading [counts].
+  const encoder_counts& position() const noexcept { return encoder_check_.position(); }
+  /// When that was [s].
+  double position_time() const noexcept { return position_time_; }
+  /// The last good reading of the force sensor.
+  const force_reading& force() const noexcept { return force_; }
+  /// The currents that the device was last told, also where it refused them [A].
+  const currents& applied() const noexcept { return limiter_.flowing(); }
+  /// The port, to ask it for what only it knows.
+  const Port& port() const noexcept { return port_; }
+
+ private:
+  static constexpr double never = -std::numeric_limits<double>::infinity();
+
+  bool holds() const noexcept { return state_ == port_state::active || state_ == port_state::degraded; }
+  bool samples_are_good() const noexcept {
+    return bridged_.what == fault::none && std::isfinite(encoders_good_);
+  }
+
+  incident read_encoders() noexcept {
+    port_sample<encoder_count> sample;
+    const port_status status = port_.read(sample);
+    incident found = sample_check_(status, sample, now_, fault_source::encoders);
+    if (found.what != fault::none) return found;
+    found = encoder_check_(sample, applied() == currents{});
+    if (found.what == fault::none) position_time_ = sample.time;
+    return found;
+  }
+
+  incident read_sensor() noexcept {
+    if constexpr (channel_count == 0) return {};
+    port_sample<channel_count> sample;
+    const port_status status = sensor_.read(sample);
+    incident found = sensor_sample_check_(status, sample, now_, fault_source::force_sensor);
+    // A force has no home to lose
+    if (found.what == fault::device_restarted) sensor_sample_check_.reset();
+    if (found.what == fault::none) found = sensor_check_(sample);
+    if (found.what == fault::none) force_ = sample.value;
+    return found;
+  }
+
+  // Bridges what can be bridged, from the last time that all was good
+  void watch(const incident& found, double& good) noexcept {
+    if (found.what == fault::none) good = now_;
+    else if (at_once(found) || (holds() && now_ - good > bridge_)) fail(found);
+  }
+  static bool at_once(const incident& i) noexcept {
+    return i.what == fault::device_lost || i.what == fault::encoder_frozen ||
+           (i.what == fault::device_restarted && i.source == fault_source::encoders);
+  }
+  static bool in_doubt(fault f) noexcept {
+    return f == fault::device_lost || f == fault::device_restarted || f == fault::sample_out_of_order ||
+           f == fault::channel_invalid || f == fault::value_not_finite || f == fault::encoder_jump ||
+           f == fault::encoder_frozen;
+  }
+
+  void fail(const incident& why) noexcept {
+    if (why.what == fault::device_lost && why.source != fault_source::force_sensor) {
+      lost_ = true;
+      homed_ = false;
+    }
+    if (state_ != port_state::released) {
+      reason_ = why;
+      release_.begin(limiter_.flowing());
+    }
+    state_ = port_state::released;
+    if (!lost_ && !release_.is_at_once()) return;
+    limiter_.release();
+    port_.release();
+  }
+
+  void settle() noexcept {
+    if (!holds()) return;
+    const bool well = bridged_.what == fault::none && write_good_ == now_ && !limiter_.lowered_by_heat();
+    state_ = well ? port_state::active : port_state::degraded;
+  }
+
+  Port port_;
+  [[no_unique_address]] Sensor sensor_;
+  double bridge_;
+  sample_check<encoder_count> sample_check_;
+  encoder_check<encoder_count> encoder_check_;
+  sample_check<channel_count> sensor_sample_check_;
+  sensor_check<channel_count> sensor_check_;
+  current_limiter<brake_count> limiter_;
+  release_profile<brake_count> release_;
+
+  port_state state_ = port_state::closed;
+  bool lost_ = false;  // nothing can be read or written any more
+  bool homed_ = true;
+  incident reason_, bridged_;
+  double now_ = never, dt_ = 0;
+  double encoders_good_ = never, sensor_good_ = never, write_good_ = never;  // when last [s]
+  double position_time_ = 0;
+  force_reading force_{};
+};
+
+}  // namespace passive_haptics

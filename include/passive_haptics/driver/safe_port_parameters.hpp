@@ -1,0 +1,54 @@
+/// @file
+/// What a safe_port allows, and how it can be.
+#pragma once
+
+#include <passive_haptics/driver/current_limiter.hpp>
+#include <passive_haptics/driver/encoder_check.hpp>
+#include <passive_haptics/driver/release_policy.hpp>
+#include <passive_haptics/driver/sensor_check.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace passive_haptics {
+
+/// What a safe_port allows.
+template <int Brakes, int Channels>
+struct safe_port_parameters {
+  encoder_limits encoders;
+  sensor_limits<Channels> sensor;
+  current_limits<Brakes> currents;
+  release_parameters at_release;
+  double bridge =
+      0.020;  ///< For how long a bad sample, or a refused write, is bridged by the last good one [s].
+};
+
+/// What is wrong with the parameters; empty if nothing.
+template <int Brakes, int Channels>
+std::string validate(const safe_port_parameters<Brakes, Channels>& p) {
+  return detail::first_complaint(validate(p.encoders), validate(p.sensor), validate(p.currents),
+                                 validate(p.at_release), detail::check_positive("bridge [s]", p.bridge));
+}
+
+/// How a safe_port is.
+enum class port_state {
+  closed,    ///< Not open.
+  ready,     ///< Samples are read; the brakes get 0 A until activate().
+  active,    ///< The brakes get what they are told, within their limits.
+  degraded,  ///< Active, but a bad sample is being bridged or a coil is too warm for what is asked.
+  released,  ///< A fault: the brakes get what the release policy says, by default 0 A, until rearm().
+};
+
+/// The state in words.
+constexpr std::string_view to_string(port_state s) {
+  switch (s) {
+    case port_state::closed: return "closed";
+    case port_state::ready: return "ready";
+    case port_state::active: return "active";
+    case port_state::degraded: return "degraded";
+    case port_state::released: return "released";
+  }
+  return "unknown state";
+}
+
+}  // namespace passive_haptics

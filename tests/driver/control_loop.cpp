@@ -1,0 +1,224 @@
+#include "../realtime/allocations.hpp"
+
+#include <gtest/gtest.h>
+#include <passive_haptics/driver/control_loop.hpp>
+
+#include <functional>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+
+// A clock that stands still unless the test moves it.
+struct test_clock {
+  struct state {
+    std::int64_t now = 5'000 * ms;
+    std::vector<std::int64_t> woken;                                // at which deadlines
+    std::function<std::int64_t(int)> late = [](int) { return 0; };  // of the k-th sleep
+  };
+  state* of;
+
+  std::int64_t now() const noexcept { return of->now; }
+  void sleep_until(std::int64_t deadline) const noexcept {
+    of->woken.push_back(deadline);
+    of->now = std::max(of->now, deadline) + of->late(static_cast<int>(of->woken.size()));
+  }
+};
+static_assert(ph::LoopClock<test_clock>);
+
+struct a_control_loop : ::testing::Test {
+  test_clock::state clock;
+  ph::control_loop_parameters parameters;
+  std::vector<ph::fault> released;
+  int wanted = 10;
+  bool stopped = false;
+
+  // cycle(k) takes the time that it returns.
+  ph::loop_report run(const std::function<std::int64_t(const ph::loop_cycle&)>& cycle) {
+    ph::control_loop loop(parameters, test_clock{&clock});
+    int k = 0;
+    return loop.run(
+        [&](const ph::loop_cycle& now) {
+          clock.now += cycle(now);
+          return ++k < wanted;
+        },
+        [&] { return stopped; }, [&](ph::fault why) { released.push_back(why); });
+  }
+};
+
+}  // namespace
+
+TEST_F(a_control_loop, wakes_at_absolute_times_however_late_each_cycle_is) {
+  clock.late = [](int k) { return 10'000 * k; };
+  std::vector<double> late;
+  const auto report = run([&](const ph::loop_cycle& now) {
+    late.push_back(now.late);
+    return 300'000;
+  });
+  ASSERT_EQ(clock.woken.size(), 10u);
+  for (std::size_t k = 0; k < 10; ++k) {
+    EXPECT_EQ(clock.woken[k], (5'001 + static_cast<std::int64_t>(k)) * ms);
+    EXPECT_NEAR(late[k], 1e-5 * static_cast<double>(k + 1), 1e-12);
+  }
+  EXPECT_EQ(report.cycles, 10u);
+  EXPECT_EQ(report.overruns + report.missed, 0u);
+  EXPECT_EQ(report.compute.largest(), 300'000);
+  EXPECT_EQ(report.late.largest(), 100'000);
+  EXPECT_EQ(released, std::vector{ph::fault::user}) << "released at the end in any case";
+  EXPECT_EQ(report.ended_by, ph::fault::none);
+}
+
+TEST_F(a_control_loop, skips_what_a_long_cycle_missed_and_keeps_the_phase) {
+  std::vector<std::int64_t> numbers;
+  const auto report = run([&](const ph::loop_cycle& now) {
+    numbers.push_back(now.number);
+    return now.number == 3 ? 4'500'000 : 100'000;
+  });
+  EXPECT_EQ(numbers, (std::vector<std::int64_t>{1, 2, 3, 8, 9, 10, 11, 12, 13, 14}));
+  EXPECT_EQ(clock.woken[3], 5'008 * ms);
+  EXPECT_EQ(report.overruns, 1u);
+  EXPECT_EQ(report.missed, 4u);
+  EXPECT_EQ(released, std::vector{ph::fault::user}) << "one overrun is no reason";
+}
+
+TEST_F(a_control_loop, that_wakes_late_keeps_the_phase_too) {
+  clock.late = [](int k) { return k == 2 ? 2'700'000 : 0; };
+  std::vector<std::int64_t> numbers;
+  const auto report = run([&](const ph::loop_cycle& now) {
+    numbers.push_back(now.number);
+    return 100'000;
+  });
+  EXPECT_EQ(numbers, (std::vector<std::int64_t>{1, 2, 5, 6, 7, 8, 9, 10, 11, 12}));
+  EXPECT_EQ(report.missed, 2u);
+}
+
+TEST_F(a_control_loop, releases_after_so_many_overruns_in_a_row) {
+  parameters.most_overruns = 3;
+  wanted = 100;
+  std::vector<int> when;
+  ph::control_loop loop(parameters, test_clock{&clock});
+  int k = 0;
+  loop.run(
+      [&](const ph::loop_cycle&) {
+        ++k;
+        const bool slow = k >= 20 && k != 23;  // three, one in time, then for ever
+        clock.now += slow ? 1'100'000 : 1000;
+        return k < 40;
+      },
+      [] { return false; },
+      [&](ph::fault why) {
+        released.push_back(why);
+        when.push_back(k);
+      });
+  ASSERT_GE(released.size(), 2u);
+  EXPECT_EQ(released.front(), ph::fault::overruns);
+  EXPECT_EQ(when.front(), 27) << "the fourth in a row, from the 24th on";
+  EXPECT_EQ(released.back(), ph::fault::user);
+}
+
+TEST_F(a_control_loop, that_a_throwing_law_ends_releases_first_and_tells_what_was_thrown) {
+  const auto report = run([](const ph::loop_cycle& now) -> std::int64_t {
+    if (now.number == 4) throw std::runtime_error("no such wall");
+    return 0;
+  });
+  EXPECT_EQ(report.cycles, 4u);
+  EXPECT_EQ(report.ended_by, ph::fault::law_failed);
+  EXPECT_EQ(report.exception, "no such wall");
+  EXPECT_EQ(released, (std::vector{ph::fault::law_failed, ph::fault::law_failed}));
+  EXPECT_EQ(run([](const ph::loop_cycle&) -> std::int64_t { throw 3; }).ended_by, ph::fault::law_failed);
+}
+
+TEST_F(a_control_loop, ends_before_the_next_cycle_when_it_is_told_to_stop) {
+  wanted = 1000;
+  const auto report = run([&](const ph::loop_cycle& now) {
+    stopped = now.number == 7;
+    return 0;
+  });
+  EXPECT_EQ(report.cycles, 7u);
+  EXPECT_EQ(released, std::vector{ph::fault::user});
+}
+
+TEST_F(a_control_loop, that_was_stopped_or_slept_too_long_releases_before_the_next_cycle) {
+  clock.late = [](int k) { return k == 5 ? 2'000 * ms : 0; };
+  std::vector<std::size_t> released_before;
+  run([&](const ph::loop_cycle&) {
+    released_before.push_back(released.size());
+    return 0;
+  });
+  EXPECT_EQ(released.front(), ph::fault::clock_jump);
+  EXPECT_EQ(released_before[3], 0u);
+  EXPECT_EQ(released_before[4], 1u);
+}
+
+TEST_F(a_control_loop, whose_clock_goes_back_releases) {
+  clock.late = [](int k) { return k == 5 ? -3 * ms : 0; };
+  run([](const ph::loop_cycle&) { return 0; });
+  EXPECT_EQ(released.front(), ph::fault::clock_jump);
+  EXPECT_EQ(released.size(), 2u);
+}
+
+TEST_F(a_control_loop, allocates_nothing_between_its_ends) {
+  ph::control_loop loop;
+  int k = 0;
+  long before = 0, counted = -1;
+  loop.run(
+      [&](const ph::loop_cycle&) {
+        if (k == 0) before = allocations;
+        counted = allocations - before;
+        return ++k < 20;
+      },
+      [] { return false; }, [](ph::fault) {});
+  EXPECT_EQ(counted, 0);
+}
+
+TEST(control_loop_parameters, are_checked_by_name) {
+  EXPECT_EQ(validate(ph::control_loop_parameters{}), "");
+  EXPECT_EQ(validate(ph::control_loop_parameters{.period = 0}), "period [s] = 0, expected 1e-6 to 1");
+  EXPECT_EQ(validate(ph::control_loop_parameters{.most_overruns = -1}),
+            "most_overruns = -1, expected a number >= 0");
+  EXPECT_EQ(validate(ph::control_loop_parameters{.longest_sleep = 0}),
+            "longest_sleep [s] = 0, expected a finite number > 0");
+  EXPECT_THROW(ph::control_loop({.period = 2}), std::invalid_argument);
+}
+
+TEST(a_duration_histogram, has_percentiles_within_a_sixteenth) {
+  std::mt19937_64 random(7);
+  for (const double scale : {20.0, 5e3, 1e6, 1e12}) {
+    ph::duration_histogram h;
+    std::vector<std::int64_t> all;
+    for (int k = 0; k < 10'000; ++k) {
+      all.push_back(std::llround(scale * std::exponential_distribution<double>()(random)));
+      h.add(all.back());
+    }
+    std::sort(all.begin(), all.end());
+    for (const double share : {0.0, 0.5, 0.9, 0.99, 0.999, 1.0}) {
+      const auto at = static_cast<std::size_t>(std::max(0.0, std::ceil(share * 1e4) - 1));
+      const auto exact = static_cast<double>(all[at]);
+      EXPECT_GE(static_cast<double>(h.percentile(share)), exact)
+          << "seed 7, scale " << scale << ", " << share;
+      EXPECT_LE(static_cast<double>(h.percentile(share)), exact * (1 + 1.0 / 16) + 1)
+          << scale << ", " << share;
+    }
+    EXPECT_EQ(h.largest(), all.back());
+    EXPECT_EQ(h.count(), 10'000u);
+    EXPECT_NEAR(h.mean(), scale, 0.05 * scale);
+  }
+}
+
+TEST(a_duration_histogram, takes_any_number) {
+  ph::duration_histogram h;
+  EXPECT_EQ(h.percentile(0.5), 0);
+  EXPECT_EQ(h.mean(), 0);
+  for (const std::int64_t extreme : {std::numeric_limits<std::int64_t>::min(), std::int64_t{-1},
+                                     std::int64_t{0}, std::numeric_limits<std::int64_t>::max()})
+    h.add(extreme);
+  EXPECT_EQ(h.count(), 4u);
+  EXPECT_EQ(h.percentile(0.5), 0);
+  EXPECT_EQ(h.percentile(1), std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(h.between(0, 1), 3u);
+}

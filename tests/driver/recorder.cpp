@@ -1,0 +1,107 @@
+#include "../realtime/allocations.hpp"
+
+#include <gtest/gtest.h>
+#include <passive_haptics/driver/recorder.hpp>
+
+#include <atomic>
+#include <thread>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+struct record {
+  std::uint64_t number, square;
+};
+
+struct seen {
+  std::uint64_t count = 0, wrong = 0;
+  bool closed = false;
+};
+
+struct checking_sink {
+  ph::shared_memory<seen>* into;
+  std::string missing{};
+  std::uint64_t expected = 0;
+
+  std::string open() { return missing; }
+  void take(const record& r) {
+    if (r.number < expected || r.square != r.number * r.number) ++(*into)->wrong;
+    expected = r.number + 1;
+    ++(*into)->count;
+  }
+  void rest() {}
+  void close() { (*into)->closed = true; }
+};
+
+}  // namespace
+
+TEST(a_shared_ring, keeps_the_order_and_counts_what_does_not_fit) {
+  ph::shared_ring<int, 8> ring;
+  int value = 0;
+  EXPECT_FALSE(ring.pop(value));
+  for (int round = 0; round < 100; ++round) {
+    for (int k = 0; k < 10; ++k) EXPECT_EQ(ring.push(10 * round + k), k < 8);
+    for (int k = 0; k < 8; ++k) {
+      ASSERT_TRUE(ring.pop(value));
+      EXPECT_EQ(value, 10 * round + k);
+    }
+    EXPECT_FALSE(ring.pop(value));
+  }
+  EXPECT_EQ(ring.lost(), 200u);
+}
+
+TEST(a_shared_ring, hands_over_whole_records_between_threads) {
+  ph::shared_ring<record, 64> ring;
+  constexpr std::uint64_t last = 300'000;
+  std::thread writer([&] {
+    for (std::uint64_t n = 0; n <= last; ++n)
+      while (!ring.push({n, n * n})) std::this_thread::yield();
+  });
+  record r{};
+  for (std::uint64_t expected = 0; expected <= last; ++expected) {
+    while (!ring.pop(r)) std::this_thread::yield();
+    if (r.number != expected || r.square != expected * expected) {
+      ADD_FAILURE() << "record " << expected << " came as " << r.number;
+      break;
+    }
+  }
+  writer.join();
+}
+
+TEST(a_recorder, writes_all_down_in_another_process) {
+  ph::shared_memory<seen> written;
+  {
+    ph::recorder<record, checking_sink> log(checking_sink{&written});
+    ASSERT_EQ(log.start(), "");
+    std::uint64_t pushed = 0;
+    EXPECT_EQ(allocations_in([&] {
+                for (std::uint64_t n = 0; n < 5000; ++n) pushed += log({n, n * n});
+              }),
+              0);
+    EXPECT_EQ(pushed, 5000u);
+    log.stop();
+    EXPECT_EQ(written->count, 5000u);
+    EXPECT_TRUE(written->closed);
+    EXPECT_EQ(log.lost(), 0u);
+  }
+  EXPECT_EQ(written->wrong, 0u);
+}
+
+TEST(a_recorder, that_falls_behind_loses_records_but_never_their_order) {
+  ph::shared_memory<seen> written;
+  ph::recorder<record, checking_sink, 16> log(checking_sink{&written});
+  ASSERT_EQ(log.start(), "");
+  std::uint64_t pushed = 0;
+  for (std::uint64_t n = 0; n < 100'000; ++n) pushed += log({n, n * n});
+  log.stop();
+  EXPECT_EQ(written->count, pushed);
+  EXPECT_EQ(written->wrong, 0u);
+  EXPECT_EQ(log.lost(), 100'000 - pushed);
+}
+
+TEST(a_recorder, that_cannot_open_its_file_says_so) {
+  ph::shared_memory<seen> written;
+  ph::recorder<record, checking_sink> log(checking_sink{&written, "cannot write log.csv"});
+  EXPECT_EQ(log.start(), "cannot write log.csv");
+}

@@ -1,0 +1,591 @@
+#include "../realtime/allocations.hpp"
+#include "fake_device.hpp"
+
+#include <gtest/gtest.h>
+#include <passive_haptics/driver/safe_port.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+using safe = ph::safe_port<fake::port, fake::sensor>;
+
+safe::parameters usual() {
+  safe::parameters p;
+  p.sensor.range.fill(100);
+  p.currents.largest.fill(1);
+  p.currents.continuous.fill(0.9);
+  p.currents.heat.fill(0.05);
+  return p;
+}
+
+// A device that moves slowly and is cycled at 1 kHz.
+struct rig {
+  explicit rig(const safe::parameters& p = usual(), int counter_bits = 0) : port({&device}, {&device}, p) {
+    device.counter_bits = counter_bits;
+    if (!port.open().empty()) throw std::runtime_error("the fake device is there");
+  }
+
+  // What a good device tells next.
+  void take_samples() {
+    time += 1e-3;
+    device.sample.time = device.force.time = time;
+    ++device.sample.sequence;
+    ++device.force.sequence;
+    for (double& count : device.sample.value) count += 3;
+    device.force.value[0] = 1 + 0.1 * time;
+  }
+  // One cycle; `spoil` changes what the device tells.
+  void cycle(const std::function<void(rig&)>& spoil = nullptr) {
+    const auto sample = device.sample;
+    const auto force = device.force;
+    take_samples();
+    if (spoil) spoil(*this);
+    port.read(time);
+    port.write(wanted);
+    if (spoil) {  // what was spoilt is not what the device does
+      const auto spoilt = device.sample;
+      const auto spoilt_force = device.force;
+      device.sample = sample;
+      device.force = force;
+      device.sample.sequence = spoilt.sequence;
+      device.force.sequence = spoilt_force.sequence;
+      for (double& count : device.sample.value) count += 3;
+      device.sample.valid = {true, true};
+      device.force.valid = {true, true, true};
+      device.read_status = device.sensor_status = device.write_status = ph::port_status::ok;
+    }
+  }
+  void cycles(int count) {
+    for (int k = 0; k < count; ++k) cycle();
+  }
+  void hold() {
+    cycle();
+    EXPECT_TRUE(port.activate());
+    cycles(3);
+    EXPECT_EQ(port.state(), ph::port_state::active);
+    EXPECT_EQ(device.currents, wanted);
+  }
+  // Until nothing flows.
+  int cycles_to_release(const std::function<void(rig&)>& spoil) {
+    for (int k = 1; k <= 200; ++k) {
+      cycle(spoil);
+      if (!device.flows()) return k;
+    }
+    return 1000;
+  }
+
+  fake::device device;
+  double time = 100;
+  ph::brake_currents<2> wanted{0.5, 0.25};
+  safe port;
+};
+
+struct fault_case {
+  const char* name;
+  ph::incident expected;
+  int cycles;      // until 0 A, at most
+  bool rearmable;  // once it is over
+  std::function<void(rig&)> spoil;
+};
+
+constexpr int at_once = 1;
+constexpr int bridged = 21;  // 20 ms at 1 kHz, and the cycle that sees that they are over
+constexpr auto encoders = ph::fault_source::encoders;
+constexpr auto sensor = ph::fault_source::force_sensor;
+constexpr auto brakes = ph::fault_source::brakes;
+
+const std::vector<fault_case> all_faults{
+    {"NaN_encoder",
+     {ph::fault::value_not_finite, encoders, 1},
+     bridged,
+     false,
+     [](rig& r) { r.device.sample.value[1] = fake::nan; }},
+    {"infinite_encoder",
+     {ph::fault::value_not_finite, encoders, 0},
+     bridged,
+     false,
+     [](rig& r) { r.device.sample.value[0] = -fake::infinite; }},
+    {"encoder_that_the_device_calls_invalid",
+     {ph::fault::channel_invalid, encoders, 0},
+     bridged,
+     false,
+     [](rig& r) { r.device.sample.valid[0] = false; }},
+    {"encoder_jump",
+     {ph::fault::encoder_jump, encoders, 1},
+     bridged,
+     false,
+     [](rig& r) { r.device.sample.value[1] += 5000; }},
+    {"silence_of_the_device",
+     {ph::fault::sample_missing, encoders},
+     bridged,
+     true,
+     [](rig& r) { r.device.read_status = ph::port_status::no_sample; }},
+    {"bad_checksum_or_truncated_frame",
+     {ph::fault::sample_damaged, encoders},
+     bridged,
+     true,
+     [](rig& r) { r.device.read_status = ph::port_status::bad_sample; }},
+    {"duplicate",
+     {ph::fault::sample_repeated, encoders},
+     bridged,
+     true,
+     [](rig& r) { --r.device.sample.sequence; }},
+    {"reordering",
+     {ph::fault::sample_out_of_order, encoders},
+     bridged,
+     false,
+     [](rig& r) { r.device.sample.sequence -= 2; }},
+    {"wrong_sequence",
+     {ph::fault::device_restarted, encoders},
+     at_once,
+     false,
+     [](rig& r) { r.device.sample.sequence += 5000; }},
+    {"restart_of_the_device",
+     {ph::fault::device_restarted, encoders},
+     at_once,
+     false,
+     [](rig& r) { r.device.sample.sequence -= 5000; }},
+    {"sample_of_a_second_ago",
+     {ph::fault::sample_late, encoders},
+     bridged,
+     true,
+     [](rig& r) { r.device.sample.time -= 1; }},
+    {"sample_of_tomorrow",
+     {ph::fault::sample_late, encoders},
+     bridged,
+     true,
+     [](rig& r) { r.device.sample.time += 1e5; }},
+    {"sample_without_a_time",
+     {ph::fault::sample_late, encoders},
+     bridged,
+     true,
+     [](rig& r) { r.device.sample.time = fake::nan; }},
+    {"bus_gone_while_reading",
+     {ph::fault::device_lost, encoders},
+     at_once,
+     false,
+     [](rig& r) { r.device.read_status = ph::port_status::failed; }},
+    {"bus_gone_while_writing",
+     {ph::fault::device_lost, brakes},
+     at_once,
+     false,
+     [](rig& r) { r.device.write_status = ph::port_status::failed; }},
+    {"short_write",
+     {ph::fault::write_refused, brakes},
+     bridged,
+     true,
+     [](rig& r) { r.device.write_status = ph::port_status::bad_sample; }},
+    {"full_buffer",
+     {ph::fault::write_refused, brakes},
+     bridged,
+     true,
+     [](rig& r) { r.device.write_status = ph::port_status::no_sample; }},
+    {"sensor_saturation",
+     {ph::fault::sensor_saturated, sensor, 2},
+     bridged,
+     true,
+     [](rig& r) { r.device.force.value[2] = -100; }},
+    {"sensor_not_a_number",
+     {ph::fault::value_not_finite, sensor, 0},
+     bridged,
+     true,
+     [](rig& r) { r.device.force.value[0] = fake::nan; }},
+    {"sensor_channel_invalid",
+     {ph::fault::channel_invalid, sensor, 1},
+     bridged,
+     true,
+     [](rig& r) { r.device.force.valid[1] = false; }},
+    {"stale_sensor",
+     {ph::fault::sample_repeated, sensor},
+     bridged,
+     true,
+     [](rig& r) { --r.device.force.sequence; }},
+    {"silence_of_the_sensor",
+     {ph::fault::sample_missing, sensor},
+     bridged,
+     true,
+     [](rig& r) { r.device.sensor_status = ph::port_status::no_sample; }},
+    {"damaged_sensor_records",
+     {ph::fault::sample_damaged, sensor},
+     bridged,
+     true,
+     [](rig& r) { r.device.sensor_status = ph::port_status::bad_sample; }},
+    {"sensor_gone",
+     {ph::fault::device_lost, sensor},
+     at_once,
+     true,
+     [](rig& r) { r.device.sensor_status = ph::port_status::failed; }},
+    {"NaN_command",
+     {ph::fault::current_not_valid, brakes, 1},
+     at_once,
+     true,
+     [](rig& r) { r.wanted[1] = fake::nan; }},
+    {"infinite_command",
+     {ph::fault::current_not_valid, brakes, 0},
+     at_once,
+     true,
+     [](rig& r) { r.wanted[0] = fake::infinite; }},
+    {"negative_command",
+     {ph::fault::current_not_valid, brakes, 0},
+     at_once,
+     true,
+     [](rig& r) { r.wanted[0] = -1e-300; }},
+    {"loop_that_stood_still",
+     {ph::fault::clock_jump},
+     at_once,
+     true,
+     [](rig& r) { r.time += 0.5, r.device.sample.time = r.device.force.time = r.time; }},
+    {"clock_that_goes_back", {ph::fault::clock_jump}, at_once, true, [](rig& r) { r.time -= 0.01; }},
+    {"clock_that_is_none", {ph::fault::clock_jump}, at_once, true, [](rig& r) { r.time = fake::nan; }},
+};
+
+class a_fault : public ::testing::TestWithParam<fault_case> {};
+
+}  // namespace
+
+TEST_P(a_fault, releases_the_brakes_in_time_and_says_why) {
+  rig r;
+  r.hold();
+  EXPECT_LE(r.cycles_to_release(GetParam().spoil), GetParam().cycles);
+  EXPECT_EQ(r.port.state(), ph::port_state::released);
+  EXPECT_EQ(r.port.reason(), GetParam().expected) << to_string(r.port.reason());
+  EXPECT_GE(r.device.releases, 1) << "the device is told by its quickest way";
+}
+
+TEST_P(a_fault, stays_released_until_somebody_rearms) {
+  rig r;
+  r.hold();
+  const auto time = r.time;
+  r.cycles_to_release(GetParam().spoil);
+  r.wanted = {0.5, 0.25};
+  if (!(r.time >= time)) r.time = time + 1;
+  for (int k = 0; k < 30; ++k) {
+    r.cycle();
+    ASSERT_FALSE(r.device.flows());
+    ASSERT_EQ(r.port.state(), ph::port_state::released);
+    ASSERT_EQ(r.port.reason(), GetParam().expected) << "the first reason stays";
+    ASSERT_FALSE(r.port.activate());
+  }
+  EXPECT_EQ(r.port.rearm(), GetParam().rearmable);
+  EXPECT_EQ(r.port.state(), GetParam().rearmable ? ph::port_state::ready : ph::port_state::released);
+  r.cycles(2);
+  EXPECT_FALSE(r.device.flows()) << "ready gives no current, either";
+  if (!GetParam().rearmable) return;
+  EXPECT_TRUE(r.port.activate());
+  r.cycle();
+  EXPECT_EQ(r.device.currents, r.wanted);
+}
+
+TEST_P(a_fault, of_one_cycle_is_bridged_where_it_can_be) {
+  rig r;
+  r.hold();
+  const auto position = r.port.position();
+  r.cycle(GetParam().spoil);
+  if (GetParam().cycles == at_once) {
+    EXPECT_EQ(r.port.state(), ph::port_state::released);
+    return;
+  }
+  EXPECT_EQ(r.port.state(), ph::port_state::degraded);
+  if (GetParam().expected.source == encoders) {
+    EXPECT_EQ(r.port.bridged(), GetParam().expected);
+    EXPECT_EQ(r.port.position(), position) << "the last good one stays";
+  }
+  EXPECT_TRUE(r.device.flows());
+  r.cycles(2);
+  EXPECT_EQ(r.port.state(), ph::port_state::active);
+  EXPECT_EQ(r.port.bridged(), ph::incident{});
+  EXPECT_EQ(r.device.currents, r.wanted);
+}
+
+INSTANTIATE_TEST_SUITE_P(named, a_fault, ::testing::ValuesIn(all_faults),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST(a_safe_port, gives_no_current_before_it_is_activated) {
+  rig r;
+  r.cycles(10);
+  EXPECT_EQ(r.port.state(), ph::port_state::ready);
+  EXPECT_FALSE(r.device.flows());
+  EXPECT_EQ(r.device.writes, 10) << "a device with a watchdog hears of it";
+  EXPECT_TRUE(r.port.activate());
+  EXPECT_FALSE(r.port.activate()) << "a double start";
+  EXPECT_NE(r.port.open(), "") << "a double start";
+  r.cycle();
+  EXPECT_EQ(r.device.currents, r.wanted);
+}
+
+TEST(a_safe_port, cannot_be_activated_without_a_good_sample) {
+  rig r;
+  EXPECT_FALSE(r.port.activate()) << "none yet";
+  r.cycle([](rig& s) { s.device.read_status = ph::port_status::no_sample; });
+  EXPECT_FALSE(r.port.activate());
+  r.cycle([](rig& s) { s.device.force.value[0] = 100; });
+  EXPECT_FALSE(r.port.activate());
+  EXPECT_FALSE(r.port.rearm()) << "it is not released";
+  r.cycle();
+  EXPECT_TRUE(r.port.activate());
+}
+
+TEST(a_safe_port, that_could_not_be_opened_says_what_is_missing_and_does_nothing) {
+  fake::device device;
+  device.sensor_missing = "no sensor at 192.0.2.1";
+  {
+    safe port({&device}, {&device});
+    EXPECT_EQ(port.open(), "no sensor at 192.0.2.1");
+    EXPECT_EQ(port.state(), ph::port_state::closed);
+    EXPECT_EQ(port.read(1), ph::port_state::closed);
+    EXPECT_EQ(port.write({1, 1}), ph::port_state::closed);
+    EXPECT_FALSE(port.activate() || port.rearm());
+    port.release();
+    EXPECT_EQ(port.state(), ph::port_state::closed);
+    EXPECT_EQ(device.writes, 0);
+    device.sensor_missing = "";
+    EXPECT_EQ(port.open(), "") << "plugged in meanwhile";
+  }
+  device.encoders_missing = "no device";
+  safe port({&device}, {&device});
+  EXPECT_EQ(port.open(), "no device");
+}
+
+TEST(a_safe_port, releases_the_brakes_when_it_ends) {
+  fake::device device;
+  {
+    safe port({&device}, {&device});
+    device.currents = {1, 1};
+  }
+  EXPECT_FALSE(device.flows());
+}
+
+TEST(a_safe_port, follows_counters_past_their_wrap) {
+  rig r(usual(), 16);
+  r.device.sample.value = {65000, 300};
+  r.cycle();
+  ASSERT_TRUE(r.port.activate());
+  for (int k = 1; k <= 4000; ++k) {
+    r.cycle([k](rig& s) {
+      s.device.sample.value = {std::fmod(65003.0 + 100 * k, 65536),
+                               std::fmod(65536 * 8 + 303.0 - 100 * k, 65536)};
+    });
+    ASSERT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.bridged());
+    ASSERT_EQ(r.port.position()[0], 65003 + 100 * k);
+    ASSERT_EQ(r.port.position()[1], 303 - 100 * k);
+  }
+}
+
+TEST(a_safe_port, bridges_a_gap_in_the_sequence_and_lets_the_device_go_on_meanwhile) {
+  rig r;
+  r.hold();
+  const auto before = r.port.position();
+  for (int k = 0; k < 15; ++k) {
+    const auto sample = r.device.sample;
+    r.take_samples();
+    const auto moved = r.device.sample;
+    r.device.read_status = ph::port_status::no_sample;
+    r.port.read(r.time);
+    r.port.write(r.wanted);
+    r.device.read_status = ph::port_status::ok;
+    r.device.sample = moved;
+    for (std::size_t i = 0; i < 2; ++i)
+      r.device.sample.value[i] = sample.value[i] + 150;  // faster than a jump of one cycle
+    ASSERT_EQ(r.port.state(), ph::port_state::degraded);
+  }
+  r.cycle();
+  EXPECT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.bridged());
+  EXPECT_EQ(r.port.position()[0], before[0] + 15 * 150 + 3);
+}
+
+TEST(a_safe_port, counts_samples_past_the_end_of_their_sequence) {
+  rig r;
+  r.device.sample.sequence = 0xFFFFFFF0u;
+  r.hold();
+  r.cycles(100);
+  EXPECT_EQ(r.port.state(), ph::port_state::active);
+}
+
+TEST(a_frozen_encoder, is_noticed_after_the_others_turned_so_far_without_a_brake) {
+  rig r;
+  r.wanted = {0, 0};
+  r.cycle();
+  ASSERT_TRUE(r.port.activate());
+  const double frozen = r.device.sample.value[1];
+  const auto freeze = [&](rig& s) { s.device.sample.value[1] = frozen; };
+  int k = 0;
+  for (; r.port.state() != ph::port_state::released && k < 2000; ++k) {
+    r.cycle(freeze);
+    r.device.sample.value[1] = frozen;
+  }
+  EXPECT_EQ(r.port.reason(), (ph::incident{ph::fault::encoder_frozen, encoders, 1}));
+  EXPECT_NEAR(k, 2048.0 / 3, 2) << "cycles of 3 counts";
+  r.cycles(5);
+  EXPECT_FALSE(r.port.rearm()) << "nobody knows how far it went";
+  EXPECT_TRUE(r.port.needs_homing());
+}
+
+TEST(a_frozen_encoder, is_none_where_a_brake_holds_it) {
+  rig r;
+  r.hold();
+  const double held = r.device.sample.value[1];
+  for (int k = 0; k < 3000; ++k) {
+    r.cycle([&](rig& s) { s.device.sample.value[1] = held; });
+    r.device.sample.value[1] = held;
+  }
+  EXPECT_EQ(r.port.state(), ph::port_state::active);
+}
+
+TEST(a_jump, that_was_only_one_bad_reading_is_forgotten) {
+  rig r;
+  r.hold();
+  for (int k = 0; k < 100; ++k) {
+    r.cycle([](rig& s) { s.device.sample.value[0] += 1e9; });
+    EXPECT_EQ(r.port.state(), ph::port_state::degraded);
+    r.cycles(3);
+    ASSERT_EQ(r.port.state(), ph::port_state::active);
+  }
+}
+
+TEST(the_currents, never_pass_their_limit) {
+  rig r;
+  r.hold();
+  r.wanted = {1e300, 1.0000001};
+  r.cycle();
+  EXPECT_EQ(r.device.currents, (ph::brake_currents<2>{1, 1}));
+  EXPECT_EQ(r.port.applied(), r.device.currents);
+}
+
+TEST(the_currents, rise_no_faster_than_they_may_and_fall_at_once) {
+  auto p = usual();
+  p.currents.fastest_rise = {100, 0};
+  rig r(p);
+  r.wanted = {0.5, 0.5};
+  r.cycle();
+  ASSERT_TRUE(r.port.activate());
+  for (int k = 1; k <= 5; ++k) {
+    r.cycle();
+    EXPECT_NEAR(r.device.currents[0], 0.1 * k, 1e-9);
+    EXPECT_EQ(r.device.currents[1], 0.5);
+  }
+  r.wanted = {0.05, 0};
+  r.cycle();
+  EXPECT_EQ(r.device.currents, r.wanted);
+}
+
+TEST(the_currents, of_a_coil_that_gets_too_warm_are_lowered_until_it_is_cooler) {
+  rig r;  // 0.9 A for ever, and 0.05 A^2 s over it
+  r.hold();
+  r.wanted = {1, 0.25};
+  double charge = 0;
+  int hot = 0;
+  for (int k = 0; k < 20000; ++k) {
+    r.cycle();
+    charge += (r.device.currents[0] * r.device.currents[0] - 0.81) * 1e-3;
+    ASSERT_LE(charge, 0.05 + 0.19e-3 + 1e-12);
+    ASSERT_EQ(r.device.currents[1], 0.25) << "the other one is not warm";
+    if (r.device.currents[0] < 1) {
+      ++hot;
+      ASSERT_NEAR(r.device.currents[0], 0.855, 1e-12);
+      ASSERT_EQ(r.port.state(), ph::port_state::degraded);
+    }
+  }
+  EXPECT_GT(hot, 1000);
+  EXPECT_LT(hot, 19000) << "it gets its full current again";
+  r.wanted = {0.5, 0.25};
+  r.cycle();
+  EXPECT_EQ(r.port.state(), ph::port_state::active) << "less than the lowered current was asked for";
+}
+
+TEST(a_release_policy, ramps_down_where_the_user_says_so) {
+  auto p = usual();
+  p.at_release = {ph::release_policy::ramp, 0.1};
+  rig r(p);
+  r.hold();
+  r.port.release();
+  EXPECT_EQ(r.port.state(), ph::port_state::released);
+  double before = 0.5;
+  for (int k = 1; k <= 100; ++k) {
+    r.cycle();
+    EXPECT_NEAR(r.device.currents[0], 0.5 * (1 - k / 100.0), 1e-6);
+    EXPECT_NEAR(r.device.currents[1], 0.25 * (1 - k / 100.0), 1e-6);
+    ASSERT_LE(r.device.currents[0], before);
+    before = r.device.currents[0];
+  }
+  r.cycle();
+  EXPECT_FALSE(r.device.flows());
+}
+
+TEST(a_release_policy, holds_where_the_user_says_so_and_lets_go_of_a_lost_device) {
+  auto p = usual();
+  p.at_release.policy = ph::release_policy::hold;
+  rig r(p);
+  r.hold();
+  r.cycle([](rig& s) { s.wanted[0] = fake::nan; });
+  EXPECT_EQ(r.port.state(), ph::port_state::released);
+  r.wanted = {0.9, 0.9};
+  r.cycles(50);
+  EXPECT_EQ(r.device.currents, (ph::brake_currents<2>{0.5, 0.25}));
+  r.cycle([](rig& s) { s.device.sensor_status = ph::port_status::failed; });
+  EXPECT_TRUE(r.device.flows()) << "the sensor is not what holds";
+  r.cycle([](rig& s) { s.device.read_status = ph::port_status::failed; });
+  EXPECT_FALSE(r.device.flows());
+}
+
+TEST(a_release_policy, holds_no_longer_than_a_coil_can_bear) {
+  auto p = usual();
+  p.at_release.policy = ph::release_policy::hold;
+  rig r(p);
+  r.wanted = {1, 1};
+  r.hold();
+  r.port.release();
+  r.cycles(1000);
+  EXPECT_LE(r.device.currents[0], 0.855 + 1e-12);
+}
+
+TEST(a_device_without_a_sensor, needs_none) {
+  fake::device device;
+  ph::safe_port<fake::port> port({&device});
+  ASSERT_EQ(port.open(), "");
+  for (int k = 1; k < 10; ++k) {
+    device.sample.time = k * 1e-3;
+    ++device.sample.sequence;
+    port.read(k * 1e-3);
+    port.activate();
+    port.write({0.1, 0.1});
+    EXPECT_EQ(port.state(), ph::port_state::active);
+  }
+  EXPECT_TRUE(device.flows());
+}
+
+TEST(a_safe_port, allocates_nothing_in_a_cycle) {
+  rig r;
+  r.hold();
+  const std::function<void(rig&)> nothing, spoil = [](rig& s) { s.device.sample.value[0] = fake::nan; };
+  EXPECT_EQ(allocations_in([&] {
+              for (int k = 0; k < 100; ++k) r.cycle(k < 50 ? nothing : spoil);
+              r.port.rearm();
+              r.cycle();
+            }),
+            0);
+}
+
+TEST(the_parameters, of_a_safe_port_are_checked_by_name) {
+  const auto complaint = [](auto&& change) {
+    auto p = usual();
+    change(p);
+    return validate(p);
+  };
+  EXPECT_EQ(complaint([](auto&) {}), "");
+  EXPECT_EQ(complaint([](auto& p) { p.currents.largest[1] = -1; }),
+            "largest[1] [A] = -1, expected a finite number > 0");
+  EXPECT_EQ(complaint([](auto& p) { p.currents.heat[0] = fake::nan; }),
+            "heat[0] [A^2 s] = nan, expected a finite number > 0");
+  EXPECT_EQ(complaint([](auto& p) { p.sensor.range[2] = 0; }), "range[2] = 0, expected a number > 0, or inf");
+  EXPECT_EQ(complaint([](auto& p) { p.bridge = 0; }), "bridge [s] = 0, expected a finite number > 0");
+  EXPECT_EQ(complaint([](auto& p) { p.at_release.ramp_time = 0; }),
+            "ramp_time [s] = 0, expected a finite number > 0");
+  auto p = usual();
+  p.bridge = -1;
+  fake::device device;
+  EXPECT_THROW(safe({&device}, {&device}, p), std::invalid_argument);
+}
