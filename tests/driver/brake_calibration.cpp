@@ -152,12 +152,29 @@ TEST(brake_calibration, makes_just_the_torque_asked_with_hysteresis_both_ways) {
 }
 
 TEST(brake_calibration, keeps_its_current_while_the_capacity_stays) {
-  ph::brake_curve p{.current_limit = 2, .hysteresis = 0.1};
-  ph::brake_calibration<1> calibration({p});
-  for (const double capacity : {0.3, 0.7, 0.4, 5.0, 2.05, 0.0}) {
-    const double current = calibration.currents(one(capacity))[0];
-    for (int k = 0; k < 10; ++k) EXPECT_EQ(calibration.currents(one(capacity))[0], current) << capacity;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    random_source random(seed);
+    ph::brake_curve p = random_curve(random);
+    p.hysteresis = random.uniform(0.0, 0.2);
+    ph::brake_calibration<1> calibration({p});
+    for (int k = 0; k < 50; ++k) {
+      const double capacity = random.uniform(0.0, 1.3) * torque_of_current(p, p.current_limit);
+      const double current = calibration.currents(one(capacity))[0];
+      for (int i = 0; i < 3; ++i) ASSERT_EQ(calibration.currents(one(capacity))[0], current) << seed;
+    }
   }
+}
+
+TEST(brake_calibration, knows_what_a_brake_at_its_limit_makes) {
+  const ph::brake_curve p{.current_limit = 2, .hysteresis = 0.1, .loss_per_kelvin = 0.005};
+  ph::brake_calibration<1> calibration({p});
+  EXPECT_EQ(calibration.currents(one(5))[0], 2);
+  EXPECT_EQ(calibration.torque()[0], 2);
+  EXPECT_EQ(calibration.currents(one(2.05))[0], 2) << "more than it makes: not falling";
+  EXPECT_DOUBLE_EQ(calibration.currents(one(1.95))[0], 1.85);
+  calibration.currents(one(5));
+  EXPECT_EQ(calibration.currents(one(5), one(333.15))[0], 2);
+  EXPECT_DOUBLE_EQ(calibration.torque()[0], 1.7) << "hot: 0.8 of it and the remanence";
 }
 
 TEST(brake_calibration, gives_more_current_for_more_capacity_whatever_was_before) {

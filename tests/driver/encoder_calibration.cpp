@@ -132,11 +132,22 @@ TEST(homing, finds_the_zero_counts_of_a_handle_held_still) {
   EXPECT_EQ(home.add(1000, {1e6, 1e6}), status::done) << "and stays so";
 }
 
+TEST(homing, needs_no_knowledge_of_the_zero_counts_that_were_set) {
+  const homed device;
+  ph::homing<2> first(device.believed, device.reference), second(device.truth, device.reference);
+  for (int k = 0; k < 600; ++k) {
+    first.add(1e-3 * k, device.counts());
+    second.add(1e-3 * k, device.counts());
+  }
+  EXPECT_LT((first.zero_count() - second.zero_count()).norm(), 1e-9);
+}
+
 TEST(homing, starts_anew_when_the_handle_moves_and_says_so) {
   const homed device;
   ph::homing<2> home(device.believed, device.reference);
   int k = 0;
-  for (; k < 400; ++k) ASSERT_EQ(home.add(1e-3 * k, device.counts()), status::collecting);
+  for (; k < 400; ++k)
+    ASSERT_EQ(home.add(1e-3 * k, device.counts({k > 0 ? 2.0 : 0.0, 0})), status::collecting);
   EXPECT_EQ(home.add(1e-3 * k++, device.counts({4, 0})), status::moved);
   // Slowly over the tolerance: each sample is near the one before it
   for (int i = 1; i <= 3; ++i)
@@ -145,6 +156,8 @@ TEST(homing, starts_anew_when_the_handle_moves_and_says_so) {
   const int begun = k;
   while (home.add(1e-3 * k, device.counts()) != status::done && k < 5000) ++k;
   EXPECT_NEAR(k - begun, 500, 1) << "moved back, then 0.5 s";
+  const ph::vector<double, 2> off = home.zero_count() - device.truth.zero_count();
+  EXPECT_LT(off.cwiseAbs().maxCoeff(), 0.5 + 1e-9) << "and nothing of the time before";
 }
 
 TEST(homing, starts_anew_after_a_gap_a_count_that_is_no_number_or_time_that_stands_still) {

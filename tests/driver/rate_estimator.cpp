@@ -3,11 +3,14 @@
 #include <passive_haptics/plant/encoder.hpp>
 #include <passive_haptics/testing/random.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <deque>
-#include <functional>
 #include <iostream>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 namespace ph = passive_haptics;
 using one = ph::vector<double, 1>;
@@ -52,12 +55,12 @@ struct watched {
   // True mean rate over the estimate's window
   double mean_rate() const {
     const auto& [t, x] = true_positions.back();
-    for (const auto& [then, was] : true_positions)
-      if (std::abs(t - then - estimator.span(0)) < 1e-9) return (x - was) / (t - then);
+    for (auto i = true_positions.rbegin(); i != true_positions.rend(); ++i)
+      if (std::abs(t - i->first - estimator.span(0)) < 1e-9) return (x - i->second) / (t - i->first);
     return NAN;
   }
   ph::rate_estimator<1> estimator;
-  std::deque<std::pair<double, double>> true_positions;
+  std::vector<std::pair<double, double>> true_positions;
 };
 
 // (a), (e)

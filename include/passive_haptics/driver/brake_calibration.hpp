@@ -89,11 +89,11 @@ class brake_calibration {
     branch& at = state_[i];
     const double asked = capacity > 0 ? capacity : 0;
     if (asked != at.torque) at.falling = asked < at.torque;
-    const double above = at.falling ? p.hysteresis : 0;
-    const double I = current_of_torque(p, asked - above, temperature);
-    const double made = I > 0 ? std::min(asked, torque_of_current(p, p.current_limit, temperature) + above)
-                              : std::min(at.torque, p.residual_torque + above);
-    at.torque = at.falling ? made : std::max(at.torque, made);
+    const double I = current_of_torque(p, asked - (at.falling ? p.hysteresis : 0), temperature);
+    const double rising = torque_of_current(p, I, temperature);
+    // What it makes at an end of its range; within, the very number, so that the same capacity is no change
+    const bool within = I > 0 && I < p.current_limit;
+    at.torque = within ? asked : std::clamp(at.torque, rising, rising + p.hysteresis);
     return I;
   }
 

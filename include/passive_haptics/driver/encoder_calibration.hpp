@@ -21,7 +21,7 @@ struct encoder_calibration_parameters {
   std::array<bool, static_cast<std::size_t>(Axes)> slides{};
   /// Count at position 0, after unwrapping; homing finds it.
   vector<double, Axes> zero_count = vector<double, Axes>::Zero();
-  /// Width of the counters; 0 if they never wrap.
+  /// Width of the counters; 0 if they never wrap, as positions of a safe_port.
   int counter_bits = 0;
 };
 
