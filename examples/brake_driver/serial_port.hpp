@@ -51,9 +51,10 @@ class serial_port {
   std::string open() {
     if (const std::string text = line_.open(parameters_.device, parameters_.baud); !text.empty()) return text;
     lost_ = false;
+    if (parameters_.release_only) return "";
     line_.discard_input();  // samples of before
     release();
-    const std::string text = parameters_.release_only ? "" : greet();
+    const std::string text = greet();
     return text.empty() ? "" : "serial port " + parameters_.device + ": " + text;
   }
 

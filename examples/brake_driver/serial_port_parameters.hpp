@@ -14,8 +14,8 @@ struct serial_port_parameters {
   std::string device = "/dev/ttyACM0";  ///< A name under /dev/serial/by-id stays the same at another socket.
   int baud = 1'000'000;                 ///< [bit/s]; USB boards without a UART ignore it.
   double open_timeout = 3;  ///< For an answer [s]; boards that opening the port resets take 2 s to start.
-  bool release_only =
-      false;  ///< For a supervisor: open() asks nothing, so it takes no byte from the process that reads.
+  /// For a supervisor: open() neither asks nor releases nor reads, so the process that drives the device notices nothing.
+  bool release_only = false;
 };
 
 /// What is wrong with the parameters; empty if nothing.

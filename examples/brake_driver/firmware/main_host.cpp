@@ -28,14 +28,20 @@ void run(firmware::pseudo_terminal& line, const firmware::settings& settings) {
   firmware::brake_controller controller(board, settings);
   const passive_haptics::monotonic_clock clock;
   const std::int64_t start = clock.now(), period = std::int64_t{1000} * settings.period;
-  std::array<std::uint8_t, 512> bytes;
-  for (std::int64_t next = start + period; ended == 0; next += period) {
+  std::array<std::uint8_t, 8192> bytes;
+  for (std::int64_t next = start + period; ended == 0;) {
     clock.sleep_until(next);
-    const auto now = static_cast<std::uint32_t>((clock.now() - start) / 1000);
-    for (std::size_t n; (n = line.read(bytes)) > 0;)
-      for (const std::uint8_t b : std::span(bytes).first(n)) controller.receive(b, now);
-    board.advance(1e-9 * static_cast<double>(period));
-    controller.tick(now);
+    // A process is kept waiting as no microcontroller is: it lives through each period that it missed, and what has come
+    // meanwhile came evenly.
+    const auto periods = static_cast<std::size_t>(1 + (clock.now() - next) / period);
+    const std::size_t all = line.read(bytes);
+    for (std::size_t i = 0; i < periods; ++i, next += period) {
+      const auto now = static_cast<std::uint32_t>((next - start) / 1000);
+      const std::size_t from = all * i / periods, to = all * (i + 1) / periods;
+      for (const std::uint8_t b : std::span(bytes).subspan(from, to - from)) controller.receive(b, now);
+      board.advance(1e-9 * static_cast<double>(period));
+      controller.tick(now);
+    }
   }
 }
 

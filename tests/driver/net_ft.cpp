@@ -1,0 +1,351 @@
+// A force sensor over the loopback interface, with all that a network does to datagrams.
+#include "../realtime/allocations.hpp"
+
+#include <gtest/gtest.h>
+#include <net_ft.hpp>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+
+#include <atomic>
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace {
+
+namespace ph = passive_haptics;
+using example::net_ft;
+using ph::port_status;
+using bytes = std::vector<std::uint8_t>;
+using reading = ph::port_sample<6>;
+
+static_assert(ph::ForceSensor<net_ft>);
+
+// Waits for what has to come; the time-out is for a test that has failed.
+template <class F>
+bool eventually(F&& f) {
+  const double end = ph::monotonic_seconds() + 20;
+  while (!f()) {
+    if (ph::monotonic_seconds() > end) return false;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  return true;
+}
+
+bytes record(std::uint32_t sequence, std::uint32_t status = 0,
+             const std::array<std::int32_t, 6>& counts = {1'000'000, -2'000'000, 3, 4, 500'000, -6}) {
+  bytes b;
+  const auto put = [&](std::uint32_t word) {
+    for (int shift = 24; shift >= 0; shift -= 8) b.push_back(static_cast<std::uint8_t>(word >> shift));
+  };
+  put(sequence);
+  put(7 * sequence);
+  put(status);
+  for (const std::int32_t c : counts) put(static_cast<std::uint32_t>(c));
+  return b;
+}
+
+// A sensor that sends when the test says so.
+class sensor {
+ public:
+  explicit sensor(int wanted_port = 0) : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0)) {
+    sockaddr_in a{};
+    a.sin_family = AF_INET;
+    a.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    a.sin_port = htons(static_cast<std::uint16_t>(wanted_port));
+    socklen_t size = sizeof a;
+    EXPECT_EQ(bind(socket_, reinterpret_cast<sockaddr*>(&a), size), 0);
+    EXPECT_EQ(getsockname(socket_, reinterpret_cast<sockaddr*>(&a), &size), 0);
+    port_ = ntohs(a.sin_port);
+  }
+  ~sensor() { ::close(socket_); }
+
+  int port() const { return port_; }
+
+  // Notes the requests that came, and who asks.
+  void hear() {
+    std::array<std::uint8_t, 64> buffer;
+    for (;;) {
+      socklen_t size = sizeof host_;
+      const auto n =
+          recvfrom(socket_, buffer.data(), buffer.size(), 0, reinterpret_cast<sockaddr*>(&host_), &size);
+      if (n < 0) return;
+      requests.emplace_back(buffer.begin(), buffer.begin() + n);
+    }
+  }
+  void send(const bytes& b) { send(b, host_); }
+  void send(const bytes& b, const sockaddr_in& to) {
+    EXPECT_EQ(sendto(socket_, b.data(), b.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to),
+              static_cast<ssize_t>(b.size()));
+  }
+  const sockaddr_in& host() const { return host_; }
+
+  std::vector<bytes> requests;
+
+ private:
+  int socket_, port_ = 0;
+  sockaddr_in host_{};
+};
+
+const bytes start{0x12, 0x34, 0, 2, 0, 0, 0, 0}, stop{0x12, 0x34, 0, 0, 0, 0, 0, 0};
+
+example::net_ft_parameters at(int port, double timeout = 20) {
+  example::net_ft_parameters p;
+  p.host = "127.0.0.1";
+  p.port = port;
+  p.counts_per_torque = 500'000;
+  p.open_timeout = timeout;
+  p.silence = 0.02;
+  return p;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// Opens while f() goes on in another thread.
+template <class F>
+std::string open_beside(net_ft& host, F&& f) {
+  std::atomic<bool> opened{false};
+  std::thread other([&] {
+    while (!opened) {
+      f();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  });
+  const std::string text = host.open();
+  opened = true;
+  other.join();
+  return text;
+}
+
+// A sensor and its open reader, which has read all.
+struct connected {
+  sensor peer;
+  net_ft host;
+  reading last;
+
+  connected() : host(at(peer.port())) {
+    EXPECT_EQ(open_beside(host,
+                          [&, done = false]() mutable {
+                            peer.hear();
+                            if (!done && !peer.requests.empty()) peer.send(record(0));
+                            done = !peer.requests.empty();
+                          }),
+              "");
+    EXPECT_EQ(host.read(last), port_status::no_sample);
+  }
+  // Datagrams over loopback are there when send returns.
+  port_status read_of(const std::vector<bytes>& datagrams) {
+    for (const bytes& d : datagrams) peer.send(d);
+    return host.read(last);
+  }
+};
+
+TEST(net_ft, parameters_are_checked_by_name) {
+  EXPECT_EQ(validate(example::net_ft_parameters()), "");
+  auto p = at(0);
+  EXPECT_EQ(validate(p), "port = 0, expected 1 to 65535");
+  EXPECT_THROW(net_ft{p}, std::invalid_argument);
+  p = at(1);
+  p.counts_per_force = 0;
+  EXPECT_TRUE(has(validate(p), "counts_per_force [1/N] = 0"));
+  p = at(1);
+  p.silence = -1;
+  EXPECT_TRUE(has(validate(p), "silence [s] = -1"));
+  p.host = "";
+  EXPECT_TRUE(has(validate(p), "host"));
+}
+
+TEST(net_ft, asks_for_records_without_end_and_to_stop_when_it_goes) {
+  sensor peer;
+  {
+    net_ft host(at(peer.port()));
+    EXPECT_EQ(open_beside(host,
+                          [&] {
+                            peer.hear();
+                            if (!peer.requests.empty()) peer.send(record(1));
+                          }),
+              "");
+    EXPECT_EQ(peer.requests[0], start);
+  }
+  EXPECT_TRUE(eventually([&] {
+    peer.hear();
+    return peer.requests.back() == stop;
+  }));
+}
+
+TEST(net_ft, a_name_that_nobody_knows_is_named) {
+  auto p = at(1);
+  p.host = "no such host";
+  EXPECT_TRUE(has(net_ft(p).open(), "force sensor no such host:1: the name cannot be looked up"));
+}
+
+TEST(net_ft, silence_refusal_and_somebody_else_are_told_apart) {
+  sensor peer;
+  net_ft silent(at(peer.port(), 0.2));
+  EXPECT_TRUE(has(silent.open(), "no record in 200 ms; is it powered and connected"));
+  peer.hear();
+  EXPECT_GE(peer.requests.size(), 1u);
+  EXPECT_LE(peer.requests.size(), 3u) << "asks now and then, not in a loop";
+
+  net_ft other(at(peer.port(), 0.3));
+  EXPECT_TRUE(has(open_beside(other,
+                              [&] {
+                                peer.hear();
+                                peer.send({1, 2, 3});
+                              }),
+                  "something else answers"));
+
+  int free_port;
+  {
+    free_port = sensor().port();
+  }
+  EXPECT_TRUE(has(net_ft(at(free_port, 0.2)).open(), "does not listen"));
+}
+
+TEST(net_ft, reads_forces_and_torques_in_their_units) {
+  connected c;
+  const double before = ph::monotonic_seconds();
+  EXPECT_EQ(c.read_of({record(41, 0, {1'500'000, -2'000'000, 0, 500'000, -1'000'000, 1})}), port_status::ok);
+  EXPECT_EQ(c.last.value, (std::array<double, 6>{1.5, -2, 0, 1, -2, 2e-6}));
+  EXPECT_EQ(c.last.valid, (std::array<bool, 6>{true, true, true, true, true, true}));
+  EXPECT_EQ(c.last.sequence, 41u);
+  EXPECT_GE(c.last.time, before);
+  EXPECT_LE(c.last.time, ph::monotonic_seconds());
+}
+
+TEST(net_ft, counts_keep_their_sign_at_both_ends) {
+  connected c;
+  constexpr std::int32_t low = std::numeric_limits<std::int32_t>::min(),
+                         high = std::numeric_limits<std::int32_t>::max();
+  EXPECT_EQ(c.read_of({record(1, 0, {low, high, -1, 0, 1, -2})}), port_status::ok);
+  EXPECT_EQ(c.last.value, (std::array<double, 6>{low / 1e6, high / 1e6, -1e-6, 0, 2e-6, -4e-6}));
+}
+
+TEST(net_ft, the_newest_of_all_that_came_counts_also_when_they_overtake_each_other) {
+  connected c;
+  EXPECT_EQ(c.read_of({record(1), record(2), record(3)}), port_status::ok);
+  EXPECT_EQ(c.last.sequence, 3u);
+  EXPECT_EQ(c.host.read(c.last), port_status::no_sample);
+  EXPECT_EQ(c.read_of({record(4), record(6), record(5)}), port_status::ok);
+  EXPECT_EQ(c.last.sequence, 6u);
+  EXPECT_EQ(c.read_of({record(0xFFFF'FFFF), record(0), record(0xFFFF'FFFE)}), port_status::ok);
+  EXPECT_EQ(c.last.sequence, 0u) << "across the wrap";
+}
+
+TEST(net_ft, duplicates_and_late_records_keep_their_sequence) {
+  connected c;
+  for (const std::uint32_t sequence : {7u, 8u, 8u, 10u, 9u}) {
+    EXPECT_EQ(c.read_of({record(sequence)}), port_status::ok);
+    EXPECT_EQ(c.last.sequence, sequence);
+  }
+}
+
+TEST(net_ft, a_lost_record_is_no_sample_and_a_gap_in_the_sequence) {
+  connected c;
+  EXPECT_EQ(c.read_of({record(1)}), port_status::ok);
+  EXPECT_EQ(c.host.read(c.last), port_status::no_sample);
+  EXPECT_EQ(c.read_of({record(3)}), port_status::ok);
+  EXPECT_EQ(c.last.sequence, 3u);
+}
+
+TEST(net_ft, datagrams_of_another_length_are_bad_samples) {
+  connected c;
+  for (std::size_t size = 0; size <= 80; ++size) {
+    if (size == 36) continue;
+    bytes b = record(9);
+    b.resize(size);
+    EXPECT_EQ(c.read_of({b}), port_status::bad_sample) << size;
+  }
+  EXPECT_EQ(c.read_of({bytes(1400, 0xAB), record(2), {1}}), port_status::ok) << "a good one came with them";
+  EXPECT_EQ(c.last.sequence, 2u);
+}
+
+TEST(net_ft, any_bit_of_the_status_but_the_latched_threshold_invalidates_all_channels) {
+  connected c;
+  std::uint32_t sequence = 1;
+  for (int bit = 0; bit < 32; ++bit) {
+    for (const std::uint32_t summary : {0u, 0x8000'0000u}) {
+      EXPECT_EQ(c.read_of({record(++sequence, 1u << bit | summary)}), port_status::ok);
+      for (const bool valid : c.last.valid) EXPECT_EQ(valid, bit == 16) << "bit " << bit;
+      EXPECT_EQ(c.host.status(), 1u << bit | summary);
+    }
+  }
+  EXPECT_EQ(c.read_of({record(++sequence, 0x8003'0000u)}), port_status::ok);
+  EXPECT_FALSE(c.last.valid[0]) << "latched threshold and saturation";
+  EXPECT_EQ(c.read_of({record(++sequence)}), port_status::ok);
+  EXPECT_TRUE(c.last.valid[0]);
+}
+
+TEST(net_ft, a_sensor_that_fell_silent_is_asked_again_and_comes_back) {
+  connected c;
+  c.peer.requests.clear();
+  EXPECT_TRUE(eventually([&] {
+    EXPECT_EQ(c.host.read(c.last), port_status::no_sample);
+    c.peer.hear();
+    return !c.peer.requests.empty();
+  }));
+  EXPECT_EQ(c.peer.requests[0], start);
+  EXPECT_EQ(c.read_of({record(5)}), port_status::ok);
+}
+
+TEST(net_ft, a_sensor_that_was_switched_off_and_on_is_found_again) {
+  std::unique_ptr<sensor> peer = std::make_unique<sensor>();
+  const int port = peer->port();
+  net_ft host(at(port));
+  EXPECT_EQ(open_beside(host,
+                        [&] {
+                          peer->hear();
+                          if (!peer->requests.empty()) peer->send(record(1));
+                        }),
+            "");
+  peer.reset();
+  reading r;
+  // Its host answers now that nobody listens
+  const double end = ph::monotonic_seconds() + 0.1;
+  while (ph::monotonic_seconds() < end) EXPECT_NE(host.read(r), port_status::failed);
+  peer = std::make_unique<sensor>(port);
+  EXPECT_TRUE(eventually([&] {
+    peer->hear();
+    if (!peer->requests.empty()) peer->send(record(0));
+    return host.read(r) == port_status::ok;
+  }));
+  EXPECT_EQ(r.sequence, 0u);
+}
+
+TEST(net_ft, somebody_elses_datagrams_are_not_heard) {
+  connected c;
+  sensor other;
+  other.send(record(99), c.peer.host());
+  EXPECT_EQ(c.host.read(c.last), port_status::no_sample);
+}
+
+TEST(net_ft, before_open_nothing_can_be_read) {
+  net_ft host(at(1));
+  reading r;
+  EXPECT_EQ(host.read(r), port_status::failed);
+}
+
+TEST(net_ft, a_flood_does_not_hold_the_reader) {
+  connected c;
+  for (std::uint32_t k = 1; k <= 100'000; ++k) c.peer.send(record(k));  // what does not fit is lost
+  int reads = 0;
+  while (c.host.read(c.last) == port_status::ok) ++reads;
+  EXPECT_LE(reads, 100'000 / net_ft::most_datagrams + 1);
+}
+
+TEST(net_ft, read_does_not_allocate) {
+  connected c;
+  port_status s{};
+  for (std::uint32_t k = 1; k < 300; ++k) {
+    if (k % 3 != 0 && k < 200) c.peer.send(record(k));
+    if (k % 7 == 0) c.peer.send({1, 2, 3});
+    if (k > 200) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // long enough to ask again
+    EXPECT_EQ(allocations_in([&] { s = c.host.read(c.last); }), 0);
+  }
+  EXPECT_NE(s, port_status::failed);
+}
+
+}  // namespace

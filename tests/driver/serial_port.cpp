@@ -1,0 +1,528 @@
+// A port to the firmware over a pseudo-terminal, with all that a line does to what it carries.
+#include "../realtime/allocations.hpp"
+
+#include <gtest/gtest.h>
+#include <serial_port.hpp>
+
+#include "serial_peer.hpp"
+
+#include <sys/wait.h>
+#include <csignal>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+namespace {
+
+namespace ph = passive_haptics;
+using ph::port_status;
+using port = example::serial_port<2, 2>;
+using reading = ph::port_sample<2>;
+
+static_assert(ph::BrakePort<port>);
+static_assert(ph::BrakePort<example::serial_port<1, 8>>);
+
+example::serial_port_parameters at(const std::string& path, double timeout = 20) {
+  example::serial_port_parameters p;
+  p.device = path;
+  p.open_timeout = timeout;
+  return p;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// A peer and a port that has opened it and read all.
+struct connected {
+  serial_peer peer;
+  port host;
+  reading last;
+
+  explicit connected(const firmware::settings& s = {}) : peer(s), host(at(peer.path())) {
+    EXPECT_EQ(peer.open(host), "");
+    EXPECT_TRUE(eventually([&] {
+      peer.hear();
+      return peer.controller.now_in() == firmware::state::released;
+    }));
+    drain();
+  }
+  // All that was sent before this sample has come, too.
+  void drain() {
+    serial::sample m;
+    m.encoders = 2;
+    peer.send(encoded(pack(0xFFFF'FFFF, m)));
+    EXPECT_TRUE(
+        eventually([&] { return host.read(last) == port_status::ok && last.sequence == 0xFFFF'FFFF; }));
+  }
+  // The device as it goes on, until the port reads this.
+  bool until(port_status wanted, const std::function<void()>& also = [] {}) {
+    return eventually([&] {
+      also();
+      peer.hear();
+      peer.tick();
+      return host.read(last) == wanted;
+    });
+  }
+  // These bytes, all there before the read.
+  port_status read_of(const bytes& b) {
+    EXPECT_EQ(peer.waiting(), 0);
+    peer.send(b);
+    EXPECT_TRUE(peer.arrived(b.size()));
+    return host.read(last);
+  }
+  bool currents_arrive(const ph::brake_currents<2>& i, std::uint16_t first, std::uint16_t second) {
+    return eventually([&] {
+      host.write(i);
+      peer.hear();
+      return peer.board.current(0) == first && peer.board.current(1) == second;
+    });
+  }
+};
+
+bytes sample_frame(std::uint32_t sequence, std::uint32_t time, std::int32_t count) {
+  serial::sample m;
+  m.encoders = 2;
+  m.time = time;
+  m.count = {count, -count};
+  return encoded(pack(sequence, m));
+}
+
+TEST(serial_port, parameters_are_checked_by_name) {
+  EXPECT_EQ(validate(example::serial_port_parameters()), "");
+  EXPECT_TRUE(has(validate(at("")), "device"));
+  auto p = at("/dev/null");
+  p.baud = 12345;
+  EXPECT_TRUE(has(validate(p), "baud [bit/s] = 12345, expected one of 9600"));
+  EXPECT_THROW(port{p}, std::invalid_argument);
+  EXPECT_TRUE(has(validate(at("x", std::numeric_limits<double>::quiet_NaN())), "open_timeout [s] = nan"));
+}
+
+TEST(serial_port, a_file_that_is_not_there_is_named) {
+  EXPECT_EQ(port(at("/dev/no_such_port")).open(),
+            "serial port /dev/no_such_port: no such file; plug the device in, or find its name by `ls "
+            "/dev/serial/by-id`");
+}
+
+TEST(serial_port, a_file_without_permission_names_the_group) {
+  const uid_t user = geteuid();
+  if (user == 0 && seteuid(65534) != 0) GTEST_SKIP() << "root may open any file";
+  EXPECT_TRUE(has(port(at("/etc/shadow")).open(), "dialout"));
+  EXPECT_EQ(seteuid(user), 0);
+}
+
+TEST(serial_port, a_file_that_is_no_serial_port_is_refused) {
+  EXPECT_TRUE(has(port(at("/dev/null")).open(), "is no serial port"));
+}
+
+TEST(serial_port, silence_is_told_from_noise_and_from_a_line_that_is_cut_one_way) {
+  serial_peer peer;
+  port silent(at(peer.path(), 0.3));
+  EXPECT_TRUE(has(peer.open(silent, [] {}), "no answer in 300 ms; not a byte came"));
+  port noisy(at(peer.path(), 0.3));
+  EXPECT_TRUE(has(peer.open(noisy, [&] { peer.send({0, 7, 0, 9, 9}); }),
+                  "no whole frame in them: is baud = 1000000"));
+  port cut(at(peer.path(), 0.3));
+  EXPECT_TRUE(has(peer.open(cut, [&] { peer.tick(); }), "the way to the device is cut"));
+}
+
+TEST(serial_port, another_version_of_the_protocol_is_named) {
+  serial_peer peer;
+  port p(at(peer.path()));
+  serial::hello h;
+  h.version = 9;
+  EXPECT_TRUE(has(peer.open(p, [&] { peer.send(encoded(pack(0, h))); }),
+                  "the device speaks version 9 of the protocol, expected 1"));
+}
+
+TEST(serial_port, another_device_is_named) {
+  serial_peer peer({.encoders = 2, .brakes = 1});
+  port p(at(peer.path()));
+  EXPECT_TRUE(has(peer.open(p), "the device has 2 encoders and 1 brake, expected 2 encoders and 2 brakes"));
+}
+
+TEST(serial_port, a_device_that_goes_away_while_it_is_asked_is_no_time_out) {
+  serial_peer peer;
+  port p(at(peer.path()));
+  EXPECT_TRUE(has(peer.open(p, [&] { peer.hang_up(); }), "went away"));
+}
+
+TEST(serial_port, an_answer_among_noise_is_found) {
+  serial_peer peer;
+  port p(at(peer.path()));
+  EXPECT_EQ(peer.open(p,
+                      [&] {
+                        peer.send({1, 2, 3, 0, 4});
+                        peer.hear();
+                        peer.tick();
+                      }),
+            "");
+  EXPECT_EQ(p.device().current_limit, firmware::settings().current_limit);
+}
+
+TEST(serial_port, reads_the_newest_of_all_that_came) {
+  connected c;
+  const double before = ph::monotonic_seconds();
+  bytes all;
+  for (std::uint32_t k = 1; k <= 5; ++k) {
+    const bytes f = sample_frame(1000 + k, 5'000'000 + 1000 * k, static_cast<std::int32_t>(10 * k));
+    all.insert(all.end(), f.begin(), f.end());
+  }
+  EXPECT_EQ(c.read_of(all), port_status::ok);
+  EXPECT_EQ(c.last.sequence, 1005u);
+  EXPECT_EQ(c.last.value, (std::array<double, 2>{50, -50}));
+  EXPECT_EQ(c.last.valid, (std::array<bool, 2>{true, true}));
+  EXPECT_GE(c.last.time, before);
+  EXPECT_LE(c.last.time, ph::monotonic_seconds());
+  EXPECT_EQ(c.host.read(c.last), port_status::no_sample);
+}
+
+TEST(serial_port, duplicates_and_reordering_keep_their_sequence) {
+  connected c;
+  for (const std::uint32_t sequence : {7u, 8u, 8u, 10u, 9u}) {
+    EXPECT_EQ(c.read_of(sample_frame(sequence, 1000 * sequence, 1)), port_status::ok);
+    EXPECT_EQ(c.last.sequence, sequence);
+  }
+}
+
+TEST(serial_port, a_lost_sample_is_no_sample_and_a_gap_in_the_sequence) {
+  connected c;
+  EXPECT_EQ(c.read_of(sample_frame(1, 1000, 1)), port_status::ok);
+  EXPECT_EQ(c.host.read(c.last), port_status::no_sample);
+  EXPECT_EQ(c.read_of(sample_frame(3, 3000, 1)), port_status::ok);
+  EXPECT_EQ(c.last.sequence, 3u);
+}
+
+TEST(serial_port, a_sample_that_was_delayed_is_seen_to_be_old) {
+  connected c;
+  EXPECT_EQ(c.read_of(sample_frame(1, 1000, 1)), port_status::ok);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  EXPECT_EQ(c.read_of(sample_frame(2, 2000, 1)), port_status::ok);
+  EXPECT_GE(ph::monotonic_seconds() - c.last.time, 0.058);
+}
+
+TEST(serial_port, a_wrong_checksum_is_a_bad_sample) {
+  connected c;
+  bytes bad = sample_frame(1, 1000, 1);
+  bad[bad.size() - 3] ^= 1;
+  EXPECT_EQ(c.read_of(bad), port_status::bad_sample);
+  EXPECT_EQ(c.host.line_statistics().damaged, 1u);
+  const bytes good = sample_frame(2, 2000, 1);
+  bad.insert(bad.end(), good.begin(), good.end());
+  EXPECT_EQ(c.read_of(bad), port_status::ok) << "a good one came with it";
+  EXPECT_EQ(c.last.sequence, 2u);
+  EXPECT_EQ(c.host.line_statistics().damaged, 2u);
+}
+
+TEST(serial_port, a_truncated_frame_is_a_bad_sample_once_the_next_begins) {
+  connected c;
+  const bytes whole = sample_frame(1, 1000, 1);
+  EXPECT_EQ(c.read_of(bytes(whole.begin(), whole.begin() + 12)), port_status::no_sample);
+  EXPECT_EQ(c.read_of({0}), port_status::bad_sample);
+  EXPECT_EQ(c.read_of(sample_frame(2, 2000, 1)), port_status::ok);
+}
+
+TEST(serial_port, a_frame_in_two_parts_is_read_when_it_is_whole) {
+  connected c;
+  const bytes whole = sample_frame(1, 1000, 1);
+  EXPECT_EQ(c.read_of(bytes(whole.begin(), whole.begin() + 12)), port_status::no_sample);
+  EXPECT_EQ(c.read_of(bytes(whole.begin() + 12, whole.end())), port_status::ok);
+}
+
+TEST(serial_port, garbage_is_a_bad_sample) {
+  connected c;
+  EXPECT_EQ(c.read_of({1, 2, 3, 0}), port_status::bad_sample);
+  EXPECT_EQ(c.read_of(bytes(300, 0)), port_status::no_sample) << "a line that idles low";
+}
+
+TEST(serial_port, a_sample_of_another_number_of_encoders_is_a_bad_sample) {
+  connected c;
+  EXPECT_EQ(c.read_of(encoded(pack(1, serial::sample{.encoders = 3}))), port_status::bad_sample);
+}
+
+TEST(serial_port, an_encoders_fault_is_its_own) {
+  connected c;
+  serial::sample m;
+  m.encoders = 2;
+  m.encoder_faults = 2;
+  EXPECT_EQ(c.read_of(encoded(pack(1, m))), port_status::ok);
+  EXPECT_EQ(c.last.valid, (std::array<bool, 2>{true, false}));
+}
+
+TEST(serial_port, currents_arrive_rounded_cut_at_the_limit_and_never_below_0) {
+  connected c;
+  EXPECT_TRUE(c.currents_arrive({0.1234, 0.00006}, 1234, 1));
+  EXPECT_TRUE(c.currents_arrive({0.6, 1e300}, 5000, 5000)) << "the device's limit is 0.5 A";
+  EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(c.currents_arrive({nan, -0.3}, 0, 0));
+}
+
+TEST(serial_port, release_is_0_A_and_may_be_repeated) {
+  connected c;
+  EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
+  c.host.release();
+  c.host.release();
+  EXPECT_TRUE(eventually([&] {
+    c.peer.hear();
+    return c.peer.controller.now_in() == firmware::state::released;
+  }));
+  EXPECT_EQ(c.peer.board.current(0), 0);
+  EXPECT_TRUE(c.until(port_status::ok));
+  EXPECT_TRUE(c.currents_arrive({0.2, 0.2}, 2000, 2000)) << "and currents come again after it";
+}
+
+TEST(serial_port, release_outlives_noise_on_one_of_its_frames) {
+  connected c;
+  EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
+  c.peer.hear();
+  c.peer.heard.clear();
+  c.peer.deaf = true;
+  c.host.release();
+  const std::size_t frame = encoded(serial::pack(0, serial::message_type::release)).size();
+  EXPECT_TRUE(eventually([&] {
+    c.peer.hear();
+    return c.peer.heard.size() >= port::release_copies * frame;
+  }));
+  c.peer.heard[3] ^= 0x10;
+  for (const std::uint8_t b : c.peer.heard) c.peer.controller.receive(b, c.peer.now);
+  EXPECT_EQ(c.peer.controller.now_in(), firmware::state::released);
+}
+
+TEST(serial_port, release_before_open_and_the_destructor_are_releases) {
+  port(at("/dev/no_such_port")).release();
+  serial_peer peer;
+  auto p = std::make_unique<port>(at(peer.path()));
+  EXPECT_EQ(peer.open(*p), "");
+  EXPECT_TRUE(eventually([&] {
+    p->write({0.1, 0.1});
+    peer.hear();
+    return peer.board.current(0) == 1000;
+  }));
+  p.reset();
+  EXPECT_TRUE(eventually([&] {
+    peer.hear();
+    return peer.controller.now_in() == firmware::state::released;
+  }));
+}
+
+TEST(serial_port, before_open_nothing_can_be_read_or_written) {
+  port p(at("/dev/no_such_port"));
+  reading r;
+  EXPECT_EQ(p.read(r), port_status::failed);
+  EXPECT_EQ(p.write({}), port_status::failed);
+}
+
+// Writes until the kernel has no room.
+template <int Brakes>
+void fill(example::serial_port<2, Brakes>& p) {
+  ph::brake_currents<Brakes> currents{};
+  currents[0] = 0.0321;
+  int k = 0;
+  while (p.write(currents) != port_status::no_sample && k < 100'000) ++k;
+  EXPECT_LT(k, 100'000) << "the line is never full";
+}
+
+// What the device hears after 20 times a full line and then others: whole frames, in order, and the latest. Returns how
+// many frames were cut.
+template <int Brakes>
+int cut_frames() {
+  serial_peer peer({.brakes = Brakes});
+  example::serial_port<2, Brakes> host(at(peer.path()));
+  EXPECT_EQ(peer.open(host), "");
+  for (int k = 0; k < 20; ++k) fill(host);
+  EXPECT_EQ(host.line_statistics().unsent, 20u);
+  std::uint32_t last = 0;
+  serial::decoder decoder;
+  bool latest = false;
+  int cut = 0;
+  EXPECT_TRUE(eventually([&] {
+    ph::brake_currents<Brakes> currents{};
+    currents[0] = 0.4;
+    host.write(currents);
+    peer.heard.clear();
+    peer.hear();
+    for (const std::uint8_t b : peer.heard) {
+      const auto o = decoder.take(b);
+      cut += o == serial::outcome::damaged;
+      if (o != serial::outcome::packet || unpack(decoder.last(), serial::message_type::release)) continue;
+      serial::currents m;
+      EXPECT_TRUE(unpack(decoder.last(), m));
+      latest = m == serial::currents{Brakes, {4000}};
+      EXPECT_TRUE(latest || (m == serial::currents{Brakes, {321}}));
+      EXPECT_GT(decoder.last().sequence, last);
+      last = decoder.last().sequence;
+    }
+    return latest;
+  }));
+  return cut;
+}
+
+TEST(serial_port, a_short_write_is_no_sample_and_leaves_no_wrong_frame) {
+  // Frames of 14, 18, 20 ... 28 bytes, most of which do not come out even with the kernel's buffers
+  EXPECT_GT(cut_frames<1>() + cut_frames<3>() + cut_frames<4>() + cut_frames<5>() + cut_frames<6>() +
+                cut_frames<7>() + cut_frames<8>(),
+            0)
+      << "no write was ever short";
+}
+
+TEST(serial_port, currents_that_had_no_room_make_room_for_the_next) {
+  connected c;
+  fill(c.host);
+  EXPECT_EQ(c.host.write({0.1, 0.1}), port_status::ok);
+}
+
+TEST(serial_port, a_release_overtakes_currents_that_wait) {
+  connected c;
+  c.peer.hear();
+  c.peer.heard.clear();
+  std::size_t written = 0;
+  for (int k = 0; k < 1000; ++k) {
+    EXPECT_EQ(c.host.write({0.1, 0.1}), port_status::ok);
+    written += encoded(pack(0, serial::currents{2, {}})).size();
+  }
+  c.host.release();
+  EXPECT_TRUE(eventually([&] {
+    c.peer.hear();
+    return !c.peer.heard.empty() && c.peer.controller.now_in() == firmware::state::released;
+  }));
+  EXPECT_LT(c.peer.heard.size(), written) << "some are thrown away";
+}
+
+TEST(serial_port, a_release_gets_through_a_full_line) {
+  connected c;
+  fill(c.host);
+  c.host.release();
+  EXPECT_TRUE(eventually([&] {
+    c.peer.hear();
+    return c.peer.controller.now_in() == firmware::state::released;
+  }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  c.peer.hear();
+  EXPECT_EQ(c.peer.controller.now_in(), firmware::state::released) << "nothing comes behind it";
+}
+
+TEST(serial_port, a_port_that_is_pulled_out_has_failed_and_stays_so) {
+  connected c;
+  c.peer.hang_up();
+  EXPECT_TRUE(eventually([&] { return c.host.read(c.last) == port_status::failed; }));
+  EXPECT_EQ(c.host.write({}), port_status::failed);
+  EXPECT_EQ(c.host.read(c.last), port_status::failed);
+  c.host.release();
+  c.host.release();
+}
+
+TEST(serial_port, a_write_notices_first_that_the_port_is_pulled_out) {
+  connected c;
+  c.peer.hang_up();
+  EXPECT_TRUE(eventually([&] { return c.host.write({}) == port_status::failed; }));
+  EXPECT_EQ(c.host.read(c.last), port_status::failed);
+}
+
+TEST(serial_port, a_tripped_watchdog_fails_until_a_release) {
+  connected c;
+  EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
+  EXPECT_TRUE(c.until(port_status::ok, [&] { c.host.write({0.1, 0.1}); }));
+  c.peer.deaf = true;  // the way to the device is cut, its samples still come
+  EXPECT_TRUE(c.until(port_status::failed));
+  EXPECT_EQ(c.host.newest().state, serial::sample::tripped);
+  EXPECT_EQ(c.peer.board.current(0), 0);
+  c.peer.deaf = false;
+  c.host.release();
+  EXPECT_TRUE(c.until(port_status::ok));
+  EXPECT_TRUE(c.currents_arrive({0.2, 0.2}, 2000, 2000));
+}
+
+TEST(serial_port, currents_that_never_arrive_are_a_failure) {
+  connected c;
+  c.peer.deaf = true;
+  EXPECT_EQ(c.host.write({0.1, 0.1}), port_status::ok);
+  EXPECT_TRUE(c.until(port_status::failed));
+  EXPECT_EQ(c.host.newest().state, 0) << "the device was never active";
+}
+
+TEST(serial_port, a_brakes_fault_is_a_failure_while_it_is_used) {
+  connected c;
+  c.peer.board.set_faults(0, 1);
+  EXPECT_TRUE(c.until(port_status::ok)) << "encoders can be read with amplifiers off";
+  EXPECT_TRUE(c.until(port_status::failed, [&] { c.host.write({0.1, 0.1}); }));
+  EXPECT_EQ(c.host.newest().brake_faults, 1);
+}
+
+TEST(serial_port, a_supervisor_in_another_process_releases_and_takes_no_sample) {
+  connected c;
+  EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
+  c.peer.tick();
+  EXPECT_TRUE(eventually([&] { return c.peer.waiting() > 0; }));
+  const int waiting = c.peer.waiting();
+  const pid_t child = fork();
+  if (child == 0) {
+    auto p = at(c.peer.path());
+    p.release_only = true;
+    port supervisor(p);
+    const bool opened = supervisor.open().empty();
+    supervisor.release();
+    _exit(opened ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(c.peer.waiting(), waiting);
+  EXPECT_TRUE(eventually([&] {
+    c.peer.hear();
+    return c.peer.controller.now_in() == firmware::state::released;
+  }));
+  EXPECT_EQ(c.host.read(c.last), port_status::ok);
+  EXPECT_TRUE(c.until(port_status::failed)) << "its currents are no longer on the brakes";
+}
+
+TEST(serial_port, read_write_and_release_do_not_allocate) {
+  connected c;
+  port_status read{}, written{};
+  for (int k = 0; k < 500; ++k) {
+    c.peer.hear();
+    c.peer.tick();
+    if (k % 7 == 0) c.peer.send({0, 3, 3, 0});
+    if (k == 400) c.peer.hang_up();
+    EXPECT_EQ(allocations_in([&] {
+                read = c.host.read(c.last);
+                written = c.host.write({0.1, 0.2});
+                if (k % 50 == 0) c.host.release();
+              }),
+              0);
+  }
+  EXPECT_EQ(read, port_status::failed);
+  EXPECT_EQ(written, port_status::failed);
+}
+
+#ifdef PASSIVE_HAPTICS_FIRMWARE_HOST
+TEST(serial_port, drives_the_firmware_in_a_process_of_its_own_until_it_is_killed) {
+  int out[2];
+  ASSERT_EQ(pipe(out), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(out[1], STDOUT_FILENO);
+    execl(PASSIVE_HAPTICS_FIRMWARE_HOST, "brake_firmware_host", static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  ::close(out[1]);
+  std::FILE* said = fdopen(out[0], "r");
+  char path[256] = "";
+  const bool told = std::fgets(path, sizeof path, said) != nullptr;
+  std::fclose(said);
+  path[std::strcspn(path, "\n")] = '\0';
+  port host(at(path));
+  EXPECT_TRUE(told);
+  EXPECT_EQ(host.open(), "");
+  reading r;
+  EXPECT_TRUE(eventually([&] {
+    // Who was kept from writing for 20 ms finds the brakes tripped
+    if (host.read(r) == port_status::failed) host.release();
+    host.write({0.25, 0});
+    return (host.newest().state & serial::sample::active) != 0;
+  }));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  EXPECT_TRUE(eventually([&] { return host.read(r) == port_status::failed; }));
+}
+#endif
+
+}  // namespace
