@@ -11,13 +11,11 @@ int main() {
 
   ph::device_calibration_parameters<device, 6> measured;
   measured.encoders.counts_per_turn = {8192, -8192};  // counts fall where brake 2 turns in its positive sense
-  measured.encoders.counter_bits = 24;
   measured.brakes[0] = {.residual_torque = 0.02, .torque_per_ampere = 1.6, .current_limit = 0.5};
   measured.brakes[1] = {.residual_torque = 0.02, .current_limit = 0.5};
   measured.brakes[1].table = {{{0, 0.02}, {0.1, 0.12}, {0.3, 0.48}, {0.5, 0.80}}};
   measured.brakes[1].points = 4;
   measured.force.newtons_per_unit *= 1e-6;  // micronewtons, Fx and Fy first
-  measured.force.range.setConstant(60e6);
   measured.force.handle_mass = 0.1;
   // Angles of both links add up to that of the last one
   const ph::planar_sensor_frame<2> last_link{.link = {1, 1}, .mounting = 0.5};
@@ -31,8 +29,7 @@ int main() {
   ph::homing<2> home(calibration.encoders, calibration.axis_positions(reference));
   ph::steady_mean<6> unloaded({.tolerance = 5e4});
   for (double t = 0; t < 2; t += 0.001) {
-    calibration.state(t, counts(t));
-    home.add(t, calibration.counts());
+    home.add(t, ph::vector<double, 2>(counts(t).data()));
     unloaded.add(t, ph::vector<double, 6>(readings(t).data()));
   }
   calibration.encoders.set_zero_count(home.zero_count());

@@ -79,8 +79,7 @@ class net_ft {
   explicit net_ft(const net_ft_parameters& p) : parameters_(ph::require_valid(p)) {}
   /// Asks the sensor to stop sending.
   ~net_ft() { ask(stop); }
-  net_ft(const net_ft&) = delete;
-  net_ft& operator=(const net_ft&) = delete;
+  net_ft(net_ft&&) noexcept = default;
 
   /// Looks the host up, asks for records and waits for the first.
   std::string open() {

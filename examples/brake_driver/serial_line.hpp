@@ -60,8 +60,8 @@ class serial_line {
   };
 
   serial_line() = default;
-  serial_line(const serial_line&) = delete;
-  serial_line& operator=(const serial_line&) = delete;
+  serial_line(serial_line&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  serial_line& operator=(serial_line&&) = delete;
   ~serial_line() { close(); }
 
   /// Raw, 8 data bits, no parity, 1 stop bit, no flow control. Not exclusive: a second process may open it, too, and takes

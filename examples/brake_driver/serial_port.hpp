@@ -44,8 +44,7 @@ class serial_port {
   /// Throws std::invalid_argument with the text of validate(p).
   explicit serial_port(const serial_port_parameters& p) : parameters_(ph::require_valid(p)) {}
   ~serial_port() { release(); }
-  serial_port(const serial_port&) = delete;
-  serial_port& operator=(const serial_port&) = delete;
+  serial_port(serial_port&&) noexcept = default;
 
   /// Opens the port, releases the brakes, and asks the device who it is.
   std::string open() {
@@ -116,6 +115,8 @@ class serial_port {
       line_.write(serial::encode(serial::pack(sequence_++, serial::message_type::release)).content());
   }
 
+  /// Counts are of 32 bits.
+  static constexpr int counter_bits() noexcept { return 32; }
   /// What the device said of itself; of its limits.
   const serial::hello& device() const { return hello_; }
   /// The newest sample as it came: what read() refused, and why.

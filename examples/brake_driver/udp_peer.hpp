@@ -28,8 +28,8 @@ class udp_peer {
   static constexpr ssize_t broken = -2;  ///< There is no socket, or none that works.
 
   udp_peer() = default;
-  udp_peer(const udp_peer&) = delete;
-  udp_peer& operator=(const udp_peer&) = delete;
+  udp_peer(udp_peer&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  udp_peer& operator=(udp_peer&&) = delete;
   ~udp_peer() { close(); }
 
   /// Empty, or what is wrong. A peer that is not there is not noticed.

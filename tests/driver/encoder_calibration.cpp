@@ -91,8 +91,6 @@ TEST(encoder_calibration, names_what_is_wrong) {
             "positive sense");
   EXPECT_EQ(complaint([](parameters& p) { p.zero_count[0] = NAN; }),
             "zero_count[0] = nan, expected a finite number");
-  EXPECT_EQ(complaint([](parameters& p) { p.counter_bits = 3; }),
-            "counter_bits = 3, expected the counter's width, 8 to 48, or 0 if it never wraps");
 }
 
 // Homing of encoders whose zero counts are known to the test alone

@@ -4,7 +4,9 @@
 
 /// Before a function: what it calls is inlined into it, whatever its size. Only where assertions are off: a debug build would
 /// take the compiler three times as long for nothing.
-#if defined(NDEBUG) && defined(__GNUC__)
+/// Define it as nothing for a program that would rather compile in two thirds of the time.
+#if defined(PASSIVE_HAPTICS_FLATTEN)
+#elif defined(NDEBUG) && defined(__GNUC__)
 #define PASSIVE_HAPTICS_FLATTEN [[gnu::flatten]]
 #else
 #define PASSIVE_HAPTICS_FLATTEN

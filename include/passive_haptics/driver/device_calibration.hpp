@@ -30,7 +30,7 @@ std::string validate(const device_calibration_parameters<M, Channels>& p) {
                                  validate(p.brakes), part("force.", validate(p.force)));
 }
 
-/// Chains unwrapper, rate estimator, encoder, force and brake calibration of mechanism M. Frame tells how the sensor turns.
+/// Chains rate estimator, encoder, force and brake calibration of mechanism M. Frame tells how the sensor turns.
 template <class M, int Channels = M::task_dimension, class Frame = fixed_sensor_frame<M::task_dimension>>
 class device_calibration {
   static_assert(mechanism_requirements<M>::met);
@@ -40,7 +40,7 @@ class device_calibration {
 
  public:
   using axes = encoder_axes<M>;                          ///< What the encoders turn with.
-  using counts_array = std::array<double, axes::count>;  ///< port_sample::value of the brakes' port.
+  using counts_array = std::array<double, axes::count>;  ///< As safe_port::position(): past wraps [counts].
   using readings_array = std::array<double, static_cast<std::size_t>(Channels)>;  ///< The same of the sensor.
   using parameters = device_calibration_parameters<M, Channels>;                  ///< What it is made of.
 
@@ -54,7 +54,6 @@ class device_calibration {
         frame_(frame) {
     const bool solvable = all_finite(axes_.to_joints(vector<T, axes::count>::Ones()));
     require_no_complaint(solvable ? "" : "the mechanism's transmission is singular");
-    unwrappers_.fill(count_unwrapper(p.encoders.counter_bits));
   }
 
   /// State at the time [s] of a sample; not finite where a count or reading is not.
@@ -81,8 +80,6 @@ class device_calibration {
     return brakes.currents(as<double>(capacity), temperature);
   }
 
-  /// The last counts, unwrapped: for homing.
-  const vector<double, axes::count>& counts() const noexcept { return counts_; }
   /// Axis positions [rad or m] of a pose: the reference of homing.
   vector<double, axes::count> axis_positions(const joint_vector<M>& q) const noexcept {
     return as<double>(axes_.from_joints(q));
@@ -93,23 +90,21 @@ class device_calibration {
   }
 
   encoder_calibration<axes::count> encoders;             ///< Counts to axis positions.
-  rate_estimator<axes::count> rates;                     ///< Of unwrapped counts.
+  rate_estimator<axes::count> rates;                     ///< Of counts.
   force_calibration<M::task_dimension, Channels> force;  ///< Readings to force.
   brake_calibration<M::brake_count> brakes;              ///< Capacities to currents.
 
  private:
   template <class State>
   void read(State& y, double time, const counts_array& counts) noexcept {
-    for (std::size_t i = 0; i < counts.size(); ++i) counts_[static_cast<int>(i)] = unwrappers_[i](counts[i]);
+    const vector<double, axes::count> at(counts.data());
     y.time = time;
-    y.q = axes_.to_joints(as<T>(encoders.position(counts_)));
-    y.qd = axes_.to_joints(as<T>(encoders.rate(rates.add(time, counts_))));
+    y.q = axes_.to_joints(as<T>(encoders.position(at)));
+    y.qd = axes_.to_joints(as<T>(encoders.rate(rates.add(time, at))));
   }
 
   axes axes_;
   Frame frame_;
-  std::array<count_unwrapper, axes::count> unwrappers_;
-  vector<double, axes::count> counts_ = vector<double, axes::count>::Zero();
 };
 
 /// The same with the sensor's frame deduced.

@@ -2,7 +2,6 @@
 /// From an encoder's counts to the position of its axis, and back.
 #pragma once
 
-#include <passive_haptics/driver/count_unwrapper.hpp>
 #include <passive_haptics/driver/steady_mean.hpp>
 
 #include <array>
@@ -19,16 +18,14 @@ struct encoder_calibration_parameters {
   vector<double, Axes> counts_per_turn = vector<double, Axes>::Constant(8192);
   /// True for an axis that slides: its position is in m, not rad.
   std::array<bool, static_cast<std::size_t>(Axes)> slides{};
-  /// Count at position 0, after unwrapping; homing finds it.
+  /// Count at position 0; homing finds it.
   vector<double, Axes> zero_count = vector<double, Axes>::Zero();
-  /// Width of the counters; 0 if they never wrap, as positions of a safe_port.
-  int counter_bits = 0;
 };
 
 /// What is wrong with the parameters; empty if nothing.
 template <int Axes>
 std::string validate(const encoder_calibration_parameters<Axes>& p) {
-  std::string text = check_counter_bits("counter_bits", p.counter_bits);
+  std::string text;
   for (int i = 0; i < Axes && text.empty(); ++i) {
     const double per_turn = p.counts_per_turn[i];
     if (!std::isfinite(per_turn) || per_turn == 0)
@@ -39,7 +36,7 @@ std::string validate(const encoder_calibration_parameters<Axes>& p) {
   return text;
 }
 
-/// position = (count - zero_count) / counts_per_unit of each axis; the unit is rad, of a slide m. Counts are unwrapped.
+/// position = (count - zero_count) / counts_per_unit of each axis; the unit is rad, of a slide m. Counts are those of a safe_port, past the wraps of their counters.
 template <int Axes>
 class encoder_calibration {
  public:
@@ -88,7 +85,7 @@ class homing {
     require_no_complaint(all_finite(reference) ? "" : "reference [rad or m], expected finite numbers");
   }
 
-  /// Unwrapped counts at this time [s]. Movement and interruptions start it anew and are told.
+  /// Counts at this time [s]. Movement and interruptions start it anew and are told.
   steady_status add(double time, const vector<double, Axes>& counts) noexcept {
     return counts_.add(time, counts);
   }

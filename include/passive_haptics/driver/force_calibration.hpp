@@ -57,9 +57,6 @@ struct force_calibration_parameters {
   matrix<double, Dimension, Channels> newtons_per_unit = matrix<double, Dimension, Channels>::Identity();
   /// What it reads without a load, in its frame [N]; taring finds it.
   vector<double, Dimension> tare = vector<double, Dimension>::Zero();
-  /// Largest plausible magnitude of each raw value, exclusive; infinite where it is not known.
-  vector<double, Channels> range =
-      vector<double, Channels>::Constant(std::numeric_limits<double>::infinity());
   double handle_mass = 0;  ///< Of all that hangs on the sensor [kg].
   /// Of the base frame [m/s^2]: 0 in a horizontal plane.
   vector<double, Dimension> gravity = vector<double, Dimension>::Zero();
@@ -77,10 +74,6 @@ std::string validate(const force_calibration_parameters<Dimension, Channels>& p)
       text = detail::check_finite(detail::indexed(detail::indexed("newtons_per_unit(", i, ", "), j, ") [N]"),
                                   p.newtons_per_unit(i, j));
   }
-  for (int j = 0; j < Channels && text.empty(); ++j)
-    if (!(p.range[j] > 0))
-      text = detail::complaint(detail::indexed("range[", j, "]"), p.range[j],
-                               "a number > 0, or infinity for none");
   if (text.empty() && !all_finite(pseudo_inverse(transposed(p.newtons_per_unit))))
     text = "newtons_per_unit has dependent rows, expected one that tells each direction apart";
   return text;
@@ -117,13 +110,6 @@ class force_calibration {
   /// From here on this is the tare [N]; other than finite numbers change nothing.
   void set_tare(const vector<double, Dimension>& tare) noexcept {
     if (all_finite(tare)) p_.tare = tare;
-  }
-
-  /// Which raw values are within their range: false at or beyond it (saturated), and for NaN.
-  std::array<bool, static_cast<std::size_t>(Channels)> plausible(const readings& raw) const noexcept {
-    std::array<bool, static_cast<std::size_t>(Channels)> good{};
-    for (int j = 0; j < Channels; ++j) good[static_cast<std::size_t>(j)] = std::abs(raw[j]) < p_.range[j];
-    return good;
   }
 
  private:
