@@ -32,6 +32,8 @@ present() {
     libboost-dev) found_by_dpkg "$1" || found_by_cmake Boost ;;
     libgtest-dev) found_by_dpkg "$1" || found_by_cmake GTest ;;
     libassimp-dev) found_by_dpkg "$1" || found_by_cmake assimp ;;
+    libtomlplusplus-dev) found_by_dpkg "$1" || found_by_cmake tomlplusplus ;;
+    *-arm-none-eabi-newlib) found_by_dpkg "$1" ;;
     libbenchmark-dev) found_by_dpkg "$1" || found_by_cmake benchmark ;;
     libcomedi-dev) found_by_dpkg "$1" || [[ -f /usr/include/comedilib.h ]] ;;
     qemu-system-x86) command -v qemu-system-x86_64 >/dev/null ;;

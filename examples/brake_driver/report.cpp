@@ -47,13 +47,12 @@ std::string duration(double nanoseconds) {
 
 std::string bars(const ph::duration_histogram& h) {
   std::string all;
-  for (std::uint64_t from = 1024; from <= static_cast<std::uint64_t>(h.largest()) || from == 1024;
-       from *= 2) {
-    const std::uint64_t count = h.between(from == 1024 ? 0 : from, 2 * from);
-    const double share =
-        static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(1, h.count()));
-    all += text("  %s %8s %10llu  ", from == 1024 ? "up to" : "     ",
-                duration(2.0 * static_cast<double>(from)).c_str(), static_cast<unsigned long long>(count)) +
+  for (std::uint64_t to = 1024; to / 2 <= static_cast<std::uint64_t>(h.largest()); to *= 2) {
+    const std::uint64_t count = h.between(all.empty() ? 0 : to / 2, to);
+    if (all.empty() && count == 0) continue;
+    const double share = static_cast<double>(count) / static_cast<double>(h.count());
+    all += text("  %s %8s %10llu  ", all.empty() ? "up to" : "     ",
+                duration(static_cast<double>(to)).c_str(), static_cast<unsigned long long>(count)) +
            bar(share, 50) + "\n";
   }
   return all;
@@ -125,7 +124,7 @@ void report_sink::show() {
     return;
   }
   std::string table;
-  table += text("%s%*s\n", title_.c_str(), std::max(1, 78 - static_cast<int>(title_.size())),
+  table += text("%s %*s\n", title_.c_str(), std::max(1, 90 - static_cast<int>(title_.size())),
                 text("%.1f s", r.time).c_str());
   table += "state    " + state + "\n";
   table += text("handle   x %8.4f m    y %8.4f m\n", r.x[0], r.x[1]);

@@ -91,9 +91,9 @@ class simulation {
 
   void take_hold(double sense, double time) {
     const ph::vector<double, 2> direction(sense * p_.direction[0], sense * p_.direction[1]);
-    hand_.emplace(
-        direction, device_.position(),
-        ph::following_hand_parameters<double>{.speed = p_.speed, .push = p_.push, .mass = p_.hand_mass});
+    hand_.emplace(direction, device_.position(),
+                  ph::following_hand_parameters<double>{
+                      .speed = p_.speed, .push = sense > 0 ? p_.push : -p_.push / 4, .mass = p_.hand_mass});
     hand_from_ = device_.position();
     hand_since_ = time;
     sense_ = sense;

@@ -10,17 +10,17 @@
 
 namespace example {
 
-/// A hand that goes to and fro along the first wall and presses on it, and a sensor with noise.
+/// A hand that goes along the first wall and presses on it, lifts off and goes back, again and again; and a sensor with noise.
 struct simulation_parameters {
   double hand_start = 2;                  ///< When the hand takes the handle, after the first sample [s].
   std::array<double, 2> direction{1, 0};  ///< In which it goes first, base frame; any length.
-  double path = 0.06;                     ///< How far it goes before it turns [m].
+  double path = 0.06;                     ///< How far it goes before it lifts off [m].
   double speed = 0.05;                    ///< Along the wall [m/s].
-  double push = 2;                        ///< Into the wall [N].
-  double hand_mass = 0.5;                 ///< [kg]
-  double brake_lag = 0.020;               ///< Time constant of the simulated brakes [s].
-  double sensor_noise = 0.02;             ///< Standard deviation of each force channel [N].
-  std::uint64_t seed = 1;                 ///< Of that noise.
+  double push = 2;             ///< Into the wall [N]; a quarter of it off the wall on the way back.
+  double hand_mass = 0.5;      ///< [kg]
+  double brake_lag = 0.020;    ///< Time constant of the simulated brakes [s].
+  double sensor_noise = 0.02;  ///< Standard deviation of each force channel [N].
+  std::uint64_t seed = 1;      ///< Of that noise.
 };
 
 /// What is wrong with the parameters; empty if nothing.
