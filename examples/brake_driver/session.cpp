@@ -64,7 +64,7 @@ class session {
     const bool good = port_.bridged().what == ph::fault::none;
     if (doing_ != phase::running && port_.state() == ph::port_state::ready && good)
       doing_ = device_->prepare(read);
-    if (signals_.rearm() && port_.rearm()) {
+    if (signals_.rearm() && guard_.alive() && port_.rearm()) {
       guard_.rearm();
       device_->reset();
     }
