@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <stdexcept>
 
 namespace example {
 namespace {
@@ -154,9 +155,17 @@ void report_sink::show() {
 void report_sink::close() {
   if (live_ && count_ > 0) show();
   if (out_ == nullptr) return;
-  const bool whole = std::ferror(out_) == 0 && std::fclose(out_) == 0;
-  if (!whole || std::rename(part_.c_str(), file_.c_str()) != 0)
-    std::fprintf(stderr, "error: cannot write '%s': %s\n", file_.c_str(), std::strerror(errno));
+  // Where nothing ran, the log of a run before stays
+  if (count_ == 0) {
+    std::fclose(out_);
+    std::remove(part_.c_str());
+    return;
+  }
+  const bool written = std::ferror(out_) == 0;
+  const bool closed = std::fclose(out_) == 0;
+  if (!written || !closed) throw std::runtime_error("error: cannot write all of '" + part_ + "'");
+  if (std::rename(part_.c_str(), file_.c_str()) != 0)
+    throw std::runtime_error("error: cannot write '" + file_ + "': " + std::strerror(errno));
 }
 
 }  // namespace example

@@ -23,6 +23,7 @@ class report_sink {
   std::string open();
   void take(const record& r);
   void rest();
+  /// Throws std::runtime_error where the file is not whole: it keeps the name FILE.part.
   void close();
 
  private:
