@@ -3,12 +3,27 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
 namespace example {
+namespace {
+
+// Whether a complaint "NAME = VALUE, expected WHAT" has this key as a word of its NAME.
+bool speaks_of(std::string_view complaint, std::string_view key) {
+  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  const std::string_view name = complaint.substr(0, complaint.find(" = "));
+  for (auto at = name.find(key); at != std::string_view::npos; at = name.find(key, at + 1)) {
+    const auto end = at + key.size();
+    if ((at == 0 || !in_word(name[at - 1])) && (end == name.size() || !in_word(name[end]))) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 struct toml_section::state {
   std::string file, name;  // name: "brakes" or "wall[1]"
@@ -188,7 +203,16 @@ void toml_section::finish() const {
 void toml_section::require(const std::string& complaint) const {
   if (complaint.empty()) return;
   const std::string where = state_->name.empty() ? "" : "[" + state_->name + "] ";
-  state_->fail(state_->table, where + complaint);
+  // The line of the key that it speaks of, if it is one of these
+  const toml::node* at = state_->table;
+  std::size_t length = 0;
+  if (state_->table != nullptr)
+    for (const auto& [key, node] : *state_->table)
+      if (key.str().size() > length && speaks_of(complaint, key.str())) {
+        at = &node;
+        length = key.str().size();
+      }
+  state_->fail(at, where + complaint);
 }
 
 }  // namespace example
