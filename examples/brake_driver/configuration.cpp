@@ -194,9 +194,10 @@ void read_sensor(toml_section from, configuration& c) {
   if (c.mechanism == "xy_table") c.sensor_frame.link.setZero();
   from.read("link", c.sensor_frame.link);
   from.read("mounting", c.sensor_frame.mounting);
-  from.require(ph::detail::first_complaint(ph::detail::check_finite("link[0]", c.sensor_frame.link[0]),
-                                           ph::detail::check_finite("link[1]", c.sensor_frame.link[1]),
-                                           ph::detail::check_finite("mounting [rad]", c.sensor_frame.mounting)));
+  from.require(
+      ph::detail::first_complaint(ph::detail::check_finite("link[0]", c.sensor_frame.link[0]),
+                                  ph::detail::check_finite("link[1]", c.sensor_frame.link[1]),
+                                  ph::detail::check_finite("mounting [rad]", c.sensor_frame.mounting)));
   from.read("tare", c.tare);
   from.read("tare_tolerance", c.tare_tolerance);
   check(from, c.force);

@@ -1,5 +1,7 @@
 #include <report.hpp>
 
+#include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,6 +37,24 @@ std::string bar(double share, std::size_t width) {
   const auto full =
       static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(width)));
   return std::string(full, '#') + std::string(width - full, '.');
+}
+
+// A terminal breaks longer lines, and loses those at its top: then it could not be written over.
+std::string fitting(const std::string& table) {
+  winsize terminal{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &terminal) != 0 || terminal.ws_row < 2 || terminal.ws_col < 2)
+    return table;
+  std::istringstream lines(table);
+  std::string all, line;
+  for (int rows = 1; rows < terminal.ws_row && std::getline(lines, line); ++rows)
+    all += line.substr(0, terminal.ws_col - 1u) + "\n";
+  return all;
+}
+
+// Not where the reader of a pipe or a terminal (Ctrl-S) waits: the log goes on.
+bool has_room(int output) {
+  pollfd watched{output, POLLOUT, 0};
+  return poll(&watched, 1, 0) == 1 && (watched.revents & POLLOUT) != 0;
 }
 
 }  // namespace
@@ -102,7 +122,7 @@ void report_sink::take(const record& r) {
 void report_sink::rest() {
   if (out_ != nullptr) std::fflush(out_);
   const double interval = terminal_ ? terminal_interval : line_interval;
-  if (!live_ || count_ == 0 || last_.time < shown_ + interval) return;
+  if (!live_ || count_ == 0 || last_.time < shown_ + interval || !has_room(STDOUT_FILENO)) return;
   shown_ = last_.time;
   show();
 }
@@ -144,6 +164,7 @@ void report_sink::show() {
                   duration(static_cast<double>(h->largest())).c_str());
   table += "late, of " + text("%llu cycles\n", static_cast<unsigned long long>(count_)) + bars(late_);
 
+  table = fitting(table);
   if (lines_ > 0) std::printf("\033[%dA", lines_);  // over the table before
   lines_ = static_cast<int>(std::count(table.begin(), table.end(), '\n'));
   std::string clearing;  // each line to its end
@@ -153,7 +174,7 @@ void report_sink::show() {
 }
 
 void report_sink::close() {
-  if (live_ && count_ > 0) show();
+  if (live_ && count_ > 0 && has_room(STDOUT_FILENO)) show();
   if (out_ == nullptr) return;
   // Where nothing ran, the log of a run before stays
   if (count_ == 0) {
