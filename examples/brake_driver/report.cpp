@@ -40,9 +40,13 @@ std::string bar(double share, std::size_t width) {
   return std::string(full, '#') + std::string(width - full, '.');
 }
 
-// Some have a comma.
-std::string in_quotes(const ph::incident& i) {
-  return i.what == ph::fault::none ? std::string() : '"' + to_string(i) + '"';
+// A field of the log: some texts have a comma.
+std::string field(std::string_view words) {
+  const bool comma = words.find(',') != std::string_view::npos;
+  return comma ? std::string("\"").append(words).append("\"") : std::string(words);
+}
+std::string field(const ph::incident& i) {
+  return i.what == ph::fault::none ? std::string() : field(to_string(i));
 }
 
 // A terminal breaks longer lines, and loses those at its top: then it could not be written over.
@@ -114,8 +118,8 @@ void report_sink::take(const record& r) {
       out_,
       "%.6f,%lld,%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,"
       "%.6g,%.6g,%.3g,%.3g\n",
-      r.time, static_cast<long long>(r.number), to_string(r.state).data(), in_quotes(r.reason).c_str(),
-      in_quotes(r.bridged).c_str(), to_string(r.outcome).data(), to_string(r.power).data(),
+      r.time, static_cast<long long>(r.number), to_string(r.state).data(), field(r.reason).c_str(),
+      field(r.bridged).c_str(), field(to_string(r.outcome)).c_str(), to_string(r.power).data(),
       to_string(r.display).data(), r.gamma, r.alpha, r.q[0], r.q[1], r.qd[0], r.qd[1], r.x[0], r.x[1],
       r.hand[0], r.hand[1], r.desired[0], r.desired[1], r.capacity[0], r.capacity[1], r.current[0],
       r.current[1], r.late, r.compute);

@@ -7,9 +7,7 @@ namespace {
 
 using namespace program;
 
-struct a_driver_whose : a_driver {
-
-};
+struct a_driver_whose : a_driver {};
 
 class a_request : public a_driver, public ::testing::WithParamInterface<int> {};
 
@@ -47,11 +45,11 @@ INSTANTIATE_TEST_SUITE_P(each, a_death, ::testing::Values(SIGKILL, SIGSEGV, SIGA
                          [](const auto& one) { return std::string("SIG").append(sigabbrev_np(one.param)); });
 
 TEST_F(a_driver_whose, loop_is_stopped_is_released_by_its_supervisor) {
-  start(settings{.supervisor_timeout = 0.3, .hand_start = 2});
+  start(settings{.supervisor_timeout = 1, .hand_start = 2});
   ASSERT_TRUE(reaches("active"));
   ASSERT_TRUE(brakes_hold());
   send(SIGSTOP);
-  usleep(1'500'000);
+  usleep(3'000'000);
   send(SIGCONT);
   ASSERT_TRUE(reaches("released"));
   send(SIGINT);
