@@ -228,6 +228,14 @@ struct a_driver : ::testing::Test {
     const log_file all = log();
     return all.size() < 2 ? 0 : all.number(all.size() - 2, "t");
   }
+  // For the message of a test that fails.
+  std::string ended() const {
+    const log_file all = log();
+    if (all.size() < 2) return "nothing logged; " + text_of(directory / "driver.err");
+    const std::size_t i = all.size() - 2;
+    return "at " + all.text(i, "t") + " s: " + all.text(i, "state") + ", " + all.text(i, "reason") +
+           ", bridged " + all.text(i, "bridged") + "; ";
+  }
   // Whether current has flowed.
   bool brakes_hold() {
     return eventually([&] {
