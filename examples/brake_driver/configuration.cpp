@@ -166,9 +166,9 @@ void read_sensor(toml_section from, configuration& c) {
     from.read("range", c.comedi_sensor.range);
     std::string reference = "ground";
     from.read("reference", reference, {"ground", "common", "differential"});
-    c.comedi_sensor.reference = reference == "ground"   ? ph::comedi_reference::ground
-                                : reference == "common" ? ph::comedi_reference::common
-                                                        : ph::comedi_reference::differential;
+    c.comedi_sensor.reference = reference == "ground"   ? comedi_reference::ground
+                                : reference == "common" ? comedi_reference::common
+                                                        : comedi_reference::differential;
     check(from, c.comedi_sensor);
   } else if (c.sensor == "net_ft") {
     from.read("host", c.net_ft.host);
@@ -219,8 +219,7 @@ void read_port(toml_section from, configuration& c) {
       c.comedi.brakes[i] = {channel[i], range[i], gain[i], c.safety.currents.largest[i]};
       c.comedi.encoders[i] = {
           subdevice[i], counter[i],
-          setup == "keep" ? ph::comedi_counter_setup::keep : ph::comedi_counter_setup::ni_quadrature, a[i],
-          b[i]};
+          setup == "keep" ? comedi_counter_setup::keep : comedi_counter_setup::ni_quadrature, a[i], b[i]};
     }
     check(from, c.comedi);
   } else if (c.port == "serial") {
