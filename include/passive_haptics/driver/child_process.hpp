@@ -19,6 +19,7 @@ namespace passive_haptics {
 /// What a child knows of its parent.
 class parent_link {
  public:
+  /// The child's end of the pipe.
   explicit parent_link(int pipe) : pipe_(pipe) {}
 
   /// Waits up to `milliseconds`; true at once where the parent is dead or called child_process::stop().

@@ -34,6 +34,7 @@ class encoder_check {
  public:
   using counts = std::array<double, static_cast<std::size_t>(N)>;  ///< [counts]
 
+  /// Throws std::invalid_argument with the text of validate(limits).
   explicit encoder_check(const encoder_limits& limits) : limits_(require_valid(limits)) {}
 
   /// Counters of this width wrap; 0: they never do. Before the first sample.
