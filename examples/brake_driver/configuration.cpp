@@ -294,6 +294,9 @@ configuration read_configuration(const std::string& path) {
   read_port(file.section("port"), c);
   read_simulation(file.section("simulation"), c);
   file.finish();
+  if (c.safety.bridge < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
+    file.require(
+        "[safety] bridge and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");
   if (c.sensor == "none" && c.law != "no_direct_control")
     file.require("law = \"" + c.law +
                  "\" needs a force sensor, expected [sensor] type other than \"none\", or law = "
