@@ -35,7 +35,8 @@ arguments parse(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string option = argv[i];
     const auto value = [&]() -> std::string {
-      if (i + 1 == argc) throw std::invalid_argument("a value is missing after '" + option + "'");
+      if (i + 1 == argc || *argv[i + 1] == '\0')
+        throw std::invalid_argument("a value is missing after '" + option + "'");
       return argv[++i];
     };
     if (option == "--help" || option == "-h") {

@@ -149,6 +149,8 @@ void read_homing(toml_section from, configuration& c) {
   from.read("pose", c.home);
   from.read("duration", c.homing.duration);
   from.read("tolerance", c.homing.tolerance);
+  for (int i = 0; i < axes && from.has("pose"); ++i)
+    from.require(ph::detail::check_finite(ph::detail::indexed("pose[", i, "]"), c.home[i]));
   if (!c.home.allFinite())
     from.require(
         "pose is missing, expected joint positions at the start [rad]: this arm does not reach (0.08, "
@@ -192,6 +194,10 @@ void read_sensor(toml_section from, configuration& c) {
   if (c.mechanism == "xy_table") c.sensor_frame.link.setZero();
   from.read("link", c.sensor_frame.link);
   from.read("mounting", c.sensor_frame.mounting);
+  from.require(
+      ph::detail::first_complaint(ph::detail::check_finite("link[0]", c.sensor_frame.link[0]),
+                                  ph::detail::check_finite("link[1]", c.sensor_frame.link[1]),
+                                  ph::detail::check_finite("mounting [rad]", c.sensor_frame.mounting)));
   from.read("tare", c.tare);
   from.read("tare_tolerance", c.tare_tolerance);
   check(from, c.force);

@@ -1,5 +1,8 @@
 #include <report.hpp>
 
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <stdexcept>
 
 namespace example {
 namespace {
@@ -34,6 +38,27 @@ std::string bar(double share, std::size_t width) {
   const auto full =
       static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(width)));
   return std::string(full, '#') + std::string(width - full, '.');
+}
+
+// A field of the log: some texts have a comma.
+std::string field(std::string_view words) {
+  const bool comma = words.find(',') != std::string_view::npos;
+  return comma ? std::string("\"").append(words).append("\"") : std::string(words);
+}
+std::string field(const ph::incident& i) {
+  return i.what == ph::fault::none ? std::string() : field(to_string(i));
+}
+
+// A terminal breaks longer lines, and loses those at its top: then it could not be written over.
+std::string fitting(const std::string& table) {
+  winsize terminal{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &terminal) != 0 || terminal.ws_row < 2 || terminal.ws_col < 2)
+    return table;
+  std::istringstream lines(table);
+  std::string all, line;
+  for (int rows = 1; rows < terminal.ws_row && std::getline(lines, line); ++rows)
+    all += line.substr(0, terminal.ws_col - 1u) + "\n";
+  return all;
 }
 
 }  // namespace
@@ -68,6 +93,11 @@ report_sink::report_sink(std::string file, bool live, const configuration& c)
 
 std::string report_sink::open() {
   terminal_ = isatty(STDOUT_FILENO) != 0;
+  struct stat kind{};
+  // Opened anew, as others share what stdout is: only here nothing may wait. Not a file, which has its place in it
+  if (terminal_ || (fstat(STDOUT_FILENO, &kind) == 0 && S_ISFIFO(kind.st_mode)))
+    output_ = ::open("/proc/self/fd/1", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (output_ < 0) output_ = STDOUT_FILENO;
   if (file_.empty()) return {};
   out_ = std::fopen(part_.c_str(), "w");
   if (out_ == nullptr) return "cannot write '" + part_ + "': " + std::strerror(errno);
@@ -84,15 +114,12 @@ void report_sink::take(const record& r) {
   late_.add(std::llround(1e9 * r.late));
   compute_.add(std::llround(1e9 * r.compute));
   if (out_ == nullptr) return;
-  const auto say = [](const ph::incident& i) {
-    return i.what == ph::fault::none ? std::string() : to_string(i);
-  };
   std::fprintf(
       out_,
       "%.6f,%lld,%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,"
       "%.6g,%.6g,%.3g,%.3g\n",
-      r.time, static_cast<long long>(r.number), to_string(r.state).data(), say(r.reason).c_str(),
-      say(r.bridged).c_str(), to_string(r.outcome).data(), to_string(r.power).data(),
+      r.time, static_cast<long long>(r.number), to_string(r.state).data(), field(r.reason).c_str(),
+      field(r.bridged).c_str(), field(to_string(r.outcome)).c_str(), to_string(r.power).data(),
       to_string(r.display).data(), r.gamma, r.alpha, r.q[0], r.q[1], r.qd[0], r.qd[1], r.x[0], r.x[1],
       r.hand[0], r.hand[1], r.desired[0], r.desired[1], r.capacity[0], r.capacity[1], r.current[0],
       r.current[1], r.late, r.compute);
@@ -101,7 +128,8 @@ void report_sink::take(const record& r) {
 void report_sink::rest() {
   if (out_ != nullptr) std::fflush(out_);
   const double interval = terminal_ ? terminal_interval : line_interval;
-  if (!live_ || count_ == 0 || last_.time < shown_ + interval) return;
+  write_shown();
+  if (!live_ || count_ == 0 || last_.time < shown_ + interval || !pending_.empty()) return;
   shown_ = last_.time;
   show();
 }
@@ -115,12 +143,12 @@ void report_sink::show() {
   else if (r.bridged.what != ph::fault::none) state += ", bridging " + to_string(r.bridged);
 
   if (!terminal_) {
-    std::printf(
+    pending_ = text(
         "%7.1f s  %-10s handle (%.4f, %.4f) m  hand (%5.2f, %5.2f) N  %-11s brakes %.3f, %.3f A  late %s at "
         "most\n",
         r.time, state.c_str(), r.x[0], r.x[1], r.hand[0], r.hand[1], to_string(r.display).data(),
         r.current[0], r.current[1], duration(static_cast<double>(late_.largest())).c_str());
-    std::fflush(stdout);
+    write_shown();
     return;
   }
   std::string table;
@@ -143,20 +171,36 @@ void report_sink::show() {
                   duration(static_cast<double>(h->largest())).c_str());
   table += "late, of " + text("%llu cycles\n", static_cast<unsigned long long>(count_)) + bars(late_);
 
-  if (lines_ > 0) std::printf("\033[%dA", lines_);  // over the table before
+  table = fitting(table);
+  pending_ = lines_ > 0 ? text("\033[%dA", lines_) : "";  // over the table before
   lines_ = static_cast<int>(std::count(table.begin(), table.end(), '\n'));
-  std::string clearing;  // each line to its end
-  for (const char c : table) clearing += c == '\n' ? std::string("\033[K\n") : std::string(1, c);
-  std::fputs((clearing + "\033[J").c_str(), stdout);
-  std::fflush(stdout);
+  for (const char c : table) pending_ += c == '\n' ? std::string("\033[K\n") : std::string(1, c);
+  pending_ += "\033[J";
+  write_shown();
+}
+
+void report_sink::write_shown() {
+  if (pending_.empty()) return;
+  const ssize_t size = write(output_, pending_.data(), pending_.size());
+  if (size > 0) pending_.erase(0, static_cast<std::size_t>(size));
+  else if (errno != EAGAIN) pending_.clear();  // nobody is there any more
 }
 
 void report_sink::close() {
-  if (live_ && count_ > 0) show();
+  write_shown();
+  if (live_ && count_ > 0 && pending_.empty()) show();
   if (out_ == nullptr) return;
-  const bool whole = std::ferror(out_) == 0 && std::fclose(out_) == 0;
-  if (!whole || std::rename(part_.c_str(), file_.c_str()) != 0)
-    std::fprintf(stderr, "error: cannot write '%s': %s\n", file_.c_str(), std::strerror(errno));
+  // Where nothing ran, the log of a run before stays
+  if (count_ == 0) {
+    std::fclose(out_);
+    std::remove(part_.c_str());
+    return;
+  }
+  const bool written = std::ferror(out_) == 0;
+  const bool closed = std::fclose(out_) == 0;
+  if (!written || !closed) throw std::runtime_error("error: cannot write all of '" + part_ + "'");
+  if (std::rename(part_.c_str(), file_.c_str()) != 0)
+    throw std::runtime_error("error: cannot write '" + file_ + "': " + std::strerror(errno));
 }
 
 }  // namespace example

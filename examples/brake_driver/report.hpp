@@ -14,7 +14,8 @@
 
 namespace example {
 
-/// A RecordSink: a CSV file, whole or not at all, and a table in the terminal. Lives in the recorder's process.
+/// A RecordSink: a CSV file, whole or not at all, and a table in the terminal. Lives in the recorder's process. A terminal or
+/// a pipe that nobody reads loses tables; the file goes on.
 class report_sink {
  public:
   /// Nothing is shown without `live`, no file is written without a name.
@@ -23,10 +24,12 @@ class report_sink {
   std::string open();
   void take(const record& r);
   void rest();
+  /// Throws std::runtime_error where the file is not whole: it keeps the name FILE.part.
   void close();
 
  private:
   void show();
+  void write_shown();
 
   std::string file_, part_, title_;
   bool live_, terminal_ = false;
@@ -36,6 +39,8 @@ class report_sink {
   std::uint64_t count_ = 0;
   double shown_ = -1;  // time of the last record that was shown [s]
   int lines_ = 0;      // of the table on the terminal
+  int output_ = -1;
+  std::string pending_;  // what is shown but had no room yet
   ph::duration_histogram late_, compute_;
 };
 

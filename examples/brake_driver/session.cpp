@@ -51,7 +51,7 @@ class session {
                    reason = port_.reason();
                  });
     guard_.stop();
-    record_.stop();
+    log_is_whole_ = record_.stop();
     summarise(report, reason);
     return reason.what == ph::fault::user ? 0 : 1;
   }
@@ -64,7 +64,7 @@ class session {
     const bool good = port_.bridged().what == ph::fault::none;
     if (doing_ != phase::running && port_.state() == ph::port_state::ready && good)
       doing_ = device_->prepare(read);
-    if (signals_.rearm() && port_.rearm()) {
+    if (signals_.rearm() && guard_.alive() && port_.rearm()) {
       guard_.rearm();
       device_->reset();
     }
@@ -103,7 +103,9 @@ class session {
       std::cout << (doing_ == phase::homing ? "homing" : "taring") << " did not end: something moved\n";
     if (port_.needs_homing()) std::cout << "the encoders lost their way: start again, at the home pose\n";
     if (!configuration_.log.empty())
-      std::cout << "log: " << configuration_.log << ", " << record_.lost() << " cycles lost\n";
+      std::cout << "log: " << configuration_.log
+                << (log_is_whole_ ? "" : ".part, as far as it came: the recorder failed") << ", "
+                << record_.lost() << " cycles lost\n";
   }
 
   configuration configuration_;
@@ -115,6 +117,7 @@ class session {
   ph::stop_signals signals_;
   phase doing_ = phase::homing;
   double begin_ = 0;  // [s]
+  bool log_is_whole_ = true;
 };
 
 }  // namespace

@@ -28,6 +28,8 @@ inline std::string validate(const simulation_parameters& p) {
   namespace check = passive_haptics::detail;
   return check::first_complaint(
       check::check_not_negative("hand_start [s]", p.hand_start),
+      check::check_finite("direction[0]", p.direction[0]),
+      check::check_finite("direction[1]", p.direction[1]),
       p.direction[0] != 0 || p.direction[1] != 0 ? "" : std::string("direction = [0, 0], expected any other"),
       check::check_positive("path [m]", p.path), check::check_positive("speed [m/s]", p.speed),
       check::check_not_negative("push [N]", p.push), check::check_positive("hand_mass [kg]", p.hand_mass),

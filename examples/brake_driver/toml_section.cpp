@@ -3,12 +3,27 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
 namespace example {
+namespace {
+
+// Whether a complaint "NAME = VALUE, expected WHAT" has this key as a word of its NAME.
+bool speaks_of(std::string_view complaint, std::string_view key) {
+  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  const std::string_view name = complaint.substr(0, complaint.find(" = "));
+  for (auto at = name.find(key); at != std::string_view::npos; at = name.find(key, at + 1)) {
+    const auto end = at + key.size();
+    if ((at == 0 || !in_word(name[at - 1])) && (end == name.size() || !in_word(name[end]))) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 struct toml_section::state {
   std::string file, name;  // name: "brakes" or "wall[1]"
@@ -29,7 +44,8 @@ struct toml_section::state {
   }
   [[noreturn]] void expected(std::string_view key, const toml::node& at, const std::string& what) const {
     std::ostringstream value;
-    at.visit([&](const auto& node) { value << node; });
+    if (at.is_table()) value << "a table";
+    else at.visit([&](const auto& node) { value << node; });
     fail(&at, named(key).append(" = ").append(value.str()).append(", expected ").append(what));
   }
   const toml::node* find(std::string_view key) {
@@ -58,7 +74,8 @@ toml_section toml_section::nothing() {
 toml_section toml_section::file(const std::string& path) {
   auto s = std::make_shared<state>();
   s->file = path;
-  if (!std::filesystem::is_regular_file(path)) s->fail(nullptr, "no such file");
+  if (std::filesystem::is_directory(path)) s->fail(nullptr, "is a directory, expected a file");
+  if (!std::filesystem::exists(path)) s->fail(nullptr, "no such file");
   try {
     s->root = std::make_shared<const toml::table>(toml::parse_file(path));
   } catch (const toml::parse_error& error) {
@@ -71,7 +88,8 @@ toml_section toml_section::file(const std::string& path) {
 }
 
 template <class T>
-void toml_section::read_all(std::string_view key, T* values, std::size_t count, const char* kind) {
+void toml_section::read_all(std::string_view key, T* values, std::size_t count, const char* kinds,
+                            const char* kind) {
   const toml::node* node = state_->find(key);
   if (node == nullptr) return;
   const auto as = [](const toml::node& n, T& to) {
@@ -86,27 +104,26 @@ void toml_section::read_all(std::string_view key, T* values, std::size_t count, 
     return true;
   };
   std::ostringstream what;
-  what << count << ' ' << kind << "s, or one for all";
+  what << count << ' ' << kinds << ", or one for all";
   if (const toml::array* list = node->as_array()) {
     if (list->size() != count) state_->expected(key, *node, what.str());
     for (std::size_t i = 0; i < count; ++i)
       if (!as((*list)[i], values[i])) state_->expected(key, *node, what.str());
   } else {
     T one{};
-    if (!as(*node, one))
-      state_->expected(key, *node, count == 1 ? std::string("a ").append(kind) : what.str());
+    if (!as(*node, one)) state_->expected(key, *node, count == 1 ? std::string(kind) : what.str());
     std::fill_n(values, count, one);
   }
 }
 
 void toml_section::read(std::string_view key, double* values, std::size_t count) {
-  read_all(key, values, count, "number");
+  read_all(key, values, count, "numbers", "a number");
 }
 void toml_section::read(std::string_view key, int* values, std::size_t count) {
-  read_all(key, values, count, "whole number");
+  read_all(key, values, count, "whole numbers", "a whole number");
 }
 void toml_section::read(std::string_view key, bool* values, std::size_t count) {
-  read_all(key, values, count, "true or false");
+  read_all(key, values, count, "times true or false", "true or false");
 }
 void toml_section::read(std::string_view key, double& value) { read(key, &value, 1); }
 void toml_section::read(std::string_view key, int& value) { read(key, &value, 1); }
@@ -188,7 +205,16 @@ void toml_section::finish() const {
 void toml_section::require(const std::string& complaint) const {
   if (complaint.empty()) return;
   const std::string where = state_->name.empty() ? "" : "[" + state_->name + "] ";
-  state_->fail(state_->table, where + complaint);
+  // The line of the key that it speaks of, if it is one of these
+  const toml::node* at = state_->table;
+  std::size_t length = 0;
+  if (state_->table != nullptr)
+    for (const auto& [key, node] : *state_->table)
+      if (key.str().size() > length && speaks_of(complaint, key.str())) {
+        at = &node;
+        length = key.str().size();
+      }
+  state_->fail(at, where + complaint);
 }
 
 }  // namespace example

@@ -54,7 +54,7 @@ class toml_section {
   struct state;
   explicit toml_section(std::shared_ptr<state> s);
   template <class T>
-  void read_all(std::string_view key, T* values, std::size_t count, const char* kind);
+  void read_all(std::string_view key, T* values, std::size_t count, const char* kinds, const char* kind);
 
   std::shared_ptr<state> state_;
 };

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/recorder.hpp>
 
+#include <array>
 #include <atomic>
+#include <csignal>
+#include <stdexcept>
 #include <thread>
 
 namespace ph = passive_haptics;
@@ -98,6 +101,59 @@ TEST(a_recorder, that_falls_behind_loses_records_but_never_their_order) {
   EXPECT_EQ(written->count, pushed);
   EXPECT_EQ(written->wrong, 0u);
   EXPECT_EQ(log.lost(), 100'000 - pushed);
+}
+
+TEST(a_recorder, that_was_killed_counts_what_it_did_not_take) {
+  ph::shared_memory<seen> written;
+  ph::recorder<record, checking_sink, 16> log(checking_sink{&written});
+  ASSERT_EQ(log.start(), "");
+  kill(log.pid(), SIGKILL);
+  siginfo_t ended;
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(log.pid()), &ended, WEXITED | WNOWAIT), 0);
+  for (std::uint64_t n = 0; n < 20; ++n) log({n, n * n});
+  EXPECT_EQ(log.lost(), 4u);
+  EXPECT_FALSE(log.stop());
+  EXPECT_EQ(log.lost(), 20u);
+}
+
+TEST(a_recorder, whose_sink_fails_at_the_end_tells_so) {
+  struct failing {
+    std::string open() { return {}; }
+    void take(const record&) {}
+    void rest() {}
+    void close() { throw std::runtime_error("the disk is full"); }
+  };
+  ph::recorder<record, failing> log(failing{});
+  ASSERT_EQ(log.start(), "");
+  log({1, 1});
+  EXPECT_FALSE(log.stop());
+  EXPECT_EQ(log.lost(), 0u);
+}
+
+TEST(a_recorder, that_writes_to_a_pipe_which_nobody_reads_goes_on) {
+  struct to_pipe {
+    ph::shared_memory<seen>* into;
+    std::string open() { return {}; }
+    void take(const record&) { (*into)->wrong += write(STDOUT_FILENO, "x", 1) >= 0; }
+    void rest() {}
+    void close() { (*into)->closed = true; }
+  };
+  std::array<int, 2> ends;
+  ASSERT_EQ(pipe(ends.data()), 0);
+  close(ends[0]);
+  ph::shared_memory<seen> written;
+  ph::recorder<record, to_pipe> log(to_pipe{&written});
+  const int output = dup(STDOUT_FILENO);
+  dup2(ends[1], STDOUT_FILENO);
+  const std::string complaint = log.start();
+  dup2(output, STDOUT_FILENO);
+  ASSERT_EQ(complaint, "");
+  log({1, 1});
+  EXPECT_TRUE(log.stop());
+  EXPECT_TRUE(written->closed);
+  EXPECT_EQ(written->wrong, 0u);
+  close(output);
+  close(ends[1]);
 }
 
 TEST(a_recorder, that_cannot_open_its_file_says_so) {

@@ -226,10 +226,20 @@ TEST_F(a_supervised_loop, does_not_go_on_without_its_supervisor) {
   ASSERT_EQ(guard.start(), "");
   EXPECT_TRUE(guard.beat(1));
   EXPECT_TRUE(guard.beat(1.05));
+  EXPECT_TRUE(guard.alive());
   kill(guard.pid(), SIGKILL);
   usleep(20'000);
   guard.beat(2);
   EXPECT_FALSE(guard.beat(2.11));
+  EXPECT_FALSE(guard.alive()) << "nothing to rearm with";
+}
+
+TEST_F(a_supervised_loop, gives_a_supervisor_with_a_long_timeout_the_time_to_look) {
+  ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 10});
+  ASSERT_EQ(guard.start(), "");
+  EXPECT_TRUE(guard.beat(1));
+  EXPECT_TRUE(guard.beat(3)) << "it looks every 2.5 s";
+  EXPECT_FALSE(guard.beat(11.1));
 }
 
 TEST_F(a_supervised_loop, can_be_rearmed_after_it_was_released) {

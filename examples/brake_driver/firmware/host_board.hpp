@@ -65,11 +65,12 @@ class pseudo_terminal {
 };
 
 /// Brakes that take their current at once, and encoders on axes that a hand turns to and fro, the slower the more
-/// its brake resists.
+/// its brake resists; then it rests for a while, so that a host finds the home pose.
 class host_board {
  public:
   static constexpr double hand_rate = 20'000;    ///< Of an encoder without brake [counts/s].
   static constexpr double hand_frequency = 0.5;  ///< To and fro [Hz].
+  static constexpr double moves = 4, rests = 2;  ///< So long, in turn [s].
   static constexpr double holding = 5000;        ///< Current that stops the hand [serial::current_unit].
 
   /// Sends through this line, which must live as long.
@@ -86,6 +87,7 @@ class host_board {
   /// dt [s] pass.
   void advance(double dt) {
     time_ += dt;
+    if (std::fmod(time_, moves + rests) > moves) return;
     for (std::size_t i = 0; i < position_.size(); ++i) {
       const double free = std::max(0.0, 1 - current_[i] / holding);
       position_[i] +=

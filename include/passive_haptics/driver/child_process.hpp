@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <exception>
 #include <string>
@@ -33,7 +34,8 @@ class parent_link {
 };
 
 /// A forked process. Start it before the loop's real-time set-up and before any thread. It leaves the terminal's process
-/// group, so that Ctrl-C does not reach it, and keeps no file open but the standard ones.
+/// group, so that Ctrl-C does not reach it, keeps no file open but the standard ones, and does not die of writing to a pipe
+/// that nobody reads any more.
 class child_process {
  public:
   child_process() = default;
@@ -61,6 +63,7 @@ class child_process {
     }
     if (pid_ == 0) {
       setsid();
+      std::signal(SIGPIPE, SIG_IGN);
       close_all_but(down[0], up[1]);
       be_child(up[1], parent_link(down[0]), prepare, run);
     }
@@ -73,13 +76,16 @@ class child_process {
     return complaint;
   }
 
-  /// Tells the child to end, and waits for it.
-  void stop() noexcept {
-    if (pid_ <= 0) return;
+  /// Tells the child to end, and waits for it. False if it did not end well: it was killed, or its function threw.
+  bool stop() noexcept {
+    if (pid_ <= 0) return true;
     close(pipe_);
-    while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    int status = 0;
+    pid_t ended = -1;
+    while ((ended = waitpid(pid_, &status, 0)) < 0 && errno == EINTR) {
     }
     pid_ = -1;
+    return ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
   /// Its process number; <= 0 if it does not run.

@@ -14,7 +14,8 @@
 namespace passive_haptics {
 
 /// Where records go, in the recorder's process. open(): empty, or what is wrong; take(record): each, in order; rest(): some
-/// times a second, for what need not be done for each; close(): after the last one.
+/// times a second, for what need not be done for each; close(): after the last one. What it throws ends the process, with
+/// its text on stderr.
 template <class S, class Record>
 concept RecordSink = requires(S sink, const Record& record) {
   { sink.open() } -> std::same_as<std::string>;
@@ -41,10 +42,13 @@ class recorder {
   /// Records; false, and counted, where the other process is so far behind that it did not fit. Wait-free.
   bool operator()(const Record& record) noexcept { return ring_->push(record); }
 
-  /// How many records did not fit.
-  std::uint64_t lost() const noexcept { return ring_->lost(); }
-  /// Waits until all is written.
-  void stop() noexcept { child_.stop(); }
+  /// How many records did not fit, and after stop() also those that nobody was there any more to take.
+  std::uint64_t lost() const noexcept { return ring_->lost() + (ended_ ? ring_->size() : 0); }
+  /// Waits until all is written. False if the process was not there any more or its sink threw.
+  bool stop() noexcept {
+    ended_ = true;
+    return child_.stop();
+  }
   /// Its process number; <= 0 if it does not run.
   pid_t pid() const noexcept { return child_.pid(); }
 
@@ -64,6 +68,7 @@ class recorder {
   Sink sink_;
   shared_memory<shared_ring<Record, Capacity>> ring_;
   child_process child_;
+  bool ended_ = false;
 };
 
 }  // namespace passive_haptics

@@ -57,7 +57,7 @@ class supervisor {
   }
 
   /// Once a cycle, with its time [s]; the first beat starts the watch. False where the supervisor released the brakes, or has not
-  /// been seen for 0.1 s: release them here, too.
+  /// been seen for 0.1 s, or for `timeout` where that is longer: release them here, too.
   bool beat(double now) noexcept {
     shared_->beats.fetch_add(1, std::memory_order_relaxed);
     const std::uint32_t looks = shared_->looks.load(std::memory_order_relaxed);
@@ -65,8 +65,12 @@ class supervisor {
       looks_ = looks;
       seen_ = now;
     }
-    return !shared_->released.load(std::memory_order_acquire) && now - seen_ < lost_after;
+    alive_ = now - seen_ < std::max(lost_after, p_.timeout);  // it looks four times in a timeout
+    return alive_ && !released();
   }
+
+  /// Whether it was there at the last beat: nothing is to be rearmed without it.
+  bool alive() const noexcept { return alive_; }
 
   /// Whether it released the brakes.
   bool released() const noexcept { return shared_->released.load(std::memory_order_acquire); }
@@ -118,6 +122,7 @@ class supervisor {
   child_process child_;
   std::uint32_t looks_ = 0;
   double seen_ = -std::numeric_limits<double>::infinity();  // [s]
+  bool alive_ = false;
 };
 
 }  // namespace passive_haptics

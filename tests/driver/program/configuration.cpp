@@ -1,0 +1,142 @@
+#include "program.hpp"
+
+namespace {
+
+using namespace program;
+
+struct a_configuration : a_driver {};
+
+TEST_F(a_configuration, that_is_shipped_is_right) {
+  int count = 0;
+  for (const auto& one : fs::directory_iterator(shipped)) {
+    if (one.path().extension() != ".toml") continue;
+    const outcome o = run({"--config", one.path(), "--check"});
+    EXPECT_EQ(o.status, 0) << one.path() << o.err;
+    EXPECT_TRUE(has(o.out, " is right: ")) << o.out;
+    ++count;
+  }
+  EXPECT_GE(count, 4);
+}
+
+TEST_F(a_configuration, of_another_mechanism_or_without_a_file_is_right) {
+  EXPECT_EQ(run({"--check"}).status, 0);
+  EXPECT_EQ(run({"--help"}).status, 0);
+  const outcome o = check("[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.out, "c.toml is right: five_bar, simulated device, simulated force sensor, direct_control\n");
+}
+
+TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expectation) {
+  struct mistake {
+    const char* text;
+    const char* message;  // how it begins
+  };
+  for (const auto& [text, message] : {
+           mistake{"laws = \"x\"", "1: unknown key 'laws', expected one of brakes, encoders, "},
+           {"[brake]\nheat = 1", "1: unknown key 'brake', expected one of brakes, encoders, "},
+           {"[brakes]\ncurrent_limt = 1", "2: unknown key 'brakes.current_limt', expected one of "},
+           {"[sensor]\ntype = \"none\"\nmounting = 1",
+            "3: unknown key 'sensor.mounting', expected one of type"},
+           {"mechanism = 3", "1: mechanism = 3, expected a table, [mechanism]"},
+           {"[wall]\npoint = [0, 1]", "1: wall = a table, expected tables, [[wall]] each"},
+           {"log = 3", "1: log = 3, expected a text in quotes"},
+           {"[brakes]\ncurrent_limit = \"1\"",
+            "2: brakes.current_limit = '1', expected 2 numbers, or one for all"},
+           {"[brakes]\ncurrent_limit = [1, 1, 1]",
+            "2: brakes.current_limit = [ 1, 1, 1 ], expected 2 numbers, or one"},
+           {"[brakes]\ncurrent_limit = -1",
+            "2: [brakes] brakes[0].current_limit [A] = -1, expected a finite number > 0"},
+           {"[brakes]\ncurrent_limit = [1, nan]",
+            "2: [brakes] brakes[1].current_limit [A] = nan, expected a finite"},
+           {"[brakes]\ncontinuous_current = inf",
+            "1: [brakes] continuous[0] [A] = inf, expected a finite number > 0"},
+           {"[brakes]\ntable_1 = [[0, 0], [1]]",
+            "2: brakes.table_1 = [ [ 0, 0 ], [ 1 ] ], expected pairs of numbers"},
+           {"[encoders]\nwindow = 0.5", "2: encoders.window = 0.5, expected a whole number"},
+           {"[encoders]\nslides = 1",
+            "2: encoders.slides = 1, expected 2 times true or false, or one for all"},
+           {"[encoders]\ncounts_per_turn = [8192, 0]",
+            "2: [encoders] counts_per_turn[1] = 0, expected a finite number"},
+           {"[loop]\nlock_memory = 1", "2: loop.lock_memory = 1, expected true or false"},
+           {"[loop]\nperiod = 0", "2: [loop] period [s] = 0, expected 1e-6 to 1"},
+           {"[loop]\npriority = 100", "2: [loop] priority = 100, expected 0 (none) to 99"},
+           {"[safety]\nbridge = nan", "2: [safety] bridge [s] = nan, expected a finite number > 0"},
+           {"[safety]\nat_release = \"off\"",
+            "2: safety.at_release = 'off', expected one of \"zero\", \"ramp\", \"hold\""},
+           {"[safety]\nsupervisor_timeout = 0.001",
+            "1: [safety] timeout of the supervisor [s] = 0.001, expected 0.004"},
+           {"[simulation]\ndirection = [nan, 1]",
+            "2: [simulation] direction[0] = nan, expected a finite number"},
+           {"[sensor]\nlink = [1, inf]", "2: [sensor] link[1] = inf, expected a finite number"},
+           {"[sensor]\nmounting = nan", "2: [sensor] mounting [rad] = nan, expected a finite number"},
+           {"[homing]\npose = [inf, 0]", "2: [homing] pose[0] = inf, expected a finite number"},
+           {"[mechanism]\ntype = \"delta\"",
+            "2: mechanism.type = 'delta', expected one of \"tendon_two_link\", "},
+           {"[mechanism]\nlength_1 = -0.1",
+            "2: [mechanism] length_1 [m] = -0.1, expected a finite number > 0"},
+           {"[mechanism]\ntype = \"five_bar\"",
+            " [homing] pose is missing, expected the joint positions at the start"},
+           {"[[wall]]\ntype = \"ball\"\nradius = 0", "3: [wall[1]] "},
+           {"[[wall]]\n[[wall]]\nnormal = [0, 0]", "3: [wall[2]] "},
+           {"law = \"direct\"", "1: law = 'direct', expected one of \"direct_control\", "},
+           {"law = \"direct_control\"\n[sensor]\ntype = \"none\"",
+            "1: law = \"direct_control\" needs a force sensor"},
+           {"[port]\ntype = \"serial\"",
+            "1: [port] type = \"serial\" and [sensor] type = \"simulated\", expected both"},
+           {"[port]\ntype = \"serial\"\nbaud = 1234",
+            "3: [port] baud [bit/s] = 1234, expected one of 9600, "},
+           {"[port]\ntype = \"comedi\"\namperes_per_volt = 0", "3: [port] brakes[0].amperes_per_volt [A/V]"},
+           {"\n[homing]\npose = [2.8, -0.1", "3: Error while parsing array"},
+           {"[brakes]\n[brakes]", "2: Error while parsing table header"},
+       }) {
+    const outcome o = check(text);
+    EXPECT_EQ(o.status, 2) << text;
+    EXPECT_TRUE(o.err.starts_with(std::string("error: c.toml:") + message)) << text << "\n" << o.err;
+    EXPECT_EQ(o.out, "") << text;
+  }
+}
+
+TEST_F(a_configuration, that_is_no_file_is_named) {
+  fs::create_directory(directory / "folder");
+  EXPECT_EQ(run({"--config", "none.toml"}).err, "error: none.toml: no such file\n");
+  EXPECT_EQ(run({"--config", "folder"}).err, "error: folder: is a directory, expected a file\n");
+  EXPECT_EQ(run({"--config", "none.toml"}).status, 2);
+}
+
+TEST_F(a_configuration, that_the_documentation_writes_down_is_read_key_by_key) {
+  // Each key of the documentation renamed is unknown, so each is read
+  const std::string all = text_of(shipped + "/simulated.toml");
+  std::istringstream lines(all);
+  int keys = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const auto equals = line.find(" = ");
+    if (equals == std::string::npos || line.starts_with("#") || line.starts_with(" ")) continue;
+    const std::string key = line.substr(0, equals);
+    std::string spoilt = all;
+    spoilt.replace(spoilt.find("\n" + line) + 1, key.size(), key + "_");
+    const outcome o = check(spoilt);
+    EXPECT_EQ(o.status, 2) << key;
+    EXPECT_TRUE(has(o.err, "unknown key") && has(o.err, key + "_'")) << key << "\n" << o.err;
+    ++keys;
+  }
+  EXPECT_GT(keys, 40);
+}
+
+TEST_F(a_configuration, is_not_read_after_a_mistake_in_the_options) {
+  for (const auto& [arguments, message] : {
+           std::pair{words{"--seconds", "x"}, "--seconds x, expected a number > 0"},
+           {{"--seconds", "0"}, "--seconds 0, expected a number > 0"},
+           {{"--seconds", "nan"}, "--seconds nan, expected a number > 0"},
+           {{"--seconds", "1s"}, "--seconds 1s, expected a number > 0"},
+           {{"--seconds"}, "a value is missing after '--seconds'"},
+           {{"--config"}, "a value is missing after '--config'"},
+           {{"--config", ""}, "a value is missing after '--config'"},
+           {{"c.toml"}, "unknown option 'c.toml'; choices: --config FILE, --simulate"},
+       }) {
+    const outcome o = run(arguments);
+    EXPECT_EQ(o.status, 2) << message;
+    EXPECT_TRUE(o.err.starts_with(std::string("error: ") + message)) << o.err;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,169 @@
+// The driver with a board on a pseudo-terminal and a force sensor on the loopback interface.
+#include "program.hpp"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <atomic>
+#include <thread>
+
+namespace {
+
+using namespace program;
+
+// A Net F/T force sensor that sends a record each millisecond to who asked last, until it falls silent.
+class net_ft_peer {
+ public:
+  net_ft_peer() : socket_(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
+    sockaddr_in here{};
+    here.sin_family = AF_INET;
+    here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof here;
+    EXPECT_EQ(bind(socket_, reinterpret_cast<sockaddr*>(&here), size), 0);
+    EXPECT_EQ(getsockname(socket_, reinterpret_cast<sockaddr*>(&here), &size), 0);
+    port_ = ntohs(here.sin_port);
+    sender_ = std::thread([this] { serve(); });
+  }
+  ~net_ft_peer() {
+    ended_ = true;
+    sender_.join();
+    close(socket_);
+  }
+  int port() const { return port_; }
+  void fall_silent() { silent_ = true; }
+
+ private:
+  void serve() {
+    sockaddr_in host{};
+    bool asked = false;
+    for (std::uint32_t sequence = 1; !ended_; usleep(1000)) {
+      std::array<std::uint8_t, 8> request;
+      socklen_t size = sizeof host;
+      while (recvfrom(socket_, request.data(), request.size(), 0, reinterpret_cast<sockaddr*>(&host),
+                      &size) == static_cast<ssize_t>(request.size()))
+        asked = request[3] == 2;
+      if (!asked || silent_) continue;
+      const std::array<std::uint32_t, 9> words{htonl(sequence), htonl(sequence), 0, htonl(300'000)};
+      ++sequence;
+      sendto(socket_, words.data(), sizeof words, 0, reinterpret_cast<sockaddr*>(&host), size);
+    }
+  }
+
+  int socket_, port_ = 0;
+  std::atomic<bool> ended_ = false, silent_ = false;
+  std::thread sender_;
+};
+
+struct a_board : a_driver {
+  pid_t board = -1;
+
+  // Its watchdog has time, as this machine may have none.
+  void plug_in() {
+    board = spawn({firmware, "--link", "brakes", "--watchdog", "20000"}, "firmware");
+    ASSERT_TRUE(eventually([this] { return fs::is_symlink(directory / "brakes"); }));
+  }
+  static settings connected(double bridge = 5) {
+    return {.bridge = bridge,
+            .top = "law = \"no_direct_control\"",
+            .sections = "[port]\ntype = \"serial\"\ndevice = \"brakes\"\nopen_timeout = 20\n",
+            .sensor = "type = \"none\""};
+  }
+};
+
+TEST_F(a_board, is_driven) {
+  plug_in();
+  start(connected());
+  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(eventually([this] { return time_written() > 1.5; }));
+  send(SIGINT);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_TRUE(log().is_whole());
+  double least = 1e9, most = -1e9;
+  const log_file all = log();
+  for (std::size_t i = 0; i < all.size(); i += 100) {
+    least = std::min(least, all.number(i, "q1"));
+    most = std::max(most, all.number(i, "q1"));
+  }
+  EXPECT_GT(most, least) << "the board's hand moves";
+}
+
+TEST_F(a_board, that_is_gone_releases_at_once) {
+  plug_in();
+  start(connected());
+  ASSERT_TRUE(reaches("active"));
+  send(SIGKILL, board);
+  ASSERT_TRUE(reaches("released"));
+  send(SIGINT);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 1);
+  EXPECT_TRUE(has(o.out, "device lost")) << o.out;
+  EXPECT_TRUE(has(o.out, "start again, at the home pose")) << o.out;
+  EXPECT_TRUE(has(log().text(log().size() - 1, "reason"), "device lost"));
+  EXPECT_TRUE(nothing_is_left());
+}
+
+TEST_F(a_board, that_says_nothing_any_more_releases_after_the_bridge) {
+  plug_in();
+  start(connected(0.5));
+  ASSERT_TRUE(reaches("active"));
+  send(SIGSTOP, board);
+  ASSERT_TRUE(reaches("released"));
+  send(SIGINT);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 1);
+  expect_released_at_the_end("encoders: no sample");
+}
+
+TEST_F(a_board, and_a_force_sensor_go_together_until_the_sensor_falls_silent) {
+  net_ft_peer peer;
+  plug_in();
+  settings both = connected(0.5);
+  both.top = "law = \"direct_control\"";
+  both.sensor =
+      "type = \"net_ft\"\nhost = \"127.0.0.1\"\nopen_timeout = 20\nport = " + std::to_string(peer.port());
+  start(both);
+  ASSERT_TRUE(reaches("active"));
+  peer.fall_silent();
+  ASSERT_TRUE(reaches("released"));
+  send(SIGINT);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 1);
+  EXPECT_TRUE(has(o.out, "brakes released: force sensor: no sample")) << o.out;
+  expect_released_at_the_end("force sensor: no sample");
+}
+
+TEST_F(a_board, can_be_tried_with_the_shipped_configuration) {
+  net_ft_peer peer;
+  plug_in();
+  std::string text = text_of(shipped + "/serial.toml");
+  const auto put = [&](const std::string& old, const std::string& now) {
+    ASSERT_NE(text.find(old), std::string::npos) << old;
+    text.replace(text.find(old), old.size(), now);
+  };
+  put("\"/dev/ttyACM0\"", "\"brakes\"");
+  put("\"192.168.1.1\"", "\"127.0.0.1\"");
+  put("49152", std::to_string(peer.port()));
+  put("priority = 80\nlock_memory = true", "most_overruns = 1000000\nlongest_sleep = 10");
+  put("supervisor_priority = 81", "bridge = 5\nsupervisor_timeout = 5");
+  file("c.toml", text);
+  start({"--config", "c.toml", "--quiet"});
+  EXPECT_TRUE(reaches("active")) << "the board's hand rests now and then, and the driver finds its home";
+  send(SIGINT);
+  end();
+}
+
+TEST_F(a_board, that_is_silent_from_the_start_is_named) {
+  plug_in();
+  send(SIGSTOP, board);
+  settings s = connected();
+  s.sections = "[port]\ntype = \"serial\"\ndevice = \"brakes\"\nopen_timeout = 0.3\n";
+  start(s);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 1);
+  EXPECT_TRUE(has(o.err, "error: serial port brakes: ")) << o.err;
+}
+
+}  // namespace

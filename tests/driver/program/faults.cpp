@@ -1,0 +1,155 @@
+// What is done to the driver's processes while its brakes may hold.
+#include "program.hpp"
+
+#include <cstring>
+
+namespace {
+
+using namespace program;
+
+struct a_driver_whose : a_driver {};
+
+class a_request : public a_driver, public ::testing::WithParamInterface<int> {};
+
+TEST_P(a_request, releases_and_ends_with_the_last_record_written) {
+  start(settings{});
+  ASSERT_TRUE(reaches("active"));
+  send(GetParam());
+  const outcome o = end();
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(has(o.out, "brakes released: as asked")) << o.out;
+  EXPECT_FALSE(fs::exists(part_path()));
+  const log_file all(log_path());
+  EXPECT_TRUE(all.is_whole());
+  EXPECT_TRUE(has(o.out, "\n" + std::to_string(all.size()) + " cycles, ")) << o.out;
+  EXPECT_TRUE(nothing_is_left());
+}
+INSTANTIATE_TEST_SUITE_P(each, a_request, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
+                         [](const auto& one) { return std::string("SIG").append(sigabbrev_np(one.param)); });
+
+class a_death : public a_driver, public ::testing::WithParamInterface<int> {};
+
+TEST_P(a_death, of_the_loop_leaves_a_whole_log_and_no_process) {
+  start(settings{});
+  ASSERT_TRUE(reaches("active"));
+  const std::size_t before = log().size();
+  send(GetParam());
+  EXPECT_EQ(end().status, 128 + GetParam());
+  EXPECT_TRUE(nothing_is_left());
+  EXPECT_FALSE(fs::exists(part_path()));
+  const log_file all(log_path());
+  EXPECT_TRUE(all.is_whole());
+  EXPECT_GE(all.size() + 1, before) << "the last line seen may have been half of one";
+}
+INSTANTIATE_TEST_SUITE_P(each, a_death, ::testing::Values(SIGKILL, SIGSEGV, SIGABRT),
+                         [](const auto& one) { return std::string("SIG").append(sigabbrev_np(one.param)); });
+
+TEST_F(a_driver_whose, loop_is_stopped_is_released_by_its_supervisor) {
+  start(settings{.supervisor_timeout = 1, .hand_start = 2});
+  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(brakes_hold());
+  send(SIGSTOP);
+  usleep(3'000'000);
+  send(SIGCONT);
+  ASSERT_TRUE(reaches("released"));
+  send(SIGINT);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 1);
+  const std::string reason = "the supervisor is lost, or released the brakes";
+  EXPECT_TRUE(has(o.out, "brakes released: " + reason)) << o.out;
+  expect_released_at_the_end(reason);
+}
+
+TEST_F(a_driver_whose, loop_slept_too_long_releases_by_itself) {
+  start(settings{.longest_sleep = 0.3});
+  ASSERT_TRUE(reaches("active"));
+  send(SIGSTOP);
+  usleep(1'000'000);
+  send(SIGCONT);
+  ASSERT_TRUE(reaches("released"));
+  send(SIGTERM);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 1);
+  EXPECT_TRUE(has(o.out, "brakes released: the clock jumped")) << o.out;
+  expect_released_at_the_end("the clock jumped");
+}
+
+TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
+  start(settings{.supervisor_timeout = 0.5});
+  ASSERT_TRUE(reaches("active"));
+  send(SIGSTOP);
+  usleep(1'500'000);
+  send(SIGCONT);
+  std::size_t row = 0;
+  ASSERT_TRUE(reaches("released", 0, &row));
+  send(SIGUSR1);
+  ASSERT_TRUE(reaches("active", row));
+  send(SIGINT);
+  end();
+  EXPECT_TRUE(log().is_whole());
+}
+
+TEST_F(a_driver_whose, supervisor_is_killed_is_released_for_good) {
+  start(settings{.supervisor_timeout = 0.3});
+  ASSERT_TRUE(reaches("active"));
+  ASSERT_GT(supervisor(), 0);
+  send(SIGKILL, supervisor());
+  std::size_t row = 0;
+  ASSERT_TRUE(reaches("released", 0, &row));
+  send(SIGUSR1);
+  ASSERT_TRUE(eventually([&] { return log().size() > row + 500; }));
+  send(SIGINT);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 1);
+  expect_released_at_the_end("the supervisor is lost, or released the brakes");
+  const log_file all = log();
+  for (std::size_t i = row; i < all.size(); ++i)
+    ASSERT_EQ(all.text(i, "state"), "released") << "not rearmed without a supervisor";
+}
+
+TEST_F(a_driver_whose, recorder_is_killed_goes_on_and_counts_what_is_lost) {
+  start(settings{.period = 2e-4});
+  ASSERT_TRUE(reaches("active"));
+  const pid_t killed = recorder();
+  ASSERT_GT(killed, 0);
+  send(SIGKILL, killed);
+  // More than the queue holds
+  sleep(3);
+  EXPECT_EQ(children_of(pid).size(), 2u) << "supervisor and what is left of the recorder";
+  send(SIGINT);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(has(o.out, "brakes released: as asked")) << o.out;
+  EXPECT_TRUE(has(o.out, "log: brake_driver.csv.part, as far as it came: the recorder failed, ")) << o.out;
+  EXPECT_FALSE(has(o.out, " 0 cycles lost")) << o.out;
+  const auto cycles = std::stoul(o.out.substr(o.out.rfind('\n', o.out.find(" cycles, ")) + 1));
+  const auto comma = o.out.find("failed, ");
+  const auto lost = std::stoul(o.out.substr(comma + 8));
+  EXPECT_GT(cycles, 8192u) << "it went on";
+  EXPECT_LT(lost, cycles);
+  EXPECT_GE(lost + log_file(part_path()).size() + 1, cycles - 8192)
+      << "of those that were buffered none knows";
+}
+
+TEST_F(a_driver_whose, output_nobody_reads_writes_its_log_all_the_same) {
+  file("c.toml", settings{}.text());
+  std::array<int, 2> ends;
+  ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+  pid = fork();
+  if (pid == 0) {
+    dup2(ends[1], STDOUT_FILENO);
+    become({driver, "--config", "c.toml"}, directory);
+  }
+  close(ends[1]);
+  ASSERT_TRUE(reaches("active"));
+  close(ends[0]);
+  const double closed = time_written();
+  EXPECT_TRUE(eventually([&] { return time_written() > closed + 2.2; })) << "past two lines of the report";
+  send(SIGINT);
+  status_of(pid);
+  EXPECT_TRUE(nothing_is_left());
+  EXPECT_TRUE(fs::exists(log_path()));
+  EXPECT_TRUE(log().is_whole());
+}
+
+}  // namespace

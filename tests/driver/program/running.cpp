@@ -1,0 +1,123 @@
+#include "program.hpp"
+
+namespace {
+
+using namespace program;
+
+struct a_running_driver : a_driver {};
+
+TEST_F(a_running_driver, homes_tares_displays_the_wall_and_leaves_a_whole_log) {
+  file("c.toml", settings{.hand_start = 2}.text());
+  const outcome o = run({"--config", "c.toml", "--seconds", "3.5"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.err, "");
+  for (const char* part : {" cycles, ", "late     mean ", "compute  mean ", "  up to ",
+                           "brakes released: as asked", "log: brake_driver.csv, 0 cycles lost"})
+    EXPECT_TRUE(has(o.out, part)) << part << "\n" << o.out;
+  EXPECT_FALSE(fs::exists(part_path()));
+
+  const log_file all(log_path());
+  ASSERT_TRUE(all.is_whole());
+  EXPECT_TRUE(has(o.out, "\n" + std::to_string(all.size()) + " cycles, ")) << "none lost";
+  bool was_active = false, braked = false;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0) {
+      ASSERT_GT(all.number(i, "cycle"), all.number(i - 1, "cycle"));
+      ASSERT_GT(all.number(i, "t"), all.number(i - 1, "t"));
+    }
+    const std::string state = all.text(i, "state");
+    const bool on = state == "active" || state == "degraded";
+    ASSERT_TRUE(on || (state == "ready" && !was_active)) << state;
+    was_active = was_active || on;
+    for (const char* brake : {"current1", "current2"}) {
+      const double current = all.number(i, brake);
+      ASSERT_TRUE(current >= 0 && current <= 1) << current;
+      ASSERT_TRUE(on || current == 0) << state;
+      braked = braked || current > 0;
+    }
+  }
+  EXPECT_TRUE(was_active);
+  EXPECT_TRUE(braked);
+  EXPECT_NEAR(all.number(0, "current1"), 0, 0);
+}
+
+TEST_F(a_running_driver, takes_any_mechanism) {
+  const std::string five_bar =
+      "[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\nduration = 0.1\n"
+      "[safety]\nbridge = 5\nsupervisor_timeout = 5\n[loop]\nmost_overruns = 1000000\nlongest_sleep = 10\n";
+  file("five_bar.toml", five_bar);
+  const outcome o = run({"--config", "five_bar.toml", "--seconds", "2", "--quiet"});
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_EQ(log().text(log().size() - 1, "state"), "active");
+  EXPECT_EQ(log().text(log().size() - 1, "status"), "ok");
+}
+
+TEST_F(a_running_driver, keeps_the_shipped_configurations_promise) {
+  for (const char* name : {"simulated.toml", "xy_table.toml"}) {
+    const outcome o = run({"--config", shipped + "/" + name, "--seconds", "0.2"});
+    EXPECT_TRUE(has(o.out, " cycles, ")) << name << o.out << o.err;
+  }
+  fs::remove(log_path());
+  file("brake_driver.csv", "of a run before");
+  const outcome comedi = run({"--config", shipped + "/comedi.toml", "--quiet"});
+  EXPECT_EQ(comedi.status, PASSIVE_HAPTICS_HAS_COMEDI ? 1 : 2);
+  EXPECT_TRUE(has(comedi.err, PASSIVE_HAPTICS_HAS_COMEDI ? "/dev/comedi0" : "libcomedi-dev")) << comedi.err;
+  file("serial.toml",
+       text_of(shipped + "/serial.toml")
+           .replace(text_of(shipped + "/serial.toml").find("/dev/ttyACM0"), 12, "/dev/tty_none"));
+  const outcome serial = run({"--config", "serial.toml", "--quiet"});
+  EXPECT_EQ(serial.status, 1);
+  EXPECT_EQ(serial.err,
+            "error: serial port /dev/tty_none: no such file; plug the device in, or find its name by `ls "
+            "/dev/serial/by-id`\n");
+  EXPECT_EQ(text_of(log_path()), "of a run before") << "where nothing ran, the log stays";
+  EXPECT_FALSE(fs::exists(part_path()));
+  EXPECT_TRUE(nothing_is_left());
+}
+
+TEST_F(a_running_driver, simulates_what_another_configuration_connects) {
+  // Without what it asks of the kernel: as root it would be granted
+  std::string serial = text_of(shipped + "/serial.toml");
+  serial.erase(serial.find("[loop]"));
+  file("c.toml", serial);
+  const outcome o = run({"--config", "c.toml", "--simulate", "--seconds", "0.2", "--quiet"});
+  EXPECT_TRUE(has(o.out, " cycles, ")) << o.out << o.err;
+}
+
+TEST_F(a_running_driver, says_before_anything_starts_that_it_cannot_write_its_log) {
+  file("c.toml", "log = \"nowhere/log.csv\"");
+  const outcome o = run({"--config", "c.toml"});
+  EXPECT_EQ(o.status, 1);
+  EXPECT_EQ(o.err, "error: cannot write 'nowhere/log.csv.part': No such file or directory\n");
+  EXPECT_EQ(o.out, "");
+}
+
+TEST_F(a_running_driver, tells_that_the_disk_was_full) {
+  fs::create_symlink("/dev/full", part_path());
+  file("c.toml", settings{}.text());
+  const outcome o = run({"--config", "c.toml", "--seconds", "1"});
+  EXPECT_TRUE(has(o.err, "error: cannot write all of 'brake_driver.csv.part'")) << o.err;
+  EXPECT_TRUE(has(o.out, "log: brake_driver.csv.part, as far as it came")) << o.out;
+  EXPECT_FALSE(fs::exists(log_path()));
+}
+
+TEST_F(a_running_driver, writes_no_log_where_none_is_wanted) {
+  file("c.toml", settings{.top = "log = \"\""}.text());
+  const outcome o = run({"--config", "c.toml", "--seconds", "0.3"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_FALSE(has(o.out, "log:"));
+  EXPECT_FALSE(fs::exists(log_path()) || fs::exists(part_path()));
+}
+
+TEST_F(a_running_driver, does_not_mind_another_one) {
+  const std::string text = settings{.sections = ""}.text();
+  file("c.toml", text);
+  file("other.toml", "log = \"other.csv\"\n" + text);
+  const pid_t other = spawn({driver, "--config", "other.toml", "--seconds", "1"}, "other");
+  const outcome o = run({"--config", "c.toml", "--seconds", "1"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(status_of(other), 0);
+  EXPECT_TRUE(log().is_whole() && log_file(directory / "other.csv").is_whole());
+}
+
+}  // namespace

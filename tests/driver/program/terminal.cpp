@@ -1,0 +1,183 @@
+// The table in a terminal, as it stands there after all that was written.
+#include "program.hpp"
+
+#include <pty.h>
+#include <sys/ioctl.h>
+
+namespace {
+
+using namespace program;
+
+// As much of a terminal as the table asks for.
+class screen {
+ public:
+  screen(int rows, int columns) : columns_(columns), lines_(static_cast<std::size_t>(rows)) {}
+
+  void write(const std::string& bytes) {
+    for (const char c : bytes) put(c);
+  }
+  // Lines that begin with this.
+  int count(const std::string& beginning) const {
+    int n = 0;
+    for (const auto& line : lines_) n += line.starts_with(beginning);
+    return n;
+  }
+  std::string text() const {
+    std::string all;
+    for (const auto& line : lines_) all += line + "\n";
+    return all;
+  }
+  bool broke_a_line = false;
+  int redrawn = 0;
+
+ private:
+  void put(char c) {
+    if (!escape_.empty()) {
+      escape_ += c;
+      if (std::isalpha(static_cast<unsigned char>(c)) != 0) obey();
+      return;
+    }
+    if (c == '\033') escape_ = c;
+    else if (c == '\r') column_ = 0;
+    else if (c == '\n') feed();
+    else show(c);
+  }
+  void show(char c) {
+    if (column_ == columns_) {
+      broke_a_line = true;
+      column_ = 0;
+      feed();
+    }
+    std::string& line = lines_[row_];
+    line.resize(std::max(line.size(), static_cast<std::size_t>(column_) + 1), ' ');
+    line[static_cast<std::size_t>(column_++)] = c;
+  }
+  void feed() {
+    if (++row_ < lines_.size()) return;
+    --row_;
+    lines_.erase(lines_.begin());
+    lines_.emplace_back();
+  }
+  void obey() {
+    const char what = escape_.back();
+    if (what == 'A') {
+      const auto up = static_cast<std::size_t>(std::stoi(escape_.substr(2)));
+      row_ -= std::min(row_, up);
+      ++redrawn;
+    } else if (what == 'K') {
+      lines_[row_].resize(std::min(lines_[row_].size(), static_cast<std::size_t>(column_)));
+    } else if (what == 'J') {
+      lines_[row_].resize(std::min(lines_[row_].size(), static_cast<std::size_t>(column_)));
+      for (std::size_t i = row_ + 1; i < lines_.size(); ++i) lines_[i].clear();
+    } else {
+      ADD_FAILURE() << "an escape sequence that no test knows";
+    }
+    escape_.clear();
+  }
+
+  int columns_, column_ = 0;
+  std::size_t row_ = 0;
+  std::vector<std::string> lines_;
+  std::string escape_;
+};
+
+struct a_terminal : a_driver {
+  int terminal = -1;
+  screen shown{1, 1};
+
+  ~a_terminal() override {
+    if (terminal >= 0) close(terminal);
+  }
+  void start_in(int rows, int columns, const settings& s = {}) {
+    file("c.toml", s.text());
+    winsize size{};
+    size.ws_row = static_cast<unsigned short>(rows);
+    size.ws_col = static_cast<unsigned short>(columns);
+    shown = screen(rows, columns);
+    pid = forkpty(&terminal, nullptr, nullptr, &size);
+    ASSERT_GE(pid, 0);
+    if (pid == 0) become({driver, "--config", "c.toml"}, directory);
+    ASSERT_EQ(fcntl(terminal, F_SETFL, O_NONBLOCK), 0);
+  }
+  void look() {
+    std::array<char, 4096> bytes;
+    for (ssize_t n; (n = read(terminal, bytes.data(), bytes.size())) > 0;)
+      shown.write(std::string(bytes.data(), static_cast<std::size_t>(n)));
+  }
+  bool redraws(int times) {
+    return eventually([&] {
+      look();
+      return shown.redrawn >= times;
+    });
+  }
+};
+
+TEST_F(a_terminal, shows_one_table_that_is_redrawn_in_its_place) {
+  start_in(50, 100);
+  ASSERT_TRUE(reaches("active"));
+  look();
+  ASSERT_TRUE(redraws(shown.redrawn + 5));
+  EXPECT_FALSE(shown.broke_a_line) << shown.text();
+  for (const char* line :
+       {"tendon_two_link, simulated device", "state    active", "handle   x ", "hand     x ", "wall     x ",
+        "brake 1 ", "brake 2 ", "late     p50", "compute  p50", "late, of "})
+    EXPECT_EQ(shown.count(line), 1) << line << "\n" << shown.text();
+  EXPECT_EQ(shown.count("  up to"), 1) << shown.text();
+  send(SIGINT);
+  EXPECT_TRUE(eventually([this] {
+    look();
+    return has(shown.text(), "brakes released: as asked");
+  })) << shown.text();
+  EXPECT_EQ(end().status, 0);
+}
+
+TEST_F(a_terminal, that_is_small_shows_what_fits) {
+  start_in(10, 40);
+  ASSERT_TRUE(redraws(5));
+  EXPECT_FALSE(shown.broke_a_line) << shown.text();
+  EXPECT_EQ(shown.count("state "), 1) << shown.text();
+  EXPECT_EQ(shown.count("tendon_two_link"), 1) << shown.text();
+  send(SIGINT);
+  eventually([this] {
+    look();
+    return waitpid(pid, nullptr, WNOHANG) != 0;
+  });
+}
+
+TEST_F(a_terminal, that_is_closed_ends_the_driver_in_good_order) {
+  start_in(50, 100);
+  ASSERT_TRUE(redraws(2));
+  ASSERT_TRUE(reaches("active"));
+  close(terminal);
+  terminal = -1;
+  EXPECT_EQ(end().status, 0);
+  EXPECT_TRUE(nothing_is_left());
+  EXPECT_FALSE(fs::exists(part_path()));
+  EXPECT_TRUE(log().is_whole());
+}
+
+TEST_F(a_terminal, that_nobody_reads_costs_the_log_no_cycle) {
+  start_in(50, 100, {.period = 2e-4});
+  // Its buffer is full after some tables, the queue of the log some seconds later
+  ASSERT_TRUE(eventually([&] { return time_written() > 4; })) << time_written();
+  send(SIGINT);
+  eventually([this] {
+    look();
+    return waitpid(pid, nullptr, WNOHANG) != 0;
+  });
+  EXPECT_TRUE(has(shown.text(), ", 0 cycles lost")) << shown.text();
+}
+
+TEST_F(a_terminal, gets_its_Ctrl_C_through) {
+  start_in(50, 100);
+  ASSERT_TRUE(reaches("active"));
+  ASSERT_EQ(write(terminal, "\003", 1), 1);
+  eventually([this] {
+    look();
+    return has(shown.text(), "brakes released: as asked");
+  });
+  EXPECT_EQ(end().status, 0);
+  EXPECT_TRUE(log().is_whole()) << "no process but the loop's heard it";
+}
+
+}  // namespace

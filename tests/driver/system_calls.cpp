@@ -1,0 +1,146 @@
+// What a cycle of the whole driver asks of the kernel: to sleep, and nothing else.
+#include "../realtime/allocations.hpp"
+#include "system_call_filter.hpp"
+
+#include <gtest/gtest.h>
+#include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/device_calibration.hpp>
+#include <passive_haptics/driver/recorder.hpp>
+#include <passive_haptics/driver/safe_port.hpp>
+#include <passive_haptics/driver/stop_signals.hpp>
+#include <passive_haptics/driver/supervisor.hpp>
+#include <passive_haptics/passive_haptics.hpp>
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+using arm = ph::tendon_two_link<double>;
+
+// How the process that drives ended, if not by a signal.
+enum ending : int { well = 0, no_filter, no_start, allocated, never_braked };
+
+// A device in memory whose handle goes along a wall, a little way inside, while a hand presses on it.
+struct memory_port {
+  static constexpr int encoder_count = 2, brake_count = 2;
+  std::uint32_t sequence = 0;
+
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<2>& sample) noexcept {
+    const double way = 0.05 * std::sin(0.01 * ++sequence);
+    sample = {
+        ph::monotonic_seconds(), sequence, {std::floor(1000 * way), std::floor(-800 * way)}, {true, true}};
+    return ph::port_status::ok;
+  }
+  ph::port_status write(const ph::brake_currents<2>&) noexcept { return ph::port_status::ok; }
+  void release() noexcept {}
+};
+
+struct memory_sensor {
+  static constexpr int channel_count = 2;
+  std::uint32_t sequence = 0;
+
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<2>& sample) noexcept {
+    sample = {ph::monotonic_seconds(), ++sequence, {1.5, 2}, {true, true}};
+    return ph::port_status::ok;
+  }
+};
+
+struct record {
+  double time;
+  std::array<double, 2> current;
+};
+
+struct nowhere {
+  std::string open() { return {}; }
+  void take(const record&) {}
+  void rest() {}
+  void close() {}
+};
+
+constexpr int cycles = 2000, filtered_from = 10;
+
+// In a process of its own, which ends there: to put away what is used here takes other calls.
+void drive(bool one_call_more) {
+  const arm mechanism;
+  const ph::vector<double, 2> home = mechanism.inverse({0.08, 0.2255}, ph::elbow::left).q;
+  ph::device_calibration<arm, 2, ph::planar_sensor_frame<2>> calibration(mechanism, {},
+                                                                         ph::planar_sensor_frame<2>());
+  calibration.encoders.set_zero_count(-calibration.encoders.counts(calibration.axis_positions(home)));
+  ph::world_walls<2> walls;
+  walls.add(ph::wall(ph::half_space<2>({0, 0.225}, {0, -1}), 1e4));
+  ph::controller<arm, ph::world<2>, ph::direct_control> control(mechanism, {}, ph::world<2>(walls),
+                                                                ph::direct_control());
+  ph::recorder<record, nowhere> log(nowhere{});
+  ph::supervisor<memory_port> guard(memory_port{}, {.timeout = 10});
+  ph::safe_port_parameters<2, 2> limits;
+  limits.bridge = 10;  // of this nothing is tested here
+  ph::safe_port<memory_port, memory_sensor> port(memory_port{}, memory_sensor{}, limits);
+  if (!log.start().empty() || !guard.start().empty() || !port.open().empty()) _exit(no_start);
+  ph::stop_signals signals;
+  ph::control_loop loop(
+      ph::control_loop_parameters{.period = 2e-4, .most_overruns = 1'000'000, .longest_sleep = 10});
+
+  int k = 0;
+  long before = 0;
+  bool braked = false, has_filter = true;
+  loop.run(
+      [&](const ph::loop_cycle& now) {
+        if (k == filtered_from) {
+          has_filter = system_calls::allow_only(
+              std::array<unsigned, 3>{SYS_clock_nanosleep, SYS_clock_gettime, SYS_exit_group});
+          before = allocations;
+          Eigen::internal::set_is_malloc_allowed(false);
+        }
+        if (one_call_more && k == cycles / 2) syscall(SYS_getppid);
+        if (!guard.beat(now.time)) port.release({ph::fault::supervisor_lost});
+        port.read(now.time);
+        if (signals.rearm()) port.rearm();
+        port.activate();
+        auto state = calibration.state(port.position_time(), port.position(), port.force());
+        state.time = now.time;
+        port.write(calibration.currents(control(state).capacity));
+        log({now.time, port.applied()});
+        braked = braked || port.applied() != ph::brake_currents<2>{};
+        return has_filter && ++k < cycles;
+      },
+      [&] { return signals.stop() != 0; }, [&](ph::fault why) { port.release({why}); });
+  // Not by _exit(), before which a sanitizer makes calls of its own
+  syscall(SYS_exit_group, !has_filter             ? no_filter
+                          : allocations != before ? allocated
+                          : braked                ? well
+                                                  : never_braked);
+}
+
+int status_of_drive(bool one_call_more) {
+  const pid_t driver = fork();
+  if (driver == 0) drive(one_call_more);
+  int status = 0;
+  waitpid(driver, &status, 0);
+  return status;
+}
+
+}  // namespace
+
+TEST(a_cycle_of_the_driver, makes_no_system_call_but_to_sleep_and_allocates_nothing) {
+  const int status = status_of_drive(false);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == no_filter)
+    GTEST_SKIP() << "the kernel has no seccomp filters";
+  ASSERT_TRUE(WIFEXITED(status)) << "died of signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), well);
+}
+
+TEST(a_cycle_of_the_driver, that_makes_one_more_system_call_is_found_out) {
+  const int status = status_of_drive(true);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == no_filter)
+    GTEST_SKIP() << "the kernel has no seccomp filters";
+  ASSERT_TRUE(WIFSIGNALED(status)) << "ended with " << WEXITSTATUS(status);
+  EXPECT_EQ(WTERMSIG(status), SIGSYS);
+}
