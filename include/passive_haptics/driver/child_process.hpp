@@ -47,6 +47,7 @@ class child_process {
   /// empty, run(parent_link) follows, and the child ends with it.
   template <class Prepare, class Run>
   std::string start(Prepare&& prepare, Run&& run) {
+    if (pid_ > 0) return "start() was called before: the process runs";
     std::array<int, 2> down{-1, -1}, up{-1, -1};
     if (pipe2(down.data(), O_CLOEXEC) != 0) return system_complaint("pipe2");
     if (pipe2(up.data(), O_CLOEXEC) != 0) {
