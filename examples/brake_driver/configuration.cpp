@@ -149,6 +149,7 @@ void read_homing(toml_section from, configuration& c) {
   from.read("pose", c.home);
   from.read("duration", c.homing.duration);
   from.read("tolerance", c.homing.tolerance);
+  from.read("longest_gap", c.homing.longest_gap);
   for (int i = 0; i < axes && from.has("pose"); ++i)
     from.require(ph::detail::check_finite(ph::detail::indexed("pose[", i, "]"), c.home[i]));
   if (!c.home.allFinite())

@@ -17,7 +17,9 @@ class mechanism_device final : public haptic_device {
         calibration_(mechanism, {c.encoders, c.rates, c.curves, c.force}, c.sensor_frame),
         control_(mechanism, c.brakes, ph::world<2>(c.walls), law),
         homing_(calibration_.encoders, calibration_.axis_positions(c.home), c.homing),
-        tare_({.duration = c.homing.duration, .tolerance = c.tare_tolerance}) {
+        tare_({.duration = c.homing.duration,
+               .tolerance = c.tare_tolerance,
+               .longest_gap = c.homing.longest_gap}) {
     if (c.port == "simulated") plant_ = std::make_shared<simulation<M>>(mechanism, c);
   }
 

@@ -75,7 +75,7 @@ struct a_board : a_driver {
 TEST_F(a_board, is_driven) {
   plug_in();
   start(connected());
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   ASSERT_TRUE(eventually([this] { return time_written() > 1.5; }));
   send(SIGINT);
   const outcome o = end();
@@ -93,7 +93,7 @@ TEST_F(a_board, is_driven) {
 TEST_F(a_board, that_is_gone_releases_at_once) {
   plug_in();
   start(connected());
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   send(SIGKILL, board);
   ASSERT_TRUE(reaches("released"));
   send(SIGINT);
@@ -107,8 +107,8 @@ TEST_F(a_board, that_is_gone_releases_at_once) {
 
 TEST_F(a_board, that_says_nothing_any_more_releases_after_the_bridge) {
   plug_in();
-  start(connected(0.5));
-  ASSERT_TRUE(reaches("active"));
+  start(connected(2));
+  ASSERT_TRUE(reaches("active")) << ended();
   send(SIGSTOP, board);
   ASSERT_TRUE(reaches("released"));
   send(SIGINT);
@@ -120,12 +120,12 @@ TEST_F(a_board, that_says_nothing_any_more_releases_after_the_bridge) {
 TEST_F(a_board, and_a_force_sensor_go_together_until_the_sensor_falls_silent) {
   net_ft_peer peer;
   plug_in();
-  settings both = connected(0.5);
+  settings both = connected(2);
   both.top = "law = \"direct_control\"";
   both.sensor =
       "type = \"net_ft\"\nhost = \"127.0.0.1\"\nopen_timeout = 20\nport = " + std::to_string(peer.port());
   start(both);
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   peer.fall_silent();
   ASSERT_TRUE(reaches("released"));
   send(SIGINT);
@@ -146,11 +146,13 @@ TEST_F(a_board, can_be_tried_with_the_shipped_configuration) {
   put("\"/dev/ttyACM0\"", "\"brakes\"");
   put("\"192.168.1.1\"", "\"127.0.0.1\"");
   put("49152", std::to_string(peer.port()));
+  put("pose = ", "longest_gap = 5\nduration = 0.1\npose = ");
   put("priority = 80\nlock_memory = true", "most_overruns = 1000000\nlongest_sleep = 10");
   put("supervisor_priority = 81", "bridge = 5\nsupervisor_timeout = 5");
   file("c.toml", text);
   start({"--config", "c.toml", "--quiet"});
-  EXPECT_TRUE(reaches("active")) << "the board's hand rests now and then, and the driver finds its home";
+  EXPECT_TRUE(reaches("active")) << ended()
+                                 << "the board's hand rests now and then, and the driver finds its home";
   send(SIGINT);
   end();
 }

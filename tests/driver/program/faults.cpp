@@ -13,7 +13,7 @@ class a_request : public a_driver, public ::testing::WithParamInterface<int> {};
 
 TEST_P(a_request, releases_and_ends_with_the_last_record_written) {
   start(settings{});
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   send(GetParam());
   const outcome o = end();
   EXPECT_EQ(o.status, 0) << o.err;
@@ -31,7 +31,7 @@ class a_death : public a_driver, public ::testing::WithParamInterface<int> {};
 
 TEST_P(a_death, of_the_loop_leaves_a_whole_log_and_no_process) {
   start(settings{});
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   const std::size_t before = log().size();
   send(GetParam());
   EXPECT_EQ(end().status, 128 + GetParam());
@@ -46,8 +46,8 @@ INSTANTIATE_TEST_SUITE_P(each, a_death, ::testing::Values(SIGKILL, SIGSEGV, SIGA
 
 TEST_F(a_driver_whose, loop_is_stopped_is_released_by_its_supervisor) {
   start(settings{.supervisor_timeout = 1, .hand_start = 2});
-  ASSERT_TRUE(reaches("active"));
-  ASSERT_TRUE(brakes_hold());
+  ASSERT_TRUE(reaches("active")) << ended();
+  ASSERT_TRUE(brakes_hold()) << ended();
   send(SIGSTOP);
   usleep(3'000'000);
   send(SIGCONT);
@@ -62,7 +62,7 @@ TEST_F(a_driver_whose, loop_is_stopped_is_released_by_its_supervisor) {
 
 TEST_F(a_driver_whose, loop_slept_too_long_releases_by_itself) {
   start(settings{.longest_sleep = 0.3});
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   send(SIGSTOP);
   usleep(1'000'000);
   send(SIGCONT);
@@ -76,7 +76,7 @@ TEST_F(a_driver_whose, loop_slept_too_long_releases_by_itself) {
 
 TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
   start(settings{.supervisor_timeout = 0.5});
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   send(SIGSTOP);
   usleep(1'500'000);
   send(SIGCONT);
@@ -91,7 +91,7 @@ TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
 
 TEST_F(a_driver_whose, supervisor_is_killed_is_released_for_good) {
   start(settings{.supervisor_timeout = 0.3});
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   ASSERT_GT(supervisor(), 0);
   send(SIGKILL, supervisor());
   std::size_t row = 0;
@@ -109,7 +109,7 @@ TEST_F(a_driver_whose, supervisor_is_killed_is_released_for_good) {
 
 TEST_F(a_driver_whose, recorder_is_killed_goes_on_and_counts_what_is_lost) {
   start(settings{.period = 2e-4});
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   const pid_t killed = recorder();
   ASSERT_GT(killed, 0);
   send(SIGKILL, killed);
@@ -141,7 +141,7 @@ TEST_F(a_driver_whose, output_nobody_reads_writes_its_log_all_the_same) {
     become({driver, "--config", "c.toml"}, directory);
   }
   close(ends[1]);
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   close(ends[0]);
   const double closed = time_written();
   EXPECT_TRUE(eventually([&] { return time_written() > closed + 2.2; })) << "past two lines of the report";

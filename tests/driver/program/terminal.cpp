@@ -114,7 +114,7 @@ struct a_terminal : a_driver {
 
 TEST_F(a_terminal, shows_one_table_that_is_redrawn_in_its_place) {
   start_in(50, 100);
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   look();
   ASSERT_TRUE(redraws(shown.redrawn + 5));
   EXPECT_FALSE(shown.broke_a_line) << shown.text();
@@ -147,7 +147,7 @@ TEST_F(a_terminal, that_is_small_shows_what_fits) {
 TEST_F(a_terminal, that_is_closed_ends_the_driver_in_good_order) {
   start_in(50, 100);
   ASSERT_TRUE(redraws(2));
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   close(terminal);
   terminal = -1;
   EXPECT_EQ(end().status, 0);
@@ -170,7 +170,7 @@ TEST_F(a_terminal, that_nobody_reads_costs_the_log_no_cycle) {
 
 TEST_F(a_terminal, gets_its_Ctrl_C_through) {
   start_in(50, 100);
-  ASSERT_TRUE(reaches("active"));
+  ASSERT_TRUE(reaches("active")) << ended();
   ASSERT_EQ(write(terminal, "\003", 1), 1);
   eventually([this] {
     look();
