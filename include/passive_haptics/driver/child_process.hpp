@@ -34,8 +34,8 @@ class parent_link {
 };
 
 /// A forked process. Start it before the loop's real-time set-up and before any thread. It leaves the terminal's process
-/// group, so that Ctrl-C does not reach it, keeps no file open but the standard ones, and does not die of writing to a pipe
-/// that nobody reads any more.
+/// group, so that Ctrl-C does not reach it, keeps no file open but the standard ones, and neither ends nor stops
+/// when it writes to a pipe that nobody reads any more or to a terminal that others have.
 class child_process {
  public:
   child_process() = default;
@@ -63,8 +63,9 @@ class child_process {
       return complaint;
     }
     if (pid_ == 0) {
-      setsid();
-      std::signal(SIGPIPE, SIG_IGN);
+      // No session of its own: the scheduler shares out time by sessions (autogroup), and let one wait for half a second
+      setpgid(0, 0);
+      for (const int signal : {SIGPIPE, SIGTTOU}) std::signal(signal, SIG_IGN);
       close_all_but(down[0], up[1]);
       be_child(up[1], parent_link(down[0]), prepare, run);
     }
