@@ -13,6 +13,7 @@ struct at_a_serial_line {
   using port = example::serial_port<2, 2>;
   static constexpr double resolution = serial::current_unit;
 
+  static std::string missing() { return missing_pseudo_terminal(); }
   port make() { return port({.device = peer.path()}); }
   port make_releasing() { return port({.device = peer.path(), .release_only = true}); }
   std::string open(port& p) { return peer.open(p); }

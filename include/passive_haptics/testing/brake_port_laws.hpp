@@ -10,6 +10,7 @@
 ///     void live();                             // a millisecond of the device: samples go out, currents arrive
 ///     std::array<double, N> currents();        // what the brakes have [A]
 ///     static constexpr double resolution;      // of a current [A]
+///     static std::string missing();            // optional: why there can be no device here; the tests are then skipped
 #pragma once
 
 #include <passive_haptics/driver/clock.hpp>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace passive_haptics::testing {
@@ -34,6 +36,12 @@ class brake_port_laws : public ::testing::Test {
   static constexpr int patience = 2000;  ///< Milliseconds of the device until something has happened.
 
   Case device;  ///< The device.
+
+  /// Skips the test where there can be no device.
+  void SetUp() override {
+    if constexpr (requires { Case::missing(); })
+      if (const std::string why = Case::missing(); !why.empty()) GTEST_SKIP() << why;
+  }
 
   /// A different current for each brake, that any device takes.
   static currents some() {
