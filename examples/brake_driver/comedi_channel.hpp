@@ -11,7 +11,9 @@
 #include <cmath>
 #include <cstddef>
 
-namespace passive_haptics {
+namespace example {
+
+namespace ph = passive_haptics;
 
 /// A channel of a card with what turns volts into its samples. A counter has no volts: low = high = 0.
 struct comedi_channel {
@@ -45,17 +47,17 @@ class comedi_transfer {
   }
 
   /// ok if every channel was served; no_sample if the card was busy, or slow, and may be asked again.
-  port_status run(comedi_t* handle) noexcept {
-    if (handle == nullptr) return port_status::failed;
-    if (N == 0) return port_status::ok;
+  ph::port_status run(comedi_t* handle) noexcept {
+    if (handle == nullptr) return ph::port_status::failed;
+    if (N == 0) return ph::port_status::ok;
     for (std::size_t i = 0; i < count; ++i) instructions_[i].data = &samples[i];  // it may have moved
     comedi_insnlist list{static_cast<unsigned>(N), instructions_.data()};
     const int served = comedi_do_insnlist(handle, &list);
-    if (served == N) return port_status::ok;
-    if (served >= 0) return port_status::failed;  // some channels only, and nobody says why
+    if (served == N) return ph::port_status::ok;
+    if (served >= 0) return ph::port_status::failed;  // some channels only, and nobody says why
     const int error = comedi_errno();
     const bool later = error == EAGAIN || error == EINTR || error == EBUSY || error == ETIMEDOUT;
-    return later ? port_status::no_sample : port_status::failed;
+    return later ? ph::port_status::no_sample : ph::port_status::failed;
   }
 
   /// This channel alone; false if it was not served.
@@ -73,4 +75,4 @@ class comedi_transfer {
   std::array<comedi_insn, count> instructions_{};
 };
 
-}  // namespace passive_haptics
+}  // namespace example

@@ -10,7 +10,9 @@
 #include <string>
 #include <string_view>
 
-namespace passive_haptics {
+namespace example {
+
+namespace ph = passive_haptics;
 
 /// The handle of a card. Closed by the destructor.
 class comedi_device {
@@ -128,4 +130,4 @@ class comedi_device {
   std::unique_ptr<comedi_t, closer> handle_;
 };
 
-}  // namespace passive_haptics
+}  // namespace example

@@ -11,7 +11,9 @@
 #include <string>
 #include <utility>
 
-namespace passive_haptics {
+namespace example {
+
+namespace ph = passive_haptics;
 
 /// A ForceSensor that tells volts: newtons per volt are the calibration's. A channel at either end of its range is not valid.
 /// read is one system call, see comedi_port.
@@ -36,7 +38,7 @@ class comedi_force_sensor {
       c.channel = static_cast<unsigned>(p_.channels[i]);
       c.range = static_cast<unsigned>(p_.range);
       c.reference = reference_of(p_.reference);
-      text = device_.check_channel(detail::indexed("channels[", i, "]"), c);
+      text = device_.check_channel(ph::detail::indexed("channels[", i, "]"), c);
       if (text.empty()) text = device_.check_range("range", c);
       voltages_.set(i, INSN_READ, c);
     }
@@ -45,16 +47,17 @@ class comedi_force_sensor {
   }
 
   /// A new sample with each call [V]. no_sample: the card was busy; it may be asked again.
-  port_status read(port_sample<Channels>& sample) noexcept {
-    if (const port_status status = voltages_.run(device_.get()); status != port_status::ok) return status;
-    sample.time = monotonic_seconds();
+  ph::port_status read(ph::port_sample<Channels>& sample) noexcept {
+    if (const ph::port_status status = voltages_.run(device_.get()); status != ph::port_status::ok)
+      return status;
+    sample.time = ph::monotonic_seconds();
     sample.sequence = ++sequence_;
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       const lsampl_t s = voltages_.samples[i];
       sample.value[i] = inputs_[i].volts(s);
       sample.valid[i] = s > 0 && s < inputs_[i].largest;
     }
-    return port_status::ok;
+    return ph::port_status::ok;
   }
 
  private:
@@ -87,4 +90,4 @@ class comedi_force_sensor {
   comedi_transfer<Channels> voltages_;
 };
 
-}  // namespace passive_haptics
+}  // namespace example

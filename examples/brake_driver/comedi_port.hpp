@@ -12,7 +12,9 @@
 #include <string>
 #include <utility>
 
-namespace passive_haptics {
+namespace example {
+
+namespace ph = passive_haptics;
 
 /// A BrakePort: each brake's current as a voltage to its amplifier, each encoder's counts as the counter tells them.
 ///
@@ -35,7 +37,7 @@ class comedi_port {
     if (text.empty()) text = device_.open(p_.device);
     if (text.empty()) text = find_outputs();
     if (text.empty()) text = find_counters();
-    if (text.empty() && write({}) != port_status::ok) {
+    if (text.empty() && write({}) != ph::port_status::ok) {
       text = p_.device + " refuses 0 V: " + comedi_strerror(comedi_errno());
       release();  // the outputs that do not refuse
     }
@@ -46,22 +48,24 @@ class comedi_port {
   }
 
   /// A new sample with each call. no_sample: the card was busy; it may be asked again.
-  port_status read(port_sample<Encoders>& sample) noexcept {
-    if (const port_status status = counts_.run(device_.get()); status != port_status::ok) return status;
-    sample.time = monotonic_seconds();
+  ph::port_status read(ph::port_sample<Encoders>& sample) noexcept {
+    if (const ph::port_status status = counts_.run(device_.get()); status != ph::port_status::ok)
+      return status;
+    sample.time = ph::monotonic_seconds();
     sample.sequence = ++sequence_;
     for (std::size_t i = 0; i < counters_.size(); ++i) {
       sample.value[i] = counts_.samples[i];
       sample.valid[i] = true;
     }
-    return port_status::ok;
+    return ph::port_status::ok;
   }
 
   /// To the nearest sample within the range. Anything but ok: some brakes may have got their current, others not.
-  port_status write(const brake_currents<Brakes>& currents) noexcept {
+  ph::port_status write(const ph::brake_currents<Brakes>& currents) noexcept {
     for (std::size_t i = 0; i < outputs_.size(); ++i)
       voltages_.samples[i] = outputs_[i].sample(currents[i] / p_.brakes[i].amperes_per_volt);
-    return voltages_.run(device_.get()) == port_status::ok ? port_status::ok : port_status::failed;
+    return voltages_.run(device_.get()) == ph::port_status::ok ? ph::port_status::ok
+                                                               : ph::port_status::failed;
   }
 
   /// 0 V to each brake by itself, so that one that fails keeps no other.
@@ -87,7 +91,7 @@ class comedi_port {
       c.subdevice = subdevice;
       c.channel = static_cast<unsigned>(b.channel);
       c.range = static_cast<unsigned>(b.range);
-      const std::string name = detail::indexed("brakes[", i, "].");
+      const std::string name = ph::detail::indexed("brakes[", i, "].");
       text = device_.check_channel(name + "channel", c);
       if (text.empty()) text = device_.check_range(name + "range", c);
       if (text.empty()) text = check_currents(name, b, c);
@@ -116,7 +120,7 @@ class comedi_port {
     for (std::size_t i = 0; i < counters_.size() && text.empty(); ++i) {
       const comedi_encoder& e = p_.encoders[i];
       comedi_channel& c = counters_[i];
-      const std::string name = detail::indexed("encoders[", i, "].");
+      const std::string name = ph::detail::indexed("encoders[", i, "].");
       c.channel = static_cast<unsigned>(e.channel);
       text = device_.find(name + "subdevice", e.subdevice, COMEDI_SUBD_COUNTER, c.subdevice);
       if (text.empty()) text = device_.check_channel(name + "channel", c);
@@ -159,7 +163,7 @@ class comedi_port {
     done = done && comedi_set_counter_mode(card, s, 0, mode) >= 0 &&
            comedi_arm(card, s, NI_GPCT_ARM_IMMEDIATE) >= 0;
     if (done) return "";
-    return detail::indexed("encoders[", i, "].setup = ni_quadrature: the card refuses (") +
+    return ph::detail::indexed("encoders[", i, "].setup = ni_quadrature: the card refuses (") +
            comedi_strerror(comedi_errno()) +
            "); expected a counter of National Instruments, else setup = keep";
   }
@@ -173,4 +177,4 @@ class comedi_port {
   comedi_transfer<Encoders> counts_;
 };
 
-}  // namespace passive_haptics
+}  // namespace example

@@ -169,9 +169,9 @@ void read_sensor(toml_section from, configuration& c) {
     from.read("range", c.comedi_sensor.range);
     std::string reference = "ground";
     from.read("reference", reference, {"ground", "common", "differential"});
-    c.comedi_sensor.reference = reference == "ground"   ? ph::comedi_reference::ground
-                                : reference == "common" ? ph::comedi_reference::common
-                                                        : ph::comedi_reference::differential;
+    c.comedi_sensor.reference = reference == "ground"   ? comedi_reference::ground
+                                : reference == "common" ? comedi_reference::common
+                                                        : comedi_reference::differential;
     check(from, c.comedi_sensor);
   } else if (c.sensor == "net_ft") {
     from.read("host", c.net_ft.host);
@@ -226,8 +226,7 @@ void read_port(toml_section from, configuration& c) {
       c.comedi.brakes[i] = {channel[i], range[i], gain[i], c.safety.currents.largest[i]};
       c.comedi.encoders[i] = {
           subdevice[i], counter[i],
-          setup == "keep" ? ph::comedi_counter_setup::keep : ph::comedi_counter_setup::ni_quadrature, a[i],
-          b[i]};
+          setup == "keep" ? comedi_counter_setup::keep : comedi_counter_setup::ni_quadrature, a[i], b[i]};
     }
     check(from, c.comedi);
   } else if (c.port == "serial") {
@@ -302,6 +301,9 @@ configuration read_configuration(const std::string& path) {
   read_port(file.section("port"), c);
   read_simulation(file.section("simulation"), c);
   file.finish();
+  if (c.safety.bridge < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
+    file.require(
+        "[safety] bridge and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");
   if (c.sensor == "none" && c.law != "no_direct_control")
     file.require("law = \"" + c.law +
                  "\" needs a force sensor, expected [sensor] type other than \"none\", or law = "

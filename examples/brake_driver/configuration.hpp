@@ -57,10 +57,10 @@ struct configuration {
   ph::supervisor_parameters supervisor;
 
   std::string port = "simulated";  ///< Or comedi, serial.
-  ph::comedi_port_parameters<axes, axes> comedi;
+  comedi_port_parameters<axes, axes> comedi;
   serial_port_parameters serial;
   std::string sensor = "simulated";  ///< Or comedi, net_ft, none.
-  ph::comedi_force_sensor_parameters<2> comedi_sensor;
+  comedi_force_sensor_parameters<2> comedi_sensor;
   net_ft_parameters net_ft;
   simulation_parameters simulation;
 

@@ -30,7 +30,7 @@ any_brake_port<axes, axes> make_port(const configuration& c, haptic_device& devi
 #if PASSIVE_HAPTICS_COMEDI
   auto p = c.comedi;
   p.start_counters = use == port_use::control;
-  return any_brake_port<axes, axes>::of<ph::comedi_port<axes, axes>>(p);
+  return any_brake_port<axes, axes>::of<comedi_port<axes, axes>>(p);
 #else
   without_comedi();
 #endif
@@ -41,7 +41,7 @@ any_force_sensor make_sensor(const configuration& c, haptic_device& device) {
   if (c.sensor == "none") return any_force_sensor::none();
   if (c.sensor == "net_ft") return any_force_sensor::of<net_ft>(c.net_ft);
 #if PASSIVE_HAPTICS_COMEDI
-  return any_force_sensor::of<ph::comedi_force_sensor<2>>(c.comedi_sensor);
+  return any_force_sensor::of<comedi_force_sensor<2>>(c.comedi_sensor);
 #else
   without_comedi();
 #endif

@@ -2,11 +2,12 @@
 /// A serial port of the operating system: raw bytes, both ways, without waiting.
 #pragma once
 
+#include <file_descriptor.hpp>
+
 #include <passive_haptics/core/validate.hpp>
 
 #include <fcntl.h>
 #include <linux/serial.h>
-#include <poll.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
@@ -59,17 +60,12 @@ class serial_line {
     lost,     ///< The port is gone.
   };
 
-  serial_line() = default;
-  serial_line(serial_line&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  serial_line& operator=(serial_line&&) = delete;
-  ~serial_line() { close(); }
-
   /// Raw, 8 data bits, no parity, 1 stop bit, no flow control. Not exclusive: a second process may open it, too, and takes
   /// nothing away as long as it does not read. Empty, or what is wrong and what to do.
   std::string open(const std::string& path, int baud) {
     close();
-    fd_ = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (fd_ < 0) return "serial port " + path + ": " + refusal(errno);
+    fd_ = file_descriptor(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    if (!fd_.is_open()) return "serial port " + path + ": " + refusal(errno);
     const std::string text = set_up(baud);
     if (text.empty()) return "";
     close();
@@ -77,13 +73,13 @@ class serial_line {
   }
 
   /// Is it?
-  bool is_open() const noexcept { return fd_ >= 0; }
+  bool is_open() const noexcept { return fd_.is_open(); }
 
   /// Takes what has come, as far as it has room. One system call.
   transfer read(std::span<std::uint8_t> to, std::size_t& count) noexcept {
     count = 0;
     for (;;) {
-      const auto n = ::read(fd_, to.data(), to.size());
+      const auto n = ::read(fd_.get(), to.data(), to.size());
       if (n > 0) {
         count = static_cast<std::size_t>(n);
         return transfer::done;
@@ -97,7 +93,7 @@ class serial_line {
   /// Hands over all bytes, or as many as there is room for. One system call.
   transfer write(std::span<const std::uint8_t> bytes) noexcept {
     for (;;) {
-      const auto n = ::write(fd_, bytes.data(), bytes.size());
+      const auto n = ::write(fd_.get(), bytes.data(), bytes.size());
       if (n == static_cast<ssize_t>(bytes.size())) return transfer::done;
       if (n >= 0) return transfer::nothing;
       if (errno == EINTR) continue;
@@ -106,24 +102,18 @@ class serial_line {
   }
 
   /// Throws away what is handed over but not sent yet.
-  void discard_output() noexcept { tcflush(fd_, TCOFLUSH); }
+  void discard_output() noexcept { tcflush(fd_.get(), TCOFLUSH); }
   /// Throws away what has come but is not read yet.
-  void discard_input() noexcept { tcflush(fd_, TCIFLUSH); }
+  void discard_input() noexcept { tcflush(fd_.get(), TCIFLUSH); }
 
   /// Waits until something has come, at most so long [s].
-  void wait(double timeout) noexcept {
-    pollfd p{fd_, POLLIN, 0};
-    poll(&p, 1, static_cast<int>(1e3 * timeout) + 1);
-  }
+  void wait(double timeout) const noexcept { fd_.wait(timeout); }
 
   /// Nothing if it is not open.
-  void close() noexcept {
-    if (fd_ >= 0) ::close(fd_);
-    fd_ = -1;
-  }
+  void close() noexcept { fd_.close(); }
 
  private:
-  int fd_ = -1;
+  file_descriptor fd_;
 
   static std::string refusal(int error) {
     switch (error) {
@@ -143,7 +133,7 @@ class serial_line {
   std::string set_up(int baud) {
     if (const std::string text = check_baud("baud [bit/s]", baud); !text.empty()) return text;
     termios settings;
-    if (tcgetattr(fd_, &settings) != 0) return "is no serial port but another kind of file";
+    if (tcgetattr(fd_.get(), &settings) != 0) return "is no serial port but another kind of file";
     cfmakeraw(&settings);
     settings.c_cflag |= CLOCAL | CREAD;
     settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
@@ -152,15 +142,15 @@ class serial_line {
     for (const auto& [rate, code] : baud_rates)
       if (rate == baud) cfsetspeed(&settings, code);
     termios result;
-    if (tcsetattr(fd_, TCSANOW, &settings) != 0 || tcgetattr(fd_, &result) != 0)
+    if (tcsetattr(fd_.get(), TCSANOW, &settings) != 0 || tcgetattr(fd_.get(), &result) != 0)
       return std::string("cannot be set up: ") + std::strerror(errno);
     if (cfgetospeed(&result) != cfgetospeed(&settings))
       return ph::detail::complaint("baud [bit/s]", baud, "a rate that this port can do");
     // An FTDI chip keeps what it received for 16 ms unless asked not to; who cannot do it refuses, and that is all right.
     serial_struct driver;
-    if (ioctl(fd_, TIOCGSERIAL, &driver) == 0) {
+    if (ioctl(fd_.get(), TIOCGSERIAL, &driver) == 0) {
       driver.flags |= ASYNC_LOW_LATENCY;
-      ioctl(fd_, TIOCSSERIAL, &driver);
+      ioctl(fd_.get(), TIOCSSERIAL, &driver);
     }
     return "";
   }

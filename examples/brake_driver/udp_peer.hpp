@@ -2,10 +2,11 @@
 /// Datagrams to and from one peer, without waiting.
 #pragma once
 
+#include <file_descriptor.hpp>
+
 #include <passive_haptics/core/validate.hpp>
 
 #include <netdb.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -27,11 +28,6 @@ class udp_peer {
       -1;                                ///< No datagram, or the network complains of an earlier one of ours.
   static constexpr ssize_t broken = -2;  ///< There is no socket, or none that works.
 
-  udp_peer() = default;
-  udp_peer(udp_peer&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  udp_peer& operator=(udp_peer&&) = delete;
-  ~udp_peer() { close(); }
-
   /// Empty, or what is wrong. A peer that is not there is not noticed.
   std::string open(const std::string& host, int port) {
     close();
@@ -42,26 +38,27 @@ class udp_peer {
       return std::string("the name cannot be looked up (") + gai_strerror(error) +
              "); correct it, or give an address";
     std::string text;
-    for (const addrinfo* a = found; a != nullptr && fd_ < 0; a = a->ai_next) {
-      fd_ = socket(a->ai_family, a->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, a->ai_protocol);
-      if (fd_ >= 0 && connect(fd_, a->ai_addr, a->ai_addrlen) == 0) break;
+    for (const addrinfo* a = found; a != nullptr && !fd_.is_open(); a = a->ai_next) {
+      fd_ = file_descriptor(
+          socket(a->ai_family, a->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, a->ai_protocol));
+      if (fd_.is_open() && connect(fd_.get(), a->ai_addr, a->ai_addrlen) == 0) break;
       text = std::string("no way there: ") + std::strerror(errno) + "; is the network up?";
       close();
     }
     freeaddrinfo(found);
-    return fd_ >= 0 ? "" : text;
+    return fd_.is_open() ? "" : text;
   }
 
   /// Best effort.
   void send(std::span<const std::uint8_t> bytes) noexcept {
-    if (fd_ >= 0 && ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) note(errno);
+    if (fd_.is_open() && ::send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) note(errno);
   }
 
   /// The length of the next datagram as it was sent, of which as much as fits is stored; or `nothing`; or `broken`.
   ssize_t receive(std::span<std::uint8_t> to) noexcept {
-    if (fd_ < 0) return broken;
+    if (!fd_.is_open()) return broken;
     for (;;) {
-      const ssize_t n = recv(fd_, to.data(), to.size(), MSG_TRUNC);
+      const ssize_t n = recv(fd_.get(), to.data(), to.size(), MSG_TRUNC);
       if (n >= 0) return n;
       if (errno == EINTR) continue;
       return note(errno) ? nothing : broken;
@@ -72,19 +69,13 @@ class udp_peer {
   bool refused() noexcept { return std::exchange(refused_, false); }
 
   /// Waits until something has come, at most so long [s].
-  void wait(double timeout) noexcept {
-    pollfd p{fd_, POLLIN, 0};
-    poll(&p, 1, static_cast<int>(1e3 * timeout) + 1);
-  }
+  void wait(double timeout) const noexcept { fd_.wait(timeout); }
 
   /// Nothing if it is not open.
-  void close() noexcept {
-    if (fd_ >= 0) ::close(fd_);
-    fd_ = -1;
-  }
+  void close() noexcept { fd_.close(); }
 
  private:
-  int fd_ = -1;
+  file_descriptor fd_;
   bool refused_ = false;
 
   // True for what passes by when the network or the peer comes back.

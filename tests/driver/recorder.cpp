@@ -156,6 +156,17 @@ TEST(a_recorder, that_writes_to_a_pipe_which_nobody_reads_goes_on) {
   close(ends[1]);
 }
 
+TEST(a_recorder, is_started_once) {
+  ph::shared_memory<seen> written;
+  ph::recorder<record, checking_sink> log(checking_sink{&written});
+  ASSERT_EQ(log.start(), "");
+  const pid_t process = log.pid();
+  EXPECT_EQ(log.start(), "start() was called before: the process runs");
+  EXPECT_EQ(log.pid(), process);
+  EXPECT_TRUE(log.stop());
+  EXPECT_TRUE(written->closed);
+}
+
 TEST(a_recorder, that_cannot_open_its_file_says_so) {
   ph::shared_memory<seen> written;
   ph::recorder<record, checking_sink> log(checking_sink{&written, "cannot write log.csv"});

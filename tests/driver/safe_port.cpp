@@ -15,6 +15,7 @@ using safe = ph::safe_port<fake::port, fake::sensor>;
 
 safe::parameters usual() {
   safe::parameters p;
+  p.encoders.frozen_travel = 2048;
   p.sensor.range.fill(100);
   p.currents.largest.fill(1);
   p.currents.continuous.fill(0.9);

@@ -30,6 +30,12 @@ bool eventually(F&& f) {
   return true;
 }
 
+// Why there is no line for a test; empty if there is one.
+inline std::string missing_pseudo_terminal() {
+  const bool there = !firmware::pseudo_terminal().path().empty();
+  return there ? "" : "no pseudo-terminal to be had: is devpts mounted at /dev/pts?";
+}
+
 inline bytes encoded(const serial::packet& p) {
   const auto f = serial::encode(p);
   return bytes(f.content().begin(), f.content().end());

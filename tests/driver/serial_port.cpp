@@ -29,6 +29,12 @@ example::serial_port_parameters at(const std::string& path, double timeout = 20)
   return p;
 }
 
+struct serial_port : ::testing::Test {
+  void SetUp() override {
+    if (const std::string missing = missing_pseudo_terminal(); !missing.empty()) GTEST_SKIP() << missing;
+  }
+};
+
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // A peer and a port that has opened it and read all.
@@ -86,7 +92,7 @@ bytes sample_frame(std::uint32_t sequence, std::uint32_t time, std::int32_t coun
   return encoded(pack(sequence, m));
 }
 
-TEST(serial_port, parameters_are_checked_by_name) {
+TEST_F(serial_port, parameters_are_checked_by_name) {
   EXPECT_EQ(validate(example::serial_port_parameters()), "");
   EXPECT_TRUE(has(validate(at("")), "device"));
   auto p = at("/dev/null");
@@ -96,24 +102,24 @@ TEST(serial_port, parameters_are_checked_by_name) {
   EXPECT_TRUE(has(validate(at("x", std::numeric_limits<double>::quiet_NaN())), "open_timeout [s] = nan"));
 }
 
-TEST(serial_port, a_file_that_is_not_there_is_named) {
+TEST_F(serial_port, a_file_that_is_not_there_is_named) {
   EXPECT_EQ(port(at("/dev/no_such_port")).open(),
             "serial port /dev/no_such_port: no such file; plug the device in, or find its name by `ls "
             "/dev/serial/by-id`");
 }
 
-TEST(serial_port, a_file_without_permission_names_the_group) {
+TEST_F(serial_port, a_file_without_permission_names_the_group) {
   const uid_t user = geteuid();
   if (user == 0 && seteuid(65534) != 0) GTEST_SKIP() << "root may open any file";
   EXPECT_TRUE(has(port(at("/etc/shadow")).open(), "dialout"));
   EXPECT_EQ(seteuid(user), 0);
 }
 
-TEST(serial_port, a_file_that_is_no_serial_port_is_refused) {
+TEST_F(serial_port, a_file_that_is_no_serial_port_is_refused) {
   EXPECT_TRUE(has(port(at("/dev/null")).open(), "is no serial port"));
 }
 
-TEST(serial_port, silence_is_told_from_noise_and_from_a_line_that_is_cut_one_way) {
+TEST_F(serial_port, silence_is_told_from_noise_and_from_a_line_that_is_cut_one_way) {
   serial_peer peer;
   port silent(at(peer.path(), 0.3));
   EXPECT_TRUE(has(peer.open(silent, [] {}), "no answer in 300 ms; not a byte came"));
@@ -124,7 +130,7 @@ TEST(serial_port, silence_is_told_from_noise_and_from_a_line_that_is_cut_one_way
   EXPECT_TRUE(has(peer.open(cut, [&] { peer.tick(); }), "the way to the device is cut"));
 }
 
-TEST(serial_port, another_version_of_the_protocol_is_named) {
+TEST_F(serial_port, another_version_of_the_protocol_is_named) {
   serial_peer peer;
   port p(at(peer.path()));
   serial::hello h;
@@ -133,19 +139,19 @@ TEST(serial_port, another_version_of_the_protocol_is_named) {
                   "the device speaks version 9 of the protocol, expected 1"));
 }
 
-TEST(serial_port, another_device_is_named) {
+TEST_F(serial_port, another_device_is_named) {
   serial_peer peer({.encoders = 2, .brakes = 1});
   port p(at(peer.path()));
   EXPECT_TRUE(has(peer.open(p), "the device has 2 encoders and 1 brake, expected 2 encoders and 2 brakes"));
 }
 
-TEST(serial_port, a_device_that_goes_away_while_it_is_asked_is_no_time_out) {
+TEST_F(serial_port, a_device_that_goes_away_while_it_is_asked_is_no_time_out) {
   serial_peer peer;
   port p(at(peer.path()));
   EXPECT_TRUE(has(peer.open(p, [&] { peer.hang_up(); }), "went away"));
 }
 
-TEST(serial_port, an_answer_among_noise_is_found) {
+TEST_F(serial_port, an_answer_among_noise_is_found) {
   serial_peer peer;
   port p(at(peer.path()));
   EXPECT_EQ(peer.open(p,
@@ -158,7 +164,7 @@ TEST(serial_port, an_answer_among_noise_is_found) {
   EXPECT_EQ(p.device().current_limit, firmware::settings().current_limit);
 }
 
-TEST(serial_port, reads_the_newest_of_all_that_came) {
+TEST_F(serial_port, reads_the_newest_of_all_that_came) {
   connected c;
   const double before = ph::monotonic_seconds();
   bytes all;
@@ -175,7 +181,7 @@ TEST(serial_port, reads_the_newest_of_all_that_came) {
   EXPECT_EQ(c.host.read(c.last), port_status::no_sample);
 }
 
-TEST(serial_port, duplicates_and_reordering_keep_their_sequence) {
+TEST_F(serial_port, duplicates_and_reordering_keep_their_sequence) {
   connected c;
   for (const std::uint32_t sequence : {7u, 8u, 8u, 10u, 9u}) {
     EXPECT_EQ(c.read_of(sample_frame(sequence, 1000 * sequence, 1)), port_status::ok);
@@ -183,7 +189,7 @@ TEST(serial_port, duplicates_and_reordering_keep_their_sequence) {
   }
 }
 
-TEST(serial_port, a_lost_sample_is_no_sample_and_a_gap_in_the_sequence) {
+TEST_F(serial_port, a_lost_sample_is_no_sample_and_a_gap_in_the_sequence) {
   connected c;
   EXPECT_EQ(c.read_of(sample_frame(1, 1000, 1)), port_status::ok);
   EXPECT_EQ(c.host.read(c.last), port_status::no_sample);
@@ -191,7 +197,7 @@ TEST(serial_port, a_lost_sample_is_no_sample_and_a_gap_in_the_sequence) {
   EXPECT_EQ(c.last.sequence, 3u);
 }
 
-TEST(serial_port, a_sample_that_was_delayed_is_seen_to_be_old) {
+TEST_F(serial_port, a_sample_that_was_delayed_is_seen_to_be_old) {
   connected c;
   EXPECT_EQ(c.read_of(sample_frame(1, 1000, 1)), port_status::ok);
   std::this_thread::sleep_for(std::chrono::milliseconds(60));
@@ -199,7 +205,7 @@ TEST(serial_port, a_sample_that_was_delayed_is_seen_to_be_old) {
   EXPECT_GE(ph::monotonic_seconds() - c.last.time, 0.058);
 }
 
-TEST(serial_port, a_wrong_checksum_is_a_bad_sample) {
+TEST_F(serial_port, a_wrong_checksum_is_a_bad_sample) {
   connected c;
   bytes bad = sample_frame(1, 1000, 1);
   bad[bad.size() - 3] ^= 1;
@@ -212,7 +218,7 @@ TEST(serial_port, a_wrong_checksum_is_a_bad_sample) {
   EXPECT_EQ(c.host.line_statistics().damaged, 2u);
 }
 
-TEST(serial_port, a_truncated_frame_is_a_bad_sample_once_the_next_begins) {
+TEST_F(serial_port, a_truncated_frame_is_a_bad_sample_once_the_next_begins) {
   connected c;
   const bytes whole = sample_frame(1, 1000, 1);
   EXPECT_EQ(c.read_of(bytes(whole.begin(), whole.begin() + 12)), port_status::no_sample);
@@ -220,25 +226,25 @@ TEST(serial_port, a_truncated_frame_is_a_bad_sample_once_the_next_begins) {
   EXPECT_EQ(c.read_of(sample_frame(2, 2000, 1)), port_status::ok);
 }
 
-TEST(serial_port, a_frame_in_two_parts_is_read_when_it_is_whole) {
+TEST_F(serial_port, a_frame_in_two_parts_is_read_when_it_is_whole) {
   connected c;
   const bytes whole = sample_frame(1, 1000, 1);
   EXPECT_EQ(c.read_of(bytes(whole.begin(), whole.begin() + 12)), port_status::no_sample);
   EXPECT_EQ(c.read_of(bytes(whole.begin() + 12, whole.end())), port_status::ok);
 }
 
-TEST(serial_port, garbage_is_a_bad_sample) {
+TEST_F(serial_port, garbage_is_a_bad_sample) {
   connected c;
   EXPECT_EQ(c.read_of({1, 2, 3, 0}), port_status::bad_sample);
   EXPECT_EQ(c.read_of(bytes(300, 0)), port_status::no_sample) << "a line that idles low";
 }
 
-TEST(serial_port, a_sample_of_another_number_of_encoders_is_a_bad_sample) {
+TEST_F(serial_port, a_sample_of_another_number_of_encoders_is_a_bad_sample) {
   connected c;
   EXPECT_EQ(c.read_of(encoded(pack(1, serial::sample{.encoders = 3}))), port_status::bad_sample);
 }
 
-TEST(serial_port, an_encoders_fault_is_its_own) {
+TEST_F(serial_port, an_encoders_fault_is_its_own) {
   connected c;
   serial::sample m;
   m.encoders = 2;
@@ -247,7 +253,7 @@ TEST(serial_port, an_encoders_fault_is_its_own) {
   EXPECT_EQ(c.last.valid, (std::array<bool, 2>{true, false}));
 }
 
-TEST(serial_port, currents_arrive_rounded_cut_at_the_limit_and_never_below_0) {
+TEST_F(serial_port, currents_arrive_rounded_cut_at_the_limit_and_never_below_0) {
   connected c;
   EXPECT_TRUE(c.currents_arrive({0.1234, 0.00006}, 1234, 1));
   EXPECT_TRUE(c.currents_arrive({0.6, 1e300}, 5000, 5000)) << "the device's limit is 0.5 A";
@@ -256,7 +262,7 @@ TEST(serial_port, currents_arrive_rounded_cut_at_the_limit_and_never_below_0) {
   EXPECT_TRUE(c.currents_arrive({nan, -0.3}, 0, 0));
 }
 
-TEST(serial_port, release_is_0_A_and_may_be_repeated) {
+TEST_F(serial_port, release_is_0_A_and_may_be_repeated) {
   connected c;
   EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
   c.host.release();
@@ -270,7 +276,7 @@ TEST(serial_port, release_is_0_A_and_may_be_repeated) {
   EXPECT_TRUE(c.currents_arrive({0.2, 0.2}, 2000, 2000)) << "and currents come again after it";
 }
 
-TEST(serial_port, release_outlives_noise_on_one_of_its_frames) {
+TEST_F(serial_port, release_outlives_noise_on_one_of_its_frames) {
   connected c;
   EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
   c.peer.hear();
@@ -287,7 +293,7 @@ TEST(serial_port, release_outlives_noise_on_one_of_its_frames) {
   EXPECT_EQ(c.peer.controller.now_in(), firmware::state::released);
 }
 
-TEST(serial_port, release_before_open_and_the_destructor_are_releases) {
+TEST_F(serial_port, release_before_open_and_the_destructor_are_releases) {
   port(at("/dev/no_such_port")).release();
   serial_peer peer;
   auto p = std::make_unique<port>(at(peer.path()));
@@ -304,7 +310,7 @@ TEST(serial_port, release_before_open_and_the_destructor_are_releases) {
   }));
 }
 
-TEST(serial_port, before_open_nothing_can_be_read_or_written) {
+TEST_F(serial_port, before_open_nothing_can_be_read_or_written) {
   port p(at("/dev/no_such_port"));
   reading r;
   EXPECT_EQ(p.read(r), port_status::failed);
@@ -356,7 +362,7 @@ int cut_frames() {
   return cut;
 }
 
-TEST(serial_port, a_short_write_is_no_sample_and_leaves_no_wrong_frame) {
+TEST_F(serial_port, a_short_write_is_no_sample_and_leaves_no_wrong_frame) {
   // Frames of 14, 18, 20 ... 28 bytes, most of which do not come out even with the kernel's buffers
   EXPECT_GT(cut_frames<1>() + cut_frames<3>() + cut_frames<4>() + cut_frames<5>() + cut_frames<6>() +
                 cut_frames<7>() + cut_frames<8>(),
@@ -364,13 +370,13 @@ TEST(serial_port, a_short_write_is_no_sample_and_leaves_no_wrong_frame) {
       << "no write was ever short";
 }
 
-TEST(serial_port, currents_that_had_no_room_make_room_for_the_next) {
+TEST_F(serial_port, currents_that_had_no_room_make_room_for_the_next) {
   connected c;
   fill(c.host);
   EXPECT_EQ(c.host.write({0.1, 0.1}), port_status::ok);
 }
 
-TEST(serial_port, a_release_overtakes_currents_that_wait) {
+TEST_F(serial_port, a_release_overtakes_currents_that_wait) {
   connected c;
   c.peer.hear();
   c.peer.heard.clear();
@@ -387,7 +393,7 @@ TEST(serial_port, a_release_overtakes_currents_that_wait) {
   EXPECT_LT(c.peer.heard.size(), written) << "some are thrown away";
 }
 
-TEST(serial_port, a_release_gets_through_a_full_line) {
+TEST_F(serial_port, a_release_gets_through_a_full_line) {
   connected c;
   fill(c.host);
   c.host.release();
@@ -400,7 +406,7 @@ TEST(serial_port, a_release_gets_through_a_full_line) {
   EXPECT_EQ(c.peer.controller.now_in(), firmware::state::released) << "nothing comes behind it";
 }
 
-TEST(serial_port, a_port_that_is_pulled_out_has_failed_and_stays_so) {
+TEST_F(serial_port, a_port_that_is_pulled_out_has_failed_and_stays_so) {
   connected c;
   c.peer.hang_up();
   EXPECT_TRUE(eventually([&] { return c.host.read(c.last) == port_status::failed; }));
@@ -410,14 +416,14 @@ TEST(serial_port, a_port_that_is_pulled_out_has_failed_and_stays_so) {
   c.host.release();
 }
 
-TEST(serial_port, a_write_notices_first_that_the_port_is_pulled_out) {
+TEST_F(serial_port, a_write_notices_first_that_the_port_is_pulled_out) {
   connected c;
   c.peer.hang_up();
   EXPECT_TRUE(eventually([&] { return c.host.write({}) == port_status::failed; }));
   EXPECT_EQ(c.host.read(c.last), port_status::failed);
 }
 
-TEST(serial_port, a_tripped_watchdog_fails_until_a_release) {
+TEST_F(serial_port, a_tripped_watchdog_fails_until_a_release) {
   connected c;
   EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
   EXPECT_TRUE(c.until(port_status::ok, [&] { c.host.write({0.1, 0.1}); }));
@@ -431,7 +437,7 @@ TEST(serial_port, a_tripped_watchdog_fails_until_a_release) {
   EXPECT_TRUE(c.currents_arrive({0.2, 0.2}, 2000, 2000));
 }
 
-TEST(serial_port, currents_that_never_arrive_are_a_failure) {
+TEST_F(serial_port, currents_that_never_arrive_are_a_failure) {
   connected c;
   c.peer.deaf = true;
   EXPECT_EQ(c.host.write({0.1, 0.1}), port_status::ok);
@@ -439,7 +445,7 @@ TEST(serial_port, currents_that_never_arrive_are_a_failure) {
   EXPECT_EQ(c.host.newest().state, 0) << "the device was never active";
 }
 
-TEST(serial_port, a_brakes_fault_is_a_failure_while_it_is_used) {
+TEST_F(serial_port, a_brakes_fault_is_a_failure_while_it_is_used) {
   connected c;
   c.peer.board.set_faults(0, 1);
   EXPECT_TRUE(c.until(port_status::ok)) << "encoders can be read with amplifiers off";
@@ -447,7 +453,7 @@ TEST(serial_port, a_brakes_fault_is_a_failure_while_it_is_used) {
   EXPECT_EQ(c.host.newest().brake_faults, 1);
 }
 
-TEST(serial_port, a_supervisor_in_another_process_releases_and_takes_no_sample) {
+TEST_F(serial_port, a_supervisor_in_another_process_releases_and_takes_no_sample) {
   connected c;
   EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
   c.peer.tick();
@@ -474,7 +480,7 @@ TEST(serial_port, a_supervisor_in_another_process_releases_and_takes_no_sample) 
   EXPECT_TRUE(c.until(port_status::failed)) << "its currents are no longer on the brakes";
 }
 
-TEST(serial_port, read_write_and_release_do_not_allocate) {
+TEST_F(serial_port, read_write_and_release_do_not_allocate) {
   connected c;
   port_status read{}, written{};
   for (int k = 0; k < 500; ++k) {
@@ -494,7 +500,7 @@ TEST(serial_port, read_write_and_release_do_not_allocate) {
 }
 
 #ifdef PASSIVE_HAPTICS_FIRMWARE_HOST
-TEST(serial_port, drives_the_firmware_in_a_process_of_its_own_until_it_is_killed) {
+TEST_F(serial_port, drives_the_firmware_in_a_process_of_its_own_until_it_is_killed) {
   int out[2];
   ASSERT_EQ(pipe(out), 0);
   const pid_t child = fork();

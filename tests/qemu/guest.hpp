@@ -20,8 +20,8 @@ constexpr const char* configured_by_hand = "/dev/comedi0";  // without a driver 
 constexpr double half_a_step = 0.5 * 20 / 65535;            // [V], of -10 to 10 V in 16 bits
 constexpr double amperes_per_volt = 0.5;
 
-using port = ph::comedi_port<0, 2>;
-using sensor = ph::comedi_force_sensor<2>;
+using port = example::comedi_port<0, 2>;
+using sensor = example::comedi_force_sensor<2>;
 
 inline port::parameters port_parameters(const std::string& device = self_configured) {
   port::parameters p;

@@ -52,10 +52,10 @@ outcome wrong_range() {
   return says(p, "has: 0 (-10 to 10 V), 1 (-5 to 5 V)");
 }
 outcome no_counter() {
-  ph::comedi_port<1, 1>::parameters p;
+  example::comedi_port<1, 1>::parameters p;
   p.device = self_configured;
   p.brakes[0].amperes_per_volt = 1;
-  return says<ph::comedi_port<1, 1>>(p, "has no subdevice that is a counter");
+  return says<example::comedi_port<1, 1>>(p, "has no subdevice that is a counter");
 }
 
 }  // namespace

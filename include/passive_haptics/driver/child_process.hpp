@@ -20,6 +20,7 @@ namespace passive_haptics {
 /// What a child knows of its parent.
 class parent_link {
  public:
+  /// The child's end of the pipe.
   explicit parent_link(int pipe) : pipe_(pipe) {}
 
   /// Waits up to `milliseconds`; true at once where the parent is dead or called child_process::stop().
@@ -46,6 +47,7 @@ class child_process {
   /// empty, run(parent_link) follows, and the child ends with it.
   template <class Prepare, class Run>
   std::string start(Prepare&& prepare, Run&& run) {
+    if (pid_ > 0) return "start() was called before: the process runs";
     std::array<int, 2> down{-1, -1}, up{-1, -1};
     if (pipe2(down.data(), O_CLOEXEC) != 0) return system_complaint("pipe2");
     if (pipe2(up.data(), O_CLOEXEC) != 0) {

@@ -49,6 +49,7 @@ std::string validate(const current_limits<N>& p) {
 template <int N>
 class current_limiter {
  public:
+  /// Throws std::invalid_argument with the text of validate(limits).
   explicit current_limiter(const current_limits<N>& limits) : limits_(require_valid(limits)) {}
 
   /// What may flow now instead of `wanted` (each finite and >= 0) [A], `dt` [s] after the call before.

@@ -111,6 +111,7 @@ class device_calibration {
 template <class M, int Channels, class Frame>
 device_calibration(const M&, const device_calibration_parameters<M, Channels>&, const Frame&)
     -> device_calibration<M, Channels, Frame>;
+/// The same with a frame that stays.
 template <class M, int Channels>
 device_calibration(const M&, const device_calibration_parameters<M, Channels>&)
     -> device_calibration<M, Channels>;

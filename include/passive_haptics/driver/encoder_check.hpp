@@ -18,8 +18,8 @@ struct encoder_limits {
   double largest_rate =
       2e5;  ///< Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts.
   /// An encoder that does not change while the others together turn so far and no brake holds is frozen [counts]; 0: never
-  /// asked. By default a quarter turn of 8192 counts.
-  double frozen_travel = 2048;
+  /// asked. A turn of 8192 counts by default; more where friction alone can hold an axis.
+  double frozen_travel = 8192;
 };
 
 /// What is wrong with the limits; empty if nothing.
@@ -34,6 +34,7 @@ class encoder_check {
  public:
   using counts = std::array<double, static_cast<std::size_t>(N)>;  ///< [counts]
 
+  /// Throws std::invalid_argument with the text of validate(limits).
   explicit encoder_check(const encoder_limits& limits) : limits_(require_valid(limits)) {}
 
   /// Counters of this width wrap; 0: they never do. Before the first sample.

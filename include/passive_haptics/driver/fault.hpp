@@ -67,10 +67,11 @@ enum class fault_source { loop, encoders, force_sensor, brakes };
 
 /// A fault, and where.
 struct incident {
-  fault what = fault::none;
-  fault_source source = fault_source::loop;
-  int channel = -1;  ///< From 0; -1 where it is of no single one.
+  fault what = fault::none;                  ///< none: nothing is wrong.
+  fault_source source = fault_source::loop;  ///< Where.
+  int channel = -1;                          ///< From 0; -1 where it is of no single one.
 
+  /// The same fault at the same place.
   bool operator==(const incident&) const = default;
 };
 

@@ -33,8 +33,8 @@ constexpr std::string_view to_string(port_status s) {
 /// One reading of N channels: encoders [counts] or force channels [N or N m, in the sensor's frame].
 template <int N>
 struct port_sample {
-  static constexpr auto channels = static_cast<std::size_t>(N);
-  double time = 0;                       ///< When it was taken [s], CLOCK_MONOTONIC.
+  static constexpr auto channels = static_cast<std::size_t>(N);  ///< N
+  double time = 0;                                               ///< When it was taken [s], CLOCK_MONOTONIC.
   std::uint32_t sequence = 0;            ///< One more with each sample that the device takes, modulo 2^32.
   std::array<double, channels> value{};  ///< As the device tells them; encoders need not tell whole counts.
   std::array<bool, channels>

@@ -31,6 +31,7 @@ concept RecordSink = requires(S sink, const Record& record) {
 template <class Record, RecordSink<Record> Sink, std::size_t Capacity = 8192>
 class recorder {
  public:
+  /// The sink is opened in the other process.
   explicit recorder(Sink sink) : sink_(std::move(sink)) {}
 
   /// Forks the process, which opens its sink; empty, or why it could not.

@@ -19,8 +19,8 @@ enum class release_policy {
 
 /// A policy and its time.
 struct release_parameters {
-  release_policy policy = release_policy::zero;
-  double ramp_time = 0.5;  ///< Of a ramp [s].
+  release_policy policy = release_policy::zero;  ///< How.
+  double ramp_time = 0.5;                        ///< Of a ramp [s].
 };
 
 /// What is wrong with the parameters; empty if nothing.
@@ -32,6 +32,7 @@ inline std::string validate(const release_parameters& p) {
 template <int N>
 class release_profile {
  public:
+  /// Throws std::invalid_argument with the text of validate(p).
   explicit release_profile(const release_parameters& p) : p_(require_valid(p)) {}
 
   /// A release begins while these flow [A].

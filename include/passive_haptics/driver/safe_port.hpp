@@ -15,8 +15,10 @@ namespace passive_haptics {
 
 /// For a device without a force sensor.
 struct no_force_sensor {
-  static constexpr int channel_count = 0;
+  static constexpr int channel_count = 0;  ///< None.
+  /// Nothing is missing.
   std::string open() { return {}; }
+  /// Always good.
   port_status read(port_sample<0>&) noexcept { return port_status::ok; }
 };
 
@@ -32,11 +34,11 @@ struct no_force_sensor {
 template <BrakePort Port, ForceSensor Sensor = no_force_sensor>
 class safe_port {
  public:
-  static constexpr int encoder_count = Port::encoder_count;    ///< Encoders.
-  static constexpr int brake_count = Port::brake_count;        ///< Brakes.
-  static constexpr int channel_count = Sensor::channel_count;  ///< Channels of the force sensor.
-  using currents = brake_currents<brake_count>;                ///< [A]
-  using parameters = safe_port_parameters<brake_count, channel_count>;
+  static constexpr int encoder_count = Port::encoder_count;              ///< Encoders.
+  static constexpr int brake_count = Port::brake_count;                  ///< Brakes.
+  static constexpr int channel_count = Sensor::channel_count;            ///< Channels of the force sensor.
+  using currents = brake_currents<brake_count>;                          ///< [A]
+  using parameters = safe_port_parameters<brake_count, channel_count>;   ///< What it allows.
   using encoder_counts = typename encoder_check<encoder_count>::counts;  ///< [counts]
   using force_reading =
       std::array<double, static_cast<std::size_t>(channel_count)>;  ///< As the sensor tells.

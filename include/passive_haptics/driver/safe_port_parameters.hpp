@@ -15,10 +15,10 @@ namespace passive_haptics {
 /// What a safe_port allows.
 template <int Brakes, int Channels>
 struct safe_port_parameters {
-  encoder_limits encoders;
-  sensor_limits<Channels> sensor;
-  current_limits<Brakes> currents;
-  release_parameters at_release;
+  encoder_limits encoders = {};          ///< What the encoders can do.
+  sensor_limits<Channels> sensor = {};   ///< What the force sensor can tell.
+  current_limits<Brakes> currents = {};  ///< What the brakes may get.
+  release_parameters at_release = {};    ///< What they get once they are released.
   double bridge =
       0.020;  ///< For how long a bad sample, or a refused write, is bridged by the last good one [s].
 };

@@ -19,6 +19,7 @@ struct sensor_limits {
   /// A channel at +-range or beyond is saturated, as the sensor tells it [N or N m, or its own unit]; infinite: never.
   std::array<double, static_cast<std::size_t>(N)> range = unlimited();
 
+  /// Infinite for all.
   static constexpr std::array<double, static_cast<std::size_t>(N)> unlimited() {
     std::array<double, static_cast<std::size_t>(N)> all{};
     for (double& one : all) one = std::numeric_limits<double>::infinity();
@@ -39,6 +40,7 @@ std::string validate(const sensor_limits<N>& p) {
 template <int N>
 class sensor_check {
  public:
+  /// Throws std::invalid_argument with the text of validate(limits).
   explicit sensor_check(const sensor_limits<N>& limits) : limits_(require_valid(limits)) {}
 
   /// Saturated, or none.

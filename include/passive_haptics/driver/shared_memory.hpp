@@ -22,13 +22,16 @@ class shared_memory {
     if (memory == MAP_FAILED) throw std::bad_alloc();
     value_ = new (memory) T;
   }
+  /// The value stays where it is.
   shared_memory(shared_memory&& other) noexcept : value_(std::exchange(other.value_, nullptr)) {}
   shared_memory& operator=(shared_memory&&) = delete;
   ~shared_memory() {
     if (value_ != nullptr) munmap(value_, sizeof(T));
   }
 
+  /// The value, the same in each process.
   T& operator*() const noexcept { return *value_; }
+  /// Its address, the same in each process.
   T* operator->() const noexcept { return value_; }
 
  private:

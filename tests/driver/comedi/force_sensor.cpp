@@ -12,7 +12,7 @@ namespace ph = passive_haptics;
 namespace {
 
 using comedi_double::plugged;
-using sensor = ph::comedi_force_sensor<3>;
+using sensor = example::comedi_force_sensor<3>;
 static_assert(ph::ForceSensor<sensor>);
 
 struct comedi_force_sensor : ::testing::Test {
@@ -66,7 +66,7 @@ TEST_F(comedi_force_sensor, names_what_does_not_fit) {
   expect_complaint(
       "range = 3, expected a range in volts: subdevice 0, channel 0 has: 0 (-10 to 10 V), 1 (0 to 5 V)");
   p.range = 0;
-  p.reference = ph::comedi_reference::differential;
+  p.reference = example::comedi_reference::differential;
   expect_complaint("reference: not of this card, expected one of ground");
   plugged.open_error = EACCES;
   expect_complaint("device = /dev/comedi0 may not be opened by this user");
@@ -74,7 +74,7 @@ TEST_F(comedi_force_sensor, names_what_does_not_fit) {
 
 TEST_F(comedi_force_sensor, measures_against_the_reference_that_it_was_given) {
   plugged.subdevices[0].flags = SDF_GROUND | SDF_DIFF;
-  p.reference = ph::comedi_reference::differential;
+  p.reference = example::comedi_reference::differential;
   sensor card(p);
   ASSERT_EQ(card.open(), "");
   ASSERT_EQ(card.read(sample), ph::port_status::ok);

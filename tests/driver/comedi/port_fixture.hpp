@@ -12,8 +12,8 @@
 namespace ph = passive_haptics;
 
 using comedi_double::plugged;
-using port = ph::comedi_port<2, 2>;
-static_assert(ph::BrakePort<port> && ph::BrakePort<ph::comedi_port<0, 1>>);
+using port = example::comedi_port<2, 2>;
+static_assert(ph::BrakePort<port> && ph::BrakePort<example::comedi_port<0, 1>>);
 
 constexpr lsampl_t zero = 32768;  // of -10 to 10 V in 16 bits: 0 V lies between this and the one before
 

@@ -113,7 +113,7 @@ TEST_F(opening_a_comedi_port, fails_if_it_may_not_write) {
 }
 
 TEST_F(opening_a_comedi_port, sets_counters_up_for_quadrature_if_asked_to) {
-  p.encoders[0] = {.subdevice = 2, .setup = ph::comedi_counter_setup::ni_quadrature, .a = 8, .b = 10};
+  p.encoders[0] = {.subdevice = 2, .setup = example::comedi_counter_setup::ni_quadrature, .a = 8, .b = 10};
   port card(p);
   ASSERT_EQ(card.open(), "");
   const std::vector<std::string> expected{"reset",         "no gate",       "no gate", "A from PFI 8",

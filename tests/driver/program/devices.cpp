@@ -59,6 +59,10 @@ class net_ft_peer {
 struct a_board : a_driver {
   pid_t board = -1;
 
+  void SetUp() override {
+    if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminal: is devpts mounted at /dev/pts?";
+  }
+
   // Its watchdog has time, as this machine may have none.
   void plug_in() {
     board = spawn({firmware, "--link", "brakes", "--watchdog", "20000"}, "firmware");

@@ -85,6 +85,9 @@ struct a_terminal : a_driver {
   int terminal = -1;
   screen shown{1, 1};
 
+  void SetUp() override {
+    if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminal: is devpts mounted at /dev/pts?";
+  }
   ~a_terminal() override {
     if (terminal >= 0) close(terminal);
   }

@@ -1,0 +1,67 @@
+#include "your_port.hpp"
+
+#include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/safe_port.hpp>
+#include <passive_haptics/driver/supervisor.hpp>
+
+#include <iostream>
+#include <thread>
+
+// In place of the board: answers currents with a sample, until stop(). `last` is what its brakes have.
+struct stand_in {
+  int listening = socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in at{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};
+  std::atomic<float> last = -1;
+
+  stand_in() {
+    socklen_t size = sizeof at;
+    bind(listening, reinterpret_cast<sockaddr*>(&at), size);
+    getsockname(listening, reinterpret_cast<sockaddr*>(&at), &size);
+  }
+  std::uint16_t port() const { return ntohs(at.sin_port); }
+  void stop() { sendto(listening, nullptr, 0, 0, reinterpret_cast<sockaddr*>(&at), sizeof at); }
+  void answer() {
+    board_sample sample{};
+    float amperes[2];
+    sockaddr_in from{};
+    socklen_t size = sizeof from;
+    while (recvfrom(listening, amperes, sizeof amperes, 0, reinterpret_cast<sockaddr*>(&from), &size) ==
+           sizeof amperes) {
+      last = amperes[0];
+      ++sample.sequence;
+      sendto(listening, &sample, sizeof sample, 0, reinterpret_cast<sockaddr*>(&from), size);
+    }
+  }
+};
+
+int main() {
+  stand_in board;
+
+  ph::supervisor<udp_board> guard(udp_board(board.port()), {.timeout = 1});
+  ph::safe_port<udp_board> port(udp_board(board.port()), {}, {.bridge = 1});
+  std::string complaint = guard.start();  // first: it forks
+  std::thread answers([&] { board.answer(); });
+  if (complaint.empty()) complaint = port.open();
+  std::cout << (complaint.empty() ? "open" : complaint) << "\n";
+
+  ph::control_loop loop;
+  float held = 0;
+  loop.run(
+      [&](const ph::loop_cycle& now) {
+        if (!guard.beat(now.time)) port.release({ph::fault::supervisor_lost});
+        port.read(now.time);
+        port.activate();  // a real program homes before
+        port.write({0.25, 0.25});
+        held = std::max(held, board.last.load());
+        return now.number < 2000 && held < 0.25f;
+      },
+      [] { return false; }, [&](ph::fault why) { port.release({why}); });
+  guard.stop();
+  while (board.last != 0) std::this_thread::yield();
+  std::cout << "held with " << held << " A, released with " << board.last
+            << " A: " << to_string(port.reason()) << "\n";
+
+  board.stop();
+  answers.join();
+  return held == 0.25f ? 0 : 1;
+}

@@ -1,0 +1,72 @@
+#include <passive_haptics/driver/real_time.hpp>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <functional>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+constexpr ph::real_time_parameters everything{
+    .priority = 10, .lock_memory = true, .cpu = 0, .dma_latency = 1e-4};
+
+// In a process of its own, as most settings stay.
+bool in_a_child(const std::function<bool()>& test) {
+  const pid_t child = fork();
+  if (child == 0) _exit(test() ? 0 : 1);
+  int status = 1;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+TEST(real_time, asks_for_nothing_by_default) { EXPECT_TRUE(ph::real_time().settings().empty()); }
+
+TEST(real_time, grants_or_says_why_not) {
+  EXPECT_TRUE(in_a_child([] {
+    const ph::real_time quick(everything);
+    bool right = quick.settings().size() == 4;
+    for (const auto& setting : quick.settings()) {
+      if (setting.what == "SCHED_FIFO priority 10")
+        right = right && (sched_getscheduler(0) == SCHED_FIFO) == setting.refused.empty();
+      right = right && (setting.refused.empty() || setting.refused.find("; ") != std::string::npos);
+    }
+    return right;
+  }));
+}
+
+TEST(real_time, goes_on_where_all_is_refused) {
+  EXPECT_TRUE(in_a_child([] {
+    const rlimit none{0, 0};
+    setrlimit(RLIMIT_RTPRIO, &none);
+    setrlimit(RLIMIT_MEMLOCK, &none);
+    if (geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0)) return false;
+    ph::real_time_parameters p = everything;
+    p.cpu = CPU_SETSIZE - 1;
+    const ph::real_time quick(p);
+    int refused = 0;
+    for (const auto& setting : quick.settings()) refused += !setting.refused.empty();
+    return refused == 4;
+  }));
+}
+
+TEST(real_time, keeps_to_the_processor_that_was_asked_for) {
+  EXPECT_TRUE(in_a_child([] {
+    const ph::real_time quick({.cpu = 0});
+    return quick.settings()[0].refused.empty() && sched_getcpu() == 0;
+  }));
+}
+
+TEST(real_time, checks_its_parameters) {
+  EXPECT_EQ(validate(ph::real_time_parameters{}), "");
+  EXPECT_EQ(validate(ph::real_time_parameters{.priority = 100}), "priority = 100, expected 0 (none) to 99");
+  EXPECT_EQ(validate(ph::real_time_parameters{.cpu = -2}),
+            "cpu = -2, expected -1 (any) or the number of a processor");
+  EXPECT_EQ(validate(ph::real_time_parameters{.dma_latency = 2}),
+            "dma_latency [s] = 2, expected < 0 (any) to 1");
+  EXPECT_THROW(ph::real_time({.priority = -1}), std::invalid_argument);
+}
