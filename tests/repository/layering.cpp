@@ -23,7 +23,7 @@ constexpr int most_lines = 250;
 const std::map<std::string, int> stages{{"core", 0},    {"mechanism", 1}, {"brake", 2}, {"scene", 3},
                                         {"force", 4},   {"control", 5},   {"plant", 6}, {"driver", 6},
                                         {"interop", 7}, {"testing", 7}};
-// Folders that nobody else includes, so not the umbrella either.
+// Folders that nobody else includes, so not the umbrella either; but suites of testing/ are about ports, too.
 const std::set<std::string> leaves{"driver", "interop", "testing"};
 
 std::string folder_of(const std::string& path) {
@@ -68,7 +68,7 @@ complaints check_flow(const texts& headers) {
         all.push_back(path + ": no such header: " + include);
       } else if (target == umbrella) {
         all.push_back(path + ": includes the umbrella");
-      } else if (to != from && leaves.contains(to)) {
+      } else if (to != from && leaves.contains(to) && !(from == "testing" && to == "driver")) {
         all.push_back(path + ": nobody else includes " + to + "/: " + include);
       } else if (path != umbrella && to != from && stages.contains(from) &&
                  stages.at(to) >= stages.at(from)) {
@@ -146,7 +146,9 @@ TEST(layering_check, notices_an_include_against_the_flow) {
   EXPECT_EQ(check("brake/a.hpp", "core/b.hpp"), 0u);
   EXPECT_EQ(check("brake/a.hpp", "brake/b.hpp"), 0u);
   EXPECT_EQ(check("testing/a.hpp", "plant/b.hpp"), 0u);
+  EXPECT_EQ(check("testing/a.hpp", "driver/b.hpp"), 0u);
   EXPECT_EQ(check("core/a.hpp", "brake/b.hpp"), 1u);
+  EXPECT_EQ(check("interop/a.hpp", "driver/b.hpp"), 1u);
   EXPECT_EQ(check("plant/a.hpp", "driver/b.hpp"), 1u);
   EXPECT_EQ(check("driver/a.hpp", "plant/b.hpp"), 1u);
   EXPECT_EQ(check("interop/a.hpp", "testing/b.hpp"), 1u);
