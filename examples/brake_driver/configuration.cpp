@@ -48,6 +48,12 @@ void read_mechanism(toml_section from, configuration& c) {
   }
 }
 
+// What a constructor of the library throws begins with its name.
+std::string without_library(const std::string& text) {
+  constexpr std::string_view library = "passive_haptics: ";
+  return text.starts_with(library) ? text.substr(library.size()) : text;
+}
+
 // A wall, and its normal near a point.
 wall_normal add_wall(toml_section& from, ph::world_walls<2>& walls) {
   std::string type = "plane", filling = "solid";
@@ -63,7 +69,7 @@ wall_normal add_wall(toml_section& from, ph::world_walls<2>& walls) {
       walls.add(ph::wall(plane, stiffness));
       return [plane](const ph::point<2>& x) { return plane.gradient(x); };
     } catch (const std::invalid_argument& error) {
-      from.require(error.what());
+      from.require(without_library(error.what()));
     }
   }
   from.read("radius", radius);
@@ -73,7 +79,7 @@ wall_normal add_wall(toml_section& from, ph::world_walls<2>& walls) {
     walls.add(ph::wall(ball, stiffness));
     return [ball](const ph::point<2>& x) { return ball.gradient(x); };
   } catch (const std::invalid_argument& error) {
-    from.require(error.what());
+    from.require(without_library(error.what()));
   }
   return {};
 }
