@@ -7,8 +7,6 @@
 
 #include <passive_haptics/mechanism/inertial.hpp>
 
-#include <Eigen/SVD>
-
 #include <cmath>
 
 namespace stress {
@@ -32,12 +30,16 @@ struct linear_device {
   ph::matrix<T, D, N> J;
 
   linear_device(double condition, ph::testing::random_source& random) {
-    Eigen::Matrix<double, D, N> A;
-    for (int j = 0; j < N; ++j) A.col(j) = random.normal_vector<double, D>();
-    const Eigen::JacobiSVD<Eigen::Matrix<double, D, N>> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    A.setZero();
-    for (int i = 0; i < D; ++i) A(i, i) = std::pow(condition, -static_cast<double>(i) / (D - 1));
-    J = (svd.matrixU() * A * svd.matrixV().transpose()).template cast<T>();
+    const auto U = random.orthogonal_directions<D>();
+    const auto V = random.orthogonal_directions<N, D>();
+    ph::matrix<double, D, N> A = ph::matrix<double, D, N>::Zero();
+    for (int i = 0; i < D; ++i) {
+      const double singular_value = std::pow(condition, -static_cast<double>(i) / (D - 1));
+      for (int r = 0; r < D; ++r) {
+        for (int c = 0; c < N; ++c) A(r, c) += singular_value * U(r, i) * V(c, i);
+      }
+    }
+    J = A.template cast<T>();
   }
   ph::vector<T, D> position(const ph::vector<T, N>& q) const { return J * q; }
   ph::matrix<T, D, N> jacobian() const { return J; }

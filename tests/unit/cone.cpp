@@ -62,9 +62,10 @@ struct cone : ::testing::Test {
   }
 };
 
-using sizes = ::testing::Types<size<double, 2, 2>, size<double, 3, 3>, size<double, 2, 3>, size<double, 3, 4>,
-                               size<double, 4, 4>, size<double, 6, 6>, size<double, 7, 7>, size<float, 2, 2>,
-                               size<float, 3, 3>, size<float, 3, 4>>;
+using sizes =
+    ::testing::Types<size<double, 2, 2>, size<double, 3, 3>, size<double, 2, 3>, size<double, 3, 4>,
+                     size<double, 4, 4>, size<double, 6, 6>, size<double, 7, 7>, size<float, 2, 2>,
+                     size<float, 3, 3>, size<float, 3, 4>, size<long double, 3, 3>, size<long double, 4, 4>>;
 TYPED_TEST_SUITE(cone, sizes);
 
 // Draws of Gaussian matrices and vectors.
@@ -182,6 +183,8 @@ TYPED_TEST(cone, any_start_gives_the_same_answer) {
           << "start " << start;
     }
     EXPECT_EQ(ph::project_onto_half_spaces(B, f, cold.active).active, cold.active);
+    EXPECT_EQ(ph::project_onto_half_spaces(B, f, cold.active | ~(sets - 1)).active, cold.active)
+        << "there are no such half-spaces";
   }
 }
 

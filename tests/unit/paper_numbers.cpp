@@ -6,6 +6,8 @@
 #include <passive_haptics/mechanism/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/two_link.hpp>
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <utility>
 
@@ -17,7 +19,7 @@ struct figure_3 : ::testing::Test {
   using V = ph::vector<T, 2>;
   const ph::two_link<T> arm{ph::two_link_parameters<T>{.length_1 = 1, .length_2 = 1}};
   const V q{ph::radians(T(45)), ph::radians(T(90))};
-  const V qd = ph::jacobian(arm, q).partialPivLu().solve(V(0, -1));
+  const V qd = ph::jacobian(arm, q).inverse() * V(0, -1);
 
   ph::step_result<ph::two_link<T>> display(double x, double y) const {
     ph::brakes_of<ph::two_link<T>> strong;
@@ -103,7 +105,7 @@ struct tendon_device : ::testing::Test {
   ph::step_result<M> slide(T x, double stiffness, double depth, T outward, const V& hand) const {
     const auto pose = arm.inverse({x, T(0.225)}, ph::elbow::left);
     EXPECT_EQ(pose.outcome, ph::status::ok);
-    const V qd = ph::jacobian(arm, pose.q).partialPivLu().solve(V(T(0.5), -outward));
+    const V qd = ph::jacobian(arm, pose.q).inverse() * V(T(0.5), -outward);
     ph::brakes_of<M> strong;
     strong.torque_limit.setConstant(T(1e9));
     return step_once<ph::direct_control>(

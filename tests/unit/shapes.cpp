@@ -6,8 +6,6 @@
 #include "../property/user_shapes.hpp"
 #include "closest_points.hpp"
 
-#include <Eigen/QR>
-
 #include <limits>
 
 namespace ph = passive_haptics;
@@ -27,9 +25,7 @@ ph::point<D> anywhere(random_source& random, double size) {
 
 template <int D>
 ph::matrix<double, D, D> any_frame(random_source& random) {
-  ph::matrix<double, D, D> a;
-  for (int i = 0; i < D; ++i) a.col(i) = random.normal_vector<double, D>();
-  return Eigen::HouseholderQR<ph::matrix<double, D, D>>(a).householderQ();
+  return random.orthogonal_directions<D>();
 }
 
 // From x, the gradient leads back to the surface.

@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 
@@ -54,6 +55,36 @@ TEST(sine_cosine, beyond_its_own_range_it_is_that_of_the_c_library) {
     EXPECT_EQ(ph::sine_cosine(x).cosine, std::cos(x));
   }
   check(1e5);
+}
+
+// Two in one register are the same two; one too large takes both to the C library.
+TEST(sine_cosine, of_two_angles_is_that_of_each) {
+  ph::testing::random_source random(12);
+  for (int k = 0; k < 2000; ++k) {
+    const double x = random.uniform(-1e3, 1e3), y = random.uniform(-10.0, 10.0);
+    const auto [first, second] = ph::sine_cosine(x, y);
+    const auto [s, c] = ph::sine_cosine(x);
+    EXPECT_EQ(first.sine, s);
+    EXPECT_EQ(first.cosine, c);
+    EXPECT_EQ(second.sine, ph::sine_cosine(y).sine);
+    EXPECT_EQ(second.cosine, ph::sine_cosine(y).cosine);
+  }
+  for (const double large : {1.1e5, std::numeric_limits<double>::infinity()}) {
+    for (const auto& pair : {ph::sine_cosine(large, 0.5)[1], ph::sine_cosine(0.5, large)[0]}) {
+      EXPECT_EQ(pair.sine, std::sin(0.5));
+      EXPECT_EQ(pair.cosine, std::cos(0.5));
+    }
+  }
+}
+
+TEST(sine_cosine, of_many_angles_is_that_of_each) {
+  const ph::vector<float, 5> angles(ph::vector<float, 5>::LinSpaced(-2.f, 7.f));
+  const auto all = ph::sine_cosine(angles);
+  for (int i = 0; i < 5; ++i) {
+    const auto [s, c] = ph::sine_cosine(angles[i]);
+    EXPECT_EQ(all[static_cast<std::size_t>(i)].sine, s);
+    EXPECT_EQ(all[static_cast<std::size_t>(i)].cosine, c);
+  }
 }
 
 TEST(sine_cosine, special_values) {

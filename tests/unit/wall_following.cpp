@@ -9,6 +9,8 @@
 #include <passive_haptics/scene/half_space.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,7 +34,7 @@ struct experiment {
   experiment(const M& mechanism, const ph::brakes_of<M>& b, const ph::joint_vector<M>& start)
       : arm(mechanism), brakes(b), q(start) {
     const ph::matrix<T, 2, 2> J(ph::jacobian(arm, q));
-    device.set_motion(q, J.partialPivLu().solve(ph::vector<T, 2>(T(0.05), T(0.1))));
+    device.set_motion(q, J.inverse() * ph::vector<T, 2>(T(0.05), T(0.1)));
   }
 
   template <class Law>

@@ -26,14 +26,15 @@ struct saturated_torque {
 template <class T, int Brakes>
 saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, T scale, const vector<T, Brakes>& limit,
                                      saturation policy) {
+  const auto exceeds = [&](int i) { return std::abs(t[i]) * scale > limit[i]; };
   T factor = scale;
-  bool limited = false;
-  unrolled<Brakes>([&](auto i) {
-    if (!(std::abs(t[i]) * scale > limit[i])) return;
-    limited = true;
-    if (policy == saturation::keep_direction) factor = std::min(factor, limit[i] / std::abs(t[i]));
-  });
-  saturated_torque<T, Brakes> result{{}, limited};
+  if (policy == saturation::keep_direction) {
+    unrolled<Brakes>([&](auto i) {
+      if (exceeds(i)) factor = std::min(factor, limit[i] / std::abs(t[i]));
+    });
+  }
+  saturated_torque<T, Brakes> result{{}, false};
+  unrolled<Brakes>([&](auto i) { result.limited |= exceeds(i); });
   unrolled<Brakes>(
       [&](auto i) { result.torque[i] = std::copysign(std::min(std::abs(factor * t[i]), limit[i]), t[i]); });
   return result;

@@ -18,8 +18,8 @@ template <class M, class State>
 status check_state(const State& state) {
   bool finite;
   if constexpr (HandForceState<State, M>)
-    finite = all_finite(state.time, state.q, state.qd, state.hand_force);
-  else finite = all_finite(state.time, state.q, state.qd);
+    finite = all_finite(state.q, state.qd, state.hand_force, state.time);
+  else finite = all_finite(state.q, state.qd, state.time);
   return finite ? status::ok : status::state_not_finite;
 }
 

@@ -2,76 +2,148 @@
 /// Projection onto a cone of half-spaces by an active set.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/growing_qr.hpp>
 #include <passive_haptics/core/plane_cone.hpp>
 
+#include <bit>
 #include <limits>
 
 namespace passive_haptics::detail {
 
 /// Lawson and Hanson's non-negative least squares, argmin |B mu - f|, mu >= 0, over an explicit thin QR of the active
-/// columns; the residual is the nearest point of the cone. Ends after at most 6 Columns exchanges.
+/// columns; the residual is the nearest point of the cone.
+///
+/// Begins with the half-spaces of a start or a guess. Where those hold f back and violate no other, which is the rule, that was
+/// it; else exchanges follow, at most 6 Columns.
 /// Reference: Lawson, Hanson, Solving Least Squares Problems (1974), ch. 23.
 template <class T, int Rows, int Columns>
 class active_set {
  public:
   /// Of { p : B^T p <= 0 } and f.
-  active_set(const matrix<T, Rows, Columns>& B, const vector<T, Rows>& f) : b_(B), f_(f), qr_(f) {
-    for (int j = 0; j < Columns; ++j) square_[j] = B.col(j).squaredNorm();
-  }
+  [[gnu::always_inline]] active_set(const matrix<T, Rows, Columns>& B, const vector<T, Rows>& f)
+      : b_(B.data()), f_(f.data()), qr_(column::load(f_)) {}
 
-  /// The nearest point to f. Inlined, so that the set lives in registers.
-  [[gnu::always_inline]] half_space_projection<T, Rows, Columns> nearest(half_space_set start) {
-    if (start != 0) begin_with(start);
-    const T vanishing = rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * f_.squaredNorm();
-    for (int exchange = 0; exchange < 6 * Columns && qr_.size() < most; ++exchange) {
-      const int entering = most_violated(vanishing);
-      if (entering < 0) break;
-      if (!append(entering, T(0))) {
-        refused_ |= 1u << entering;
-        continue;
-      }
-      // A newcomer that leaves at once was chosen by rounding; any other exchange lowers the residual.
-      if (settle(entering)) refused_ = 0;
-      else refused_ |= 1u << entering;
-    }
-    half_space_projection<T, Rows, Columns> result{qr_.clean_residual(), vector<T, Columns>::Zero(),
-                                                   members_};
+  /// The nearest point to f.
+  PASSIVE_HAPTICS_FLATTEN half_space_projection<T, Rows, Columns> nearest(half_space_set start) {
+    prepare();
+    start &= all;
+    if (start == 0) guess();
+    for (; start != 0 && qr_.size() < most; start &= start - 1) append(std::countr_zero(start));
+    qr_.solve(mu_);
+    if (!all_positive(mu_) || most_violated() >= 0) exchange();
+    half_space_projection<T, Rows, Columns> result{{}, vector<T, Columns>::Zero(), members_};
+    qr_.clean_residual().store(result.point.data());
     for (int k = 0; k < qr_.size(); ++k) result.coefficients[member_[at(k)]] = mu_[at(k)];
     return result;
   }
 
  private:
   static constexpr int most = Rows < Columns ? Rows : Columns;
+  static constexpr half_space_set all = ~half_space_set(0) >> (32 - Columns);
   static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
-  using coefficients = typename growing_qr<T, Rows, most>::coefficients;
+  using qr = growing_qr<T, Rows, most>;
+  using column = typename qr::column;
+  using packet = typename column::packet;
+  using coefficients = typename qr::coefficients;
+  using by_half_space = packets<T, Columns>;
 
-  // The half-space that the residual violates by the largest angle; -1 if none. vanishing: |r|^2 that is rounding.
-  int most_violated(T vanishing) const {
-    const T rr = qr_.residual().squaredNorm();
-    if (!(rr > vanishing)) return -1;
-    int worst = -1;
-    constexpr T eps = std::numeric_limits<T>::epsilon();
-    T worst_product = eps * eps * rr, worst_square = T(1);  // (b . r)^2 and |b|^2
-    for (int j = 0; j < Columns; ++j) {
-      if (((members_ | refused_) >> j & 1u) != 0) continue;
-      const T product = b_.col(j).dot(qr_.residual());
-      if (product > T(0) && product * product * worst_square > worst_product * square_[j]) {
-        worst_product = product * product;
-        worst_square = square_[j];
-        worst = j;
-      }
-    }
-    return worst;
+  [[gnu::always_inline]] column half_space(int j) const { return column::load(b_ + j * Rows); }
+
+  [[gnu::always_inline]] void prepare() {
+    const T ff = qr_.residual().dot(qr_.residual());
+    vanishing_ = rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * ff;
+    const auto square = sums<T, Columns>([&](int j) {
+      const column b = half_space(j);
+      return b.products(b);
+    });
+    square.store(square_);
+    // What is so short that its square is no number any more restricts nothing
+    square.map([](packet s) { return s > std::numeric_limits<T>::min() ? T(1) / s : packet{}; })
+        .store(weight_);
   }
 
-  bool append(int j, T coefficient) {
+  // B^T x
+  [[gnu::always_inline]] by_half_space products_with(const column& x) const {
+    return sums<T, Columns>([&](int j) { return half_space(j).products(x); });
+  }
+
+  // The half-space that is violated by the largest angle, of those that may enter, and the square of x's part beyond it; from
+  // B^T x.
+  [[gnu::always_inline]] largest_entry<T> most_violated(by_half_space beyond) const {
+    const auto weight = by_half_space::load(weight_);
+    unrolled<by_half_space::count>([&](auto i) {
+      const packet x = beyond.p[i] > packet{} ? beyond.p[i] : packet{};
+      beyond.p[i] = weight.p[i] * x * x;
+    });
+    return largest(beyond);
+  }
+
+  // The half-space that the residual violates by the largest angle and by more than rounding; -1 if none.
+  [[gnu::always_inline]] int most_violated() const {
+    if (qr_.size() == most) return -1;
+    const auto worst = most_violated(products_with(qr_.residual()));
+    if (worst.value > vanishing_) return worst.index;
+    const T rr = qr_.residual().dot(qr_.residual());
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    return rr > vanishing_ && worst.value > eps * eps * rr ? worst.index : -1;
+  }
+
+  // All that the residual violates, one after the other, without a look at the signs of mu; the products with the residual are
+  // carried along, so that the next one need not wait for it. They know what is violated to rounding of |f|, not of |r|.
+  [[gnu::always_inline]] void guess() {
+    T along[at(most)][at(Columns)];  // of v_k and b_j
+    auto beyond = products_with(qr_.residual());
+    while (qr_.size() < most) {
+      const auto [value, j] = most_violated(beyond);
+      if (!(value > T(Rows * Rows) * vanishing_)) return;
+      const int k = qr_.size();
+      if (!append(j, [&, j = j](int l) { return along[l][j]; })) continue;
+      const auto product = products_with(qr_.orthogonal(k));
+      beyond.subtract(qr_.along(k), product);
+      const T scale = qr_.inverse_square(k);
+      product.map([&](packet x) { return scale * x; }).store(along[k]);
+    }
+  }
+
+  // Half-space j, with a coefficient to be found; refused for now if it depends on the members.
+  template <class... Along>
+  [[gnu::always_inline]] bool append(int j, Along&&... along_b) {
     const int k = qr_.size();
-    if (!qr_.append(b_.col(j), square_[j])) return false;
+    weight_[j] = T(0);
+    if (!qr_.append(half_space(j), square_[j], along_b...)) return false;
     member_[at(k)] = j;
-    mu_[at(k)] = coefficient;
     members_ |= 1u << j;
     return true;
+  }
+
+  [[gnu::always_inline]] bool all_positive(const coefficients& y) const {
+    bool all_are = true;
+    for (int k = 0; k < qr_.size(); ++k) all_are &= y[at(k)] > T(0);
+    return all_are;
+  }
+
+  // From mu, the least squares of the members. Not inlined: rare.
+  [[gnu::noinline]] void exchange() {
+    while (!all_positive(mu_)) {
+      int last = qr_.size() - 1;
+      while (mu_[at(last)] > T(0)) --last;
+      remove(last);
+      qr_.solve(mu_);
+    }
+    half_space_set refused = 0;
+    for (int exchange = 0; exchange < 6 * Columns; ++exchange) {
+      for (int j = 0; j < Columns; ++j)
+        weight_[j] = ((members_ | refused) >> j & 1u) == 0 && square_[j] > std::numeric_limits<T>::min()
+                         ? T(1) / square_[j]
+                         : T(0);
+      const int entering = most_violated();
+      if (entering < 0) return;
+      mu_[at(qr_.size())] = T(0);
+      // A newcomer that leaves at once was chosen by rounding; any other exchange lowers the residual.
+      if (append(entering) && settle(entering)) refused = 0;
+      else refused |= 1u << entering;
+    }
   }
 
   // Takes member `out` from the set; those behind it are appended anew.
@@ -80,17 +152,19 @@ class active_set {
     const auto old_member = member_;
     const auto old_mu = mu_;
     for (int k = out; k < size; ++k) members_ &= ~(1u << old_member[at(k)]);
-    qr_.truncate(out, f_);
-    for (int k = out + 1; k < size; ++k) append(old_member[at(k)], old_mu[at(k)]);
+    qr_.truncate(out, column::load(f_));
+    for (int k = out + 1; k < size; ++k) {
+      mu_[at(qr_.size())] = old_mu[at(k)];
+      append(old_member[at(k)]);
+    }
   }
 
   // Moves mu to the least squares of the members, and out of the set those that would become negative on the way.
   // False if the newcomer left.
   bool settle(int entering) {
     bool kept = true;
-    while (qr_.size() > 0) {
-      coefficients y;
-      qr_.solve(y);
+    coefficients y;
+    for (qr_.solve(y); !all_positive(y); qr_.solve(y)) {
       int blocking = -1;
       T step = T(1);
       for (int k = 0; k < qr_.size(); ++k) {
@@ -101,38 +175,23 @@ class active_set {
           blocking = k;
         }
       }
-      if (blocking < 0) {
-        for (int k = 0; k < qr_.size(); ++k) mu_[at(k)] = y[at(k)];
-        break;
-      }
       for (int k = 0; k < qr_.size(); ++k) mu_[at(k)] += step * (y[at(k)] - mu_[at(k)]);
       if (member_[at(blocking)] == entering) kept = false;
       remove(blocking);
     }
+    mu_ = y;
     return kept;
   }
 
-  // All of `start` at once, if they hold f back together; else from nothing.
-  void begin_with(half_space_set start) {
-    for (int j = 0; j < Columns && qr_.size() < most; ++j) {
-      if ((start >> j & 1u) != 0 && square_[j] > T(0)) append(j, T(0));
-    }
-    qr_.solve(mu_);
-    for (int k = 0; k < qr_.size(); ++k) {
-      if (mu_[at(k)] > T(0)) continue;
-      qr_.truncate(0, f_);
-      members_ = 0;
-      return;
-    }
-  }
-
-  const matrix<T, Rows, Columns>& b_;
-  const vector<T, Rows>& f_;
-  growing_qr<T, Rows, most> qr_;
-  vector<T, Columns> square_;                                 // |b_j|^2
-  std::array<int, static_cast<std::size_t>(most)> member_{};  // columns in the set, in the order of the QR
-  coefficients mu_{};                                         // of the members
-  half_space_set members_ = 0, refused_ = 0;
+  const T* b_;  // B by columns
+  const T* f_;
+  qr qr_;
+  T vanishing_;                                             // |r|^2 that is rounding
+  T square_[Columns];                                       // |b_j|^2
+  alignas(16) T weight_[Columns];                           // 1 / |b_j|^2 of those that may enter, else 0
+  std::array<int, static_cast<std::size_t>(most)> member_;  // columns in the set, in the order of the QR
+  coefficients mu_;                                         // of the members
+  half_space_set members_ = 0;
 };
 
 }  // namespace passive_haptics::detail

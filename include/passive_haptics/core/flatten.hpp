@@ -11,3 +11,6 @@
 #else
 #define PASSIVE_HAPTICS_FLATTEN
 #endif
+
+/// Before the body of a lambda: it is inlined as well where clang++, which flattens one level, would call it.
+#define PASSIVE_HAPTICS_INLINE __attribute__((always_inline))

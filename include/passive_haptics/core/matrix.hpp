@@ -50,28 +50,45 @@ matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
 
 namespace detail {
 
-// 0, or NaN where an entry is NaN or infinite
-template <std::floating_point T>
-T zero_times(T x) {
-  return x * T(0);
+// 0, or NaN once it was multiplied with NaN or infinity: one multiplication a number.
+template <class T>
+struct zero {
+  T value = T(0);
+};
+template <class T, std::floating_point X>
+auto operator*(zero<T> so_far, X x) {
+  return zero<decltype(so_far.value * x)>{so_far.value * x};
 }
-template <class Derived>
-auto zero_times(const Eigen::DenseBase<Derived>& x) {
-  using T = typename Derived::Scalar;
-  constexpr int rows = Derived::RowsAtCompileTime, columns = Derived::ColsAtCompileTime;
-  T sum = T(0);
-  unrolled<columns>([&](auto j) {
-    unrolled<rows>([&](auto i) {
-      const T zero = x.derived().coeff(i, j) * T(0);
-      sum = i + j == 0 ? zero : sum + zero;
-    });
+template <class T, class X, int R, int C>
+auto operator*(zero<T> so_far, const matrix<X, R, C>& x) {
+  zero<decltype(so_far.value * X())> all{so_far.value};
+  unrolled<C>([&](auto j) {
+    zero<X> column;  // each its own chain: no multiplication waits for more than a column
+    unrolled<R>([&](auto i) { column = column * x(i, j); });
+    all = all * column.value;
   });
-  return sum;
+  return all;
 }
-template <class T, int N>
-T zero_times(const diagonal_matrix<T, N>& x) {
-  return zero_times(x.diagonal());
+template <class T, class X, int N>
+auto operator*(zero<T> so_far, const vector<X, N>& x) {
+  zero<decltype(so_far.value * X())> all{so_far.value};
+  unrolled<N>([&](auto i) { all = all * x[i]; });
+  return all;
 }
+template <class T, class X, int N>
+auto operator*(zero<T> so_far, const diagonal_matrix<X, N>& x) {
+  return so_far * vector<X, N>(x.diagonal());
+}
+
+// That of the first argument.
+template <class X>
+struct scalar_of {
+  using type = typename X::Scalar;
+};
+template <std::floating_point X>
+struct scalar_of<X> {
+  using type = X;
+};
 
 }  // namespace detail
 
@@ -89,8 +106,8 @@ vector<To, N> as(const vector<T, N>& x) {
 /// a . b
 template <class T, int N>
 T dot(const vector<T, N>& a, const vector<T, N>& b) {
-  T sum = T(0);
-  unrolled<N>([&](auto i) { sum = i == 0 ? a[i] * b[i] : sum + a[i] * b[i]; });
+  T sum = a[0] * b[0];
+  unrolled<N - 1>([&](auto i) { sum += a[i + 1] * b[i + 1]; });
   return sum;
 }
 
@@ -141,6 +158,12 @@ T cross_in_plane(const vector<T, 2>& a, const vector<T, 2>& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
+/// a x b. (Eigen's wants a complex conjugate of its scalar, which not every one has.)
+template <class T>
+vector<T, 3> cross(const vector<T, 3>& a, const vector<T, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// The matrix of these entries, row by row. (Eigen's constructor from nested lists costs 70 instructions for 2 x 2.)
 template <int R, int C, class T, class... Rest>
 matrix<T, R, C> matrix_of(T first, Rest... rest) {
@@ -157,9 +180,10 @@ matrix<T, R, C> matrix_of(T first, Rest... rest) {
 }
 
 /// True if no entry of these numbers, vectors and matrices is NaN or infinite.
-template <class... X>
-bool all_finite(const X&... x) {
-  return (detail::zero_times(x) + ...) == 0;
+template <class First, class... Rest>
+bool all_finite(const First& first, const Rest&... rest) {
+  const detail::zero<typename detail::scalar_of<First>::type> nothing;
+  return ((nothing * first) * ... * rest).value == 0;
 }
 
 }  // namespace passive_haptics

@@ -70,10 +70,10 @@ void split_between_two(const matrix<T, 2, Columns>& B, const vector<T, 2>& f,
   }
 }
 
-/// True if a and b are parallel to rounding: then the foot on one edge lies on the other, whatever its product says.
+/// True if vectors a and b, area = a x b, are parallel to rounding: then the foot on one edge lies on the other, whatever
+/// its product says.
 template <class T>
-bool are_parallel(const vector<T, 2>& a, const vector<T, 2>& b, T a_square, T b_square) {
-  const T area = cross_in_plane(a, b);
+bool are_parallel(T area, T a_square, T b_square) {
   return !(area * area > rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * a_square * b_square);
 }
 
@@ -95,7 +95,7 @@ half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Col
     for (int i = 0; i < Columns; ++i) {
       const vector<T, 2> other = B.col(i);
       const T beyond = dot(other, p);
-      inside &= i == j || are_parallel(other, b, square[i], square[j]) ||
+      inside &= i == j || are_parallel(cross_in_plane(other, b), square[i], square[j]) ||
                 !is_beyond(beyond, square[i], along * along * square[j]);
     }
     if (!inside) continue;
@@ -110,29 +110,61 @@ half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Col
   return result;
 }
 
-/// The same; two half-spaces that are not parallel have two edges: the answer lies on that which f points along more.
+/// The edge of two half-spaces on which the nearest point to an f outside of them lies.
+template <class T>
+struct plane_edge {
+  int held;                ///< Its half-space; -1: neither edge but the apex is nearest.
+  vector<T, 2> direction;  ///< r, along the edge into the other half-space, as long as b_held.
+  T square;                ///< |r|^2
+  T along;                 ///< r . f > 0
+};
+
+/// Two half-spaces s_j e_j that are not parallel have two edges: the answer lies on that which f points along more.
+/// square: |e_0|^2 and |e_1|^2; area: s_0 e_0 x s_1 e_1; s_j = -1 or 1.
+template <class T>
+plane_edge<T> nearest_edge(const matrix<T, 2, 2>& e, const vector<T, 2>& s, const vector<T, 2>& f,
+                           const vector<T, 2>& square, T area) {
+  const T side = std::copysign(T(1), area), turn_0 = side * s[0], turn_1 = -side * s[1];
+  const T along_0 = turn_0 * (e(1, 0) * f[0] - e(0, 0) * f[1]);
+  const T along_1 = turn_1 * (e(1, 1) * f[0] - e(0, 1) * f[1]);
+  const bool first =
+      along_0 > T(0) && (!(along_1 > T(0)) || along_0 * along_0 * square[1] >= along_1 * along_1 * square[0]);
+  const T turn = first ? turn_0 : turn_1, x = first ? e(0, 0) : e(0, 1), y = first ? e(1, 0) : e(1, 1);
+  return {first ? 0 : (along_1 > T(0) ? 1 : -1),
+          {turn * y, -turn * x},
+          first ? square[0] : square[1],
+          first ? along_0 : along_1};
+}
+
+/// |b_j|^2 of all columns.
+template <class T, int Columns>
+vector<T, Columns> column_squares(const matrix<T, 2, Columns>& B) {
+  vector<T, Columns> square;
+  unrolled<Columns>([&](auto j) { square[j] = B(0, j) * B(0, j) + B(1, j) * B(1, j); });
+  return square;
+}
+
+/// b_0 x b_1; 0 where they are parallel to rounding.
+template <class T>
+T area_between(const matrix<T, 2, 2>& B, const vector<T, 2>& square) {
+  const T area = B(0, 0) * B(1, 1) - B(1, 0) * B(0, 1);
+  return are_parallel(area, square[0], square[1]) ? T(0) : area;
+}
+
+/// The nearest point of a cone in the plane.
 template <class T, int Columns>
 half_space_projection<T, 2, Columns> nearest_in_plane(const matrix<T, 2, Columns>& B, const vector<T, 2>& f) {
-  vector<T, Columns> square;
-  unrolled<Columns>([&](int j) { square[j] = B(0, j) * B(0, j) + B(1, j) * B(1, j); });
+  const vector<T, Columns> square = column_squares(B);
   if constexpr (Columns == 2) {
-    const vector<T, 2> b0(B(0, 0), B(1, 0)), b1(B(0, 1), B(1, 1));
-    const T area = cross_in_plane(b0, b1);
-    if (!are_parallel(b0, b1, square[0], square[1])) {
-      const T outside_0 = dot(b0, f), outside_1 = dot(b1, f);
+    if (const T area = area_between(B, square); area != T(0)) {
+      const vector<T, 2> outside = transposed_product(B, f);
       half_space_projection<T, 2, 2> result{f, vector<T, 2>::Zero(), 0};
-      if (!(outside_0 > T(0) || outside_1 > T(0))) return result;
-      const T side = std::copysign(T(1), area);
-      const T along_0 = side * cross_in_plane(f, b0),
-              along_1 = side * cross_in_plane(b1, f);  // inwards on each edge
-      const bool first = along_0 > T(0) && (!(along_1 > T(0)) ||
-                                            along_0 * along_0 * square[1] >= along_1 * along_1 * square[0]);
-      if (first || along_1 > T(0)) {
-        const T inverse = T(1) / (first ? square[0] : square[1]);
-        const T along = (first ? along_0 : along_1) * inverse, mu = (first ? outside_0 : outside_1) * inverse;
-        result.point = first ? along_edge(b0, -side * along) : along_edge(b1, side * along);
-        result.coefficients = {first ? mu : T(0), first ? T(0) : mu};
-        result.active = first ? 1u : 2u;
+      if (!(outside[0] > T(0) || outside[1] > T(0))) return result;
+      if (const auto edge = nearest_edge<T>(B, {T(1), T(1)}, f, square, area); edge.held >= 0) {
+        const T inverse = T(1) / edge.square;
+        result.point = scaled(edge.along * inverse, edge.direction);
+        result.coefficients[edge.held] = outside[edge.held] * inverse;
+        result.active = 1u << edge.held;
         return result;
       }
     }

@@ -50,7 +50,7 @@ template <bool WithCosine = true, class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, const vector<T, Brakes>& t, T min_cosine,
                                              half_space_set& idle) {
-  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
+  if (producible(s, t)) return {display_class::exact, as<T>(n), as<T>(t), T(1)};
   approximated_force<T, D, Brakes> result;
   const auto nearest = nearest_force(E, s, n, idle);
   idle = nearest.idle;
@@ -65,6 +65,31 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
   // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0
   unrolled<Brakes>(
       [&](auto i) { result.torque[i] = (idle >> i & 1u) != 0 || s[i] * tc[i] > T(0) ? T(0) : tc[i]; });
+  return result;
+}
+
+/// The same for two brakes in the plane: what is nearest lies on an edge r of the cone, so Fc = r / (r . n).
+template <bool WithCosine = true, class T>
+approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
+                                        const vector<T, 2>& n, const vector<T, 2>& t, T min_cosine,
+                                        half_space_set& idle) {
+  if (producible(s, t)) return {display_class::exact, as<T>(n), as<T>(t), T(1)};
+  const vector<T, 2> square = detail::column_squares(E);
+  const T area = s[0] * s[1] * detail::area_between(E, square);
+  if (area == T(0)) return approximate<WithCosine, matrix<T, 2, 2>>(E, s, n, t, min_cosine, idle);
+  const auto edge = detail::nearest_edge(E, s, n, square, area);
+  const T least = std::max(min_cosine, rounding_tolerance<T>(2));
+  approximated_force<T, 2, 2> result;
+  if (edge.held < 0 || !(edge.along * edge.along >= least * least * edge.square)) return result;
+
+  idle = 1u << edge.held;
+  const T scale = T(1) / edge.along;
+  result.display = display_class::approximate;
+  if constexpr (WithCosine) result.cosine = edge.along / std::sqrt(edge.square);
+  unrolled<2>([&](auto i) {
+    result.force[i] = scale * edge.direction[i];
+    result.torque[i] = i == edge.held ? T(0) : -s[i] * std::abs(area) * scale;  // E_i . r is the area
+  });
   return result;
 }
 

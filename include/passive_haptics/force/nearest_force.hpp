@@ -14,6 +14,14 @@ struct nearest_force_result {
   half_space_set idle;  ///< Brakes that are released: their half-spaces hold Fp back, t_i = 0.
 };
 
+/// B in C = { F : B^T F <= 0 }: columns s_i E_i.
+template <class T, int D, int Brakes>
+matrix<T, D, Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s) {
+  matrix<T, D, Brakes> B;
+  unrolled<Brakes>([&](auto i) { unrolled<D>([&](auto k) { B(k, i) = s[i] * E(k, i); }); });
+  return B;
+}
+
 /// Projection of Fd on C = { F : s_i (E^T F)_i <= 0 }, the forces that brakes of signs s can produce.
 /// E (d x m) from brake_jacobian; J may be singular and n > d (then C leaves the self-motion alone).
 /// Brakes with s_i = 0 restrict nothing. Fd of moderate norm: pass a unit vector. Fp = 0 may come out as a
@@ -22,9 +30,7 @@ struct nearest_force_result {
 template <class T, int D, int Brakes>
 nearest_force_result<T, D, Brakes> nearest_force(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
                                                  const vector<T, D>& Fd, half_space_set start = 0) {
-  matrix<T, D, Brakes> B;
-  unrolled<Brakes>([&](auto i) { unrolled<D>([&](auto k) { B(k, i) = s[i] * E(k, i); }); });
-  const auto projection = project_onto_half_spaces(B, Fd, start);
+  const auto projection = project_onto_half_spaces(half_spaces_of(E, s), Fd, start);
   return {projection.point, projection.active};
 }
 
@@ -45,7 +51,7 @@ nearest_force_result<T, D, D> nearest_force(const diagonal_matrix<T, D>& E, cons
 /// have a component against the sum of the half-spaces' normals, and the projection of that sum would not vanish.
 template <class T, int D, int Brakes>
 bool cone_is_zero(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s) {
-  matrix<T, D, Brakes> B = E * s.asDiagonal();
+  matrix<T, D, Brakes> B = half_spaces_of(E, s);
   for (int i = 0; i < Brakes; ++i) B.col(i).stableNormalize();
   const vector<T, D> against = -B.rowwise().sum();
   const T size = against.norm();

@@ -51,6 +51,7 @@ class chain_frames<T, N, 2> {
     matrix<T, 2, 2> A = matrix<T, 2, 2>::Identity();
     vector<T, 2> p = vector<T, 2>::Zero();
     T sine = T(0), cosine = T(1);  // of A
+    const auto angles = sine_cosine(q);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const auto& j = joints_[i];
       const T qi = q[static_cast<int>(i)];
@@ -58,7 +59,7 @@ class chain_frames<T, N, 2> {
       at.turning[i][0] = j.turns ? T(1) : T(0);
       at.sliding[i].setZero();
       if (j.turns) {
-        const auto [s, c] = sine_cosine(qi);
+        const auto [s, c] = angles[i];
         const T sum = sine * c + cosine * s;
         cosine = cosine * c - sine * s;
         sine = sum;
@@ -110,6 +111,7 @@ class chain_frames<T, N, 3> {
     chain_pose<T, N, 3> at;
     matrix<T, 3, 3> B = first_;  // z along joint i
     vector<T, 3> p = start_;
+    const auto angles = sine_cosine(q);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const body& b = bodies_[i];
       const T qi = q[static_cast<int>(i)];
@@ -120,7 +122,7 @@ class chain_frames<T, N, 3> {
         at.sliding[i][k] = (T(1) - turns) * B(k, 2);
       });
       if (b.turns) {
-        const auto [sine, cosine] = sine_cosine(qi);
+        const auto [sine, cosine] = angles[i];
         c = cosine * b.phase_cosine - sine * b.phase_sine;
         s = sine * b.phase_cosine + cosine * b.phase_sine;
       } else {

@@ -51,8 +51,9 @@ class delta {
   /// multiplies with T.
   template <class S>
   vector<S, 3> position(const vector<S, 3>& q) const {
-    return handle(elbow_point(0, lever(0, q[0])), elbow_point(1, lever(1, q[1])),
-                  elbow_point(2, lever(2, q[2])));
+    const auto angle = sine_cosine(q);
+    return handle(elbow_point(0, lever(0, angle[0])), elbow_point(1, lever(1, angle[1])),
+                  elbow_point(2, lever(2, angle[2])));
   }
 
   /// All legs.
@@ -134,16 +135,10 @@ class delta {
   }
 
   template <class S>
-  static S dot(const vector<S, 3>& a, const vector<S, 3>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-
-  template <class S>
-  vector<S, 3> lever(int i, const S& angle) const {
-    using std::cos, std::sin;
+  vector<S, 3> lever(int i, const sine_cosine_pair<S>& angle) const {
     const vector<T, 3> e = radial(i);
-    const S out = p_.upper_arm * cos(angle);
-    return {e[0] * out, e[1] * out, -p_.upper_arm * sin(angle)};
+    const S out = p_.upper_arm * angle.cosine;
+    return {e[0] * out, e[1] * out, -p_.upper_arm * angle.sine};
   }
 
   // Moved inwards by the platform's radius
@@ -158,9 +153,9 @@ class delta {
   vector<S, 3> handle(const vector<S, 3>& P1, const vector<S, 3>& P2, const vector<S, 3>& P3) const {
     using std::sqrt;
     const vector<S, 3> a = P2 - P1, b = P3 - P1, c = P3 - P2;
-    const vector<S, 3> n = detail::cross(a, b);
+    const vector<S, 3> n = cross(a, b);
     const S aa = dot(a, a), bb = dot(b, b), nn = dot(n, n);
-    const vector<S, 3> bn = detail::cross(b, n), na = detail::cross(n, a);
+    const vector<S, 3> bn = cross(b, n), na = cross(n, a);
     const S circumradius = sqrt(S(aa * bb * dot(c, c) / nn)) / T(2);
     const S height = side_ * sqrt(S((p_.forearm - circumradius) * (p_.forearm + circumradius) / nn));
     const S to_centre = T(1) / (T(2) * nn);
@@ -173,8 +168,9 @@ class delta {
   distal_links<T, 3> legs(const vector<T, 3>& q, const vector<T, 3>* x = nullptr) const {
     distal_links<T, 3> at;
     std::array<vector<T, 3>, 3> P;
+    const auto angle = sine_cosine(q);
     for (int i = 0; i < 3; ++i) {
-      const vector<T, 3> a = lever(i, q[i]), e = radial(i);
+      const vector<T, 3> a = lever(i, angle[std::size_t(i)]), e = radial(i);
       P[std::size_t(i)] = elbow_point(i, a);
       at.lever.col(i) = a;
       at.tangent.col(i) = a[2] * e - a.dot(e) * vector<T, 3>::UnitZ();

@@ -46,8 +46,7 @@ struct distal_links {
     } else {
       std::array<vector<T, 3>, 3> r;
       unrolled<3>([&](int i) { unrolled<3>([&](int k) { r[std::size_t(i)][k] = link(i, k); }); });
-      const std::array<vector<T, 3>, 3> across{detail::cross(r[1], r[2]), detail::cross(r[2], r[0]),
-                                               detail::cross(r[0], r[1])};
+      const std::array<vector<T, 3>, 3> across{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])};
       const T inverse = T(1) / dot(r[0], across[0]);
       unrolled<3>([&](int i) {
         const T b = B[i] * inverse;

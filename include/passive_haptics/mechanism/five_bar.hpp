@@ -43,7 +43,8 @@ class five_bar {
   /// height is a product of differences of lengths: no squares cancel. Any scalar S that multiplies with T.
   template <class S>
   vector<S, 2> position(const vector<S, 2>& q) const {
-    return handle(elbow_point(0, lever(0, q[0])), elbow_point(1, lever(1, q[1])));
+    const auto angle = sine_cosine(q);
+    return handle(elbow_point(0, lever(0, angle[0])), elbow_point(1, lever(1, angle[1])));
   }
 
   /// Both legs.
@@ -129,15 +130,9 @@ class five_bar {
   static constexpr T third = T(1) / T(3);  // a uniform rod about its end: m l^2 / 3
 
   template <class S>
-  vector<S, 2> lever(int i, const S& angle) const {
+  vector<S, 2> lever(int i, const sine_cosine_pair<S>& angle) const {
     const T l = i == 0 ? p_.proximal_1 : p_.proximal_2;
-    if constexpr (std::same_as<S, T>) {
-      const auto [s, c] = sine_cosine(angle);
-      return {l * c, l * s};
-    } else {
-      using std::cos, std::sin;
-      return {l * cos(angle), l * sin(angle)};
-    }
+    return {l * angle.cosine, l * angle.sine};
   }
 
   template <class S>
@@ -165,7 +160,8 @@ class five_bar {
   // With the handle at x, or else where it is
   distal_links<T, 2> legs(const vector<T, 2>& q, const vector<T, 2>* x = nullptr) const {
     distal_links<T, 2> at;
-    const vector<T, 2> a1 = lever(0, q[0]), a2 = lever(1, q[1]);
+    const auto angle = sine_cosine(q);
+    const vector<T, 2> a1 = lever(0, angle[0]), a2 = lever(1, angle[1]);
     const vector<T, 2> P1 = elbow_point(0, a1), P2 = elbow_point(1, a2);
     at.handle = x != nullptr ? *x : handle(P1, P2);
     at.lever << a1, a2;

@@ -23,12 +23,6 @@ using inertia_matrix = matrix<T, angular_size<D>, angular_size<D>>;
 
 namespace detail {
 
-/// a x b in space. Written out, so that it takes any scalar (Eigen's cross wants a complex conjugate of it).
-template <class S>
-vector<S, 3> cross(const vector<S, 3>& a, const vector<S, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// The products that turning bodies need. One name a role, so that Eigen expressions convert without doubt.
 template <class T, int D>
 struct turning;

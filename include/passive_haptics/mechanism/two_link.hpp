@@ -73,9 +73,9 @@ class two_link {
 
   /// The links [m].
   two_link_pose<T> pose(const vector<T, 2>& q) const {
-    const auto [s1, c1] = sine_cosine(q[0]);
-    const auto [s12, c12] = sine_cosine(q[0] + q[1]);
-    return {{p_.length_1 * c1, p_.length_1 * s1}, {p_.length_2 * c12, p_.length_2 * s12}};
+    const auto [q1, q12] = sine_cosine(q[0], q[0] + q[1]);
+    return {{p_.length_1 * q1.cosine, p_.length_1 * q1.sine},
+            {p_.length_2 * q12.cosine, p_.length_2 * q12.sine}};
   }
 
   /// End effector [m].

@@ -19,9 +19,9 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/testing/derivative.hpp>
 #include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/small_matrices.hpp>
 
 #include <gtest/gtest.h>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <type_traits>
@@ -70,8 +70,7 @@ class mechanism_laws : public ::testing::Test {
   static number transmission_condition(const model& mechanism, const joint_vector<model>& q) {
     if constexpr (detail::has_exact_transmission<model>) {
       const matrix<number, model::brake_count, model::dof> A(transmission(mechanism, q));
-      const Eigen::JacobiSVD<matrix<number, model::brake_count, model::dof>> svd(A);
-      return svd.singularValues()[0] / svd.singularValues()[model::dof - 1];
+      return static_cast<number>(condition_of(small_matrix(A)));
     } else {
       return number(1);
     }

@@ -71,6 +71,25 @@ class random_source {
     return (x / x.norm()).template cast<T>();
   }
 
+  /// Unit vectors at right angles, one a column, every choice of them alike (Gram and Schmidt, twice).
+  template <int N, int Count = N>
+  matrix<double, N, Count> orthogonal_directions() {
+    matrix<double, N, Count> all;
+    for (int i = 0; i < Count; ++i) {
+      vector<double, N> x = direction<double, N>();
+      for (int pass = 0; pass < 2; ++pass) {
+        for (int k = 0; k < i; ++k) {
+          double along = 0;
+          for (int r = 0; r < N; ++r) along += all(r, k) * x[r];
+          for (int r = 0; r < N; ++r) x[r] -= along * all(r, k);
+        }
+        x /= x.norm();
+      }
+      for (int r = 0; r < N; ++r) all(r, i) = x[r];
+    }
+    return all;
+  }
+
  private:
   std::mt19937_64 bits_;
 };

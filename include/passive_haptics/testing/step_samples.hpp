@@ -4,12 +4,12 @@
 
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/testing/random.hpp>
-
-#include <Eigen/LU>
+#include <passive_haptics/testing/small_matrices.hpp>
 
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace passive_haptics::testing {
 
@@ -73,10 +73,12 @@ step_sample<typename Case::mechanism> random_sample(
   }
   sample.state.time = random.uniform(0.0, 100.0);
   sample.state.q = random.between<T, M::dof>(Case::lower(), Case::upper());
-  sample.state.qd = w;
-  if constexpr (detail::has_exact_transmission<M>) {
+  if constexpr (!detail::has_exact_transmission<M>) {
+    sample.state.qd = w;
+  } else {
     const matrix<T, M::brake_count, M::dof> A(transmission(mechanism, sample.state.q));
-    sample.state.qd = A.fullPivLu().solve(w);
+    const std::vector<double> qd = solution_of(small_matrix(A), small_matrix(w));
+    for (int i = 0; i < M::dof; ++i) sample.state.qd[i] = static_cast<T>(qd[static_cast<std::size_t>(i)]);
   }
   if (random.coin() || random.coin())
     sample.state.hand_force = random.positive(T(1e-3), T(1e2)) * random.direction<T, d>();

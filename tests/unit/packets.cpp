@@ -1,0 +1,109 @@
+// Vectors in packets, of any length: what is beyond the last number stays zero, sums and the largest number are right.
+#include <passive_haptics/core/packets.hpp>
+#include <passive_haptics/testing/random.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+template <class Scalar, int Length>
+struct size {
+  using T = Scalar;
+  static constexpr int length = Length;
+};
+
+template <class Size>
+struct packets : ::testing::Test {
+  using number = typename Size::T;
+  static constexpr int length = Size::length;
+  static constexpr number rounding = number(4 * length) * std::numeric_limits<number>::epsilon();
+  using numbers = std::array<number, static_cast<std::size_t>(length)>;
+  using vector = ph::detail::packets<number, length>;
+
+  static numbers draw(ph::testing::random_source& random) {
+    numbers x;
+    for (number& one : x) one = random.uniform(number(-1), number(1));
+    return x;
+  }
+  static vector load(const numbers& x) { return vector::load(x.data()); }
+  static numbers stored(const vector& x) {
+    numbers y;
+    x.store(y.data());
+    return y;
+  }
+  static number dot(const numbers& a, const numbers& b) {
+    number sum = number(0);
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+  }
+};
+
+using sizes = ::testing::Types<size<double, 1>, size<double, 2>, size<double, 3>, size<double, 6>,
+                               size<double, 7>, size<double, 8>, size<float, 1>, size<float, 2>,
+                               size<float, 3>, size<float, 4>, size<float, 6>, size<float, 7>,
+                               size<float, 32>, size<long double, 1>, size<long double, 4>>;
+TYPED_TEST_SUITE(packets, sizes);
+
+TYPED_TEST(packets, hold_their_numbers_and_zeros) {
+  ph::testing::random_source random(1);
+  const auto x = this->draw(random);
+  const auto packed = this->load(x);
+  EXPECT_EQ(this->stored(packed), x);
+  if constexpr (packed.width > 1) {
+    for (int i = TestFixture::length; i < packed.count * packed.width; ++i)
+      EXPECT_EQ(packed.p[i / packed.width][i % packed.width], 0);
+  }
+}
+
+TYPED_TEST(packets, subtract_multiply_and_sum) {
+  using T = typename TestFixture::number;
+  ph::testing::random_source random(2);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto x = this->draw(random), y = this->draw(random);
+    EXPECT_LE(std::abs(this->load(x).dot(this->load(y)) - this->dot(x, y)), TestFixture::rounding);
+    auto difference = this->load(x);
+    difference.subtract(T(0.5), this->load(y));
+    const auto opposite = this->stored(difference.map([](auto p) { return -p; }));
+    for (std::size_t i = 0; i < x.size(); ++i)
+      EXPECT_LE(std::abs(opposite[i] - (y[i] / 2 - x[i])), TestFixture::rounding);
+  }
+}
+
+TYPED_TEST(packets, sums_stand_in_order) {
+  constexpr int N = TestFixture::length;
+  using T = typename TestFixture::number;
+  ph::testing::random_source random(3);
+  std::array<typename TestFixture::numbers, static_cast<std::size_t>(N)> rows;
+  for (auto& row : rows) row = this->draw(random);
+  const auto x = this->draw(random);
+  const auto product = this->stored(ph::detail::sums<T, N>(
+      [&](int j) { return this->load(rows[static_cast<std::size_t>(j)]).products(this->load(x)); }));
+  for (std::size_t j = 0; j < rows.size(); ++j)
+    EXPECT_LE(std::abs(product[j] - this->dot(rows[j], x)), TestFixture::rounding) << "sum " << j;
+}
+
+TYPED_TEST(packets, largest_is_found_wherever_it_stands) {
+  using T = typename TestFixture::number;
+  ph::testing::random_source random(4);
+  for (int where = 0; where < TestFixture::length; ++where) {
+    auto x = this->draw(random);
+    for (T& one : x) one = one < 0 ? T(0) : one;
+    x[static_cast<std::size_t>(where)] = T(1.5);
+    const auto [value, index] = ph::detail::largest(this->load(x));
+    EXPECT_EQ(index, where);
+    EXPECT_LE(std::abs(value - T(1.5)), 64 * std::numeric_limits<T>::epsilon());
+  }
+}
+
+TYPED_TEST(packets, largest_of_zeros_is_zero) {
+  EXPECT_EQ(ph::detail::largest(typename TestFixture::vector{}).value, 0);
+}
+
+}  // namespace
