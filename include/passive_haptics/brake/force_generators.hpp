@@ -3,9 +3,9 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/core/cholesky.hpp>
+#include <passive_haptics/core/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
-
-#include <Eigen/Cholesky>
 
 #include <limits>
 
@@ -58,9 +58,9 @@ matrix<typename M::scalar, M::task_dimension, M::brake_count> inertial_force_gen
     Tt = transposed(matrix<T, M::brake_count, M::dof>(transmission(mechanism, q)));
   }
   // M = L L^T and L^-1 J^T = Q R: Lambda J M^-1 T^T = (R^T R)^-1 R^T Q^T L^-1 T^T, a least-squares solution.
-  const Eigen::LLT<matrix<T, M::dof, M::dof>> mass(mechanism.mass_matrix(q));
-  const matrix<T, M::dof, M::task_dimension> A = mass.matrixL().solve(transposed(J));
-  const matrix<T, M::dof, M::brake_count> B = mass.matrixL().solve(Tt);
+  const cholesky<T, M::dof> mass(mechanism.mass_matrix(q));
+  const matrix<T, M::dof, M::task_dimension> A = mass.half_solve(transposed(J));
+  const matrix<T, M::dof, M::brake_count> B = mass.half_solve(Tt);
   const orthogonal_decomposition<T, M::dof, M::task_dimension> decomposition(A, T(0));
   using generators = matrix<T, M::task_dimension, M::brake_count>;
   generators G = generators::Constant(std::numeric_limits<T>::quiet_NaN());

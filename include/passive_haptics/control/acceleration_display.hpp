@@ -4,10 +4,9 @@
 
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/control/brake_situation.hpp>
+#include <passive_haptics/core/cholesky.hpp>
 #include <passive_haptics/force/contact_forces.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
-
-#include <Eigen/Cholesky>
 
 #include <array>
 #include <cmath>
@@ -53,16 +52,17 @@ auto accelerations(const brake_situation<M, EMatrix, B>& now) {
   matrix<T, n, m> Tt = matrix<T, n, m>::Identity();
   if constexpr (detail::has_exact_transmission<M>)
     Tt = transposed(matrix<T, m, n>(transmission(now.mechanism, now.q)));
-  const Eigen::LLT<matrix<T, n, n>> mass(now.mechanism.mass_matrix(now.q));
-  const joint_vector<M> qdd =
-      mass.solve(transposed_product(J, now.hand_force) - now.mechanism.bias_torque(now.q, now.qd));
+  const cholesky<T, n> mass(now.mechanism.mass_matrix(now.q));
+  const joint_vector<M> torque =
+      transposed_product(J, now.hand_force) - now.mechanism.bias_torque(now.q, now.qd);
+  const joint_vector<M> qdd = mass.solve(torque);
   const matrix<T, n, m> per_torque = mass.solve(Tt);
   acceleration_map<T, d, m> map;
   map.free = product(J, qdd) + now.mechanism.bias_acceleration(now.q, now.qd);
-  map.G = J * per_torque;
+  map.G = product(J, per_torque);
   map.brakes_free = transposed_product(Tt, qdd);
-  map.A = transposed(Tt) * per_torque;
-  map.mobility = J * mass.solve(transposed(J));
+  map.A = product(transposed(Tt), per_torque);
+  map.mobility = product(J, mass.solve(transposed(J)));
   return map;
 }
 
@@ -70,7 +70,7 @@ auto accelerations(const brake_situation<M, EMatrix, B>& now) {
 /// pose.
 template <class T, int D, int Brakes>
 matrix<T, D, Brakes> equivalent_forces(const acceleration_map<T, D, Brakes>& map) {
-  const matrix<T, D, Brakes> forces = map.mobility.ldlt().solve(map.G);
+  const matrix<T, D, Brakes> forces = cholesky<T, D>(map.mobility).solve(map.G);
   return all_finite(forces) ? forces : map.G;
 }
 

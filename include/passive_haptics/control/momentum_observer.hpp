@@ -6,12 +6,11 @@
 #include <passive_haptics/control/brake_lag.hpp>
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/control/hand_force_estimate.hpp>
+#include <passive_haptics/core/cholesky.hpp>
 #include <passive_haptics/core/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
-
-#include <Eigen/Cholesky>
 
 #include <cmath>
 #include <limits>
@@ -177,13 +176,13 @@ class momentum_observer {
     estimate_.force.setZero();
     estimate_.generators.setZero();
     const matrix<scalar, d, n> J(jacobian(mechanism_, q));
-    const Eigen::LLT<matrix<scalar, n, n>> mass(now.mass);
-    const matrix<scalar, n, d> A = mass.matrixL().solve(transposed(J));
+    const cholesky<scalar, n> mass(now.mass);
+    const matrix<scalar, n, d> A = mass.half_solve(transposed(J));
     if (!all_finite(A)) return status::pose_undefined;
     const orthogonal_decomposition<scalar, n, d> decomposition(A, rounding_tolerance<scalar>(n));
     if (decomposition.rank() < d) return status::singular_jacobian;
-    estimate_.force = decomposition.solve(joint_torque(mass.matrixL().solve(residual_)));
-    const matrix<scalar, n, m> B = mass.matrixL().solve(Tt);
+    estimate_.force = decomposition.solve(joint_torque(mass.half_solve(residual_)));
+    const matrix<scalar, n, m> B = mass.half_solve(Tt);
     for (int i = 0; i < m; ++i) estimate_.generators.col(i) = decomposition.solve(B.col(i));
     return status::ok;
   }

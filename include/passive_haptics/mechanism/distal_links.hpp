@@ -34,27 +34,8 @@ struct distal_links {
     return B;
   }
 
-  /// J = A^-1 B [m/rad] by Cramer's rule; not finite, or of no accuracy, where A is singular.
-  matrix<T, N, N> jacobian() const {
-    static_assert(N == 2 || N == 3);
-    const vector<T, N> B = drive();
-    matrix<T, N, N> J;
-    if constexpr (N == 2) {
-      const T inverse = T(1) / (link(0, 0) * link(1, 1) - link(0, 1) * link(1, 0));
-      const T b0 = B[0] * inverse, b1 = B[1] * inverse;
-      return matrix_of<2, 2>(b0 * link(1, 1), -b1 * link(0, 1), -b0 * link(1, 0), b1 * link(0, 0));
-    } else {
-      std::array<vector<T, 3>, 3> r;
-      unrolled<3>([&](int i) { unrolled<3>([&](int k) { r[std::size_t(i)][k] = link(i, k); }); });
-      const std::array<vector<T, 3>, 3> across{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])};
-      const T inverse = T(1) / dot(r[0], across[0]);
-      unrolled<3>([&](int i) {
-        const T b = B[i] * inverse;
-        unrolled<3>([&](int k) { J(k, i) = b * across[std::size_t(i)][k]; });
-      });
-    }
-    return J;
-  }
+  /// J = A^-1 B [m/rad]; not finite, or of no accuracy, where A is singular.
+  matrix<T, N, N> jacobian() const { return solved(drive()); }
 
   /// J^-1 = B^-1 A [rad/m]; not finite where B is singular.
   matrix<T, N, N> inverse_jacobian() const { return drive().cwiseInverse().asDiagonal() * link; }
@@ -72,13 +53,35 @@ struct distal_links {
 
   /// Jd qd [m/s^2] from the constraint's second derivative, r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.
   vector<T, N> bias_acceleration(const matrix<T, N, N>& J, const vector<T, N>& qd) const {
-    const vector<T, N> v = J * qd;
+    const vector<T, N> v = product(J, qd);
     vector<T, N> right;
     for (int i = 0; i < N; ++i) {
       const vector<T, N> relative = v - qd[i] * tangent.col(i);
       right[i] = -qd[i] * qd[i] * link.row(i).dot(lever.col(i)) - relative.squaredNorm();
     }
-    return link.partialPivLu().solve(right);
+    return solved(right).rowwise().sum();
+  }
+
+ private:
+  // A^-1 diag(b) by Cramer's rule.
+  matrix<T, N, N> solved(const vector<T, N>& b) const {
+    static_assert(N == 2 || N == 3);
+    if constexpr (N == 2) {
+      const T inverse = T(1) / (link(0, 0) * link(1, 1) - link(0, 1) * link(1, 0));
+      const T b0 = b[0] * inverse, b1 = b[1] * inverse;
+      return matrix_of<2, 2>(b0 * link(1, 1), -b1 * link(0, 1), -b0 * link(1, 0), b1 * link(0, 0));
+    } else {
+      matrix<T, N, N> X;
+      std::array<vector<T, 3>, 3> r;
+      unrolled<3>([&](int i) { unrolled<3>([&](int k) { r[std::size_t(i)][k] = link(i, k); }); });
+      const std::array<vector<T, 3>, 3> across{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])};
+      const T inverse = T(1) / dot(r[0], across[0]);
+      unrolled<3>([&](int i) {
+        const T scale = b[i] * inverse;
+        unrolled<3>([&](int k) { X(k, i) = scale * across[std::size_t(i)][k]; });
+      });
+      return X;
+    }
   }
 };
 

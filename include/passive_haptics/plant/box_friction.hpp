@@ -2,9 +2,7 @@
 /// Coulomb friction of several brakes at once, with exact stick.
 #pragma once
 
-#include <passive_haptics/core/matrix.hpp>
-
-#include <Eigen/Cholesky>
+#include <passive_haptics/core/cholesky.hpp>
 
 #include <array>
 #include <cmath>
@@ -46,17 +44,17 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
       if (modes[at(i)] == mode::stick && limit[i] > T(0)) continue;
       const T bound =
           modes[at(i)] == mode::lower ? -limit[i] : (modes[at(i)] == mode::upper ? limit[i] : T(0));
-      rhs -= A.col(i) * bound;
-      K.row(i).setZero();
-      K.col(i).setZero();
-      K(i, i) = T(1);
+      for (int j = 0; j < Brakes; ++j) {
+        rhs[j] -= A(j, i) * bound;
+        K(i, j) = K(j, i) = T(i == j);
+      }
       p[i] = bound;
     }
     for (int i = 0; i < Brakes; ++i) {
       if (modes[at(i)] != mode::stick || !(limit[i] > T(0))) rhs[i] = p[i];
     }
-    p = K.ldlt().solve(rhs);
-    w = w0 + A * p;
+    p = cholesky<T, Brakes>(K).solve(rhs);
+    w = w0 + product(A, p);
 
     int violating = -1;
     for (int i = 0; i < Brakes && violating < 0; ++i) {

@@ -3,17 +3,17 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/core/cholesky.hpp>
+#include <passive_haptics/core/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/plant/box_friction.hpp>
 #include <passive_haptics/plant/energy_books.hpp>
 #include <passive_haptics/plant/first_order_lag.hpp>
 #include <passive_haptics/plant/simulated_brakes.hpp>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <concepts>
+#include <limits>
 #include <utility>
 
 namespace passive_haptics {
@@ -62,41 +62,44 @@ class simulated_device {
   /// One time step dt [s] under commanded capacities [N m] and the force [N] that the hand's muscles exert.
   void advance(scalar dt, const brake_vector<M>& capacity, const task_vector<M>& muscle_force) {
     const task_vector<M> drift = mechanism_.bias_acceleration(q_, qd_);
-    const joint_vector<M> drive =
-        J_.transpose() * (muscle_force - hand_mass_ * drift) - mechanism_.bias_torque(q_, qd_);
+    const task_vector<M> handle_force = muscle_force - scaled(hand_mass_, drift);
+    const joint_vector<M> drive = transposed_product(J_, handle_force) - mechanism_.bias_torque(q_, qd_);
     const matrix<scalar, M::dof, M::brake_count> Tt = transposed_transmission();
-    const joint_matrix drag = Tt * brakes_.viscous_drag.asDiagonal() * Tt.transpose();
-    const Eigen::LLT<joint_matrix> inverse_mass(mass_ + dt * drag);
+    const matrix<scalar, M::brake_count, M::dof> T = transposed(Tt);
+    matrix<scalar, M::brake_count, M::dof> drag = T;
+    for (int i = 0; i < M::brake_count; ++i) drag.row(i) *= dt * brakes_.viscous_drag[i];
+    const cholesky<scalar, M::dof> inverse_mass(mass_ + product(Tt, drag));
 
-    const joint_vector<M> free = inverse_mass.solve(mass_ * qd_ + dt * drive);
-    const matrix<scalar, M::brake_count, M::brake_count> A = Tt.transpose() * inverse_mass.solve(Tt);
+    const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(product(mass_, qd_) + scaled(dt, drive)));
+    const matrix<scalar, M::brake_count, M::brake_count> A = product(T, inverse_mass.solve(Tt));
     const brake_vector<M> commanded = strength_.advance(dt, brakes_.strength(capacity));
-    const brake_vector<M> limit = dt * (commanded + brakes_.residual_torque);
-    const brake_vector<M> impulse = friction(A, Tt.transpose() * free, limit);
+    const brake_vector<M> limit = scaled(dt, brake_vector<M>(commanded + brakes_.residual_torque));
+    const brake_vector<M> impulse = friction(A, product(T, free), limit);
 
-    const joint_vector<M> next = free + inverse_mass.solve(Tt * impulse);
-    sensed_force_ = muscle_force - hand_mass_ * (J_ * (next - qd_) / dt + drift);
-    brake_torque_ = impulse / dt;
-    const brake_vector<M> rates = Tt.transpose() * next;
-    brake_power_ = brake_torque_.cwiseProduct(rates);
+    const joint_vector<M> next = free + inverse_mass.solve(product(Tt, impulse));
+    const joint_vector<M> change = next - qd_;
+    sensed_force_ = handle_force - scaled(hand_mass_ / dt, product(J_, change));
+    brake_torque_ = scaled(scalar(1) / dt, impulse);
+    const brake_vector<M> rates = product(T, next);
 
     // Work at the mid-point rate: see energy_books
-    const joint_vector<M> middle = (qd_ + next) / scalar(2);
-    const brake_vector<M> middle_rates = Tt.transpose() * middle;
+    const joint_vector<M> middle = scaled(scalar(1) / scalar(2), joint_vector<M>(qd_ + next));
+    const brake_vector<M> middle_rates = product(T, middle);
     const joint_vector<M> gravity = mechanism_.bias_torque(q_, joint_vector<M>::Zero());
-    books_.hand += as_double(dt * muscle_force.dot(J_ * middle));
-    books_.gravity -= as_double(dt * gravity.dot(middle));
-    books_.drag += as_double(dt * rates.cwiseProduct(brakes_.viscous_drag).dot(middle_rates));
+    books_.hand += as_double(dt * dot(muscle_force, product(J_, middle)));
+    books_.gravity -= as_double(dt * dot(gravity, middle));
     for (int i = 0; i < M::brake_count; ++i) {
+      books_.drag += as_double(dt * rates[i] * brakes_.viscous_drag[i] * middle_rates[i]);
       const double dissipated = -as_double(impulse[i] * middle_rates[i]);
       const double share = limit[i] > scalar(0) ? as_double(dt * commanded[i] / limit[i]) : 0.0;
       books_.brakes += share * dissipated;
       books_.residual_friction += (1 - share) * dissipated;
+      brake_power_[i] = brake_torque_[i] * rates[i];
       books_.largest_brake_power = std::max(books_.largest_brake_power, as_double(brake_power_[i]));
     }
 
     qd_ = next;
-    q_ += dt * qd_;
+    q_ += scaled(dt, qd_);
     measure_pose();
     books_.kinetic = kinetic_energy();
   }
@@ -128,15 +131,12 @@ class simulated_device {
   /// (J M^-1 J^T)^-1 J M^-1 T^T t (the dynamically consistent inverse, Khatib 1987). Not finite where J has not full row rank.
   task_vector<M> brake_force() const {
     const joint_vector<M> torque = transposed_transmission() * brake_torque_;
-    if constexpr (M::dof == M::task_dimension) {
-      return matrix<scalar, M::dof, M::dof>(transposed(J_)).partialPivLu().solve(torque);
-    } else {
-      // The hand's mass changes nothing here, so it may stay in M
-      const matrix<scalar, M::dof, M::task_dimension> X =
-          Eigen::LLT<joint_matrix>(mass_).solve(transposed(J_));
-      const matrix<scalar, M::task_dimension, M::task_dimension> mobility = J_ * X;
-      return mobility.ldlt().solve(transposed(X) * torque);
-    }
+    // M = L L^T: a least-squares solution of L^-1 J^T F = L^-1 T^T t. The hand's mass changes nothing, so it may stay in M.
+    const cholesky<scalar, M::dof> mass(mass_);
+    const matrix<scalar, M::dof, M::task_dimension> A = mass.half_solve(transposed(J_));
+    const orthogonal_decomposition<scalar, M::dof, M::task_dimension> decomposition(A, scalar(0));
+    if (decomposition.rank() == M::task_dimension) return decomposition.solve(mass.half_solve(torque));
+    return task_vector<M>::Constant(std::numeric_limits<scalar>::quiet_NaN());
   }
 
  private:
@@ -147,10 +147,12 @@ class simulated_device {
 
   void measure_pose() {
     J_ = task_matrix(jacobian(mechanism_, q_));
-    mass_ = mechanism_.mass_matrix(q_) + hand_mass_ * J_.transpose() * J_;
+    task_matrix momentum = J_;
+    momentum *= hand_mass_;
+    mass_ = mechanism_.mass_matrix(q_) + product(transposed(J_), momentum);
   }
 
-  double kinetic_energy() const { return as_double(qd_.dot(mass_ * qd_)) / 2; }
+  double kinetic_energy() const { return as_double(dot(qd_, product(mass_, qd_))) / 2; }
 
   matrix<scalar, M::dof, M::brake_count> transposed_transmission() const {
     using wide = matrix<scalar, M::brake_count, M::dof>;
