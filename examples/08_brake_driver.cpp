@@ -20,7 +20,7 @@ is wrong. Without options: the paper's device, simulated, for 10 s.
   --help           this text
 
 Signals: SIGINT (Ctrl-C), SIGTERM and SIGHUP release and end; SIGUSR1 rearms after a fault that is over.
-Exit status: 0; 1 if the device is not there or a fault released the brakes; 2 for a mistake in the options or the file.
+Exit status: 0; 1 if the device is not there; 2 for a mistake in the options or the file; 3 if a fault released the brakes.
 )";
 
 struct arguments {

@@ -53,7 +53,7 @@ class session {
     guard_.stop();
     log_is_whole_ = record_.stop();
     summarise(report, reason);
-    return reason.what == ph::fault::user ? 0 : 1;
+    return reason.what == ph::fault::user ? 0 : 3;
   }
 
  private:

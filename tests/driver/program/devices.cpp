@@ -117,7 +117,7 @@ TEST_F(a_board, that_is_gone_releases_at_once) {
   send(SIGINT);
   const outcome o = end();
   if (was_held_up()) GTEST_SKIP() << held_up;
-  EXPECT_EQ(o.status, 1);
+  EXPECT_EQ(o.status, 3);
   EXPECT_TRUE(has(o.out, "device lost")) << o.out;
   EXPECT_TRUE(has(o.out, "start again, at the home pose")) << o.out;
   EXPECT_TRUE(has(log().text(log().size() - 1, "reason"), "device lost"));
@@ -135,7 +135,7 @@ TEST_F(a_board, that_says_nothing_any_more_releases_after_the_bridge) {
   send(SIGINT);
   const outcome o = end();
   if (was_held_up()) GTEST_SKIP() << held_up;
-  EXPECT_EQ(o.status, 1);
+  EXPECT_EQ(o.status, 3);
   expect_released_at_the_end("encoders: no sample");
 }
 
@@ -155,7 +155,7 @@ TEST_F(a_board, and_a_force_sensor_go_together_until_the_sensor_falls_silent) {
   send(SIGINT);
   const outcome o = end();
   if (was_held_up()) GTEST_SKIP() << held_up;
-  EXPECT_EQ(o.status, 1);
+  EXPECT_EQ(o.status, 3);
   EXPECT_TRUE(has(o.out, "brakes released: force sensor: no sample")) << o.out;
   expect_released_at_the_end("force sensor: no sample");
 }

@@ -54,7 +54,7 @@ TEST_F(a_driver_whose, loop_is_stopped_is_released_by_its_supervisor) {
   ASSERT_TRUE(reaches("released"));
   send(SIGINT);
   const outcome o = end();
-  EXPECT_EQ(o.status, 1);
+  EXPECT_EQ(o.status, 3);
   const std::string reason = "the supervisor is lost, or released the brakes";
   EXPECT_TRUE(has(o.out, "brakes released: " + reason)) << o.out;
   expect_released_at_the_end(reason);
@@ -69,7 +69,7 @@ TEST_F(a_driver_whose, loop_slept_too_long_releases_by_itself) {
   ASSERT_TRUE(reaches("released"));
   send(SIGTERM);
   const outcome o = end();
-  EXPECT_EQ(o.status, 1);
+  EXPECT_EQ(o.status, 3);
   EXPECT_TRUE(has(o.out, "brakes released: the clock jumped")) << o.out;
   expect_released_at_the_end("the clock jumped");
 }
@@ -100,7 +100,7 @@ TEST_F(a_driver_whose, supervisor_is_killed_is_released_for_good) {
   ASSERT_TRUE(eventually([&] { return log().size() > row + 500; }));
   send(SIGINT);
   const outcome o = end();
-  EXPECT_EQ(o.status, 1);
+  EXPECT_EQ(o.status, 3);
   expect_released_at_the_end("the supervisor is lost, or released the brakes");
   const log_file all = log();
   for (std::size_t i = row; i < all.size(); ++i)
