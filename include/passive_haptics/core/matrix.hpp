@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <concepts>
 #include <type_traits>
 
@@ -44,7 +45,9 @@ concept ExactDiagonal = std::same_as<std::remove_cvref_t<X>, diagonal_matrix<T, 
 template <class T, int R, int C>
 matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
   matrix<T, C, R> At;
-  for (int i = 0; i < R; ++i) At.col(i) = A.row(i);
+  for (int i = 0; i < R; ++i) {
+    for (int j = 0; j < C; ++j) At(j, i) = A(i, j);
+  }
   return At;
 }
 
@@ -109,6 +112,19 @@ T dot(const vector<T, N>& a, const vector<T, N>& b) {
   T sum = a[0] * b[0];
   unrolled<N - 1>([&](auto i) { sum += a[i + 1] * b[i + 1]; });
   return sum;
+}
+
+/// |a|
+template <class T, int N>
+T norm(const vector<T, N>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
+
+/// x += a y
+template <class T, int N>
+void add_scaled(vector<T, N>& x, T a, const vector<T, N>& y) {
+  for (int i = 0; i < N; ++i) x[i] += a * y[i];
 }
 
 /// a x

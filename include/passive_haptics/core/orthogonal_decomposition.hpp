@@ -5,6 +5,8 @@
 #include <passive_haptics/core/matrix.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace passive_haptics {
 
@@ -28,78 +30,104 @@ class orthogonal_decomposition {
 
   /// A^+ b: the shortest of the least-squares solutions of A x = b.
   vector<T, N> solve(const vector<T, Rows>& b) const {
-    vector<T, most> y = vector<T, most>::Zero();
+    vector<T, N> x = vector<T, N>::Zero();
+    vector<T, most> y;
     for (int k = rank_ - 1; k >= 0; --k) {  // R y = U^T b
-      T rest = u_.col(k).dot(b);
-      for (int l = k + 1; l < rank_; ++l) rest -= r_(k, l) * y[l];
-      y[k] = rest / r_(k, k);
+      y[k] = dot(u_[at(k)], b);
+      for (int l = k + 1; l < rank_; ++l) y[k] -= r_(k, l) * y[l];
+      y[k] /= r_(k, k);
+      add_scaled(x, y[k], v_[at(k)]);
     }
-    return v_ * y;
+    return x;
   }
 
   /// (A^T)^+ g: the shortest of the least-squares solutions of A^T x = g.
   vector<T, Rows> solve_transposed(const vector<T, N>& g) const {
-    vector<T, most> y = vector<T, most>::Zero();
+    vector<T, Rows> x = vector<T, Rows>::Zero();
+    vector<T, most> y;
     for (int k = 0; k < rank_; ++k) {  // R^T y = V^T g
-      T rest = v_.col(k).dot(g);
-      for (int l = 0; l < k; ++l) rest -= r_(l, k) * y[l];
-      y[k] = rest / r_(k, k);
+      y[k] = dot(v_[at(k)], g);
+      for (int l = 0; l < k; ++l) y[k] -= r_(l, k) * y[l];
+      y[k] /= r_(k, k);
+      add_scaled(x, y[k], u_[at(k)]);
     }
-    return u_ * y;
+    return x;
   }
 
   /// x less its part in the row space of A: A times it is 0.
   vector<T, N> without_row_space(vector<T, N> x) const {
-    for (int pass = 0; pass < 2; ++pass) x -= v_ * (v_.transpose() * x);
+    remove(x, v_, rank_);
     return x;
   }
 
   /// U U^T, the orthogonal projection on the column space of A.
-  matrix<T, Rows, Rows> column_projection() const { return u_ * u_.transpose(); }
+  matrix<T, Rows, Rows> column_projection() const {
+    matrix<T, Rows, Rows> P = matrix<T, Rows, Rows>::Zero();
+    for (int k = 0; k < rank_; ++k) {
+      const vector<T, Rows>& u = u_[at(k)];
+      for (int i = 0; i < Rows; ++i) {
+        for (int j = 0; j < Rows; ++j) P(i, j) += u[i] * u[j];
+      }
+    }
+    return P;
+  }
 
  private:
   static constexpr int most = Rows < N ? Rows : N;
 
+  static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  // x less its parts along the first `count` of these unit vectors, twice: once leaves rounding of x.
+  template <int Size>
+  static void remove(vector<T, Size>& x, const std::array<vector<T, Size>, at(most)>& along, int count) {
+    for (int pass = 0; pass < 2; ++pass) {
+      vector<T, most> part;
+      for (int k = 0; k < count; ++k) part[k] = dot(along[at(k)], x);
+      for (int k = 0; k < count; ++k) add_scaled(x, -part[k], along[at(k)]);
+    }
+  }
+
   void find_row_space(const matrix<T, Rows, N>& A, T tolerance) {
-    matrix<T, Rows, N> rest = A;
+    std::array<vector<T, N>, at(Rows)> rest;
     T longest = T(0);
-    for (int i = 0; i < Rows; ++i) longest = std::max(longest, A.row(i).norm());
+    for (int i = 0; i < Rows; ++i) {
+      for (int j = 0; j < N; ++j) rest[at(i)][j] = A(i, j);
+      longest = std::max(longest, norm(rest[at(i)]));
+    }
     for (rank_ = 0; rank_ < most; ++rank_) {
       int pivot = -1;
       T length = tolerance * longest;
       for (int i = 0; i < Rows; ++i) {
-        for (int pass = 0; pass < 2 && rank_ > 0; ++pass) {
-          rest.row(i) -= (rest.row(i) * v_) * v_.transpose();
-        }
-        if (const T norm = rest.row(i).norm(); norm > length) {
-          length = norm;
+        remove(rest[at(i)], v_, rank_);
+        if (const T size = norm(rest[at(i)]); size > length) {
+          length = size;
           pivot = i;
         }
       }
       if (pivot < 0) return;
-      v_.col(rank_) = rest.row(pivot).transpose() / length;
+      for (int j = 0; j < N; ++j) v_[at(rank_)][j] = rest[at(pivot)][j] / length;
     }
   }
 
   void find_column_space(const matrix<T, Rows, N>& A) {
     for (int k = 0; k < rank_; ++k) {
-      vector<T, Rows> c = vector<T, Rows>::Zero();
-      for (int i = 0; i < Rows; ++i) c[i] = A.row(i).dot(v_.col(k));
+      vector<T, Rows>& u = u_[at(k)];
+      u = product(A, v_[at(k)]);
       for (int pass = 0; pass < 2; ++pass) {
         for (int l = 0; l < k; ++l) {
-          const T along = u_.col(l).dot(c);
+          const T along = dot(u_[at(l)], u);
           r_(l, k) += along;
-          c -= along * u_.col(l);
+          add_scaled(u, -along, u_[at(l)]);
         }
       }
-      r_(k, k) = c.norm();
-      u_.col(k) = c / r_(k, k);
+      r_(k, k) = norm(u);
+      for (int i = 0; i < Rows; ++i) u[i] /= r_(k, k);
     }
   }
 
   int rank_ = 0;
-  matrix<T, Rows, most> u_ = matrix<T, Rows, most>::Zero();
-  matrix<T, N, most> v_ = matrix<T, N, most>::Zero();
+  std::array<vector<T, Rows>, at(most)> u_;  // orthonormal columns of U
+  std::array<vector<T, N>, at(most)> v_;     // and of V
   matrix<T, most, most> r_ = matrix<T, most, most>::Zero();
 };
 

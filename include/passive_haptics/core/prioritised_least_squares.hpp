@@ -34,8 +34,8 @@ class prioritised_least_squares {
   /// Starts at the point of the box that is nearest to 0. lower <= upper.
   prioritised_least_squares(const vector<T, N>& lower, const vector<T, N>& upper)
       : lower_(lower), upper_(upper) {
-    x_ = vector<T, N>::Zero().cwiseMax(lower).cwiseMin(upper);
     for (int i = 0; i < N; ++i) {
+      x_[i] = std::min(std::max(T(0), lower[i]), upper[i]);
       at_[idx(i)] = !(lower[i] < upper[i]) ? bound::fixed
                     : x_[i] == lower[i]    ? bound::lower
                     : x_[i] == upper[i]    ? bound::upper
@@ -55,7 +55,11 @@ class prioritised_least_squares {
       else if (made > T(0)) refused.fill(false);
     }
     for (int i = 0; i < MaxRows && done_rows_ < MaxRows; ++i) {
-      if (!A.row(i).isZero(T(0))) done_.row(done_rows_++) = A.row(i);
+      bool is_zero = true;
+      for (int j = 0; j < N; ++j) is_zero = is_zero && A(i, j) == T(0);
+      if (is_zero) continue;
+      for (int j = 0; j < N; ++j) done_(done_rows_, j) = A(i, j);
+      ++done_rows_;
     }
     return settled;
   }
@@ -71,10 +75,13 @@ class prioritised_least_squares {
   // Relative size under which a row or a multiplier is rounding.
   static constexpr T tolerance() { return T(16) * rounding_tolerance<T>(N + MaxRows); }
 
+  // b - A x
+  targets residual(const rows& A, const targets& b) const { return b - product(A, x_); }
+
   rows on_free(const rows& A) const {
-    rows picked = rows::Zero();
-    for (int i = 0; i < N; ++i) {
-      if (at_[idx(i)] == bound::none) picked.col(i) = A.col(i);
+    rows picked;
+    for (int j = 0; j < N; ++j) {
+      for (int i = 0; i < MaxRows; ++i) picked(i, j) = at_[idx(j)] == bound::none ? A(i, j) : T(0);
     }
     return picked;
   }
@@ -82,12 +89,19 @@ class prioritised_least_squares {
   // The shortest step of the free variables to the least |A x - b| that changes nothing of the earlier rows.
   vector<T, N> constrained_step(const rows& A, const targets& b, const decomposition& held) const {
     const rows Af = on_free(A);
-    rows reduced = rows::Zero();
-    for (int i = 0; i < MaxRows; ++i)
-      reduced.row(i) = held.without_row_space(Af.row(i).transpose()).transpose();
+    rows reduced;
+    T size = T(0), left = T(0);  // squared
+    for (int i = 0; i < MaxRows; ++i) {
+      vector<T, N> row;
+      for (int j = 0; j < N; ++j) row[j] = Af(i, j);
+      size += dot(row, row);
+      row = held.without_row_space(row);
+      left += dot(row, row);
+      for (int j = 0; j < N; ++j) reduced(i, j) = row[j];
+    }
     // A level that sees only rounding of itself in what is left free has nothing to say.
-    if (!(reduced.norm() > tolerance() * Af.norm())) return vector<T, N>::Zero();
-    const vector<T, N> step = decomposition(reduced, tolerance()).solve(b - A * x_);
+    if (!(std::sqrt(left) > tolerance() * std::sqrt(size))) return vector<T, N>::Zero();
+    const vector<T, N> step = decomposition(reduced, tolerance()).solve(residual(A, b));
     return held.without_row_space(step);
   }
 
@@ -116,17 +130,17 @@ class prioritised_least_squares {
   // this level back, since no later level may release them, and returns false.
   bool release_worst(const rows& A, const targets& b, const decomposition& held,
                      std::array<bool, static_cast<std::size_t>(N)>& refused) {
-    const targets r = b - A * x_;
-    vector<T, N> pull = A.transpose() * r;  // - gradient of |A x - b|^2 / 2
+    const targets r = residual(A, b);
+    vector<T, N> pull = transposed_product(A, r);  // - gradient of |A x - b|^2 / 2
     vector<T, N> on_free_pull = pull;
     for (int i = 0; i < N; ++i) {
       if (at_[idx(i)] != bound::none) on_free_pull[i] = T(0);
     }
     // What the earlier rows take up of it
-    pull -= done_.transpose() * held.solve_transposed(on_free_pull);
+    pull -= transposed_product(done_, held.solve_transposed(on_free_pull));
 
-    const T size = b.norm() + r.norm();  // at least |A x|
-    const auto noise = [&](int i) { return tolerance() * A.col(i).norm() * size; };
+    const T size = norm(b) + norm(r);  // at least |A x|
+    const auto noise = [&](int i) { return tolerance() * norm(targets(A.col(i))) * size; };
     int worst = -1;
     T most = T(0);
     for (int i = 0; i < N; ++i) {
