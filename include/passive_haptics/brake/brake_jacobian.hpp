@@ -15,10 +15,8 @@ namespace passive_haptics {
 template <class T, int Brakes, int Dof>
 matrix<T, Dof, Brakes> pseudo_inverse(const matrix<T, Brakes, Dof>& transmission) {
   const orthogonal_decomposition<T, Dof, Brakes> decomposition(transposed(transmission), T(0));
-  matrix<T, Dof, Brakes> inverse = matrix<T, Dof, Brakes>::Constant(std::numeric_limits<T>::quiet_NaN());
-  if (decomposition.rank() < Dof) return inverse;
-  for (int i = 0; i < Dof; ++i) inverse.row(i) = decomposition.solve(vector<T, Dof>::Unit(i));
-  return inverse;
+  if (decomposition.rank() == Dof) return transposed(decomposition.pseudo_inverse());
+  return matrix<T, Dof, Brakes>::Constant(std::numeric_limits<T>::quiet_NaN());
 }
 
 /// The same, entry by entry.

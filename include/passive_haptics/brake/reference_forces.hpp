@@ -3,9 +3,8 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/core/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/status.hpp>
-
-#include <Eigen/LU>
 
 #include <limits>
 
@@ -20,7 +19,7 @@ struct reference_force_set {
 };
 
 /// G = E^-T, the forces (4) for unit torque of one brake with the others released. For n = d.
-/// For looking at the device (passive FME): the control step never needs this inverse. Cost: one LU of d x d.
+/// For looking at the device (passive FME): the control step never needs this inverse. Cost: one decomposition of d x d.
 template <class M>
   requires(M::dof == M::task_dimension && M::brake_count == M::dof)
 reference_force_set<M> reference_forces(const M& mechanism, const joint_vector<M>& q) {
@@ -30,9 +29,9 @@ reference_force_set<M> reference_forces(const M& mechanism, const joint_vector<M
   const square E = square(brake_jacobian(mechanism, q));
   const square none = square::Constant(std::numeric_limits<T>::quiet_NaN());
   if (!all_finite(E)) return {none, status::pose_undefined};
-  const Eigen::FullPivLU<square> lu(E.transpose());
-  if (!lu.isInvertible()) return {none, status::singular_jacobian};
-  return {square(lu.solve(square::Identity())), status::ok};
+  const orthogonal_decomposition<T, d, d> Et(transposed(E), rounding_tolerance<T>(d));
+  if (Et.rank() < d) return {none, status::singular_jacobian};
+  return {Et.pseudo_inverse(), status::ok};
 }
 
 }  // namespace passive_haptics

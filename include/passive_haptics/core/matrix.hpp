@@ -51,6 +51,17 @@ matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
   return At;
 }
 
+/// A over as many rows of zeros as make it `Rows` high.
+template <int Rows, class T, int R, int C>
+matrix<T, Rows, C> padded(const matrix<T, R, C>& A) {
+  static_assert(Rows >= R);
+  matrix<T, Rows, C> tall = matrix<T, Rows, C>::Zero();
+  for (int i = 0; i < R; ++i) {
+    for (int j = 0; j < C; ++j) tall(i, j) = A(i, j);
+  }
+  return tall;
+}
+
 namespace detail {
 
 // 0, or NaN once it was multiplied with NaN or infinity: one multiplication a number.
@@ -114,11 +125,15 @@ T dot(const vector<T, N>& a, const vector<T, N>& b) {
   return sum;
 }
 
-/// |a|
-template <class T, int N>
-T norm(const vector<T, N>& a) {
+/// |A|, root of the sum of squares.
+template <class T, int R, int C>
+T norm(const matrix<T, R, C>& A) {
   using std::sqrt;
-  return sqrt(dot(a, a));
+  T sum = T(0);
+  for (int j = 0; j < C; ++j) {
+    for (int i = 0; i < R; ++i) sum += A(i, j) * A(i, j);
+  }
+  return sqrt(sum);
 }
 
 /// x += a y

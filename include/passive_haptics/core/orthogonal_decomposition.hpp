@@ -54,19 +54,31 @@ class orthogonal_decomposition {
     return x;
   }
 
+  /// A^+.
+  matrix<T, N, Rows> pseudo_inverse() const {
+    matrix<T, N, Rows> inverse;
+    for (int j = 0; j < Rows; ++j) {
+      vector<T, Rows> b;
+      for (int i = 0; i < Rows; ++i) b[i] = T(i == j);
+      const vector<T, N> column = solve(b);
+      for (int i = 0; i < N; ++i) inverse(i, j) = column[i];
+    }
+    return inverse;
+  }
+
   /// x less its part in the row space of A: A times it is 0.
   vector<T, N> without_row_space(vector<T, N> x) const {
     remove(x, v_, rank_);
     return x;
   }
 
-  /// U U^T, the orthogonal projection on the column space of A.
-  matrix<T, Rows, Rows> column_projection() const {
-    matrix<T, Rows, Rows> P = matrix<T, Rows, Rows>::Zero();
+  /// I - U U^T, the orthogonal projection on the b with A^T b = 0.
+  matrix<T, Rows, Rows> left_null_projection() const {
+    matrix<T, Rows, Rows> P = matrix<T, Rows, Rows>::Identity();
     for (int k = 0; k < rank_; ++k) {
       const vector<T, Rows>& u = u_[at(k)];
       for (int i = 0; i < Rows; ++i) {
-        for (int j = 0; j < Rows; ++j) P(i, j) += u[i] * u[j];
+        for (int j = 0; j < Rows; ++j) P(i, j) -= u[i] * u[j];
       }
     }
     return P;

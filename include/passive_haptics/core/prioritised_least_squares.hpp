@@ -28,8 +28,9 @@ namespace passive_haptics {
 template <class T, int N, int MaxRows>
 class prioritised_least_squares {
  public:
-  using rows = matrix<T, MaxRows, N>;  ///< A level's matrix; rows that it does not need are 0.
-  using targets = vector<T, MaxRows>;  ///< A level's right-hand side, 0 there.
+  static constexpr int row_count = MaxRows;  ///< Of a level's matrix.
+  using rows = matrix<T, MaxRows, N>;        ///< A level's matrix; rows that it does not need are 0.
+  using targets = vector<T, MaxRows>;        ///< A level's right-hand side, 0 there.
 
   /// Starts at the point of the box that is nearest to 0. lower <= upper.
   prioritised_least_squares(const vector<T, N>& lower, const vector<T, N>& upper)

@@ -30,10 +30,7 @@ struct force_map {
 template <class T, int D, int Brakes>
 force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
   const orthogonal_decomposition<T, Brakes, D> Et(transposed(E), rounding_tolerance<T>(Brakes));
-  force_map<T, D, Brakes> map{
-      {}, matrix<T, Brakes, Brakes>::Identity() - Et.column_projection(), Et.rank() < Brakes};
-  for (int i = 0; i < Brakes; ++i) map.G.col(i) = Et.solve(vector<T, Brakes>::Unit(i));
-  return map;
+  return {Et.pseudo_inverse(), Et.left_null_projection(), Et.rank() < Brakes};
 }
 
 /// Torques for several contacts and what became of each.
@@ -60,9 +57,7 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
   using targets = typename solver::targets;
   solver t(box.lower, box.upper);
   if (map.self_motion) {
-    rows A = rows::Zero();
-    A.template topRows<Brakes>() = map.P;
-    t.minimise(A, targets::Zero());
+    t.minimise(padded<solver::row_count>(map.P), targets::Zero());
   }
   for (const bool first : {true, false}) {
     rows A = rows::Zero();
@@ -71,20 +66,19 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     for (int j = 0; j < count; ++j) {
       const auto& demand = demands[static_cast<std::size_t>(j)];
       if (demand.first != first) continue;
-      A.row(count_here) = demand.normal.transpose() * map.G;
+      const vector<T, Brakes> row = transposed_product(map.G, demand.normal);
+      for (int i = 0; i < Brakes; ++i) A(count_here, i) = row[i];
       a[count_here++] = demand.force;
     }
     if (count_here > 0) t.minimise(A, a);
   }
-  rows least = rows::Zero();
-  least.template topRows<D>() = drag;
-  t.minimise(least, targets::Zero());
+  t.minimise(padded<solver::row_count>(drag), targets::Zero());
   t.minimise(rows::Identity(), targets::Zero());
 
-  contact_forces_result<T, D, Brakes, Capacity> result{t.solution(), map.G * t.solution(), {}};
+  contact_forces_result<T, D, Brakes, Capacity> result{t.solution(), product(map.G, t.solution()), {}};
   for (int j = 0; j < count; ++j) {
-    result.displayed[static_cast<std::size_t>(j)] =
-        demands[static_cast<std::size_t>(j)].normal.dot(result.force);
+    const auto at = static_cast<std::size_t>(j);
+    result.displayed[at] = dot(demands[at].normal, result.force);
   }
   return result;
 }

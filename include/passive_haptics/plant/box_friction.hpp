@@ -4,6 +4,7 @@
 
 #include <passive_haptics/core/cholesky.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +19,17 @@ struct friction_impulses {
   std::array<bool, Brakes> sticks;  ///< True where the brake ends the step at rest.
   bool solved = true;               ///< False if rounding kept the pivoting from ending.
 };
+
+namespace detail {
+
+// p, brought within the box |p_i| <= limit_i
+template <class T, int Brakes>
+vector<T, Brakes> within(vector<T, Brakes> p, const vector<T, Brakes>& limit) {
+  for (int i = 0; i < Brakes; ++i) p[i] = std::max(std::min(p[i], limit[i]), -limit[i]);
+  return p;
+}
+
+}  // namespace detail
 
 /// Solves w = w0 + A p with |p_i| <= limit_i such that each brake either sticks (w_i = 0) or slips with the
 /// full impulse against its motion (p_i = -limit_i sgn(w_i)): a box-constrained linear complementarity problem.
@@ -59,21 +71,23 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
     int violating = -1;
     for (int i = 0; i < Brakes && violating < 0; ++i) {
       if (!(limit[i] > T(0))) continue;
-      const T rate_slack = slack * (std::abs(w0[i]) + A.row(i).cwiseAbs().dot(limit));
+      T rate_slack = std::abs(w0[i]);
+      for (int j = 0; j < Brakes; ++j) rate_slack += std::abs(A(i, j)) * limit[j];
+      rate_slack *= slack;
       const bool over = modes[at(i)] == mode::stick
                             ? std::abs(p[i]) > limit[i] * (T(1) + slack)
                             : (modes[at(i)] == mode::upper ? w[i] > rate_slack : w[i] < -rate_slack);
       if (over) violating = i;
     }
     if (violating < 0) {
-      friction_impulses<T, Brakes> result{p.cwiseMin(limit).cwiseMax(-limit), {}, true};
+      friction_impulses<T, Brakes> result{detail::within(p, limit), {}, true};
       for (int i = 0; i < Brakes; ++i) result.sticks[at(i)] = modes[at(i)] == mode::stick && limit[i] > T(0);
       return result;
     }
     mode& m = modes[at(violating)];
     m = m != mode::stick ? mode::stick : (p[violating] > T(0) ? mode::upper : mode::lower);
   }
-  return {p.cwiseMin(limit).cwiseMax(-limit), {}, false};
+  return {detail::within(p, limit), {}, false};
 }
 
 /// The same for redundant brakes, m > n, whose A is only positive semi-definite: w is unique, p is not.
@@ -84,16 +98,22 @@ template <class T, int Brakes>
 friction_impulses<T, Brakes> solve_redundant_box_friction(const matrix<T, Brakes, Brakes>& A,
                                                           const vector<T, Brakes>& w0,
                                                           const vector<T, Brakes>& limit) {
-  const T eps = std::sqrt(std::numeric_limits<T>::epsilon()) * A.trace() / T(Brakes);
-  const matrix<T, Brakes, Brakes> regular = A + eps * matrix<T, Brakes, Brakes>::Identity();
+  T trace = T(0);
+  for (int i = 0; i < Brakes; ++i) trace += A(i, i);
+  const T eps = std::sqrt(std::numeric_limits<T>::epsilon()) * trace / T(Brakes);
+  matrix<T, Brakes, Brakes> regular = A;
+  for (int i = 0; i < Brakes; ++i) regular(i, i) += eps;
   friction_impulses<T, Brakes> result{vector<T, Brakes>::Zero(), {}, false};
   constexpr int most_rounds = 30;
   for (int round = 0; round < most_rounds; ++round) {
     const vector<T, Brakes> before = result.impulse;
-    result = solve_box_friction<T, Brakes>(regular, w0 - eps * before, limit);
+    vector<T, Brakes> w = w0;
+    add_scaled(w, -eps, before);
+    result = solve_box_friction<T, Brakes>(regular, w, limit);
     if (!result.solved) return result;
-    const T change = eps * (result.impulse - before).norm();
-    if (change <= std::numeric_limits<T>::epsilon() * (w0.norm() + A.norm() * result.impulse.norm()))
+    vector<T, Brakes> step = result.impulse;
+    add_scaled(step, T(-1), before);
+    if (eps * norm(step) <= std::numeric_limits<T>::epsilon() * (norm(w0) + norm(A) * norm(result.impulse)))
       return result;
   }
   result.solved = false;

@@ -62,6 +62,30 @@ class dynamics_laws : public ::testing::Test {
   static number accuracy() {
     return number(64) * difference_accuracy<number>() * difference_step<number>() / step();
   }
+
+  /// q + s qd.
+  static joint_vector<model> along(joint_vector<model> q, number s, const joint_vector<model>& qd) {
+    add_scaled(q, s, qd);
+    return q;
+  }
+
+  /// J as a dense matrix.
+  static matrix<number, model::task_dimension, model::dof> dense_jacobian(const model& mechanism,
+                                                                          const joint_vector<model>& q) {
+    return matrix<number, model::task_dimension, model::dof>(jacobian(mechanism, q));
+  }
+
+  /// M as a value.
+  static matrix<number, model::dof, model::dof> mass_matrix(const model& mechanism,
+                                                            const joint_vector<model>& q) {
+    return mechanism.mass_matrix(q);
+  }
+
+  /// qd . M qd.
+  static number twice_energy(const model& mechanism, const joint_vector<model>& q,
+                             const joint_vector<model>& qd) {
+    return dot(qd, product(mass_matrix(mechanism, q), qd));
+  }
 };
 
 TYPED_TEST_SUITE_P(dynamics_laws);
@@ -72,11 +96,11 @@ TYPED_TEST_P(dynamics_laws, mass_matrix_is_symmetric_positive_definite) {
   using T = typename M::scalar;
   const M mechanism = TypeParam::make();
   for (const auto& [q, qd] : this->motions()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
     const matrix<T, M::dof, M::dof> mass = mechanism.mass_matrix(q);
-    ASSERT_LE((mass - mass.transpose()).norm(), rounding_tolerance<T>(1) * mass.norm());
+    ASSERT_LE(largest_difference(mass, transposed(mass)), rounding_tolerance<T>(1) * largest_entry(mass));
     ASSERT_TRUE(is_positive_definite(small_matrix(mass))) << mass;
-    ASSERT_GT(qd.dot(mass * qd), T(0));
+    ASSERT_GT(dot(qd, product(mass, qd)), T(0));
   }
 }
 
@@ -88,16 +112,16 @@ TYPED_TEST_P(dynamics_laws, bias_acceleration_is_the_change_of_the_jacobian) {
   for (const auto& [q0, rate] : this->motions()) {
     const joint_vector<M> q = q0, qd = rate;
     SCOPED_TRACE(::testing::Message()
-                 << "seed " << this->seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
+                 << "seed " << this->seed << ", q = " << in_a_row(q) << ", qd = " << in_a_row(qd));
     const auto velocity = [&](T s) {
-      return task_vector<M>(jacobian(mechanism, joint_vector<M>(q + s * qd)) * qd);
+      return product(this->dense_jacobian(mechanism, this->along(q, s, qd)), qd);
     };
     const task_vector<M> expected = central_difference(velocity, this->step());
-    const T size = matrix<T, M::task_dimension, M::dof>(jacobian(mechanism, q)).norm();
-    ASSERT_LE((mechanism.bias_acceleration(q, qd) - expected).norm(), this->accuracy() * size)
-        << "bias_acceleration " << mechanism.bias_acceleration(q, qd).transpose() << ", differences give "
-        << expected.transpose();
-    ASSERT_TRUE(mechanism.bias_acceleration(q, joint_vector<M>::Zero()).isZero(T(0)));
+    const T size = norm(this->dense_jacobian(mechanism, q));
+    const task_vector<M> given = mechanism.bias_acceleration(q, qd);
+    ASSERT_LE(largest_difference(given, expected), this->accuracy() * size)
+        << "bias_acceleration " << in_a_row(given) << ", differences give " << in_a_row(expected);
+    ASSERT_EQ(largest_entry(task_vector<M>(mechanism.bias_acceleration(q, joint_vector<M>::Zero()))), T(0));
   }
 }
 
@@ -109,15 +133,15 @@ TYPED_TEST_P(dynamics_laws, bias_torque_keeps_the_kinetic_energy) {
   for (const auto& [q0, rate] : this->motions()) {
     const joint_vector<M> q = q0, qd = rate;
     SCOPED_TRACE(::testing::Message()
-                 << "seed " << this->seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
+                 << "seed " << this->seed << ", q = " << in_a_row(q) << ", qd = " << in_a_row(qd));
     const joint_vector<M> at_rest = mechanism.bias_torque(q, joint_vector<M>::Zero());
     const joint_vector<M> motion_torque = mechanism.bias_torque(q, qd) - at_rest;
-    const auto twice_energy = [&](T s) {
-      return qd.dot(mechanism.mass_matrix(joint_vector<M>(q + s * qd)) * qd);
+    const auto along_the_motion = [&](T s) {
+      return this->twice_energy(mechanism, this->along(q, s, qd), qd);
     };
-    const T growth = central_difference(twice_energy, this->step()) / T(2);
-    ASSERT_NEAR(growth, qd.dot(motion_torque), this->accuracy() * mechanism.mass_matrix(q).norm());
-    ASSERT_TRUE(TestFixture::has_gravity() || at_rest.isZero(T(0))) << at_rest.transpose();
+    const T growth = central_difference(along_the_motion, this->step()) / T(2);
+    ASSERT_NEAR(growth, dot(qd, motion_torque), this->accuracy() * norm(this->mass_matrix(mechanism, q)));
+    ASSERT_TRUE(TestFixture::has_gravity() || largest_entry(at_rest) == T(0)) << in_a_row(at_rest);
   }
 }
 
@@ -129,22 +153,22 @@ TYPED_TEST_P(dynamics_laws, bias_torque_follows_from_the_mass_matrix) {
   for (const auto& [q0, rate] : this->motions()) {
     const joint_vector<M> q = q0, qd = rate;
     SCOPED_TRACE(::testing::Message()
-                 << "seed " << this->seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
+                 << "seed " << this->seed << ", q = " << in_a_row(q) << ", qd = " << in_a_row(qd));
     const auto momentum = [&](T s) {
-      return joint_vector<M>(mechanism.mass_matrix(joint_vector<M>(q + s * qd)) * qd);
+      return product(this->mass_matrix(mechanism, this->along(q, s, qd)), qd);
     };
     joint_vector<M> expected = central_difference(momentum, this->step());
     for (int i = 0; i < M::dof; ++i) {
       const joint_vector<M> axis = joint_vector<M>::Unit(i);
-      const auto twice_energy = [&](T s) {
-        return qd.dot(mechanism.mass_matrix(joint_vector<M>(q + s * axis)) * qd);
+      const auto along_the_motion = [&](T s) {
+        return this->twice_energy(mechanism, this->along(q, s, axis), qd);
       };
-      expected[i] -= central_difference(twice_energy, this->step()) / T(2);
+      expected[i] -= central_difference(along_the_motion, this->step()) / T(2);
     }
     const joint_vector<M> c =
         mechanism.bias_torque(q, qd) - mechanism.bias_torque(q, joint_vector<M>::Zero());
-    ASSERT_LE((c - expected).norm(), this->accuracy() * mechanism.mass_matrix(q).norm())
-        << "c = " << c.transpose() << ", M gives " << expected.transpose();
+    ASSERT_LE(largest_difference(c, expected), this->accuracy() * norm(this->mass_matrix(mechanism, q)))
+        << "c = " << in_a_row(c) << ", M gives " << in_a_row(expected);
   }
 }
 

@@ -82,7 +82,7 @@ class mechanism_laws : public ::testing::Test {
     matrix<reference_scalar, model::task_dimension, model::dof> J;
     for (int i = 0; i < model::dof; ++i) {
       const auto along = [&](reference_scalar s) {
-        vector<reference_scalar, model::dof> moved = q.template cast<reference_scalar>();
+        auto moved = as<reference_scalar>(q);
         moved[i] += s;
         return vector<reference_scalar, model::task_dimension>(mechanism.position(moved));
       };
@@ -102,14 +102,14 @@ class mechanism_laws : public ::testing::Test {
     number size = number(0);
     for (const joint_vector<model>& q : poses()) {
       const task_vector<model> x = mechanism.position(q);
-      size = std::max({size, x.cwiseAbs().maxCoeff(), dense_jacobian(mechanism, q).cwiseAbs().maxCoeff()});
+      size = std::max({size, largest_entry(x), largest_entry(dense_jacobian(mechanism, q))});
     }
     return size;
   }
 
   /// Rounding of position and of J at q, both of size_of.
   static number rounding_at(const joint_vector<model>& q, number size) {
-    return rounding_tolerance<number>(4) * (number(1) + q.cwiseAbs().maxCoeff()) * size;
+    return rounding_tolerance<number>(4) * (number(1) + largest_entry(q)) * size;
   }
 };
 
@@ -121,14 +121,14 @@ TYPED_TEST_P(mechanism_laws, position_is_finite_and_pure) {
   const M mechanism = TypeParam::make();
   std::vector<task_vector<M>> first;
   for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
     first.push_back(mechanism.position(q));
     ASSERT_TRUE(all_finite(first.back()));
   }
   std::size_t k = 0;
   for (const joint_vector<M>& q : this->poses()) {
     const task_vector<M> again = mechanism.position(q);
-    ASSERT_EQ(again, first[k++]) << "seed " << this->seed << ", q = " << q.transpose();
+    ASSERT_EQ(again, first[k++]) << "seed " << this->seed << ", q = " << in_a_row(q);
   }
 }
 
@@ -141,14 +141,15 @@ TYPED_TEST_P(mechanism_laws, jacobian_is_the_derivative_of_position) {
   const M mechanism = TypeParam::make();
   const P size = static_cast<P>(this->size_of(mechanism));
   for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
     const auto J = this->dense_jacobian(mechanism, q);
-    const P rounding = static_cast<P>(rounding_tolerance<T>(4) * (T(1) + q.cwiseAbs().maxCoeff()));
+    const P rounding = static_cast<P>(rounding_tolerance<T>(4) * (T(1) + largest_entry(q)));
     for (int i = 0; i < M::dof; ++i) {
       const P resolved = P(16) * difference_accuracy<P>() * difference_step<P>() / this->step(i);
       const vector<P, M::task_dimension> expected = this->difference_jacobian(mechanism, q).col(i);
-      ASSERT_LE((J.col(i).template cast<P>() - expected).cwiseAbs().maxCoeff(), (rounding + resolved) * size)
-          << "column " << i << ": " << J.col(i).transpose() << ", differences give " << expected.transpose();
+      const task_vector<M> column = J.col(i);
+      ASSERT_LE(largest_difference(as<P>(column), expected), (rounding + resolved) * size)
+          << "column " << i << ": " << in_a_row(column) << ", differences give " << in_a_row(expected);
     }
     ASSERT_EQ(this->dense_jacobian(mechanism, q), J);
   }
@@ -162,11 +163,11 @@ TYPED_TEST_P(mechanism_laws, given_and_automatic_jacobian_agree) {
   const M mechanism = TypeParam::make();
   const T size = this->size_of(mechanism);
   for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
     const auto J = this->dense_jacobian(mechanism, q);
     if constexpr (detail::differentiates_itself<M>) {
       const T tolerance = this->rounding_at(q, size);
-      ASSERT_LE((J - automatic_jacobian(mechanism, q)).cwiseAbs().maxCoeff(), tolerance);
+      ASSERT_LE(largest_difference(J, automatic_jacobian(mechanism, q)), tolerance);
     } else if constexpr (detail::jacobian_is_constant<M>) {
       ASSERT_EQ(J, (matrix<T, M::task_dimension, M::dof>(mechanism.jacobian())));
     } else {
@@ -182,13 +183,13 @@ TYPED_TEST_P(mechanism_laws, pose_has_the_position_and_jacobian_of_q) {
   const M mechanism = TypeParam::make();
   const T size = this->size_of(mechanism);
   for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
     const auto at = pose(mechanism, q);
     const T tolerance = this->rounding_at(q, size);
     const task_vector<M> x = mechanism.position(at), expected = mechanism.position(q);
-    ASSERT_LE((x - expected).cwiseAbs().maxCoeff(), tolerance);
+    ASSERT_LE(largest_difference(x, expected), tolerance);
     const matrix<T, M::task_dimension, M::dof> J(jacobian(mechanism, at));
-    ASSERT_LE((J - this->dense_jacobian(mechanism, q)).cwiseAbs().maxCoeff(), tolerance);
+    ASSERT_LE(largest_difference(J, this->dense_jacobian(mechanism, q)), tolerance);
   }
 }
 
@@ -199,14 +200,15 @@ TYPED_TEST_P(mechanism_laws, brake_jacobian_maps_brake_rates_to_velocity) {
   const M mechanism = TypeParam::make();
   random_source random(this->seed);
   for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
     const joint_vector<M> qd = random.normal_vector<T, M::dof>();
     const brake_vector<M> w = brake_rates(mechanism, q, qd);
     const auto E = matrix<T, M::task_dimension, M::brake_count>(brake_jacobian(mechanism, q));
     const T condition = this->transmission_condition(mechanism, q);
     ASSERT_TRUE(std::isfinite(condition)) << "the transmission has not full column rank";
     const auto J = this->dense_jacobian(mechanism, q);
-    ASSERT_LE((E * w - J * qd).norm(), rounding_tolerance<T>(4 * M::dof) * condition * J.norm() * qd.norm());
+    ASSERT_LE(largest_difference(product(E, w), product(J, qd)),
+              rounding_tolerance<T>(4 * M::dof) * condition * norm(J) * norm(qd));
   }
 }
 
@@ -217,15 +219,15 @@ TYPED_TEST_P(mechanism_laws, brake_torques_do_the_work_of_the_force) {
   const M mechanism = TypeParam::make();
   random_source random(this->seed);
   for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << q.transpose());
+    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
     const joint_vector<M> qd = random.normal_vector<T, M::dof>();
     const task_vector<M> F = random.normal_vector<T, M::task_dimension>();
     const brake_vector<M> w = brake_rates(mechanism, q, qd);
     const brake_vector<M> t = brake_torque(brake_jacobian(mechanism, q), F);
     const auto J = this->dense_jacobian(mechanism, q);
     const T condition = this->transmission_condition(mechanism, q);
-    ASSERT_NEAR(t.dot(w), F.dot(J * qd),
-                rounding_tolerance<T>(4 * M::dof) * condition * F.norm() * J.norm() * qd.norm());
+    ASSERT_NEAR(dot(t, w), dot(F, product(J, qd)),
+                rounding_tolerance<T>(4 * M::dof) * condition * norm(F) * norm(J) * norm(qd));
   }
 }
 

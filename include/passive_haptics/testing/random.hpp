@@ -68,7 +68,7 @@ class random_source {
   template <class T, int N>
   vector<T, N> direction() {
     const vector<double, N> x = normal_vector<double, N>();
-    return (x / x.norm()).template cast<T>();
+    return as<T>(scaled(1 / norm(x), x));
   }
 
   /// Unit vectors at right angles, one a column, every choice of them alike (Gram and Schmidt, twice).
@@ -83,7 +83,7 @@ class random_source {
           for (int r = 0; r < N; ++r) along += all(r, k) * x[r];
           for (int r = 0; r < N; ++r) x[r] -= along * all(r, k);
         }
-        x /= x.norm();
+        x = scaled(1 / norm(x), x);
       }
       for (int r = 0; r < N; ++r) all(r, i) = x[r];
     }

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,6 +32,40 @@ struct small_matrix {
   /// Entry in row i, column j.
   double& operator()(int i, int j) { return values[static_cast<std::size_t>(j * rows + i)]; }
 };
+
+/// Largest magnitude of an entry; NaN if one is NaN.
+template <class T, int R, int C>
+T largest_entry(const matrix<T, R, C>& A) {
+  T largest = T(0);
+  for (int j = 0; j < C; ++j) {
+    for (int i = 0; i < R; ++i) {
+      const T size = std::abs(A(i, j));
+      if (size > largest || size != size) largest = size;
+    }
+  }
+  return largest;
+}
+
+/// Largest entry of |A - B|; NaN if one is NaN.
+template <class T, int R, int C>
+T largest_difference(matrix<T, R, C> A, const matrix<T, R, C>& B) {
+  for (int j = 0; j < C; ++j) {
+    for (int i = 0; i < R; ++i) A(i, j) -= B(i, j);
+  }
+  return largest_entry(A);
+}
+
+/// The entries, column after column, on one line of a message.
+template <class T, int R, int C>
+std::string in_a_row(const matrix<T, R, C>& A) {
+  std::string text;
+  for (const double value : small_matrix(A).values) {
+    char number[32];
+    std::snprintf(number, sizeof number, text.empty() ? "%.6g" : " %.6g", value);
+    text += number;
+  }
+  return text;
+}
 
 /// Largest over smallest singular value of a matrix with at least as many rows as columns; infinite or NaN if a column
 /// depends on others exactly. One-sided Jacobi rotations (Hestenes) until all columns are orthogonal to rounding.
