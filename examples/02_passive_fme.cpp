@@ -4,6 +4,8 @@
 
 #include <output.hpp>
 
+#include <Eigen/LU>
+
 #include <cstdio>
 #include <sstream>
 

@@ -2,6 +2,8 @@
 #include <number_list.hpp>
 #include <replay.hpp>
 
+#include <Eigen/LU>
+
 #include <chrono>
 #include <cstdio>
 #include <filesystem>

@@ -1,4 +1,5 @@
 #include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/plant/wall_following.hpp>
 
 #include <iostream>
 

@@ -1,4 +1,5 @@
 #include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/plant/simulated_device.hpp>
 
 namespace ph = passive_haptics;
 

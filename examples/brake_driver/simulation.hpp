@@ -6,6 +6,9 @@
 
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/shared_memory.hpp>
+#include <passive_haptics/plant/following_hand.hpp>
+#include <passive_haptics/plant/force_sensor.hpp>
+#include <passive_haptics/plant/simulated_device.hpp>
 
 #include <Eigen/LU>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/plant/wall_following.hpp>
 
 #include <array>
 #include <cstdint>

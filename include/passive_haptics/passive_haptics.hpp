@@ -1,5 +1,6 @@
 /// @file
-/// Everything that needs no more than Eigen, Boost.Hana and the standard library.
+/// Everything that a device's control cycle is made of; needs no more than Eigen, Boost.Hana and the standard library.
+/// The simulated device of plant/ is included by itself: passive_haptics/plant/wall_following.hpp.
 #pragma once
 
 #include <passive_haptics/core/version.hpp>
@@ -47,5 +48,3 @@
 #include <passive_haptics/control/single_degree_of_freedom_control.hpp>
 #include <passive_haptics/control/velocity_direct_control.hpp>
 #include <passive_haptics/control/velocity_ratio_control.hpp>
-
-#include <passive_haptics/plant/wall_following.hpp>

@@ -1,5 +1,6 @@
 // expect: passive_haptics: a simulated device needs a mechanism that models Dynamics
 #include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/plant/simulated_device.hpp>
 
 namespace ph = passive_haptics;
 

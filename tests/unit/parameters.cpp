@@ -2,6 +2,7 @@
 #include "support.hpp"
 
 #include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/plant/wall_following.hpp>
 
 #include <limits>
 #include <stdexcept>

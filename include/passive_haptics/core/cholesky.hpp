@@ -27,6 +27,13 @@ class cholesky {
     }
   }
 
+  /// True if all pivots are > 0; false for NaN.
+  bool is_positive_definite() const {
+    bool is_positive = true;
+    for (int i = 0; i < N; ++i) is_positive = is_positive && pivot_[i] > T(0);
+    return is_positive;
+  }
+
   /// A^-1 B.
   template <int C>
   matrix<T, N, C> solve(const matrix<T, N, C>& B) const {

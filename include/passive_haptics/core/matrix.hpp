@@ -195,6 +195,18 @@ vector<T, 3> cross(const vector<T, 3>& a, const vector<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+/// det A
+template <class T>
+T determinant(const matrix<T, 2, 2>& A) {
+  return A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
+}
+
+/// det A
+template <class T>
+T determinant(const matrix<T, 3, 3>& A) {
+  return dot(vector<T, 3>(A.col(0)), cross(vector<T, 3>(A.col(1)), vector<T, 3>(A.col(2))));
+}
+
 /// The matrix of these entries, row by row. (Eigen's constructor from nested lists costs 70 instructions for 2 x 2.)
 template <int R, int C, class T, class... Rest>
 matrix<T, R, C> matrix_of(T first, Rest... rest) {

@@ -94,7 +94,7 @@ class delta {
       if (solution.outcome == status::ok && square < T(0)) solution.outcome = status::out_of_reach;
     }
     if (solution.outcome != status::ok) return solution;
-    const T above = side_ * legs(solution.q, &x).link.determinant();
+    const T above = side_ * determinant(legs(solution.q, &x).link);
     if (above < -rounding_tolerance<T>(3) * p_.forearm * p_.forearm * p_.forearm)
       solution.outcome = status::out_of_reach;
     return solution;

@@ -5,8 +5,6 @@
 #include <passive_haptics/mechanism/closed_chain.hpp>
 #include <passive_haptics/mechanism/turning.hpp>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,13 +40,17 @@ struct distal_links {
 
   /// |B_ii| / (|r_i| |a'_i|), the least, and |det A| / prod |r_i|.
   chain_conditioning<T> conditioning() const {
-    const vector<T, N> length = link.rowwise().norm();
-    const vector<T, N> sine = drive().cwiseAbs().cwiseQuotient(length).cwiseQuotient(
-        vector<T, N>(tangent.colwise().norm().transpose()));
-    const matrix<T, N, N> unit = length.cwiseInverse().asDiagonal() * link;
+    const vector<T, N> B = drive();
+    matrix<T, N, N> unit = link;
+    T sine = T(1);
+    for (int i = 0; i < N; ++i) {
+      const T length = norm(vector<T, N>(link.row(i)));
+      for (int k = 0; k < N; ++k) unit(i, k) /= length;
+      const T ratio = std::abs(B[i]) / length / norm(vector<T, N>(tangent.col(i)));
+      if (ratio < sine || ratio != ratio) sine = ratio;  // a NaN stays
+    }
     // In this order std::min keeps a NaN
-    return {std::min(sine.template minCoeff<Eigen::PropagateNaN>(), T(1)),
-            std::min(std::abs(unit.determinant()), T(1))};
+    return {sine, std::min(std::abs(determinant(unit)), T(1))};
   }
 
   /// Jd qd [m/s^2] from the constraint's second derivative, r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.
@@ -56,10 +58,13 @@ struct distal_links {
     const vector<T, N> v = product(J, qd);
     vector<T, N> right;
     for (int i = 0; i < N; ++i) {
-      const vector<T, N> relative = v - qd[i] * tangent.col(i);
-      right[i] = -qd[i] * qd[i] * link.row(i).dot(lever.col(i)) - relative.squaredNorm();
+      right[i] = T(0);
+      for (int k = 0; k < N; ++k) {
+        const T relative = v[k] - qd[i] * tangent(k, i);
+        right[i] -= qd[i] * qd[i] * link(i, k) * lever(k, i) + relative * relative;
+      }
     }
-    return solved(right).rowwise().sum();
+    return product(solved(right), vector<T, N>(vector<T, N>::Ones()));
   }
 
  private:
@@ -67,7 +72,7 @@ struct distal_links {
   matrix<T, N, N> solved(const vector<T, N>& b) const {
     static_assert(N == 2 || N == 3);
     if constexpr (N == 2) {
-      const T inverse = T(1) / (link(0, 0) * link(1, 1) - link(0, 1) * link(1, 0));
+      const T inverse = T(1) / determinant(link);
       const T b0 = b[0] * inverse, b1 = b[1] * inverse;
       return matrix_of<2, 2>(b0 * link(1, 1), -b1 * link(0, 1), -b0 * link(1, 0), b1 * link(0, 0));
     } else {

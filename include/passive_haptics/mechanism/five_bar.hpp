@@ -84,7 +84,7 @@ class five_bar {
     const vector<T, 2> q(detail::principal_angle(q1.q[0]), detail::principal_angle(q2.q[0]));
     if (q1.outcome != status::ok) return {q, q1.outcome};
     if (q2.outcome != status::ok) return {q, q2.outcome};
-    const T left_of = side_ * legs(q, &x).link.determinant();
+    const T left_of = side_ * determinant(legs(q, &x).link);
     const bool other_side = left_of < -rounding_tolerance<T>(2) * p_.distal_1 * p_.distal_2;
     return {q, other_side ? status::out_of_reach : status::ok};
   }

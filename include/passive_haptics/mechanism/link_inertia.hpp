@@ -2,10 +2,9 @@
 /// Inertia of the links of a serial chain.
 #pragma once
 
+#include <passive_haptics/core/cholesky.hpp>
 #include <passive_haptics/mechanism/serial_chain_parameters.hpp>
 #include <passive_haptics/mechanism/turning.hpp>
-
-#include <Eigen/Cholesky>
 
 namespace passive_haptics {
 
@@ -57,7 +56,7 @@ std::string check_inertia(const std::string& name, const matrix<T, 3, 3>& inerti
   // int r r^T dm, which no mass makes indefinite
   const matrix<T, 3, 3> second_moment =
       (inertia.trace() / T(2) + rounding) * matrix<T, 3, 3>::Identity() - inertia;
-  if (Eigen::LDLT<matrix<T, 3, 3>>(second_moment).isPositive()) return "";
+  if (cholesky<T, 3>(second_moment).is_positive_definite()) return "";
   return name + " has a principal moment over the sum of the other two, expected that of a rigid body";
 }
 

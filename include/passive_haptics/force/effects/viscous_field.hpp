@@ -2,10 +2,9 @@
 /// A viscous field, F = -B v.
 #pragma once
 
+#include <passive_haptics/core/cholesky.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/force/effects/effect.hpp>
-
-#include <Eigen/Cholesky>
 
 namespace passive_haptics {
 
@@ -22,7 +21,7 @@ std::string validate(const viscous_field_parameters<T, D>& p) {
   const T size = p.viscosity.norm();
   const matrix<T, D, D> rounding = rounding_tolerance<T>(D) * size * matrix<T, D, D>::Identity();
   const matrix<T, D, D> symmetric = (p.viscosity + p.viscosity.transpose()) / T(2) + rounding;
-  if (size > T(0) && !Eigen::LDLT<matrix<T, D, D>>(symmetric).isPositive())
+  if (size > T(0) && !cholesky<T, D>(symmetric).is_positive_definite())
     return "viscosity of a viscous_field would drive some motion, expected v . B v >= 0 for all v";
   return {};
 }
