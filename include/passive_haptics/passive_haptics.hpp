@@ -13,6 +13,7 @@
 #include <passive_haptics/mechanism/two_link.hpp>
 #include <passive_haptics/mechanism/xy_table.hpp>
 
+#include <passive_haptics/brake/encoder_axes.hpp>
 #include <passive_haptics/brake/fme_boundary.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
 

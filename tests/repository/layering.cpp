@@ -81,7 +81,10 @@ complaints check_flow(const texts& headers) {
 
 complaints check_reach(const texts& headers) {
   std::set<std::string> reached;
-  std::vector<std::string> open{umbrella};
+  std::vector<std::string> open{umbrella};  // and the simulation, which is included by itself
+  for (const auto& [path, text] : headers) {
+    if (folder_of(path) == "plant") open.push_back(path);
+  }
   while (!open.empty()) {
     const std::string path = open.back();
     open.pop_back();
@@ -127,7 +130,9 @@ const texts& repository() {
 std::string include(const std::string& path) { return "#include <passive_haptics/" + path + ">\n"; }
 
 TEST(layering, includes_follow_the_flow) { EXPECT_EQ(check_flow(repository()), complaints()); }
-TEST(layering, every_header_is_in_the_umbrella) { EXPECT_EQ(check_reach(repository()), complaints()); }
+TEST(layering, every_header_is_in_the_umbrella_or_part_of_the_plant) {
+  EXPECT_EQ(check_reach(repository()), complaints());
+}
 TEST(layering, headers_are_short_guarded_and_documented) {
   EXPECT_EQ(check_form(repository()), complaints());
 }
