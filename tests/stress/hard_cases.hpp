@@ -5,6 +5,8 @@
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/testing/random.hpp>
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <limits>
 #include <numbers>

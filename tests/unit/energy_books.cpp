@@ -9,6 +9,8 @@
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/testing/random.hpp>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
