@@ -88,6 +88,7 @@ TEST(cholesky, takes_nothing_from_the_upper_triangle) {
   A(0, 1) = std::numeric_limits<double>::quiet_NaN();
   const ph::vector<double, 2> b(3, -4);
   EXPECT_EQ((ph::cholesky<double, 2>(A).solve(b)), b);
+  EXPECT_TRUE((ph::cholesky<double, 2>(A).is_positive_definite()));
 }
 
 TEST(cholesky, of_what_is_not_positive_definite_has_no_finite_half) {
@@ -97,6 +98,7 @@ TEST(cholesky, of_what_is_not_positive_definite_has_no_finite_half) {
     A(1, 1) = last;
     const ph::cholesky<double, 2> factors(A);
     const ph::vector<double, 2> ones = ph::vector<double, 2>::Ones();
+    EXPECT_FALSE(factors.is_positive_definite()) << last;
     EXPECT_FALSE(std::isfinite(factors.half_solve(ones)[1])) << last;
     EXPECT_EQ(std::isnan(factors.solve(ones)[1]), std::isnan(last)) << last;
   }
