@@ -83,6 +83,13 @@ TEST(cholesky, leaves_the_unknown_of_a_zero_pivot_at_zero) {
   EXPECT_EQ(x, (ph::vector<double, 3>(2, 0, 1)));
 }
 
+TEST(cholesky, keeps_a_nan_beside_a_zero_pivot) {
+  ph::matrix<double, 2, 2> A = ph::matrix<double, 2, 2>::Identity();
+  A(0, 0) = 0;
+  A(1, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(ph::all_finite(ph::cholesky<double, 2>(A).solve(ph::vector<double, 2>(1, 1))));
+}
+
 TEST(cholesky, takes_nothing_from_the_upper_triangle) {
   ph::matrix<double, 2, 2> A = ph::matrix<double, 2, 2>::Identity();
   A(0, 1) = std::numeric_limits<double>::quiet_NaN();

@@ -59,7 +59,7 @@ class cholesky {
   }
 
  private:
-  T over_pivot(T x, int i) const { return pivot_[i] == T(0) ? T(0) : x / pivot_[i]; }
+  T over_pivot(T x, int i) const { return pivot_[i] == T(0) ? x * T(0) : x / pivot_[i]; }  // a NaN stays
 
   // L^-1 B
   template <int C>

@@ -46,13 +46,13 @@ T largest_entry(const matrix<T, R, C>& A) {
   return largest;
 }
 
-/// Largest entry of |A - B|; NaN if one is NaN.
+/// A - B.
 template <class T, int R, int C>
-T largest_difference(matrix<T, R, C> A, const matrix<T, R, C>& B) {
+matrix<T, R, C> difference(matrix<T, R, C> A, const matrix<T, R, C>& B) {
   for (int j = 0; j < C; ++j) {
     for (int i = 0; i < R; ++i) A(i, j) -= B(i, j);
   }
-  return largest_entry(A);
+  return A;
 }
 
 /// The entries, column after column, on one line of a message.
