@@ -1,5 +1,6 @@
-// What callgrind counts of the ladder: one rung a run, in contact or in free space. Without an argument it lists the rows,
-// with --needs what each rung adds. benchmarks/run ladder prints it as a table, tests/budget guards it.
+// What callgrind counts of the ladder: one rung a run, in contact or in free space. Without an argument it
+// lists the rows, with --needs what each rung adds. benchmarks/run ladder prints it as a table, tests/budget
+// guards it.
 #include "ladder/rungs.hpp"
 
 #include <cstdio>

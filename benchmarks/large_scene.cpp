@@ -1,12 +1,13 @@
-// What a control cycle pays for a scene of 100 000 shapes, and for a mesh of 100 000 triangles: a look at everything, the skip
-// by hand, and ours. First it is checked that ours touches what a look at everything touches, in each of 20 000 cycles.
+// What a control cycle pays for a scene of 100 000 shapes, and for a mesh of 100 000 triangles: a look at
+// everything, the skip by hand, and ours. First it is checked that ours touches what a look at everything
+// touches, in each of 20 000 cycles.
 #include "large_scene/by_hand.hpp"
 
 #include "../tests/property/sample_meshes.hpp"
 
-#include <passive_haptics/scene/mesh_surface.hpp>
-#include <passive_haptics/scene/world.hpp>
-#include <passive_haptics/testing/percentile.hpp>
+#include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/scene/world/world.hpp>
+#include <passive_haptics/testing/support/percentile.hpp>
 
 #include <results.hpp>
 
@@ -83,7 +84,8 @@ check against_a_scan(const many_shapes::shapes<3>& all, const path& hand) {
 
 using cycle = std::function<void(const ph::point<3>&)>;
 
-// Mean over the whole path as Google Benchmark times it; of single cycles percentiles, each with the cost of two looks at a clock.
+// Mean over the whole path as Google Benchmark times it; of single cycles percentiles, each with the cost of
+// two looks at a clock.
 void add_row(const std::string& name, const path& hand, const std::function<cycle()>& make,
              bool whole_path = true) {
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& run) {

@@ -1,9 +1,9 @@
-// How long one control cycle takes, state in, capacities out: each shipped mechanism, each way through the step, hot and
-// cold. Times are for comparing rows of one run; a machine under load slows all of them.
+// How long one control cycle takes, state in, capacities out: each shipped mechanism, each way through the
+// step, hot and cold. Times are for comparing rows of one run; a machine under load slows all of them.
 #include <passive_haptics/testing/latency_of.hpp>
 
 #include <passive_haptics/passive_haptics.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <results.hpp>
 

@@ -1,5 +1,6 @@
-// Each way to the nearest displayable force: time against error and against violation of the passive constraint, by the
-// condition of J. One table, one picture; all figures are in the JSON file. The reference has 50 digits.
+// Each way to the nearest displayable force: time against error and against violation of the passive
+// constraint, by the condition of J. One table, one picture; all figures are in the JSON file. The reference
+// has 50 digits.
 #include "run_time_vs_error/problems.hpp"
 #include "run_time_vs_error/ways.hpp"
 
@@ -59,9 +60,9 @@ void add_row(const std::string& name, const problem_sets<D>& sets, const Way& wa
       for (const auto& p : set) inputs.emplace_back(p);
     }
     benchmark::DoNotOptimize(inputs.data());
-    benchmark::
-        ClobberMemory();   // where g++ 12 sees both conversions it leaves out the rounding of J to float
-    if (errors.empty()) {  // only at the first of many calls
+    benchmark::ClobberMemory();  // where g++ 12 sees both conversions it leaves out the rounding of J to
+                                 // float
+    if (errors.empty()) {        // only at the first of many calls
       std::size_t k = 0;
       for (std::size_t c = 0; c < sets.size(); ++c) {
         std::vector<answer<long double, D>> answers;

@@ -1,8 +1,9 @@
-// How the nearest displayable force scales: n = 1 .. 8 dimensions; m = n, n + 1 and 2 n brakes. The half-space form where
-// m = n, the generator form with torques of least norm beyond (m between takes times between, and minutes to compile). Random Gaussian problems, cold start.
+// How the nearest displayable force scales: n = 1 .. 8 dimensions; m = n, n + 1 and 2 n brakes. The
+// half-space form where m = n, the generator form with torques of least norm beyond (m between takes times
+// between, and minutes to compile). Random Gaussian problems, cold start.
 #include <passive_haptics/force/nearest_force.hpp>
-#include <passive_haptics/force/nearest_torque.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/force/torques/nearest_torque.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <output.hpp>
 #include <results.hpp>

@@ -1,10 +1,10 @@
-// One control cycle of the tendon device along a plane wall under direct control: the library's, written by hand for this
-// device alone, and from the textbook with solvers of Eigen. The library also checks its input, predicts the torques (3)
-// and reports what it did; the others return capacities and a region only.
+// One control cycle of the tendon device along a plane wall under direct control: the library's, written by
+// hand for this device alone, and from the textbook with solvers of Eigen. The library also checks its input,
+// predicts the torques (3) and reports what it did; the others return capacities and a region only.
 #include "two_link_step/textbook.hpp"
 
 #include <passive_haptics/passive_haptics.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <results.hpp>
 

@@ -1,4 +1,5 @@
-// The whole idea: a device, a wall, a law; once a cycle the state goes in and the brakes' capacities come out.
+// The whole idea: a device, a wall, a law; once a cycle the state goes in and the brakes' capacities come
+// out.
 #include <passive_haptics/passive_haptics.hpp>
 
 #include <Eigen/LU>

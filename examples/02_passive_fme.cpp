@@ -1,5 +1,5 @@
-// The passive FMEs of Fig. 2 and the force approximation of Fig. 3: l1 = l2 = 1, joint angles (45, 90) deg, the
-// handle moves along -y. Uses the stages one by one; a control loop would call step() or a controller.
+// The passive FMEs of Fig. 2 and the force approximation of Fig. 3: l1 = l2 = 1, joint angles (45, 90) deg,
+// the handle moves along -y. Uses the stages one by one; a control loop would call step() or a controller.
 #include <passive_haptics/passive_haptics.hpp>
 
 #include <output.hpp>

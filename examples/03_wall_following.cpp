@@ -1,5 +1,6 @@
-// The main job: a hand moves the paper's device along a virtual wall (section 5), with and without direct control, the
-// environment updated at 1 kHz and at 20 Hz; beside it the XY table of Fig. 4. Prints a table, leaves CSV and plots.
+// The main job: a hand moves the paper's device along a virtual wall (section 5), with and without direct
+// control, the environment updated at 1 kHz and at 20 Hz; beside it the XY table of Fig. 4. Prints a table,
+// leaves CSV and plots.
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 

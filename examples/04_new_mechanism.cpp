@@ -1,5 +1,5 @@
-// A mechanism of your own: a planar arm of three links, of which only the position is written down. The Jacobian comes by
-// automatic differentiation; with three joints for two dimensions the arm has self-motion.
+// A mechanism of your own: a planar arm of three links, of which only the position is written down. The
+// Jacobian comes by automatic differentiation; with three joints for two dimensions the arm has self-motion.
 #include <passive_haptics/passive_haptics.hpp>
 
 #include <iostream>

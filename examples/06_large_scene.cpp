@@ -1,9 +1,10 @@
-// A scene that costs what it touches: a hand wanders among 10 to 100 000 small balls over a hill of triangles. A table and a
-// picture of what a cycle looks at and how long it takes, beside a look at everything.
+// A scene that costs what it touches: a hand wanders among 10 to 100 000 small balls over a hill of
+// triangles. A table and a picture of what a cycle looks at and how long it takes, beside a look at
+// everything.
 #include "output.hpp"
 
-#include <passive_haptics/core/random_numbers.hpp>
 #include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/plant/random_numbers.hpp>
 
 #include <algorithm>
 #include <chrono>

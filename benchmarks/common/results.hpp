@@ -70,9 +70,9 @@ class collector : public benchmark::BenchmarkReporter {
 
 }  // namespace detail
 
-/// Runs what is registered, with Google Benchmark's own options; `defaults` are those that a user may override. `visit`
-/// sees each row when it is there. Ends the program with status 2 for an unknown option, 1 if a row failed, 0 if no row
-/// was asked for (--benchmark_list_tests).
+/// Runs what is registered, with Google Benchmark's own options; `defaults` are those that a user may
+/// override. `visit` sees each row when it is there. Ends the program with status 2 for an unknown option, 1
+/// if a row failed, 0 if no row was asked for (--benchmark_list_tests).
 inline results run(
     int argc, char** argv, std::vector<std::string> defaults = {},
     const row_visitor& visit = [](const std::string&, const figures&) {}) {

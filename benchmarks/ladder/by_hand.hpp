@@ -1,6 +1,7 @@
-// The control cycle of an XY table with brakes of no limit and no dead band along one plane wall, without direct control, as
-// one would write it by hand for this device alone. It keeps the promises of the library's step that bear on it: NaN and
-// infinity are refused, a brake at rest has sign 0, what cannot be displayed within max_angle is exactly zero.
+// The control cycle of an XY table with brakes of no limit and no dead band along one plane wall, without
+// direct control, as one would write it by hand for this device alone. It keeps the promises of the library's
+// step that bear on it: NaN and infinity are refused, a brake at rest has sign 0, what cannot be displayed
+// within max_angle is exactly zero.
 #pragma once
 
 #include <algorithm>

@@ -1,10 +1,11 @@
-// A ladder of static scenes: each rung adds one need to the one before. What a rung does not need must cost it nothing.
+// A ladder of static scenes: each rung adds one need to the one before. What a rung does not need must cost
+// it nothing.
 #pragma once
 
 #include "by_hand.hpp"
 
 #include <passive_haptics/passive_haptics.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <functional>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "../../tests/unit/cone_oracle.hpp"
 
-#include <passive_haptics/core/cone.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -32,8 +32,9 @@ oracle::column exact(const ph::vector<double, N>& x) {
   return {x.data(), x.data() + N};
 }
 
-// Holds f back with the half-spaces that the library calls active. Right, whatever the library says, where that takes
-// coefficients >= 0 and ends inside of all half-spaces: the optimality conditions. Else the best of all sets.
+// Holds f back with the half-spaces that the library calls active. Right, whatever the library says, where
+// that takes coefficients >= 0 and ends inside of all half-spaces: the optimality conditions. Else the best
+// of all sets.
 template <int N>
 oracle::column exact_answer(const cone_problem<N>& problem) {
   const auto& [B, f] = problem;
@@ -76,11 +77,11 @@ errors check_cone_answers(const std::vector<ph::vector<double, N>>& answers, dou
     const double off = static_cast<double>(oracle::norm(difference));
     distance = std::max(distance, off);
     if (!(off <= tolerance)) {
-      std::ostringstream complaint;
-      complaint << "n = " << N << ", seed " << seed << ", problem " << k << ": the answer "
-                << answers[k].transpose() << " is " << off << " from the exact one, expected at most "
-                << tolerance << ". Is the solver set up for this problem?";
-      throw std::runtime_error(complaint.str());
+      std::ostringstream error;
+      error << "n = " << N << ", seed " << seed << ", problem " << k << ": the answer "
+            << answers[k].transpose() << " is " << off << " from the exact one, expected at most "
+            << tolerance << ". Is the solver set up for this problem?";
+      throw std::runtime_error(error.str());
     }
   }
   return {{"violation", violation}, {"distance", distance}};

@@ -1,4 +1,5 @@
-// DAQP, a dual active set. As a least-distance problem, which it solves fastest: x = p - f, min |x|, B^T x <= -B^T f.
+// DAQP, a dual active set. As a least-distance problem, which it solves fastest: x = p - f, min |x|, B^T x <=
+// -B^T f.
 #include "cone_problems.hpp"
 
 #include <daqp/api.h>

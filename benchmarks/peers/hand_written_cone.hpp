@@ -1,4 +1,5 @@
-// The active set of core/cone.hpp written out by hand over plain arrays: what the library's solver is measured against.
+// The active set of core/linear/cone.hpp written out by hand over plain arrays: what the library's solver is
+// measured against.
 #pragma once
 
 #include <cmath>
@@ -112,7 +113,8 @@ class cone {
     }
   }
 
-  // Moves mu towards the least-squares solution y of the active set; members whose mu reaches 0 leave on the way.
+  // Moves mu towards the least-squares solution y of the active set; members whose mu reaches 0 leave on the
+  // way.
   void become_feasible() {
     for (bool newcomer = true; size_ > 0; newcomer = false) {
       double y[most];

@@ -1,4 +1,5 @@
-// KDL: the position solver and the Jacobian solver of a chain, kept from pose to pose. Gives the orientation as well.
+// KDL: the position solver and the Jacobian solver of a chain, kept from pose to pose. Gives the orientation
+// as well.
 #include "kinematics_problems.hpp"
 
 #include <kdl/chain.hpp>

@@ -3,9 +3,9 @@
 
 #include "comparison.hpp"
 
-#include <passive_haptics/mechanism/denavit_hartenberg.hpp>
-#include <passive_haptics/mechanism/serial_chain.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/mechanism/chains/denavit_hartenberg.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <algorithm>
 #include <numbers>
@@ -38,7 +38,8 @@ inline std::vector<arm_pose> arm_poses() {
   return all;
 }
 
-// A solver has `solve(q)`, whose results stay in it (timed), and from these `handle()` [m] and `jacobian()` [m/rad].
+// A solver has `solve(q)`, whose results stay in it (timed), and from these `handle()` [m] and `jacobian()`
+// [m/rad].
 template <class Solver>
 bool add_kinematics_solver(const std::string& name) {
   const auto check = []() -> errors {
@@ -52,10 +53,10 @@ bool add_kinematics_solver(const std::string& name) {
           std::max((solver.handle() - arm.position(q)).norm(), (solver.jacobian() - arm.jacobian(q)).norm());
       worst = std::max(worst, off);
       if (off <= tolerance) continue;
-      std::ostringstream complaint;
-      complaint << "seed " << seed << ", q = " << q.transpose() << " rad: handle or Jacobian differ by "
-                << off << " from the library's, expected at most " << tolerance << ". Is it the same chain?";
-      throw std::runtime_error(complaint.str());
+      std::ostringstream error;
+      error << "seed " << seed << ", q = " << q.transpose() << " rad: handle or Jacobian differ by " << off
+            << " from the library's, expected at most " << tolerance << ". Is it the same chain?";
+      throw std::runtime_error(error.str());
     }
     return {{"difference", worst}};
   };

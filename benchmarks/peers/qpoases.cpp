@@ -1,4 +1,5 @@
-// qpOASES, a parametric active set, with its fastest options ("MPC") and the Hessian declared to be the identity.
+// qpOASES, a parametric active set, with its fastest options ("MPC") and the Hessian declared to be the
+// identity.
 #include "cone_problems.hpp"
 
 #include <qpOASES.hpp>

@@ -1,11 +1,12 @@
 /// @file
-/// Random problems of a given condition with their answers in 50 digits, and what is wrong with another answer.
+/// Random problems of a given condition with their answers in 50 digits, and what is wrong with another
+/// answer.
 #pragma once
 
 #include "ways.hpp"
 
-#include <passive_haptics/testing/percentile.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/percentile.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <cone_oracle.hpp>
 

@@ -29,7 +29,7 @@ struct half_spaces {
     const auto nearest = ph::nearest_force(J, s, Fd);
     ph::vector<T, D> tp = ph::brake_torque(J, nearest.force);
     for (int i = 0; i < D; ++i) {
-      if ((nearest.idle >> i & 1u) != 0 || s[i] * tp[i] > T(0)) tp[i] = T(0);
+      if ((nearest.active >> i & 1u) != 0 || s[i] * tp[i] > T(0)) tp[i] = T(0);
     }
     return {nearest.force, tp};
   }
@@ -37,8 +37,8 @@ struct half_spaces {
 
 // ---- the paper's way: reference forces G = J^-T, then the nearest of them (Fig. 3)
 
-// In space the nearest force may also lie on a face between two reference forces. Of the feet of Fd on rays and faces of
-// the cone the longest is the nearest.
+// In space the nearest force may also lie on a face between two reference forces. Of the feet of Fd on rays
+// and faces of the cone the longest is the nearest.
 template <class T, int D>
 answer<T, D> nearest_of_reference_forces(const ph::matrix<T, D, D>& J, const ph::matrix<T, D, D>& G,
                                          const ph::vector<T, D>& s, const ph::vector<T, D>& Fd) {
@@ -101,8 +101,9 @@ using pivoted_qr = Eigen::ColPivHouseholderQR<Square>;
 template <class Square>
 using orthogonal = Eigen::CompleteOrthogonalDecomposition<Square>;
 
-// Damped only where a singular value falls under a threshold: Chiaverini, Singularity-robust task-priority redundancy
-// resolution for real-time kinematic control of robot manipulators, IEEE Trans. Robotics and Automation 13 (3), 1997.
+// Damped only where a singular value falls under a threshold: Chiaverini, Singularity-robust task-priority
+// redundancy resolution for real-time kinematic control of robot manipulators, IEEE Trans. Robotics and
+// Automation 13 (3), 1997.
 struct damped_svd {
   static constexpr double threshold = 1e-3;     // of the largest singular value
   static constexpr double most_damping = 1e-3;  // the same

@@ -1,8 +1,8 @@
-// The control cycle of the tendon device, one plane wall and direct control, as one would write it by hand for this device
-// alone: scalars, two divisions, no checks of its input and no account of what it did.
+// The control cycle of the tendon device, one plane wall and direct control, as one would write it by hand
+// for this device alone: scalars, two divisions, no checks of its input and no account of what it did.
 #pragma once
 
-#include <passive_haptics/core/sine_cosine.hpp>
+#include <passive_haptics/core/linear/sine_cosine.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <passive_haptics/driver/device_calibration.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
+#include <passive_haptics/driver/calibration/device_calibration.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 
 #include <iostream>
 

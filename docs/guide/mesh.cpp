@@ -26,7 +26,8 @@ int main() {
     before = x;
   }
 
-  // A solid is a shape like any other: this one by its four corners and four faces, counterclockwise from outside.
+  // A solid is a shape like any other: this one by its four corners and four faces, counterclockwise from
+  // outside.
   const ph::mesh_solid<3> solid(ph::triangle_mesh(
       {{{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}}));
   const auto walls = ph::scene(ph::wall(solid, 1e5));

@@ -1,8 +1,8 @@
 #include "your_port.hpp"
 
 #include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
-#include <passive_haptics/driver/supervisor.hpp>
 
 #include <iostream>
 #include <thread>
@@ -38,11 +38,11 @@ int main() {
   stand_in board;
 
   ph::supervisor<udp_board> guard(udp_board(board.port()), {.timeout = 1});
-  ph::safe_port<udp_board> port(udp_board(board.port()), {}, {.bridge = 1});
-  std::string complaint = guard.start();  // first: it forks
+  ph::safe_port<udp_board> port(udp_board(board.port()), {}, {.hold_over = 1});
+  std::string error = guard.start();  // first: it forks
   std::thread answers([&] { board.answer(); });
-  if (complaint.empty()) complaint = port.open();
-  std::cout << (complaint.empty() ? "open" : complaint) << "\n";
+  if (error.empty()) error = port.open();
+  std::cout << (error.empty() ? "open" : error) << "\n";
 
   ph::control_loop loop;
   float held = 0;

@@ -18,7 +18,8 @@ struct board_sample {
   std::int32_t counts[2];
 };
 
-// A board at a UDP port of this machine, which sends a board_sample each millisecond and takes two floats [A].
+// A board at a UDP port of this machine, which sends a board_sample each millisecond and takes two floats
+// [A].
 class udp_board {
  public:
   static constexpr int encoder_count = 2, brake_count = 2;

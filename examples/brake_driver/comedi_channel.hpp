@@ -24,7 +24,8 @@ struct comedi_channel {
   double low = 0, high = 0;     ///< The range [V].
   double samples_per_volt = 0;  ///< [1/V]
 
-  /// The sample nearest to `volts`, at the end of the range if that is beyond; the one nearest to 0 V for 0 and NaN.
+  /// The sample nearest to `volts`, at the end of the range if that is beyond; the one nearest to 0 V for 0
+  /// and NaN.
   lsampl_t sample(double volts) const noexcept {
     if (!(volts < 0 || volts > 0)) return zero;
     if (volts <= low) return 0;

@@ -28,7 +28,8 @@ class comedi_device {
   /// Null if it is not open.
   comedi_t* get() const noexcept { return handle_.get(); }
 
-  /// Finds the subdevice of this type (COMEDI_SUBD_...): `index`, or the first one if that is -1. `name` is of the parameter.
+  /// Finds the subdevice of this type (COMEDI_SUBD_...): `index`, or the first one if that is -1. `name` is
+  /// of the parameter.
   std::string find(const std::string& name, int index, int type, unsigned& found) const {
     const int first = comedi_find_subdevice_by_type(get(), type, 0);
     const int wanted = index < 0 ? first : index;

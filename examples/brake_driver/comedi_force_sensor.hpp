@@ -15,8 +15,8 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// A ForceSensor that tells volts: newtons per volt are the calibration's. A channel at either end of its range is not valid.
-/// read is one system call, see comedi_port.
+/// A ForceSensor that tells volts: newtons per volt are the calibration's. A channel at either end of its
+/// range is not valid. read is one system call, see comedi_port.
 template <int Channels>
 class comedi_force_sensor {
  public:

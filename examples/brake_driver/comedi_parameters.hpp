@@ -53,7 +53,7 @@ constexpr std::array<Line, Count> lines_in_turn() {
 inline std::string check_index(const std::string& name, int value, int smallest) {
   return value >= smallest
              ? ""
-             : ph::detail::complaint(name, value, smallest < 0 ? "an index, or -1" : "an index >= 0");
+             : ph::detail::error_text(name, value, smallest < 0 ? "an index, or -1" : "an index >= 0");
 }
 
 inline std::string check_device_file(const std::string& device) {
@@ -65,8 +65,8 @@ template <class Lines, class Same>
 std::string check_distinct(const std::string& name, const Lines& lines, std::size_t i, Same same) {
   for (std::size_t k = 0; k < i; ++k)
     if (same(lines[i], lines[k]))
-      return ph::detail::complaint(name, lines[i].channel,
-                                   ph::detail::indexed("a channel other than that of [", k, "]"));
+      return ph::detail::error_text(name, lines[i].channel,
+                                    ph::detail::indexed("a channel other than that of [", k, "]"));
   return "";
 }
 
@@ -81,19 +81,20 @@ struct comedi_port_parameters {
       detail::lines_in_turn<comedi_brake, static_cast<std::size_t>(Brakes)>();
   std::array<comedi_encoder, static_cast<std::size_t>(Encoders)> encoders =
       detail::lines_in_turn<comedi_encoder, static_cast<std::size_t>(Encoders)>();
-  /// False: open() leaves every counter as it is. For a supervisor, which must not restart what the loop reads.
+  /// False: open() leaves every counter as it is. For a supervisor, which must not restart what the loop
+  /// reads.
   bool start_counters = true;
 };
 
 /// What is wrong with the parameters, whatever the card; empty if nothing.
 template <int Encoders, int Brakes>
 std::string validate(const comedi_port_parameters<Encoders, Brakes>& p) {
-  std::string text = ph::detail::first_complaint(
-      detail::check_device_file(p.device), detail::check_index("output_subdevice", p.output_subdevice, -1));
+  std::string text = ph::detail::first_error(detail::check_device_file(p.device),
+                                             detail::check_index("output_subdevice", p.output_subdevice, -1));
   for (std::size_t i = 0; i < p.brakes.size() && text.empty(); ++i) {
     const auto& b = p.brakes[i];
     const std::string name = ph::detail::indexed("brakes[", i, "].");
-    text = ph::detail::first_complaint(
+    text = ph::detail::first_error(
         detail::check_index(name + "channel", b.channel, 0), detail::check_index(name + "range", b.range, 0),
         ph::detail::check_positive(name + "amperes_per_volt [A/V], the amplifier's gain", b.amperes_per_volt),
         ph::detail::check_not_negative(name + "largest_current [A]", b.largest_current),
@@ -103,7 +104,7 @@ std::string validate(const comedi_port_parameters<Encoders, Brakes>& p) {
   for (std::size_t i = 0; i < p.encoders.size() && text.empty(); ++i) {
     const auto& e = p.encoders[i];
     const std::string name = ph::detail::indexed("encoders[", i, "].");
-    text = ph::detail::first_complaint(
+    text = ph::detail::first_error(
         detail::check_index(name + "subdevice", e.subdevice, -1),
         detail::check_index(name + "channel", e.channel, 0), detail::check_index(name + "a", e.a, -1),
         detail::check_index(name + "b", e.b, -1),
@@ -133,9 +134,9 @@ struct comedi_force_sensor_parameters {
 /// What is wrong with the parameters, whatever the card; empty if nothing.
 template <int Channels>
 std::string validate(const comedi_force_sensor_parameters<Channels>& p) {
-  std::string text = ph::detail::first_complaint(detail::check_device_file(p.device),
-                                                 detail::check_index("subdevice", p.subdevice, -1),
-                                                 detail::check_index("range", p.range, 0));
+  std::string text = ph::detail::first_error(detail::check_device_file(p.device),
+                                             detail::check_index("subdevice", p.subdevice, -1),
+                                             detail::check_index("range", p.range, 0));
   for (std::size_t i = 0; i < p.channels.size() && text.empty(); ++i)
     text = detail::check_index(ph::detail::indexed("channels[", i, "]"), p.channels[i], 0);
   return text;

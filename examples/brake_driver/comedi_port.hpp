@@ -16,11 +16,13 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// A BrakePort: each brake's current as a voltage to its amplifier, each encoder's counts as the counter tells them.
+/// A BrakePort: each brake's current as a voltage to its amplifier, each encoder's counts as the counter
+/// tells them.
 ///
-/// A counter wraps after 2^counter_bits() counts, which the reader undoes (encoder_limits::counter_bits). read and write are
-/// one system call each (ioctl), which takes as long as the card's driver: microseconds on PCI, up to milliseconds on USB.
-/// An analog output keeps its voltage when the program dies: run a supervisor.
+/// A counter wraps after 2^counter_bits() counts, which the reader undoes (encoder_limits::counter_bits).
+/// read and write are one system call each (ioctl), which takes as long as the card's driver: microseconds on
+/// PCI, up to milliseconds on USB. An analog output keeps its voltage when the program dies: run a
+/// supervisor.
 template <int Encoders, int Brakes>
 class comedi_port {
  public:
@@ -60,7 +62,8 @@ class comedi_port {
     return ph::port_status::ok;
   }
 
-  /// To the nearest sample within the range. Anything but ok: some brakes may have got their current, others not.
+  /// To the nearest sample within the range. Anything but ok: some brakes may have got their current, others
+  /// not.
   ph::port_status write(const ph::brake_currents<Brakes>& currents) noexcept {
     for (std::size_t i = 0; i < outputs_.size(); ++i)
       voltages_.samples[i] = outputs_[i].sample(currents[i] / p_.brakes[i].amperes_per_volt);

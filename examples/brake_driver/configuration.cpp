@@ -201,10 +201,9 @@ void read_sensor(toml_section from, configuration& c) {
   if (c.mechanism == "xy_table") c.sensor_frame.link.setZero();
   from.read("link", c.sensor_frame.link);
   from.read("mounting", c.sensor_frame.mounting);
-  from.require(
-      ph::detail::first_complaint(ph::detail::check_finite("link[0]", c.sensor_frame.link[0]),
-                                  ph::detail::check_finite("link[1]", c.sensor_frame.link[1]),
-                                  ph::detail::check_finite("mounting [rad]", c.sensor_frame.mounting)));
+  from.require(ph::detail::first_error(ph::detail::check_finite("link[0]", c.sensor_frame.link[0]),
+                                       ph::detail::check_finite("link[1]", c.sensor_frame.link[1]),
+                                       ph::detail::check_finite("mounting [rad]", c.sensor_frame.mounting)));
   from.read("tare", c.tare);
   from.read("tare_tolerance", c.tare_tolerance);
   check(from, c.force);
@@ -278,7 +277,7 @@ void read_safety(toml_section from, configuration& c) {
                                : policy == "ramp" ? ph::release_policy::ramp
                                                   : ph::release_policy::hold;
   from.read("ramp_time", c.safety.at_release.ramp_time);
-  from.read("bridge", c.safety.bridge);
+  from.read("hold_over", c.safety.hold_over);
   check(from, c.safety);
   from.read("supervisor_timeout", c.supervisor.timeout);
   from.read("supervisor_priority", c.supervisor.priority);
@@ -290,7 +289,8 @@ void read_safety(toml_section from, configuration& c) {
 configuration read_configuration(const std::string& path) {
   toml_section file = path.empty() ? toml_section::nothing() : toml_section::file(path);
   configuration c;
-  if (path.empty()) c.safety.bridge = c.supervisor.timeout = 0.2;  // simulated, on a desktop that may be late
+  if (path.empty())
+    c.safety.hold_over = c.supervisor.timeout = 0.2;  // simulated, on a desktop that may be late
   read_mechanism(file.section("mechanism"), c);
   read_walls(file, c);
   file.read("law", c.law, {"direct_control", "velocity_direct_control", "no_direct_control"});
@@ -308,9 +308,9 @@ configuration read_configuration(const std::string& path) {
   read_port(file.section("port"), c);
   read_simulation(file.section("simulation"), c);
   file.finish();
-  if (c.safety.bridge < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
+  if (c.safety.hold_over < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
     file.require(
-        "[safety] bridge and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");
+        "[safety] hold_over and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");
   if (c.sensor == "none" && c.law != "no_direct_control")
     file.require("law = \"" + c.law +
                  "\" needs a force sensor, expected [sensor] type other than \"none\", or law = "

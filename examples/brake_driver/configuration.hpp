@@ -7,11 +7,11 @@
 #include <serial_port_parameters.hpp>
 #include <simulation_parameters.hpp>
 
+#include <passive_haptics/driver/calibration/device_calibration.hpp>
 #include <passive_haptics/driver/control_loop.hpp>
-#include <passive_haptics/driver/device_calibration.hpp>
+#include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/real_time.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
-#include <passive_haptics/driver/supervisor.hpp>
 #include <passive_haptics/passive_haptics.hpp>
 
 #include <functional>
@@ -67,7 +67,8 @@ struct configuration {
   std::string log = "brake_driver.csv";  ///< Empty for none.
 };
 
-/// Of a file; of the default without one. Throws std::invalid_argument that names file, line, key, value and expectation.
+/// Of a file; of the default without one. Throws std::invalid_argument that names file, line, key, value and
+/// expectation.
 configuration read_configuration(const std::string& path);
 
 /// The device and the sensor replaced by simulated ones.

@@ -30,7 +30,8 @@ class haptic_device {
 
   /// One more cycle at rest, of homing, then of taring; what is to be done next.
   virtual phase prepare(const samples& now) noexcept = 0;
-  /// One cycle with walls, or without where it is not `running` yet: currents [A], and what is to be written down.
+  /// One cycle with walls, or without where it is not `running` yet: currents [A], and what is to be written
+  /// down.
   virtual ph::brake_currents<axes> cycle(const samples& now, phase doing, record& r) noexcept = 0;
   /// Forgets the motion so far.
   virtual void reset() noexcept = 0;

@@ -27,9 +27,9 @@ struct net_ft_parameters {
 
 /// What is wrong with the parameters; empty if nothing.
 inline std::string validate(const net_ft_parameters& p) {
-  return ph::detail::first_complaint(
+  return ph::detail::first_error(
       p.host.empty() ? std::string("host is empty, expected a name or an address, as 192.168.1.1") : "",
-      p.port >= 1 && p.port <= 65535 ? "" : ph::detail::complaint("port", p.port, "1 to 65535"),
+      p.port >= 1 && p.port <= 65535 ? "" : ph::detail::error_text("port", p.port, "1 to 65535"),
       ph::detail::check_positive("counts_per_force [1/N]", p.counts_per_force),
       ph::detail::check_positive("counts_per_torque [1/(N m)]", p.counts_per_torque),
       ph::detail::check_positive("open_timeout [s]", p.open_timeout),
@@ -57,18 +57,21 @@ struct rdt_record {
     return r;
   }
 
-  /// Are the counts to be trusted? Any bit of the status speaks against it (bit 17 is saturation, others are failures of the
-  /// electronics), but for bit 16: a threshold that the user set was once exceeded. Bit 31 comes with every other.
+  /// Are the counts to be trusted? Any bit of the status speaks against it (bit 17 is saturation, others are
+  /// failures of the electronics), but for bit 16: a threshold that the user set was once exceeded. Bit 31
+  /// comes with every other.
   bool trusted() const { return status == 0 || (status & 0x7FFF'FFFFu) == 0x0001'0000u; }
 };
 
-/// A ForceSensor: forces [N] and torques [N m] in the sensor's frame. Samples carry the record's sequence and the time of
-/// the read that found them; the sensor tells no time of its own.
+/// A ForceSensor: forces [N] and torques [N m] in the sensor's frame. Samples carry the record's sequence and
+/// the time of the read that found them; the sensor tells no time of its own.
 ///
-/// read: `ok` with the record of the highest sequence of all that came; all channels are invalid unless rdt_record::trusted().
-///   `bad_sample` if only datagrams of another length came. `no_sample` if nothing came, also while the network or the sensor
-///   refuses: after a pull of a cable or a power failure the sensor comes back, and is then asked again, every `silence`
-///   seconds. `failed` if the socket itself is broken, or not open. At most most_datagrams + 1 system calls and a send.
+/// read: `ok` with the record of the highest sequence of all that came; all channels are invalid unless
+/// rdt_record::trusted().
+///   `bad_sample` if only datagrams of another length came. `no_sample` if nothing came, also while the
+///   network or the sensor refuses: after a pull of a cable or a power failure the sensor comes back, and is
+///   then asked again, every `silence` seconds. `failed` if the socket itself is broken, or not open. At most
+///   most_datagrams + 1 system calls and a send.
 /// Nothing but open() allocates, waits or looks up a name.
 class net_ft {
  public:

@@ -18,8 +18,8 @@ struct record {
   std::int64_t number = 0;  ///< Of the period.
   phase doing = phase::homing;
   ph::port_state state = ph::port_state::ready;
-  ph::incident reason;   ///< Why the brakes are released.
-  ph::incident bridged;  ///< What is wrong with the last samples.
+  ph::fault_record reason;     ///< Why the brakes are released.
+  ph::fault_record held_over;  ///< What is wrong with the last samples.
   ph::status outcome = ph::status::ok;
   ph::power_class power = ph::power_class::none;
   ph::display_class display = ph::display_class::exact;

@@ -45,7 +45,7 @@ std::string field(std::string_view words) {
   const bool comma = words.find(',') != std::string_view::npos;
   return comma ? std::string("\"").append(words).append("\"") : std::string(words);
 }
-std::string field(const ph::incident& i) {
+std::string field(const ph::fault_record& i) {
   return i.what == ph::fault::none ? std::string() : field(to_string(i));
 }
 
@@ -94,7 +94,8 @@ report_sink::report_sink(std::string file, bool live, const configuration& c)
 std::string report_sink::open() {
   terminal_ = isatty(STDOUT_FILENO) != 0;
   struct stat kind{};
-  // Opened anew, as others share what stdout is: only here nothing may wait. Not a file, which has its place in it
+  // Opened anew, as others share what stdout is: only here nothing may wait. Not a file, which has its place
+  // in it
   if (terminal_ || (fstat(STDOUT_FILENO, &kind) == 0 && S_ISFIFO(kind.st_mode)))
     output_ = ::open("/proc/self/fd/1", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (output_ < 0) output_ = STDOUT_FILENO;
@@ -102,7 +103,7 @@ std::string report_sink::open() {
   out_ = std::fopen(part_.c_str(), "w");
   if (out_ == nullptr) return "cannot write '" + part_ + "': " + std::strerror(errno);
   std::fputs(
-      "t,cycle,state,reason,bridged,status,power,display,gamma,alpha,q1,q2,qd1,qd2,x,y,Fh_x,Fh_y,Fd_x,Fd_y,"
+      "t,cycle,state,reason,held_over,status,power,display,gamma,alpha,q1,q2,qd1,qd2,x,y,Fh_x,Fh_y,Fd_x,Fd_y,"
       "capacity1,capacity2,current1,current2,late,compute\n",
       out_);
   return {};
@@ -119,7 +120,7 @@ void report_sink::take(const record& r) {
       "%.6f,%lld,%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,"
       "%.6g,%.6g,%.3g,%.3g\n",
       r.time, static_cast<long long>(r.number), to_string(r.state).data(), field(r.reason).c_str(),
-      field(r.bridged).c_str(), field(to_string(r.outcome)).c_str(), to_string(r.power).data(),
+      field(r.held_over).c_str(), field(to_string(r.outcome)).c_str(), to_string(r.power).data(),
       to_string(r.display).data(), r.gamma, r.alpha, r.q[0], r.q[1], r.qd[0], r.qd[1], r.x[0], r.x[1],
       r.hand[0], r.hand[1], r.desired[0], r.desired[1], r.capacity[0], r.capacity[1], r.current[0],
       r.current[1], r.late, r.compute);
@@ -140,7 +141,7 @@ void report_sink::show() {
   std::string state(to_string(r.state));
   if (r.state == ph::port_state::ready) state += std::string(", ") + words(r.doing);
   if (r.reason.what != ph::fault::none) state += ": " + to_string(r.reason);
-  else if (r.bridged.what != ph::fault::none) state += ", bridging " + to_string(r.bridged);
+  else if (r.held_over.what != ph::fault::none) state += ", holding over " + to_string(r.held_over);
 
   if (!terminal_) {
     pending_ = text(

@@ -14,8 +14,8 @@
 
 namespace example {
 
-/// A RecordSink: a CSV file, whole or not at all, and a table in the terminal. Lives in the recorder's process. A terminal or
-/// a pipe that nobody reads loses tables; the file goes on.
+/// A RecordSink: a CSV file, whole or not at all, and a table in the terminal. Lives in the recorder's
+/// process. A terminal or a pipe that nobody reads loses tables; the file goes on.
 class report_sink {
  public:
   /// Nothing is shown without `live`, no file is written without a name.

@@ -1,6 +1,7 @@
 /// @file
-/// How packets travel on a serial line: a checksum, and delimiters that occur nowhere else. Host and firmware share it; it
-/// needs no heap, no exceptions and no operating system. docs/guide/serial_protocol.md specifies it.
+/// How packets travel on a serial line: a checksum, and delimiters that occur nowhere else. Host and firmware
+/// share it; it needs no heap, no exceptions and no operating system. docs/guide/serial_protocol.md specifies
+/// it.
 #pragma once
 
 #include <array>
@@ -18,8 +19,8 @@ inline constexpr std::size_t longest_frame =
     longest_body + 3;  ///< A delimiter, one byte of COBS, a delimiter [bytes].
 static_assert(longest_body < 254, "COBS then needs one byte more, for any content");
 
-/// CRC-32 of IEEE 802.3: polynomial 0x04C11DB7, reflected, starts with and is inverted by 0xFFFFFFFF. Of "123456789":
-/// 0xCBF43926.
+/// CRC-32 of IEEE 802.3: polynomial 0x04C11DB7, reflected, starts with and is inverted by 0xFFFFFFFF. Of
+/// "123456789": 0xCBF43926.
 constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
   // Four bits at a time: 64 bytes of table suit a microcontroller.
   constexpr auto table = [] {
@@ -94,8 +95,8 @@ struct frame {
   constexpr std::span<const std::uint8_t> content() const { return std::span(byte).first(size); }
 };
 
-/// 0x00, COBS(type, sequence, payload, CRC-32), 0x00. It opens with a delimiter, too, so that neither noise nor half a frame
-/// before it takes it along.
+/// 0x00, COBS(type, sequence, payload, CRC-32), 0x00. It opens with a delimiter, too, so that neither noise
+/// nor half a frame before it takes it along.
 constexpr frame encode(const packet& p) {
   std::array<std::uint8_t, longest_body> body{};
   byte_writer out(body);
@@ -128,7 +129,8 @@ enum class outcome : std::uint8_t {
   damaged,  ///< Something between two delimiters that is no frame.
 };
 
-/// Finds packets in a stream of bytes, which may begin anywhere and be damaged anywhere: the next delimiter brings it back.
+/// Finds packets in a stream of bytes, which may begin anywhere and be damaged anywhere: the next delimiter
+/// brings it back.
 class decoder {
  public:
   /// Takes the next byte. Constant time but for a delimiter, which takes time in proportion to the frame.

@@ -47,10 +47,11 @@ inline std::string check_baud(std::string_view name, int baud) {
     if (rate == baud) return "";
     rates += (rates.empty() ? "" : ", ") + std::to_string(rate);
   }
-  return ph::detail::complaint(name, baud, "one of " + rates);
+  return ph::detail::error_text(name, baud, "one of " + rates);
 }
 
-/// One. Nothing but open() allocates; nothing waits, but for closing it, where the kernel sends what is under way first.
+/// One. Nothing but open() allocates; nothing waits, but for closing it, where the kernel sends what is under
+/// way first.
 class serial_line {
  public:
   /// How a transfer ended.
@@ -60,8 +61,8 @@ class serial_line {
     lost,     ///< The port is gone.
   };
 
-  /// Raw, 8 data bits, no parity, 1 stop bit, no flow control. Not exclusive: a second process may open it, too, and takes
-  /// nothing away as long as it does not read. Empty, or what is wrong and what to do.
+  /// Raw, 8 data bits, no parity, 1 stop bit, no flow control. Not exclusive: a second process may open it,
+  /// too, and takes nothing away as long as it does not read. Empty, or what is wrong and what to do.
   std::string open(const std::string& path, int baud) {
     close();
     fd_ = file_descriptor(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
@@ -145,8 +146,9 @@ class serial_line {
     if (tcsetattr(fd_.get(), TCSANOW, &settings) != 0 || tcgetattr(fd_.get(), &result) != 0)
       return std::string("cannot be set up: ") + std::strerror(errno);
     if (cfgetospeed(&result) != cfgetospeed(&settings))
-      return ph::detail::complaint("baud [bit/s]", baud, "a rate that this port can do");
-    // An FTDI chip keeps what it received for 16 ms unless asked not to; who cannot do it refuses, and that is all right.
+      return ph::detail::error_text("baud [bit/s]", baud, "a rate that this port can do");
+    // An FTDI chip keeps what it received for 16 ms unless asked not to; who cannot do it refuses, and that
+    // is all right.
     serial_struct driver;
     if (ioctl(fd_.get(), TIOCGSERIAL, &driver) == 0) {
       driver.flags |= ASYNC_LOW_LATENCY;

@@ -14,16 +14,21 @@
 
 namespace example {
 
-/// A BrakePort. Samples carry the device's sequence and time (device_clock); a channel is invalid where the device reports a
-/// fault of its encoder. read() and write() take a few system calls each.
+/// A BrakePort. Samples carry the device's sequence and time (device_clock); a channel is invalid where the
+/// device reports a fault of its encoder. read() and write() take a few system calls each.
 ///
-/// read: `ok` with the newest whole sample of all that came; `bad_sample` if there was none but damage (a wrong checksum, a
-///   frame cut off, one of another number of encoders); `failed` if the port is gone, or if currents were written and the
-///   device says that they are not on the brakes: a brake's fault, its watchdog, a release by somebody else, a restart. That
-///   is looked at once the first currents after a release had its watchdog's time to arrive.
-/// write: `no_sample` if the operating system had no room for the whole frame; half of one may be out, which the device
-///   drops when the next begins. What waits is thrown away then: currents that are late are wrong. `failed` if the port is gone.
-/// release: throws away what waits, and sends the release three times, so that one disturbance does not take all. If it gets
+/// read: `ok` with the newest whole sample of all that came; `bad_sample` if there was none but damage (a
+/// wrong checksum, a
+///   frame cut off, one of another number of encoders); `failed` if the port is gone, or if currents were
+///   written and the device says that they are not on the brakes: a brake's fault, its watchdog, a release by
+///   somebody else, a restart. That is looked at once the first currents after a release had its watchdog's
+///   time to arrive.
+/// write: `no_sample` if the operating system had no room for the whole frame; half of one may be out, which
+/// the device
+///   drops when the next begins. What waits is thrown away then: currents that are late are wrong. `failed`
+///   if the port is gone.
+/// release: throws away what waits, and sends the release three times, so that one disturbance does not take
+/// all. If it gets
 ///   lost nevertheless the device's watchdog does the same. Safe in a signal handler.
 template <int Encoders, int Brakes>
   requires(Encoders >= 1 && Encoders <= int{serial::most_channels} && Brakes >= 1 &&
@@ -84,7 +89,8 @@ class serial_port {
     return refused(now) ? ph::port_status::failed : ph::port_status::ok;
   }
 
-  /// See above. Rounds to serial::current_unit, cuts at the device's limit, and takes what is no number for 0.
+  /// See above. Rounds to serial::current_unit, cuts at the device's limit, and takes what is no number for
+  /// 0.
   ph::port_status write(const ph::brake_currents<Brakes>& currents) noexcept {
     if (lost_ || !line_.is_open()) return ph::port_status::failed;
     serial::currents m;
@@ -136,7 +142,8 @@ class serial_port {
   double armed_since_ = 0;  // the first currents after a release [s]
   std::uint32_t sequence_ = 0;
 
-  // Feeds what came to the decoder, calls f(outcome) where a frame ends, and returns how many bytes that were.
+  // Feeds what came to the decoder, calls f(outcome) where a frame ends, and returns how many bytes that
+  // were.
   template <class F>
   std::size_t take(F&& f) noexcept {
     constexpr std::size_t most = 4096;
@@ -178,8 +185,8 @@ class serial_port {
       }
     }
     if (lost_) return "the device went away while it was asked who it is";
-    return answered ? complaint_of_hello(hello_, Encoders, Brakes)
-                    : complaint_of_silence(parameters_, bytes, packets);
+    return answered ? error_of_hello(hello_, Encoders, Brakes)
+                    : error_of_silence(parameters_, bytes, packets);
   }
 };
 

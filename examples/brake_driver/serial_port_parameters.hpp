@@ -14,21 +14,21 @@ struct serial_port_parameters {
   std::string device = "/dev/ttyACM0";  ///< A name under /dev/serial/by-id stays the same at another socket.
   int baud = 1'000'000;                 ///< [bit/s]; USB boards without a UART ignore it.
   double open_timeout = 3;  ///< For an answer [s]; boards that opening the port resets take 2 s to start.
-  /// For a supervisor: open() neither asks nor releases nor reads, so the process that drives the device notices nothing.
+  /// For a supervisor: open() neither asks nor releases nor reads, so the process that drives the device
+  /// notices nothing.
   bool release_only = false;
 };
 
 /// What is wrong with the parameters; empty if nothing.
 inline std::string validate(const serial_port_parameters& p) {
-  return ph::detail::first_complaint(
+  return ph::detail::first_error(
       p.device.empty() ? std::string("device is empty, expected the file of a serial port, as /dev/ttyACM0")
                        : "",
       check_baud("baud [bit/s]", p.baud), ph::detail::check_positive("open_timeout [s]", p.open_timeout));
 }
 
 /// What to say when nobody answers but `bytes` bytes came with so many whole frames in them.
-inline std::string complaint_of_silence(const serial_port_parameters& p, std::size_t bytes,
-                                        std::size_t frames) {
+inline std::string error_of_silence(const serial_port_parameters& p, std::size_t bytes, std::size_t frames) {
   const std::string start = "no answer in " + std::to_string(std::lround(1e3 * p.open_timeout)) + " ms; ";
   if (bytes == 0)
     return start + "not a byte came: is the board powered, is its firmware running, is it this port?";
@@ -40,7 +40,7 @@ inline std::string complaint_of_silence(const serial_port_parameters& p, std::si
 }
 
 /// What is wrong with the device that answered; empty if nothing.
-inline std::string complaint_of_hello(const serial::hello& h, int encoders, int brakes) {
+inline std::string error_of_hello(const serial::hello& h, int encoders, int brakes) {
   const auto counted = [](int n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };

@@ -4,11 +4,11 @@
 #include <session.hpp>
 
 #include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/process/recorder.hpp>
+#include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/real_time.hpp>
-#include <passive_haptics/driver/recorder.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/stop_signals.hpp>
-#include <passive_haptics/driver/supervisor.hpp>
 
 #include <iostream>
 
@@ -29,11 +29,11 @@ class session {
 
   int run() {
     // Processes first, then the device, then what makes the loop quick
-    std::string complaint = record_.start();
-    if (complaint.empty()) complaint = guard_.start();
-    if (complaint.empty()) complaint = port_.open();
-    if (!complaint.empty()) {
-      std::cerr << "error: " << complaint << "\n";
+    std::string error = record_.start();
+    if (error.empty()) error = guard_.start();
+    if (error.empty()) error = port_.open();
+    if (!error.empty()) {
+      std::cerr << "error: " << error << "\n";
       return 1;
     }
     const ph::real_time quick(configuration_.real_time);
@@ -43,7 +43,7 @@ class session {
 
     ph::control_loop loop(configuration_.loop);
     begin_ = ph::monotonic_seconds();
-    ph::incident reason;
+    ph::fault_record reason;
     const ph::loop_report report =
         loop.run([&](const ph::loop_cycle& now) { return cycle(now); }, [&] { return signals_.stop() != 0; },
                  [&](ph::fault why) {
@@ -61,7 +61,7 @@ class session {
     if (!guard_.beat(now.time)) port_.release({ph::fault::supervisor_lost});
     port_.read(now.time);
     const samples read{now.time, port_.position_time(), port_.position(), port_.force()};
-    const bool good = port_.bridged().what == ph::fault::none;
+    const bool good = port_.held_over().what == ph::fault::none;
     if (doing_ != phase::running && port_.state() == ph::port_state::ready && good)
       doing_ = device_->prepare(read);
     if (signals_.rearm() && guard_.alive() && port_.rearm()) {
@@ -77,7 +77,7 @@ class session {
     r.doing = doing_;
     r.state = port_.state();
     r.reason = port_.reason();
-    r.bridged = port_.bridged();
+    r.held_over = port_.held_over();
     r.current = port_.applied();
     r.late = now.late;
     r.compute = ph::monotonic_seconds() - now.time;
@@ -85,7 +85,7 @@ class session {
     return r.time < options_.seconds;
   }
 
-  void summarise(const ph::loop_report& report, const ph::incident& reason) const {
+  void summarise(const ph::loop_report& report, const ph::fault_record& reason) const {
     const auto line = [](const char* name, const ph::duration_histogram& h) {
       const auto at = [&](double share) { return duration(static_cast<double>(h.percentile(share))); };
       std::cout << name << "  mean " << duration(h.mean()) << ", p50 " << at(0.5) << ", p99 " << at(0.99)

@@ -5,7 +5,7 @@
 #include <configuration.hpp>
 
 #include <passive_haptics/driver/clock.hpp>
-#include <passive_haptics/driver/shared_memory.hpp>
+#include <passive_haptics/driver/process/shared_memory.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
 #include <passive_haptics/plant/force_sensor.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
@@ -20,8 +20,8 @@
 
 namespace example {
 
-/// Plant, hand, encoders and force sensor of mechanism M, calibrated as the configuration says. It goes on to the present
-/// whenever somebody reads it. The currents are in memory that a supervisor's process shares.
+/// Plant, hand, encoders and force sensor of mechanism M, calibrated as the configuration says. It goes on to
+/// the present whenever somebody reads it. The currents are in memory that a supervisor's process shares.
 template <class M>
 class simulation {
  public:

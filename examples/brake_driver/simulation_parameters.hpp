@@ -10,7 +10,8 @@
 
 namespace example {
 
-/// A hand that goes along the first wall and presses on it, lifts off and goes back, again and again; and a sensor with noise.
+/// A hand that goes along the first wall and presses on it, lifts off and goes back, again and again; and a
+/// sensor with noise.
 struct simulation_parameters {
   double hand_start = 2;                  ///< When the hand takes the handle, after the first sample [s].
   std::array<double, 2> direction{1, 0};  ///< In which it goes first, base frame; any length.
@@ -26,7 +27,7 @@ struct simulation_parameters {
 /// What is wrong with the parameters; empty if nothing.
 inline std::string validate(const simulation_parameters& p) {
   namespace check = passive_haptics::detail;
-  return check::first_complaint(
+  return check::first_error(
       check::check_not_negative("hand_start [s]", p.hand_start),
       check::check_finite("direction[0]", p.direction[0]),
       check::check_finite("direction[1]", p.direction[1]),

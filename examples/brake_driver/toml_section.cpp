@@ -12,10 +12,10 @@
 namespace example {
 namespace {
 
-// Whether a complaint "NAME = VALUE, expected WHAT" has this key as a word of its NAME.
-bool speaks_of(std::string_view complaint, std::string_view key) {
+// Whether a error "NAME = VALUE, expected WHAT" has this key as a word of its NAME.
+bool speaks_of(std::string_view error, std::string_view key) {
   const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  const std::string_view name = complaint.substr(0, complaint.find(" = "));
+  const std::string_view name = error.substr(0, error.find(" = "));
   for (auto at = name.find(key); at != std::string_view::npos; at = name.find(key, at + 1)) {
     const auto end = at + key.size();
     if ((at == 0 || !in_word(name[at - 1])) && (end == name.size() || !in_word(name[end]))) return true;
@@ -202,19 +202,19 @@ void toml_section::finish() const {
   for (const auto& inner : state_->inner) toml_section(inner).finish();
 }
 
-void toml_section::require(const std::string& complaint) const {
-  if (complaint.empty()) return;
+void toml_section::require(const std::string& error) const {
+  if (error.empty()) return;
   const std::string where = state_->name.empty() ? "" : "[" + state_->name + "] ";
   // The line of the key that it speaks of, if it is one of these
   const toml::node* at = state_->table;
   std::size_t length = 0;
   if (state_->table != nullptr)
     for (const auto& [key, node] : *state_->table)
-      if (key.str().size() > length && speaks_of(complaint, key.str())) {
+      if (key.str().size() > length && speaks_of(error, key.str())) {
         at = &node;
         length = key.str().size();
       }
-  state_->fail(at, where + complaint);
+  state_->fail(at, where + error);
 }
 
 }  // namespace example

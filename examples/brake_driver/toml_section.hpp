@@ -10,8 +10,9 @@
 
 namespace example {
 
-/// Keys are read into values that hold their defaults: a key that is not there changes nothing. What cannot be read, and in
-/// finish() what nobody asked for, is thrown as std::invalid_argument that names file, line, key, value and expectation.
+/// Keys are read into values that hold their defaults: a key that is not there changes nothing. What cannot
+/// be read, and in finish() what nobody asked for, is thrown as std::invalid_argument that names file, line,
+/// key, value and expectation.
 class toml_section {
  public:
   /// The whole of a file. Throws std::invalid_argument where it cannot be read or is no TOML.
@@ -48,7 +49,7 @@ class toml_section {
   /// Throws if a key, here or in a section, was not read.
   void finish() const;
   /// Throws what is wrong with this section, unless that is empty.
-  void require(const std::string& complaint) const;
+  void require(const std::string& error) const;
 
  private:
   struct state;

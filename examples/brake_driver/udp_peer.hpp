@@ -54,7 +54,8 @@ class udp_peer {
     if (fd_.is_open() && ::send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) note(errno);
   }
 
-  /// The length of the next datagram as it was sent, of which as much as fits is stored; or `nothing`; or `broken`.
+  /// The length of the next datagram as it was sent, of which as much as fits is stored; or `nothing`; or
+  /// `broken`.
   ssize_t receive(std::span<std::uint8_t> to) noexcept {
     if (!fd_.is_open()) return broken;
     for (;;) {

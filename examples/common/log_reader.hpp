@@ -19,8 +19,8 @@ struct log_error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A comma-separated log: a header with exactly these names, then lines of finite numbers, the first of which (a time) never
-/// decreases. Memory does not grow with the log.
+/// A comma-separated log: a header with exactly these names, then lines of finite numbers, the first of which
+/// (a time) never decreases. Memory does not grow with the log.
 class log_reader {
  public:
   static constexpr std::size_t longest_line = 4096;  ///< Longer lines are a mistake, not a log [characters].

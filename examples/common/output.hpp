@@ -13,8 +13,8 @@
 
 namespace example {
 
-/// The directory named by `--output DIR` (default: the current one), made if it is not there. `--help` prints `help`
-/// and ends the program; anything else is named as a mistake and ends it with status 2.
+/// The directory named by `--output DIR` (default: the current one), made if it is not there. `--help` prints
+/// `help` and ends the program; anything else is named as a mistake and ends it with status 2.
 inline std::filesystem::path output_directory(int argc, char** argv, std::string_view help) {
   std::filesystem::path directory = ".";
   for (int i = 1; i < argc; ++i) {
@@ -51,8 +51,9 @@ inline void write_file(const std::filesystem::path& path, const std::string& con
   std::filesystem::rename(part, path);
 }
 
-/// Runs a gnuplot script that ends in a picture `name`.svg; it finds the name to write to in the variable `output`.
-/// Where gnuplot is missing or fails, says so: the script and its data are there for another machine.
+/// Runs a gnuplot script that ends in a picture `name`.svg; it finds the name to write to in the variable
+/// `output`. Where gnuplot is missing or fails, says so: the script and its data are there for another
+/// machine.
 inline void draw(const std::filesystem::path& directory, const std::string& name, const std::string& script) {
   write_file(directory / (name + ".gp"), "if (!exists('output')) output = '" + name + ".svg'\n" + script);
   const std::string picture = (directory / (name + ".svg")).string();

@@ -96,9 +96,9 @@ std::vector<std::string> replay_columns() {
   return names;
 }
 
-/// Reads a log from `in`, runs each line through the law and writes the decisions to `out`. The number of lines.
-/// Memory does not grow with the log. Throws log_error on the first malformed line. `progress` hears the number
-/// of lines done, every 65 536 of them.
+/// Reads a log from `in`, runs each line through the law and writes the decisions to `out`. The number of
+/// lines. Memory does not grow with the log. Throws log_error on the first malformed line. `progress` hears
+/// the number of lines done, every 65 536 of them.
 template <class M, class Law>
 std::size_t replay(std::istream& in, std::ostream& out, const M& mechanism, const ph::brakes_of<M>& brakes,
                    const ph::wall<any_wall<M::task_dimension>>& wall, const Law& law,

@@ -16,7 +16,8 @@
 
 namespace experiments {
 
-// Draws "name [#####     ] 50 %" on a terminal's last line while it lives; nothing where stderr is no terminal.
+// Draws "name [#####     ] 50 %" on a terminal's last line while it lives; nothing where stderr is no
+// terminal.
 class progress_bar {
  public:
   progress_bar(std::string name, std::size_t total)
@@ -44,7 +45,8 @@ class progress_bar {
   std::mutex drawing_;
 };
 
-// job(0), ..., job(count - 1) on all cores; their results in that order. The first exception of a job is thrown here.
+// job(0), ..., job(count - 1) on all cores; their results in that order. The first exception of a job is
+// thrown here.
 template <class Job>
 auto on_all_cores(const std::string& name, std::size_t count, Job&& job) {
   std::vector<decltype(job(std::size_t{0}))> results(count);

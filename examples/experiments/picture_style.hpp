@@ -44,8 +44,8 @@ inline std::string terminal(int width, int height) {
   return script.str();
 }
 
-// A legend over the whole width of a picture, set before its first panel and taken away after it: gnuplot's own key is
-// as narrow as a panel.
+// A legend over the whole width of a picture, set before its first panel and taken away after it: gnuplot's
+// own key is as narrow as a panel.
 struct entry {
   std::string name, colour, dashes = "solid";
   int width = 3;  // an area takes area_width

@@ -1,4 +1,5 @@
-// Pictures of the experiments. Each function writes NAME.csv, NAME.gp and, where gnuplot is installed, NAME.svg.
+// Pictures of the experiments. Each function writes NAME.csv, NAME.gp and, where gnuplot is installed,
+// NAME.svg.
 #pragma once
 
 #include "planar.hpp"
@@ -16,11 +17,13 @@ struct named_run {
   run_result run;
 };
 
-// The layout of Figs. 8 to 10: path, depth, brake rates, hand force, alpha and commanded capacities along the wall.
+// The layout of Figs. 8 to 10: path, depth, brake rates, hand force, alpha and commanded capacities along the
+// wall.
 void draw_figure(const std::filesystem::path& directory, const std::string& name, const std::string& title,
                  const test_wall& wall, const std::vector<named_run>& runs);
 
-// Fig. 5 (b), without and with direct control: pull_back.svg. The force that the tendon device makes is simulated.
+// Fig. 5 (b), without and with direct control: pull_back.svg. The force that the tendon device makes is
+// simulated.
 void draw_pull_back(const std::filesystem::path& directory);
 
 // The tendon device along the wall: a row a law, time from left to right.
@@ -32,8 +35,8 @@ struct penetration_row {
   std::string law;
   double lag, approach, depth_max;  // of the brakes [s], speed into the wall [m/s], [m]
 };
-// Against the lag at the approach that most rows have, and against the approach at the lag that most rows have:
-// penetration.svg.
+// Against the lag at the approach that most rows have, and against the approach at the lag that most rows
+// have: penetration.svg.
 void draw_penetration(const std::filesystem::path& directory, const std::vector<penetration_row>& rows);
 
 // Conclusion 1: force approximation and delay, alone and together.

@@ -3,14 +3,15 @@
 
 #include "planar.hpp"
 
-#include <passive_haptics/core/random_numbers.hpp>
+#include <passive_haptics/plant/random_numbers.hpp>
 
 #include <random>
 
 namespace experiments {
 
-// Plant number k of this seed: brakes of another gain, residual torque, lag and limit, a model whose inertia is off by up
-// to 25 %, a noisy sensor, a hand that pushes and weighs more or less. The controller knows limit and lag.
+// Plant number k of this seed: brakes of another gain, residual torque, lag and limit, a model whose inertia
+// is off by up to 25 %, a noisy sensor, a hand that pushes and weighs more or less. The controller knows
+// limit and lag.
 inline setup random_plant(std::uint64_t seed, std::size_t k) {
   std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(k)};
   std::mt19937_64 bits(both);

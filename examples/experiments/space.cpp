@@ -66,7 +66,8 @@ touch touch_of(const Shape& shape) {
           [shape](const space_vector& x) { return shape.gradient(x); }};
 }
 
-// Force of the hand: along x at constant speed, pushing into each wall, sideways held where there is one wall.
+// Force of the hand: along x at constant speed, pushing into each wall, sideways held where there is one
+// wall.
 class hand {
  public:
   hand(const space_vector& start, double push) : start_(start), push_(push) {}

@@ -1,7 +1,7 @@
-// What callgrind counts: control cycles and projections over fixed random input, one row a run. Without an argument it lists
-// the rows.
+// What callgrind counts: control cycles and projections over fixed random input, one row a run. Without an
+// argument it lists the rows.
 #include <passive_haptics/passive_haptics.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <cstdio>
 #include <functional>

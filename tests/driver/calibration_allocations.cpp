@@ -1,8 +1,8 @@
 #include "../realtime/allocations.hpp"
 
 #include <gtest/gtest.h>
-#include <passive_haptics/driver/device_calibration.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
+#include <passive_haptics/driver/calibration/device_calibration.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 
 namespace ph = passive_haptics;
 using arm = ph::tendon_two_link<double>;

@@ -1,10 +1,10 @@
 // A device of known calibration tells counts and readings; the state that comes out is the one that went in.
 #include <gtest/gtest.h>
-#include <passive_haptics/driver/device_calibration.hpp>
-#include <passive_haptics/mechanism/five_bar.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/driver/calibration/device_calibration.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <cmath>
 
@@ -16,7 +16,8 @@ using table = ph::xy_table<double>;
 
 namespace {
 
-// The sensor sits on the first distal link of a five-bar: no combination of joint angles, so a function of its own
+// The sensor sits on the first distal link of a five-bar: no combination of joint angles, so a function of
+// its own
 struct distal_frame {
   ph::five_bar<double> mechanism;
   ph::matrix<double, 2, 2> operator()(const vec& q) const {
@@ -161,17 +162,17 @@ struct slack_arm : arm {
 
 TEST(device_calibration, names_what_is_wrong) {
   using parameters = ph::device_calibration_parameters<arm>;
-  const auto complaint = [](auto change) {
+  const auto error = [](auto change) {
     parameters p;
     change(p);
     return validate(p);
   };
-  EXPECT_EQ(complaint([](parameters&) {}), "");
-  EXPECT_EQ(complaint([](parameters& p) { p.rates.window = 0; }),
+  EXPECT_EQ(error_text([](parameters&) {}), "");
+  EXPECT_EQ(error_text([](parameters& p) { p.rates.window = 0; }),
             "rates.window [periods] = 0, expected at least 1");
-  EXPECT_EQ(complaint([](parameters& p) { p.brakes[1].current_limit = 0; }),
+  EXPECT_EQ(error_text([](parameters& p) { p.brakes[1].current_limit = 0; }),
             "brakes[1].current_limit [A] = 0, expected a finite number > 0");
-  EXPECT_EQ(complaint([](parameters& p) { p.force.handle_mass = NAN; }),
+  EXPECT_EQ(error_text([](parameters& p) { p.force.handle_mass = NAN; }),
             "force.handle_mass [kg] = nan, expected a finite number >= 0");
   EXPECT_THROW(ph::device_calibration(slack_arm(), ph::device_calibration_parameters<slack_arm>()),
                std::invalid_argument);

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-#include <passive_haptics/brake/encoder_axes.hpp>
-#include <passive_haptics/driver/encoder_calibration.hpp>
-#include <passive_haptics/mechanism/five_bar.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/brake/measurement/encoder_axes.hpp>
+#include <passive_haptics/driver/calibration/encoder_calibration.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <utility>
 
@@ -80,16 +80,16 @@ TEST(encoder_calibration, gives_the_counts_of_a_position_back) {
 }
 
 TEST(encoder_calibration, names_what_is_wrong) {
-  const auto complaint = [](auto change) {
+  const auto error = [](auto change) {
     parameters p = turn_and_slide();
     change(p);
     return validate(p);
   };
-  EXPECT_EQ(complaint([](parameters&) {}), "");
-  EXPECT_EQ(complaint([](parameters& p) { p.counts_per_turn[1] = 0; }),
+  EXPECT_EQ(error_text([](parameters&) {}), "");
+  EXPECT_EQ(error_text([](parameters& p) { p.counts_per_turn[1] = 0; }),
             "counts_per_turn[1] = 0, expected a finite number, not 0; negative if counts fall in the "
             "positive sense");
-  EXPECT_EQ(complaint([](parameters& p) { p.zero_count[0] = NAN; }),
+  EXPECT_EQ(error_text([](parameters& p) { p.zero_count[0] = NAN; }),
             "zero_count[0] = nan, expected a finite number");
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
-#include <passive_haptics/driver/force_calibration.hpp>
-#include <passive_haptics/driver/steady_mean.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/driver/calibration/force_calibration.hpp>
+#include <passive_haptics/driver/calibration/steady_mean.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <Eigen/Geometry>
 
@@ -23,7 +23,8 @@ ph::matrix<double, D, D> random_rotation(random_source& random) {
   }
 }
 
-// A sensor: raw values = strain (force on it in its frame + offset), and a calibration that undoes the strains
+// A sensor: raw values = strain (force on it in its frame + offset), and a calibration that undoes the
+// strains
 template <int D, int Channels>
 struct modelled {
   ph::matrix<double, Channels, D> strain;
@@ -133,20 +134,21 @@ TEST(force_calibration, keeps_its_tare_if_the_new_one_is_no_number) {
 
 TEST(force_calibration, names_what_is_wrong) {
   using parameters = ph::force_calibration_parameters<2, 3>;
-  const auto complaint = [](auto change) {
+  const auto error = [](auto change) {
     parameters p;
     change(p);
     return validate(p);
   };
-  EXPECT_EQ(complaint([](parameters&) {}), "");
-  EXPECT_EQ(complaint([](parameters& p) { p.handle_mass = -1; }),
+  EXPECT_EQ(error_text([](parameters&) {}), "");
+  EXPECT_EQ(error_text([](parameters& p) { p.handle_mass = -1; }),
             "handle_mass [kg] = -1, expected a finite number >= 0");
-  EXPECT_EQ(complaint([](parameters& p) { p.tare[1] = NAN; }), "tare[1] [N] = nan, expected a finite number");
-  EXPECT_EQ(complaint([](parameters& p) { p.gravity[0] = INFINITY; }),
+  EXPECT_EQ(error_text([](parameters& p) { p.tare[1] = NAN; }),
+            "tare[1] [N] = nan, expected a finite number");
+  EXPECT_EQ(error_text([](parameters& p) { p.gravity[0] = INFINITY; }),
             "gravity[0] [m/s^2] = inf, expected a finite number");
-  EXPECT_EQ(complaint([](parameters& p) { p.newtons_per_unit(1, 2) = NAN; }),
+  EXPECT_EQ(error_text([](parameters& p) { p.newtons_per_unit(1, 2) = NAN; }),
             "newtons_per_unit(1, 2) [N] = nan, expected a finite number");
-  EXPECT_EQ(complaint([](parameters& p) { p.newtons_per_unit.row(1) = p.newtons_per_unit.row(0); }),
+  EXPECT_EQ(error_text([](parameters& p) { p.newtons_per_unit.row(1) = p.newtons_per_unit.row(0); }),
             "newtons_per_unit has dependent rows, expected one that tells each direction apart");
 }
 

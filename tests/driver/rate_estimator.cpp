@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/rate_estimator.hpp>
 #include <passive_haptics/plant/encoder.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <algorithm>
 #include <array>
@@ -250,8 +250,8 @@ TEST(rate_estimator, agrees_with_a_window_that_is_tested_line_by_line) {
   }
 }
 
-// What sgn(w) gets of a slow motion with reversals: +-0.15 rad/s at 0.5 Hz, 8192 counts a turn, edges with a jitter [counts].
-// A rate in the dead band of the window is no sign, whoever estimates it.
+// What sgn(w) gets of a slow motion with reversals: +-0.15 rad/s at 0.5 Hz, 8192 counts a turn, edges with a
+// jitter [counts]. A rate in the dead band of the window is no sign, whoever estimates it.
 struct sign_errors {
   int cycles = 0, differences = 0, differences_unknown = 0, windowed = 0, windowed_unknown = 0;
 

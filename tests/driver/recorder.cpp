@@ -1,7 +1,7 @@
 #include "../realtime/allocations.hpp"
 
 #include <gtest/gtest.h>
-#include <passive_haptics/driver/recorder.hpp>
+#include <passive_haptics/driver/process/recorder.hpp>
 
 #include <array>
 #include <atomic>
@@ -145,9 +145,9 @@ TEST(a_recorder, that_writes_to_a_pipe_which_nobody_reads_goes_on) {
   ph::recorder<record, to_pipe> log(to_pipe{&written});
   const int output = dup(STDOUT_FILENO);
   dup2(ends[1], STDOUT_FILENO);
-  const std::string complaint = log.start();
+  const std::string error = log.start();
   dup2(output, STDOUT_FILENO);
-  ASSERT_EQ(complaint, "");
+  ASSERT_EQ(error, "");
   log({1, 1});
   EXPECT_TRUE(log.stop());
   EXPECT_TRUE(written->closed);

@@ -87,14 +87,14 @@ struct rig {
 
 struct fault_case {
   const char* name;
-  ph::incident expected;
+  ph::fault_record expected;
   int cycles;      // until 0 A, at most
   bool rearmable;  // once it is over
   std::function<void(rig&)> spoil;
 };
 
 constexpr int at_once = 1;
-constexpr int bridged = 21;  // 20 ms at 1 kHz, and the cycle that sees that they are over
+constexpr int held_over = 21;  // 20 ms at 1 kHz, and the cycle that sees that they are over
 constexpr auto encoders = ph::fault_source::encoders;
 constexpr auto sensor = ph::fault_source::force_sensor;
 constexpr auto brakes = ph::fault_source::brakes;
@@ -102,42 +102,42 @@ constexpr auto brakes = ph::fault_source::brakes;
 const std::vector<fault_case> all_faults{
     {"NaN_encoder",
      {ph::fault::value_not_finite, encoders, 1},
-     bridged,
+     held_over,
      false,
      [](rig& r) { r.device.sample.value[1] = fake::nan; }},
     {"infinite_encoder",
      {ph::fault::value_not_finite, encoders, 0},
-     bridged,
+     held_over,
      false,
      [](rig& r) { r.device.sample.value[0] = -fake::infinite; }},
     {"encoder_that_the_device_calls_invalid",
      {ph::fault::channel_invalid, encoders, 0},
-     bridged,
+     held_over,
      false,
      [](rig& r) { r.device.sample.valid[0] = false; }},
     {"encoder_jump",
      {ph::fault::encoder_jump, encoders, 1},
-     bridged,
+     held_over,
      false,
      [](rig& r) { r.device.sample.value[1] += 5000; }},
     {"silence_of_the_device",
      {ph::fault::sample_missing, encoders},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.read_status = ph::port_status::no_sample; }},
     {"bad_checksum_or_truncated_frame",
      {ph::fault::sample_damaged, encoders},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.read_status = ph::port_status::bad_sample; }},
     {"duplicate",
      {ph::fault::sample_repeated, encoders},
-     bridged,
+     held_over,
      true,
      [](rig& r) { --r.device.sample.sequence; }},
     {"reordering",
      {ph::fault::sample_out_of_order, encoders},
-     bridged,
+     held_over,
      false,
      [](rig& r) { r.device.sample.sequence -= 2; }},
     {"wrong_sequence",
@@ -152,17 +152,17 @@ const std::vector<fault_case> all_faults{
      [](rig& r) { r.device.sample.sequence -= 5000; }},
     {"sample_of_a_second_ago",
      {ph::fault::sample_late, encoders},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.sample.time -= 1; }},
     {"sample_of_tomorrow",
      {ph::fault::sample_late, encoders},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.sample.time += 1e5; }},
     {"sample_without_a_time",
      {ph::fault::sample_late, encoders},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.sample.time = fake::nan; }},
     {"bus_gone_while_reading",
@@ -177,42 +177,42 @@ const std::vector<fault_case> all_faults{
      [](rig& r) { r.device.write_status = ph::port_status::failed; }},
     {"short_write",
      {ph::fault::write_refused, brakes},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.write_status = ph::port_status::bad_sample; }},
     {"full_buffer",
      {ph::fault::write_refused, brakes},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.write_status = ph::port_status::no_sample; }},
     {"sensor_saturation",
      {ph::fault::sensor_saturated, sensor, 2},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.force.value[2] = -100; }},
     {"sensor_not_a_number",
      {ph::fault::value_not_finite, sensor, 0},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.force.value[0] = fake::nan; }},
     {"sensor_channel_invalid",
      {ph::fault::channel_invalid, sensor, 1},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.force.valid[1] = false; }},
     {"stale_sensor",
      {ph::fault::sample_repeated, sensor},
-     bridged,
+     held_over,
      true,
      [](rig& r) { --r.device.force.sequence; }},
     {"silence_of_the_sensor",
      {ph::fault::sample_missing, sensor},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.sensor_status = ph::port_status::no_sample; }},
     {"damaged_sensor_records",
      {ph::fault::sample_damaged, sensor},
-     bridged,
+     held_over,
      true,
      [](rig& r) { r.device.sensor_status = ph::port_status::bad_sample; }},
     {"sensor_gone",
@@ -292,13 +292,13 @@ TEST_P(a_fault, of_one_cycle_is_bridged_where_it_can_be) {
   }
   EXPECT_EQ(r.port.state(), ph::port_state::degraded);
   if (GetParam().expected.source == encoders) {
-    EXPECT_EQ(r.port.bridged(), GetParam().expected);
+    EXPECT_EQ(r.port.held_over(), GetParam().expected);
     EXPECT_EQ(r.port.position(), position) << "the last good one stays";
   }
   EXPECT_TRUE(r.device.flows());
   r.cycles(2);
   EXPECT_EQ(r.port.state(), ph::port_state::active);
-  EXPECT_EQ(r.port.bridged(), ph::incident{});
+  EXPECT_EQ(r.port.held_over(), ph::fault_record{});
   EXPECT_EQ(r.device.currents, r.wanted);
 }
 
@@ -370,7 +370,7 @@ TEST(a_safe_port, follows_counters_past_their_wrap) {
       s.device.sample.value = {std::fmod(65003.0 + 100 * k, 65536),
                                std::fmod(65536 * 8 + 303.0 - 100 * k, 65536)};
     });
-    ASSERT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.bridged());
+    ASSERT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.held_over());
     ASSERT_EQ(r.port.position()[0], 65003 + 100 * k);
     ASSERT_EQ(r.port.position()[1], 303 - 100 * k);
   }
@@ -394,7 +394,7 @@ TEST(a_safe_port, bridges_a_gap_in_the_sequence_and_lets_the_device_go_on_meanwh
     ASSERT_EQ(r.port.state(), ph::port_state::degraded);
   }
   r.cycle();
-  EXPECT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.bridged());
+  EXPECT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.held_over());
   EXPECT_EQ(r.port.position()[0], before[0] + 15 * 150 + 3);
 }
 
@@ -418,7 +418,7 @@ TEST(a_frozen_encoder, is_noticed_after_the_others_turned_so_far_without_a_brake
     r.cycle(freeze);
     r.device.sample.value[1] = frozen;
   }
-  EXPECT_EQ(r.port.reason(), (ph::incident{ph::fault::encoder_frozen, encoders, 1}));
+  EXPECT_EQ(r.port.reason(), (ph::fault_record{ph::fault::encoder_frozen, encoders, 1}));
   EXPECT_NEAR(k, 2048.0 / 3, 2) << "cycles of 3 counts";
   r.cycles(5);
   EXPECT_FALSE(r.port.rearm()) << "nobody knows how far it went";
@@ -571,22 +571,23 @@ TEST(a_safe_port, allocates_nothing_in_a_cycle) {
 }
 
 TEST(the_parameters, of_a_safe_port_are_checked_by_name) {
-  const auto complaint = [](auto&& change) {
+  const auto error = [](auto&& change) {
     auto p = usual();
     change(p);
     return validate(p);
   };
-  EXPECT_EQ(complaint([](auto&) {}), "");
-  EXPECT_EQ(complaint([](auto& p) { p.currents.largest[1] = -1; }),
+  EXPECT_EQ(error_text([](auto&) {}), "");
+  EXPECT_EQ(error_text([](auto& p) { p.currents.largest[1] = -1; }),
             "largest[1] [A] = -1, expected a finite number > 0");
-  EXPECT_EQ(complaint([](auto& p) { p.currents.heat[0] = fake::nan; }),
+  EXPECT_EQ(error_text([](auto& p) { p.currents.heat[0] = fake::nan; }),
             "heat[0] [A^2 s] = nan, expected a finite number > 0");
-  EXPECT_EQ(complaint([](auto& p) { p.sensor.range[2] = 0; }), "range[2] = 0, expected a number > 0, or inf");
-  EXPECT_EQ(complaint([](auto& p) { p.bridge = 0; }), "bridge [s] = 0, expected a finite number > 0");
-  EXPECT_EQ(complaint([](auto& p) { p.at_release.ramp_time = 0; }),
+  EXPECT_EQ(error_text([](auto& p) { p.sensor.range[2] = 0; }),
+            "range[2] = 0, expected a number > 0, or inf");
+  EXPECT_EQ(error_text([](auto& p) { p.hold_over = 0; }), "hold_over [s] = 0, expected a finite number > 0");
+  EXPECT_EQ(error_text([](auto& p) { p.at_release.ramp_time = 0; }),
             "ramp_time [s] = 0, expected a finite number > 0");
   auto p = usual();
-  p.bridge = -1;
+  p.hold_over = -1;
   fake::device device;
   EXPECT_THROW(safe({&device}, {&device}, p), std::invalid_argument);
 }

@@ -327,8 +327,8 @@ void fill(example::serial_port<2, Brakes>& p) {
   EXPECT_LT(k, 100'000) << "the line is never full";
 }
 
-// What the device hears after 20 times a full line and then others: whole frames, in order, and the latest. Returns how
-// many frames were cut.
+// What the device hears after 20 times a full line and then others: whole frames, in order, and the latest.
+// Returns how many frames were cut.
 template <int Brakes>
 int cut_frames() {
   serial_peer peer({.brakes = Brakes});

@@ -164,7 +164,8 @@ TEST(serial_protocol, a_hello_of_another_version_tells_its_version) {
   EXPECT_EQ(h.version, 7);
 }
 
-// A good frame, a disturbed one, a good one: both good ones come, and of the disturbed one nothing, or itself.
+// A good frame, a disturbed one, a good one: both good ones come, and of the disturbed one nothing, or
+// itself.
 void expect_only_the_neighbours(const serial::packet& sent, const bytes& disturbed, const std::string& what) {
   static const serial::packet before = serial::pack(1, serial::currents{2, {111, 0}});
   static const serial::packet after = serial::pack(3, serial::currents{2, {0, 333}});

@@ -1,8 +1,8 @@
 #include <passive_haptics/driver/control_loop.hpp>
-#include <passive_haptics/driver/recorder.hpp>
+#include <passive_haptics/driver/process/recorder.hpp>
+#include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/stop_signals.hpp>
-#include <passive_haptics/driver/supervisor.hpp>
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -97,7 +97,7 @@ struct a_supervised_loop : ::testing::Test {
     ph::recorder<std::uint32_t, numbers_to_file> record(numbers_to_file{log});
     ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = timeout});
     ph::safe_port_parameters<1, 0> p;
-    p.bridge = 10;  // of this nothing is tested here
+    p.hold_over = 10;  // of this nothing is tested here
     ph::safe_port<keeping_port> port(keeping_port{&*device}, {}, p);
     if (!record.start().empty() || !guard.start().empty() || !port.open().empty()) return 2;
     const ph::stop_signals signals;

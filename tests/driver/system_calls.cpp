@@ -3,12 +3,12 @@
 #include "system_call_filter.hpp"
 
 #include <gtest/gtest.h>
+#include <passive_haptics/driver/calibration/device_calibration.hpp>
 #include <passive_haptics/driver/control_loop.hpp>
-#include <passive_haptics/driver/device_calibration.hpp>
-#include <passive_haptics/driver/recorder.hpp>
+#include <passive_haptics/driver/process/recorder.hpp>
+#include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/stop_signals.hpp>
-#include <passive_haptics/driver/supervisor.hpp>
 #include <passive_haptics/passive_haptics.hpp>
 
 #include <signal.h>
@@ -81,7 +81,7 @@ void drive(bool one_call_more) {
   ph::recorder<record, nowhere> log(nowhere{});
   ph::supervisor<memory_port> guard(memory_port{}, {.timeout = 10});
   ph::safe_port_parameters<2, 2> limits;
-  limits.bridge = 10;  // of this nothing is tested here
+  limits.hold_over = 10;  // of this nothing is tested here
   ph::safe_port<memory_port, memory_sensor> port(memory_port{}, memory_sensor{}, limits);
   if (!log.start().empty() || !guard.start().empty() || !port.open().empty()) _exit(no_start);
   ph::stop_signals signals;

@@ -1,9 +1,10 @@
-// libFuzzer: bytes become a device and all that a step is told, and no law may break. Run: fuzz_step -max_total_time=300
+// libFuzzer: bytes become a device and all that a step is told, and no law may break. Run: fuzz_step
+// -max_total_time=300
 #include "../stress/broken_law.hpp"
 
-#include <passive_haptics/control/laws.hpp>
-#include <passive_haptics/mechanism/five_bar.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 
 #include <cstddef>
 #include <cstdint>

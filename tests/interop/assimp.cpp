@@ -1,6 +1,6 @@
 // Meshes from files: what is right in them, and what is said of those that are wrong.
 #include <passive_haptics/interop/assimp.hpp>
-#include <passive_haptics/scene/mesh_solid.hpp>
+#include <passive_haptics/scene/mesh/mesh_solid.hpp>
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ struct mesh_files : ::testing::Test {
     std::ofstream(folder / name, std::ios::binary) << text;
     return folder / name;
   }
-  std::string complaint(const fs::path& path, double scale = 1) const {
+  std::string error_text(const fs::path& path, double scale = 1) const {
     try {
       ph::read_mesh(path, scale);
     } catch (const std::invalid_argument& e) {
@@ -139,7 +139,7 @@ TEST_F(mesh_files, lose_triangles_without_area_and_say_how_many) {
 
 TEST_F(mesh_files, that_are_wrong_are_named_with_the_reason) {
   const auto says = [&](const fs::path& path, const std::string& reason, double scale = 1) {
-    const std::string text = complaint(path, scale),
+    const std::string text = error_text(path, scale),
                       start = "passive_haptics: mesh file " + path.string() + ": ";
     EXPECT_EQ(text.substr(0, start.size()), start);
     EXPECT_NE(text.find(reason), std::string::npos) << text;
@@ -167,7 +167,7 @@ TEST_F(mesh_files, that_are_wrong_are_named_with_the_reason) {
   says(write("inf.stl", binary_stl(bad)), "not finite");
 }
 
-// Whatever stands in a file, there is a mesh that is valid or a complaint.
+// Whatever stands in a file, there is a mesh that is valid or a error.
 TEST_F(mesh_files, with_bytes_gone_wrong_never_give_a_mesh_that_is) {
   ph::testing::random_source random(20040627);
   const std::string texts[] = {binary_stl(cube()), ascii_stl(cube()), obj(cube())};

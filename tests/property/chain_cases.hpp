@@ -1,8 +1,8 @@
-// Serial chains of irregular shape for the law suites.
+// Serial chains of irregular shape for the property suites.
 #pragma once
 
-#include <passive_haptics/mechanism/serial_chain_with_inertia.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 

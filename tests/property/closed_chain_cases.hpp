@@ -1,8 +1,8 @@
-// Closed chains, both assemblies, regular and lopsided, for the law suites.
+// Closed chains, both assemblies, regular and lopsided, for the property suites.
 #pragma once
 
-#include <passive_haptics/mechanism/delta.hpp>
-#include <passive_haptics/mechanism/five_bar.hpp>
+#include <passive_haptics/mechanism/models/delta.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
 
 #include <gtest/gtest.h>
 

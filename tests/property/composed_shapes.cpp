@@ -1,5 +1,5 @@
 #include <passive_haptics/passive_haptics.hpp>
-#include <passive_haptics/testing/shape_laws.hpp>
+#include <passive_haptics/testing/shape_properties.hpp>
 
 #include "user_shapes.hpp"
 
@@ -108,4 +108,4 @@ using shape_cases =
                      tetrahedron_case, rounded_box_case, shrunk_polygon_case, hollow_case, nested_case,
                      torus_case, either_case>;
 
-INSTANTIATE_TYPED_TEST_SUITE_P(shapes, shape_laws, shape_cases);
+INSTANTIATE_TYPED_TEST_SUITE_P(shapes, shape_properties, shape_cases);

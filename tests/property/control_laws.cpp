@@ -2,12 +2,12 @@
 #include "custom_cases.hpp"
 #include "device_cases.hpp"
 
-#include <passive_haptics/control/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws.hpp>
-#include <passive_haptics/control/on_off_control.hpp>
-#include <passive_haptics/control/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/velocity_ratio_control.hpp>
-#include <passive_haptics/testing/control_law_laws.hpp>
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/laws/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
+#include <passive_haptics/control/laws/velocity_ratio_control.hpp>
+#include <passive_haptics/testing/control_law_properties.hpp>
 
 namespace {
 
@@ -23,11 +23,13 @@ using on_devices = ::testing::Types<law_case<device_case<ph::tendon_two_link<dou
                                     law_case<device_case<ph::xy_table<float>>, Law>,
                                     law_case<custom_case<custom::spatial_arm<double>>, Law>>;
 
-INSTANTIATE_TYPED_TEST_SUITE_P(direct_control, control_law_laws, on_devices<nulling_early>);
-INSTANTIATE_TYPED_TEST_SUITE_P(coercive, control_law_laws, on_devices<ph::coercive_force_approximation>);
-INSTANTIATE_TYPED_TEST_SUITE_P(single_dof, control_law_laws,
+INSTANTIATE_TYPED_TEST_SUITE_P(direct_control, control_law_properties, on_devices<nulling_early>);
+INSTANTIATE_TYPED_TEST_SUITE_P(coercive, control_law_properties,
+                               on_devices<ph::coercive_force_approximation>);
+INSTANTIATE_TYPED_TEST_SUITE_P(single_dof, control_law_properties,
                                on_devices<ph::single_degree_of_freedom_control>);
-INSTANTIATE_TYPED_TEST_SUITE_P(velocity_ratio, control_law_laws, on_devices<ph::velocity_ratio_control>);
-INSTANTIATE_TYPED_TEST_SUITE_P(on_off, control_law_laws, on_devices<ph::on_off_control>);
+INSTANTIATE_TYPED_TEST_SUITE_P(velocity_ratio, control_law_properties,
+                               on_devices<ph::velocity_ratio_control>);
+INSTANTIATE_TYPED_TEST_SUITE_P(on_off, control_law_properties, on_devices<ph::on_off_control>);
 
 }  // namespace

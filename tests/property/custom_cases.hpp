@@ -1,4 +1,4 @@
-// The mechanisms of custom_mechanisms.hpp as cases of the law suites.
+// The mechanisms of custom_mechanisms.hpp as cases of the property suites.
 #pragma once
 
 #include "custom_mechanisms.hpp"

@@ -1,11 +1,11 @@
-// The library's own mechanisms as cases of the law suites.
+// The library's own mechanisms as cases of the property suites.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 
 template <class Mechanism>
 struct device_case {

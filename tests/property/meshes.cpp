@@ -1,10 +1,10 @@
 // A mesh_solid keeps the laws of shapes, a mesh_surface those of tracked shapes.
-#include <passive_haptics/scene/complement.hpp>
-#include <passive_haptics/scene/height_field.hpp>
-#include <passive_haptics/scene/mesh_solid.hpp>
-#include <passive_haptics/scene/mesh_surface.hpp>
-#include <passive_haptics/testing/shape_laws.hpp>
-#include <passive_haptics/testing/tracked_shape_laws.hpp>
+#include <passive_haptics/scene/mesh/height_field.hpp>
+#include <passive_haptics/scene/mesh/mesh_solid.hpp>
+#include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/scene/shapes/complement.hpp>
+#include <passive_haptics/testing/shape_properties.hpp>
+#include <passive_haptics/testing/tracked_shape_properties.hpp>
 
 #include "sample_meshes.hpp"
 
@@ -51,6 +51,6 @@ struct hills : about_a_star<ph::mesh_surface<3>> {
 }  // namespace
 
 using solids = ::testing::Types<solid_star<2>, solid_star<3>, room_in_a_star>;
-INSTANTIATE_TYPED_TEST_SUITE_P(meshes, shape_laws, solids);
+INSTANTIATE_TYPED_TEST_SUITE_P(meshes, shape_properties, solids);
 using surfaces = ::testing::Types<surface_of_a_star<2>, surface_of_a_star<3>, hills>;
-INSTANTIATE_TYPED_TEST_SUITE_P(meshes, tracked_shape_laws, surfaces);
+INSTANTIATE_TYPED_TEST_SUITE_P(meshes, tracked_shape_properties, surfaces);

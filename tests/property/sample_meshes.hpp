@@ -1,8 +1,8 @@
 // Meshes that tests make themselves.
 #pragma once
 
-#include <passive_haptics/scene/mesh_parameters.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/mesh/mesh_parameters.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -60,7 +60,8 @@ ph::mesh_parameters<D> loose(const ph::mesh_parameters<D>& m) {
   return apart;
 }
 
-// A globe: radius(direction) [m] from the origin at each vertex, `around` meridians, and poles where needles meet.
+// A globe: radius(direction) [m] from the origin at each vertex, `around` meridians, and poles where needles
+// meet.
 template <class Radius>
 ph::mesh_parameters<3> globe(int around, int rings, const Radius& radius) {
   ph::mesh_parameters<3> m;
@@ -109,7 +110,8 @@ ph::mesh_parameters<D> star(ph::testing::random_source& random, int around) {
   else return globe(around, around / 2, radius);
 }
 
-// How far the mesh lies within the ball of this radius about the origin, on which all its vertices are, at most [m].
+// How far the mesh lies within the ball of this radius about the origin, on which all its vertices are, at
+// most [m].
 template <int D>
 double sagitta(const ph::mesh_parameters<D>& m, double radius) {
   double largest = 0;

@@ -1,6 +1,6 @@
-#include <passive_haptics/scene/ball.hpp>
-#include <passive_haptics/scene/half_space.hpp>
-#include <passive_haptics/testing/shape_laws.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/shape_properties.hpp>
 
 #include <cmath>
 
@@ -50,4 +50,4 @@ struct kinked : in_a_box<strip> {
 
 using shapes =
     ::testing::Types<plane, floor_in_space, solid_disc, hollow_disc, solid_ball, hollow_ball, kinked>;
-INSTANTIATE_TYPED_TEST_SUITE_P(scene, shape_laws, shapes);
+INSTANTIATE_TYPED_TEST_SUITE_P(scene, shape_properties, shapes);

@@ -1,4 +1,5 @@
-// What the checks in the guest share. The guest has no test library: it is a static program, alone in an initramfs.
+// What the checks in the guest share. The guest has no test library: it is a static program, alone in an
+// initramfs.
 #pragma once
 
 #include <comedi_force_sensor.hpp>
@@ -14,7 +15,8 @@ namespace guest {
 
 namespace ph = passive_haptics;
 
-// The kernel's comedi_test: subdevice 0 is an analog input that echoes the analog output 1 channel by channel; no counters.
+// The kernel's comedi_test: subdevice 0 is an analog input that echoes the analog output 1 channel by
+// channel; no counters.
 constexpr const char* self_configured = "/dev/comedi1";
 constexpr const char* configured_by_hand = "/dev/comedi0";  // without a driver until attach()
 constexpr double half_a_step = 0.5 * 20 / 65535;            // [V], of -10 to 10 V in 16 bits
@@ -40,7 +42,7 @@ inline sensor::parameters sensor_parameters(const std::string& device = self_con
 
 // What a check found: nothing, or what is wrong; and figures for a person.
 struct outcome {
-  std::string complaint, figures;
+  std::string error, figures;
 };
 
 template <class... Parts>
@@ -50,7 +52,7 @@ std::string text(const Parts&... parts) {
   return all.str();
 }
 
-inline outcome wrong(const std::string& complaint) { return {complaint.empty() ? "unknown" : complaint, ""}; }
+inline outcome wrong(const std::string& error) { return {error.empty() ? "unknown" : error, ""}; }
 
 // Both channels [V]; NaN where they cannot be read.
 inline std::array<double, 2> voltages(sensor& inputs) {

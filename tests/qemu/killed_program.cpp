@@ -1,7 +1,7 @@
 // What the outputs do when their program is killed or stopped, alone and with a supervisor.
 #include "guest.hpp"
 
-#include <passive_haptics/driver/supervisor.hpp>
+#include <passive_haptics/driver/process/supervisor.hpp>
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -3,9 +3,9 @@
 #include "system_call_filter.hpp"
 
 #include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/real_time.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
-#include <passive_haptics/driver/supervisor.hpp>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -48,8 +48,8 @@ class program {
   }
 
   bool supervised = true;
-  double worst = 0;       // difference of what was read back [V]
-  ph::incident released;  // the first
+  double worst = 0;           // difference of what was read back [V]
+  ph::fault_record released;  // the first
 
  private:
   using safe = ph::safe_port<port, sensor>;

@@ -38,9 +38,9 @@ void run(const guest::check& check) {
   try {
     found = check.run();
   } catch (const std::exception& e) {
-    found.complaint = e.what();
+    found.error = e.what();
   }
-  if (!found.complaint.empty()) std::printf("FAILED %s: %s\n", check.name, found.complaint.c_str());
+  if (!found.error.empty()) std::printf("FAILED %s: %s\n", check.name, found.error.c_str());
   else if (found.figures.empty()) std::printf("ok %s\n", check.name);
   else std::printf("ok %s: %s\n", check.name, found.figures.c_str());
 }

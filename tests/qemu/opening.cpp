@@ -28,7 +28,7 @@ outcome without_permission() {
   const pid_t child = fork();
   if (child == 0) {
     if (setuid(1000) != 0) _exit(2);
-    _exit(says(port_parameters(), " may not be opened by this user").complaint.empty() ? 0 : 1);
+    _exit(says(port_parameters(), " may not be opened by this user").error.empty() ? 0 : 1);
   }
   int status = 0;
   waitpid(child, &status, 0);

@@ -1,4 +1,5 @@
-// Counts what a thread allocates and frees. Before any other header, and in one file of a program: it replaces operator new.
+// Counts what a thread allocates and frees. Before any other header, and in one file of a program: it
+// replaces operator new.
 #pragma once
 #undef NDEBUG  // so that Eigen's own check runs in any build
 #define EIGEN_RUNTIME_NO_MALLOC

@@ -1,9 +1,9 @@
 // Following a mesh and asking it for distances allocates nothing.
 #include "allocations.hpp"
 
-#include <passive_haptics/scene/mesh_solid.hpp>
-#include <passive_haptics/scene/mesh_surface.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/mesh/mesh_solid.hpp>
+#include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 

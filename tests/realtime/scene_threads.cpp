@@ -1,14 +1,14 @@
-// A control loop against a thread that owns its scene: every snapshot is whole, the loop allocates nothing and never waits.
-// Built with ThreadSanitizer, where the compiler has it.
+// A control loop against a thread that owns its scene: every snapshot is whole, the loop allocates nothing
+// and never waits. Built with ThreadSanitizer, where the compiler has it.
 #include "allocations.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/scene/ball.hpp>
-#include <passive_haptics/scene/half_space.hpp>
-#include <passive_haptics/scene/scene_exchange.hpp>
-#include <passive_haptics/scene/world.hpp>
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/world/scene_exchange.hpp>
+#include <passive_haptics/scene/world/world.hpp>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,8 @@ namespace ph = passive_haptics;
 using M = ph::xy_table<double>;
 constexpr int loop_steps = 10'000'000;
 
-// Number `generation` of a scene: both floors are as deep as that number, so that a half-exchanged scene would show.
+// Number `generation` of a scene: both floors are as deep as that number, so that a half-exchanged scene
+// would show.
 ph::world<2> scene_of(long generation) {
   const double height = 1e-3 * static_cast<double>(generation % 97 + 1);
   ph::world_walls<2> walls;

@@ -1,4 +1,5 @@
-// Every C++ snippet in the documentation, and any other that names a file, is part of that file, and every relative link leads somewhere.
+// Every C++ snippet in the documentation, and any other that names a file, is part of that file, and every
+// relative link leads somewhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using lines = std::vector<std::string>;
-using complaints = std::vector<std::string>;
+using errors = std::vector<std::string>;
 
 lines split(const std::string& text) {
   lines all;
@@ -47,10 +48,9 @@ bool contains(const lines& file, const lines& snippet) {
 }
 
 // read(path) gives the text of a file of the repository, empty if there is none.
-complaints check_snippets(const std::string& page,
-                          const std::function<std::string(const std::string&)>& read) {
+errors check_snippets(const std::string& page, const std::function<std::string(const std::string&)>& read) {
   static const std::regex source(R"(^<!-- file: (\S+) -->$)");
-  complaints all;
+  errors all;
   const lines text = split(page);
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!text[i].starts_with("```")) continue;
@@ -74,10 +74,10 @@ complaints check_snippets(const std::string& page,
 }
 
 // exists(target) tells whether a path relative to the page leads to a file or folder.
-complaints check_links(const std::string& page, const std::function<bool(const std::string&)>& exists) {
+errors check_links(const std::string& page, const std::function<bool(const std::string&)>& exists) {
   static const std::regex link(R"(\]\(\s*<?([^)\s>]+)>?[^)]*\)|(?:src|href)="([^"]+)\")");
   static const std::regex elsewhere(R"(^([a-zA-Z][a-zA-Z0-9+.-]*:|#).*)");
-  complaints all;
+  errors all;
   bool code = false;
   int number = 0;
   for (const std::string& line : split(page)) {
@@ -118,14 +118,14 @@ std::vector<fs::path> pages() {
 TEST(documentation, snippets_are_parts_of_compiled_files) {
   for (const fs::path& page : pages()) {
     const auto read = [](const std::string& path) { return read_file(root / path); };
-    EXPECT_EQ(check_snippets(read_file(page), read), complaints()) << page;
+    EXPECT_EQ(check_snippets(read_file(page), read), errors()) << page;
   }
 }
 
 TEST(documentation, relative_links_lead_somewhere) {
   for (const fs::path& page : pages()) {
     const auto exists = [&](const std::string& target) { return fs::exists(page.parent_path() / target); };
-    EXPECT_EQ(check_links(read_file(page), exists), complaints()) << page;
+    EXPECT_EQ(check_links(read_file(page), exists), errors()) << page;
   }
 }
 
@@ -136,7 +136,7 @@ TEST(documentation, has_a_readme) {
 
 // ---- the checks themselves
 
-std::size_t snippet_complaints(const std::string& page) {
+std::size_t snippet_errors(const std::string& page) {
   return check_snippets(page,
                         [](const std::string& path) {
                           return path == "a.cpp" ? "int main() {\n  int x = 1;\n\n  return x;\n}\n" : "";
@@ -145,23 +145,23 @@ std::size_t snippet_complaints(const std::string& page) {
 }
 
 TEST(documentation_check, accepts_parts_of_files_at_any_indentation) {
-  EXPECT_EQ(snippet_complaints("<!-- file: a.cpp -->\n```cpp\nint main() {\n  int x = 1;\n```\n"), 0u);
-  EXPECT_EQ(snippet_complaints("<!-- file: a.cpp -->\n```cpp\nint x = 1;\n\nreturn x;\n```\n"), 0u);
-  EXPECT_EQ(snippet_complaints("```sh\n./tests/run\n```\n"), 0u);
+  EXPECT_EQ(snippet_errors("<!-- file: a.cpp -->\n```cpp\nint main() {\n  int x = 1;\n```\n"), 0u);
+  EXPECT_EQ(snippet_errors("<!-- file: a.cpp -->\n```cpp\nint x = 1;\n\nreturn x;\n```\n"), 0u);
+  EXPECT_EQ(snippet_errors("```sh\n./tests/run\n```\n"), 0u);
 }
 
 TEST(documentation_check, notices_snippets_that_no_file_has) {
-  EXPECT_EQ(snippet_complaints("<!-- file: a.cpp -->\n```cpp\nint x = 2;\n```\n"), 1u);
-  EXPECT_EQ(snippet_complaints("<!-- file: a.cpp -->\n```cpp\nint x = 1;\nreturn x;\n```\n"), 1u)
+  EXPECT_EQ(snippet_errors("<!-- file: a.cpp -->\n```cpp\nint x = 2;\n```\n"), 1u);
+  EXPECT_EQ(snippet_errors("<!-- file: a.cpp -->\n```cpp\nint x = 1;\nreturn x;\n```\n"), 1u)
       << "not contiguous";
-  EXPECT_EQ(snippet_complaints("<!-- file: a.cpp -->\n```cpp\nint main() {\nint x = 1;\n```\n"), 1u)
+  EXPECT_EQ(snippet_errors("<!-- file: a.cpp -->\n```cpp\nint main() {\nint x = 1;\n```\n"), 1u)
       << "indented otherwise";
-  EXPECT_EQ(snippet_complaints("<!-- file: b.cpp -->\n```cpp\nint x = 1;\n```\n"), 1u);
-  EXPECT_EQ(snippet_complaints("text\n```cpp\nint x = 1;\n```\n"), 1u);
-  EXPECT_EQ(snippet_complaints("```cpp\nint x = 1;\n```\n"), 1u);
-  EXPECT_EQ(snippet_complaints("<!-- file: a.cpp -->\n```cpp\n```\n"), 1u) << "empty";
-  EXPECT_EQ(snippet_complaints("```sh\nls\n"), 1u) << "without an end";
-  EXPECT_EQ(snippet_complaints("<!-- file: a.cpp -->\n```cmake\nint x = 2;\n```\n"), 1u) << "in any language";
+  EXPECT_EQ(snippet_errors("<!-- file: b.cpp -->\n```cpp\nint x = 1;\n```\n"), 1u);
+  EXPECT_EQ(snippet_errors("text\n```cpp\nint x = 1;\n```\n"), 1u);
+  EXPECT_EQ(snippet_errors("```cpp\nint x = 1;\n```\n"), 1u);
+  EXPECT_EQ(snippet_errors("<!-- file: a.cpp -->\n```cpp\n```\n"), 1u) << "empty";
+  EXPECT_EQ(snippet_errors("```sh\nls\n"), 1u) << "without an end";
+  EXPECT_EQ(snippet_errors("<!-- file: a.cpp -->\n```cmake\nint x = 2;\n```\n"), 1u) << "in any language";
 }
 
 TEST(documentation_check, notices_broken_links) {

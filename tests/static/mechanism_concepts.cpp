@@ -4,8 +4,8 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 
 #include <string>
 #include <utility>

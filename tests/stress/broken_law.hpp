@@ -1,4 +1,5 @@
-// What holds after every control cycle, whatever went in: cheap enough for 1e8 cycles, and for any kind of test.
+// What holds after every control cycle, whatever went in: cheap enough for 1e8 cycles, and for any kind of
+// test.
 #pragma once
 
 #include <passive_haptics/control/step.hpp>
@@ -24,10 +25,10 @@ struct scaled_vector {
   }
 };
 
-// Whether the brakes can make the displayed force F, to rounding. One contact: s_i (E^T F)_i <= 0 relative to |E_i| |F|; as
-// the projection Fp is feasible to rounding of n, Fc = Fp / cos^2 is to rounding of |Fc| / cos. Several contacts: relative
-// to the terms of F = G t, which grow with the condition of J, and to the torque limits, up to which the search for the best
-// torques may go. In generator form F = G t.
+// Whether the brakes can make the displayed force F, to rounding. One contact: s_i (E^T F)_i <= 0 relative to
+// |E_i| |F|; as the projection Fp is feasible to rounding of n, Fc = Fp / cos^2 is to rounding of |Fc| / cos.
+// Several contacts: relative to the terms of F = G t, which grow with the condition of J, and to the torque
+// limits, up to which the search for the best torques may go. In generator form F = G t.
 template <class M>
 bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const ph::joint_vector<M>& q,
                        bool projected, const ph::step_result<M>& result) {
@@ -69,8 +70,8 @@ bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const
   }
 }
 
-// The law that a step with so many contacts broke, in words; nullptr if none. unit_normals: whether their normals are unit
-// vectors; of the forces of others nothing is promised.
+// The law that a step with so many contacts broke, in words; nullptr if none. unit_normals: whether their
+// normals are unit vectors; of the forces of others nothing is promised.
 template <class M>
 const char* broken_law(const M& mechanism, const ph::brakes_of<M>& brakes, const ph::device_state<M>& state,
                        int contact_count, const ph::step_result<M>& result, bool unit_normals = true) {

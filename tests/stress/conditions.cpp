@@ -1,4 +1,5 @@
-// Jacobians of conditions up to 1e16, and singular ones: the displayed force stays feasible, whatever the condition.
+// Jacobians of conditions up to 1e16, and singular ones: the displayed force stays feasible, whatever the
+// condition.
 #include "devices.hpp"
 #include "edge_suite.hpp"
 

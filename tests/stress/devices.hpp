@@ -1,4 +1,4 @@
-// Every shipped mechanism as a case of the law suites, and devices whose Jacobian has any condition.
+// Every shipped mechanism as a case of the property suites, and devices whose Jacobian has any condition.
 #pragma once
 
 #include "../property/chain_cases.hpp"
@@ -22,7 +22,8 @@ struct with_inertial_forces : Chain {
   static mechanism make() { return mechanism(Chain::make()); }
 };
 
-// x = J q with J of the condition that a test asks for: its singular values fall evenly from 1 to 1 / condition.
+// x = J q with J of the condition that a test asks for: its singular values fall evenly from 1 to 1 /
+// condition.
 template <class T, int N, int D>
 struct linear_device {
   using scalar = T;

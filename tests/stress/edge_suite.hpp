@@ -5,7 +5,7 @@
 #include "effort.hpp"
 #include "hard_cases.hpp"
 
-#include <passive_haptics/control/laws.hpp>
+#include <passive_haptics/control/direct_control.hpp>
 
 #include <gtest/gtest.h>
 

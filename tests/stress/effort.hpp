@@ -1,6 +1,7 @@
 // How long the stress tests run and from which seed:
 //   PASSIVE_HAPTICS_STRESS=full      minutes to an hour, as `tests/run stress` does; else seconds
-//   PASSIVE_HAPTICS_STRESS_SEED=7    instead of the fixed seed: to repeat a failure at once, or to search elsewhere
+//   PASSIVE_HAPTICS_STRESS_SEED=7    instead of the fixed seed: to repeat a failure at once, or to search
+//   elsewhere
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,9 @@
-// Control cycles at the edges of floating-point arithmetic: singular poses, rates at the dead bands, forces from denormal
-// to nearly overflowing, coincident and opposed walls.
+// Control cycles at the edges of floating-point arithmetic: singular poses, rates at the dead bands, forces
+// from denormal to nearly overflowing, coincident and opposed walls.
 #pragma once
 
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <Eigen/LU>
 
@@ -105,8 +105,8 @@ class hard_cases {
 
   ph::joint_vector<M> ordinary_pose() { return random_.template between<T, M::dof>(lower_, upper_); }
 
-  // Aligned with the axes, or between two random poses where det J changes sign (n = d) or the loop just closes; exactly
-  // or to 1e-300 ... 1e-6.
+  // Aligned with the axes, or between two random poses where det J changes sign (n = d) or the loop just
+  // closes; exactly or to 1e-300 ... 1e-6.
   ph::joint_vector<M> singular_pose() {
     ph::joint_vector<M> q;
     if (one_in(3)) {

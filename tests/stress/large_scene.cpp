@@ -1,4 +1,5 @@
-// 100 000 shapes for 20 s at 1 kHz, and hands that jump: the contacts of a look at everything, by a few looks a cycle.
+// 100 000 shapes for 20 s at 1 kHz, and hands that jump: the contacts of a look at everything, by a few looks
+// a cycle.
 #include "effort.hpp"
 
 #include "../unit/many_shapes.hpp"

@@ -1,15 +1,16 @@
-// Special values in every number that a step reads, two walls at once, and the options: a fault or a lawful step. With one
-// wall the suite fault_laws does this; here for the devices on which no other test runs it.
+// Special values in every number that a step reads, two walls at once, and the options: a fault or a lawful
+// step. With one wall the suite fault_properties does this; here for the devices on which no other test runs
+// it.
 #include "broken_law.hpp"
 #include "devices.hpp"
 
-#include <passive_haptics/testing/fault_laws.hpp>
+#include <passive_haptics/testing/fault_properties.hpp>
 
 namespace stress {
 
 using namespace ph::testing;
 using spatial_chain = ::testing::Types<chains::irregular_chain<double, 3, 3>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(spatial_chain, fault_laws, spatial_chain);
+INSTANTIATE_TYPED_TEST_SUITE_P(spatial_chain, fault_properties, spatial_chain);
 
 template <class Case>
 struct special_values : ::testing::Test {};

@@ -1,11 +1,11 @@
-// A device carried about for a long time: pose, rates, hand and walls wander, jump now and then, and every cycle is checked.
-// Full length, 1e8 cycles of the tendon device: PASSIVE_HAPTICS_STRESS=full.
+// A device carried about for a long time: pose, rates, hand and walls wander, jump now and then, and every
+// cycle is checked. Full length, 1e8 cycles of the tendon device: PASSIVE_HAPTICS_STRESS=full.
 #include "broken_law.hpp"
 #include "devices.hpp"
 #include "effort.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws.hpp>
+#include <passive_haptics/control/direct_control.hpp>
 
 #include <gtest/gtest.h>
 
@@ -90,7 +90,8 @@ class wanderer {
   ph::testing::random_source random_;
 };
 
-// Legs of a million cycles, each from its own seed, so that any can be repeated alone; the controller goes on.
+// Legs of a million cycles, each from its own seed, so that any can be repeated alone; the controller goes
+// on.
 template <class Case, class Law>
 void walk(std::uint64_t cycles) {
   using M = typename Case::mechanism;

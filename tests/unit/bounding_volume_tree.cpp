@@ -1,6 +1,6 @@
 // A tree of boxes finds what a scan over all boxes finds, all at once or a little at a time.
-#include <passive_haptics/scene/bounding_volume_tree.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include <passive_haptics/core/cholesky.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 

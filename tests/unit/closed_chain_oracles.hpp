@@ -1,9 +1,9 @@
 // The closed chains by their constraint equations alone, in 50 digits.
 #pragma once
 
-#include <passive_haptics/mechanism/delta.hpp>
-#include <passive_haptics/mechanism/five_bar.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/mechanism/models/delta.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <Eigen/LU>
 

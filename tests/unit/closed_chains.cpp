@@ -1,6 +1,6 @@
 #include "closed_chain_oracles.hpp"
 
-#include <passive_haptics/control/laws.hpp>
+#include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
 
 #include <gtest/gtest.h>
@@ -86,7 +86,8 @@ class closed_chain : public ::testing::Test {
     }
   }
 
-  // Handle of the chain's own assembly in 50 digits: the library's formula, which the constraints below confirm
+  // Handle of the chain's own assembly in 50 digits: the library's formula, which the constraints below
+  // confirm
   vec<dof> handle(const vec<dof>& q) const { return chain.position(q); }
 
   double length() const { return double(truth.distal(0)); }

@@ -1,7 +1,7 @@
 // Distances found by search and by enumeration, to check the shapes' formulas against.
 #pragma once
 
-#include <passive_haptics/scene/half_space.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -42,8 +42,8 @@ inline long double from_polygon(const ph::point<2>& x, const std::vector<ph::poi
   return inside ? -nearest : nearest;
 }
 
-// Signed distance from what lies behind all planes, in 50 digits: among the projections of x on the intersections of up
-// to D planes, the nearest that is behind all others.
+// Signed distance from what lies behind all planes, in 50 digits: among the projections of x on the
+// intersections of up to D planes, the nearest that is behind all others.
 template <int D>
 double from_polytope(const ph::point<D>& x, const std::vector<ph::half_space_parameters<D>>& planes) {
   using number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,
@@ -72,7 +72,8 @@ double from_polytope(const ph::point<D>& x, const std::vector<ph::half_space_par
   number nearest = -1;
   bool outside = false;
   for (const number& over : g) outside = outside || over > 0;
-  // Solves (N^T N) m = g for the planes in `active` by elimination; d = -N m is the step onto their intersection.
+  // Solves (N^T N) m = g for the planes in `active` by elimination; d = -N m is the step onto their
+  // intersection.
   const auto try_active = [&](const std::vector<std::size_t>& active) {
     const std::size_t size = active.size();
     std::vector<std::vector<number>> gram(size, std::vector<number>(size + 1));

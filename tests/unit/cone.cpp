@@ -1,8 +1,8 @@
 // The projection onto a cone against an oracle in 50 digits.
 #include "cone_oracle.hpp"
 
-#include <passive_haptics/core/cone.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
@@ -30,8 +30,8 @@ struct cone : ::testing::Test {
   static constexpr int trials = C < 6 ? 30 : (C < 7 ? 6 : 2);
   static constexpr double eps = static_cast<double>(std::numeric_limits<number>::epsilon());
 
-  // Feasible to rounding at any condition; as near to the truth as the angle between the active columns allows,
-  // or, where rounding may choose other columns, that between any (Hoffman's bound).
+  // Feasible to rounding at any condition; as near to the truth as the angle between the active columns
+  // allows, or, where rounding may choose other columns, that between any (Hoffman's bound).
   enum class angle { of_active, of_any };
   void check(const half_spaces& B, const force& f, const std::string& what,
              angle between = angle::of_active) {
@@ -101,7 +101,8 @@ TYPED_TEST(cone, half_spaces_of_very_different_units) {
   }
 }
 
-// Columns a hair from a common direction, or from its opposite: condition up to 1e15, and past what float resolves.
+// Columns a hair from a common direction, or from its opposite: condition up to 1e15, and past what float
+// resolves.
 TYPED_TEST(cone, nearly_parallel_and_nearly_opposed_half_spaces) {
   using T = typename TestFixture::number;
   ph::testing::random_source random(3);

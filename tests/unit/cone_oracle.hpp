@@ -27,8 +27,8 @@ struct projection {
   double least_angle = 1;  // the same over all sets of half-spaces
 };
 
-// f less its part in the span of some columns, if its coefficients there are >= 0: classical Gram-Schmidt would
-// not do in double, in 50 digits it loses nothing that matters.
+// f less its part in the span of some columns, if its coefficients there are >= 0: classical Gram-Schmidt
+// would not do in double, in 50 digits it loses nothing that matters.
 inline bool cut(const std::vector<column>& columns, const column& f, projection& result) {
   std::vector<column> q;                 // orthonormal
   std::vector<std::vector<real>> upper;  // columns = q * upper
@@ -62,8 +62,8 @@ inline bool cut(const std::vector<column>& columns, const column& f, projection&
   return true;
 }
 
-// Of all sets of half-spaces that hold f back with coefficients >= 0, the one that leaves least: f - p = B mu with
-// mu >= 0 of least residual.
+// Of all sets of half-spaces that hold f back with coefficients >= 0, the one that leaves least: f - p = B mu
+// with mu >= 0 of least residual.
 template <class T, int Rows, int Columns>
 projection project(const passive_haptics::matrix<T, Rows, Columns>& B,
                    const passive_haptics::vector<T, Rows>& f) {

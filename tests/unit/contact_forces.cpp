@@ -1,9 +1,10 @@
-// Several contacts: the torques are the best in the stated order of priority, against every face of the torque box.
+// Several contacts: the torques are the best in the stated order of priority, against every face of the
+// torque box.
 #include "priorities_oracle.hpp"
 
 #include <passive_haptics/force/approximation.hpp>
-#include <passive_haptics/force/contact_forces.hpp>
-#include <passive_haptics/testing/small_matrices.hpp>
+#include <passive_haptics/force/torques/contact_forces.hpp>
+#include <passive_haptics/testing/support/small_matrices.hpp>
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -25,7 +26,8 @@ struct random_case {
   double hand;  // |Fh|
 };
 
-// Poses, motions and hands of a device: contacts being left want what the hand presses, the others stiff walls.
+// Poses, motions and hands of a device: contacts being left want what the hand presses, the others stiff
+// walls.
 template <int D, int Brakes>
 random_case<D, Brakes> draw(std::mt19937_64& engine) {
   std::normal_distribution<double> gauss;

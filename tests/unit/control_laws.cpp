@@ -1,17 +1,17 @@
 // What each law commands, by hand on the XY table, where E = I and forces are torques.
 #include "support.hpp"
 
-#include <passive_haptics/control/coercive_force_approximation.hpp>
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/on_off_control.hpp>
-#include <passive_haptics/control/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/velocity_ratio_control.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/control/laws/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
+#include <passive_haptics/control/laws/velocity_ratio_control.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
-#include <passive_haptics/scene/half_space.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <Eigen/LU>
 
@@ -108,7 +108,8 @@ TEST(coercive_force_approximation, of_two_walls_takes_the_larger_part) {
   EXPECT_LE((law({-0.1, 0.1}, {0, 0}, slanted(0.005), above(0.006)).torque - V2(3, -6)).norm(), rounding);
 }
 
-// Brakes that it holds move in, those that it releases move out: so also where the cone has nothing to display.
+// Brakes that it holds move in, those that it releases move out: so also where the cone has nothing to
+// display.
 TEST(coercive_force_approximation, leaves_no_motion_into_the_wall_where_nothing_can_be_displayed) {
   using device = ph::tendon_two_link<double>;
   const device arm;

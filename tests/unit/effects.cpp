@@ -1,5 +1,5 @@
 #include <passive_haptics/passive_haptics.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 // A terrain is felt as the heights say.
-#include <passive_haptics/scene/height_field.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/mesh/height_field.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include "support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/scene/half_space.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <limits>
 

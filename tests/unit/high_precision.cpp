@@ -2,8 +2,8 @@
 #include "support.hpp"
 
 #include <passive_haptics/brake/reference_forces.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

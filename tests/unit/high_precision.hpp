@@ -2,7 +2,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/testing/derivative.hpp>
+#include <passive_haptics/testing/support/derivative.hpp>
 
 #include <boost/multiprecision/cpp_dec_float.hpp>
 #include <boost/multiprecision/eigen.hpp>

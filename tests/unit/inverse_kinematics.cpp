@@ -1,9 +1,9 @@
 // Inverse kinematics of the library's mechanisms.
 #include "support.hpp"
 
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <cmath>
 #include <limits>

@@ -1,11 +1,12 @@
-// A cube of 1 m full of small shapes, and a hand that wanders in it; for the tests and the benchmark of large scenes.
+// A cube of 1 m full of small shapes, and a hand that wanders in it; for the tests and the benchmark of large
+// scenes.
 #pragma once
 
-#include <passive_haptics/scene/ball.hpp>
-#include <passive_haptics/scene/box.hpp>
-#include <passive_haptics/scene/half_space.hpp>
-#include <passive_haptics/scene/world.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/box.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/world/world.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,8 @@ ph::contacts<D, Capacity> scan(const shapes<D>& all, const ph::point<D>& x) {
   return found.in_order();
 }
 
-// A hand at constant speed that turns at random and is sent back at the faces of the cube, some way beyond them.
+// A hand at constant speed that turns at random and is sent back at the faces of the cube, some way beyond
+// them.
 template <int D>
 class wandering_hand {
  public:

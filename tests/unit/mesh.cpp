@@ -1,9 +1,10 @@
-// The nearest point of a mesh and the side of it, against a scan over all facets and against what the mesh approximates.
-#include <passive_haptics/scene/ball.hpp>
-#include <passive_haptics/scene/box.hpp>
-#include <passive_haptics/scene/convex_polygon.hpp>
-#include <passive_haptics/scene/mesh_solid.hpp>
-#include <passive_haptics/testing/random.hpp>
+// The nearest point of a mesh and the side of it, against a scan over all facets and against what the mesh
+// approximates.
+#include <passive_haptics/scene/mesh/mesh_solid.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/box.hpp>
+#include <passive_haptics/scene/shapes/convex_polygon.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
@@ -36,8 +37,9 @@ TYPED_TEST_SUITE(a_mesh, dimensions);
 
 static_assert(ph::BoundedShape<ph::mesh_solid<2>> && ph::BoundedShape<ph::mesh_solid<3>>);
 
-// How often facets go round x: 1 inside, 0 outside of a closed surface. Angles (2-D), solid angles (3-D: A. van Oosterom, J.
-// Strackee, The solid angle of a plane triangle, IEEE Trans. Biomedical Engineering 30 (2), 1983).
+// How often facets go round x: 1 inside, 0 outside of a closed surface. Angles (2-D), solid angles (3-D: A.
+// van Oosterom, J. Strackee, The solid angle of a plane triangle, IEEE Trans. Biomedical Engineering 30 (2),
+// 1983).
 template <int D>
 double winding(const ph::mesh_parameters<D>& m, const ph::point<D>& x) {
   double sum = 0;
@@ -56,7 +58,8 @@ double winding(const ph::mesh_parameters<D>& m, const ph::point<D>& x) {
   return sum;
 }
 
-// Distance to a triangle by search: nested golden sections over its two coordinates, in which the distance is convex.
+// Distance to a triangle by search: nested golden sections over its two coordinates, in which the distance is
+// convex.
 template <class F>
 long double least(const F& f) {
   const long double golden = (std::sqrt(5.0L) - 1) / 2;

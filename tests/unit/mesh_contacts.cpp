@@ -1,11 +1,11 @@
-// A delta in corners, wedges and slots made of triangles: the same contacts as from half-spaces, the same torques, and the
-// laws of brakes.
-#include <passive_haptics/control/laws.hpp>
+// A delta in corners, wedges and slots made of triangles: the same contacts as from half-spaces, the same
+// torques, and the laws of brakes.
+#include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/mechanism/delta.hpp>
-#include <passive_haptics/scene/half_space.hpp>
-#include <passive_haptics/scene/mesh_surface.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/mechanism/models/delta.hpp>
+#include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
@@ -127,7 +127,8 @@ void compare_steps(random_source& random, const device& delta, const ph::joint_v
   seen.saturated += result.saturated;
 }
 
-// From a free start to any x, at once and by way of another: contacts as from the half-spaces that `expected` picks.
+// From a free start to any x, at once and by way of another: contacts as from the half-spaces that `expected`
+// picks.
 template <class Start, class Expected>
 tally press(const place& at, random_source& random, const Start& start, const Expected& expected) {
   const device delta;
@@ -214,7 +215,8 @@ TEST(a_delta, on_a_sharp_edge_of_30_degrees) {
       add_rectangle(m, zero, -0.5 * ex, 0.5 * ey);
       add_rectangle(m, zero, 0.5 * ex, 0.5 * (std::cos(angle) * ey + std::sin(angle) * ez));
     });
-    // In through a face, that face alone holds the handle, even behind the other, as long as the face is what is above it.
+    // In through a face, that face alone holds the handle, even behind the other, as long as the face is what
+    // is above it.
     const auto pressed = [&](const ph::point<3>& from, const ph::point<3>& x) {
       for (const int face : {0, 1}) {
         const plane &in = edge.planes[std::size_t(face)], &other = edge.planes[std::size_t(1 - face)];

@@ -1,5 +1,5 @@
 // What is said of meshes that are wrong.
-#include <passive_haptics/scene/mesh_solid.hpp>
+#include <passive_haptics/scene/mesh/mesh_solid.hpp>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ ph::mesh_parameters<3> cube() { return sample_meshes::box<3>({0, 0, 0}, {1, 1, 1
 ph::mesh_parameters<2> square() { return sample_meshes::box<2>({0, 0}, {1, 1}); }
 
 template <int D>
-std::string complaint_of_solid(const ph::mesh_parameters<D>& p) {
+std::string error_of_solid(const ph::mesh_parameters<D>& p) {
   return validate(ph::mesh_solid_parameters<D>{ph::mesh<D>(p)});
 }
 
@@ -51,31 +51,31 @@ TEST(mesh_parameters, say_what_is_wrong) {
 }
 
 TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
-  EXPECT_EQ(complaint_of_solid(cube()), "");
-  EXPECT_EQ(complaint_of_solid(square()), "");
+  EXPECT_EQ(error_of_solid(cube()), "");
+  EXPECT_EQ(error_of_solid(square()), "");
 
   auto p = cube();
   p.facets.pop_back();  // 3, 7, 5
-  EXPECT_EQ(complaint_of_solid(p),
+  EXPECT_EQ(error_of_solid(p),
             "edge between vertices 3 and 5 of a mesh_solid belongs to facet 10 alone, expected a closed "
             "surface; close "
             "the hole, or take mesh_surface");
   auto s = square();
   s.facets.pop_back();  // 2, 0
   EXPECT_EQ(
-      complaint_of_solid(s),
+      error_of_solid(s),
       "vertex 0 of a mesh_solid belongs to facet 0 alone, expected a closed surface; close the hole, or take "
       "mesh_surface");
 
   p = cube();
   std::swap(p.facets[1][0], p.facets[1][1]);
-  EXPECT_EQ(complaint_of_solid(p),
+  EXPECT_EQ(error_of_solid(p),
             "edge between vertices 1 and 2 of a mesh_solid: facets 0 and 1 run the same way, expected "
             "opposite ways; "
             "swap two vertices of one of them");
   s = square();
   std::swap(s.facets[1][0], s.facets[1][1]);
-  EXPECT_EQ(complaint_of_solid(s),
+  EXPECT_EQ(error_of_solid(s),
             "vertex 1 of a mesh_solid: facets 0 and 1 run the same way, expected opposite ways; swap two "
             "vertices of "
             "one of them");
@@ -83,16 +83,16 @@ TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
   p = cube();
   p.vertices.push_back({0.5, 0.5, 0.5});
   p.facets.push_back({0, 1, 8});
-  EXPECT_EQ(complaint_of_solid(p),
+  EXPECT_EQ(error_of_solid(p),
             "edge between vertices 0 and 1 of a mesh_solid belongs to 3 facets, expected as many that run "
             "one way as "
             "the other; remove what is within the solid");
 
-  EXPECT_EQ(complaint_of_solid(sample_meshes::inside_out(cube())),
+  EXPECT_EQ(error_of_solid(sample_meshes::inside_out(cube())),
             "volume of a mesh_solid [m^3] = -1, expected > 0; swap two vertices of every facet, or take "
             "complement() "
             "for a room");
-  EXPECT_EQ(complaint_of_solid(sample_meshes::inside_out(square())),
+  EXPECT_EQ(error_of_solid(sample_meshes::inside_out(square())),
             "area of a mesh_solid [m^2] = -1, expected > 0; swap two vertices of every facet, or take "
             "complement() for "
             "a room");
@@ -102,13 +102,13 @@ TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
 
 TEST(a_mesh, may_touch_itself_along_an_edge_or_at_a_corner) {
   const auto stair = sample_meshes::both(cube(), sample_meshes::box<3>({1, 1, 0}, {2, 2, 1}));
-  EXPECT_EQ(complaint_of_solid(stair), "");
+  EXPECT_EQ(error_of_solid(stair), "");
   const ph::mesh_solid<3> solid{ph::triangle_mesh(stair)};
   EXPECT_NEAR(solid.distance({0.9, 1.1, 0.5}), 0.1, 1e-15);
   EXPECT_NEAR(solid.distance({0.9, 0.8, 0.5}), -0.1, 1e-15);
   EXPECT_NEAR(solid.distance({1.1, 1.1, 0.5}), -0.1, 1e-15);
-  EXPECT_EQ(complaint_of_solid(sample_meshes::both(cube(), sample_meshes::box<3>({1, 1, 1}, {2, 2, 2}))), "");
-  EXPECT_EQ(complaint_of_solid(sample_meshes::both(square(), sample_meshes::box<2>({1, 1}, {2, 2}))), "");
+  EXPECT_EQ(error_of_solid(sample_meshes::both(cube(), sample_meshes::box<3>({1, 1, 1}, {2, 2, 2}))), "");
+  EXPECT_EQ(error_of_solid(sample_meshes::both(square(), sample_meshes::box<2>({1, 1}, {2, 2}))), "");
 }
 
 }  // namespace

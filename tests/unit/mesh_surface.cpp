@@ -1,7 +1,7 @@
 // A proxy on a mesh: what stops it, what it feels, and that it never gets to the other side.
-#include <passive_haptics/scene/mesh_solid.hpp>
-#include <passive_haptics/scene/mesh_surface.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/mesh/mesh_solid.hpp>
+#include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
@@ -240,7 +240,8 @@ TYPED_TEST(a_mesh_surface, that_is_smooth_makes_one_contact) {
       const double depth = random.uniform(1e-3, 1e-2);
       h.go((1 - side * depth) * u);
       ASSERT_EQ(h.felt.size(), 1u) << "seed " << seed << ", cycle " << k;
-      // Where the proxy is, the normal is off by half the angle between neighbours or by how far the proxy lags.
+      // Where the proxy is, the normal is off by half the angle between neighbours or by how far the proxy
+      // lags.
       EXPECT_GT(h.felt[0].normal.dot(side * u), std::cos(hollow ? 0.03 : 0.07)) << "cycle " << k;
       EXPECT_NEAR(h.felt[0].depth, depth, error + 1e-4) << "cycle " << k;
       before = u;
@@ -301,7 +302,8 @@ TEST(a_needle, ends_at_its_tip) {
   EXPECT_TRUE(h.felt.empty()) << "slid off the tip";
 }
 
-// 10^6 steps of any size in all on a star with deep valleys: the proxy stays outside, whatever the handle does.
+// 10^6 steps of any size in all on a star with deep valleys: the proxy stays outside, whatever the handle
+// does.
 template <int D>
 void slide(const ph::mesh_parameters<D>& p, int steps, double largest_step) {
   random_source random(seed);

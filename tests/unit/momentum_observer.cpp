@@ -1,12 +1,12 @@
 // The momentum observer: on paper, and against what a simulated device's sensor feels.
 #include "support.hpp"
 
-#include <passive_haptics/control/momentum_observer.hpp>
-#include <passive_haptics/mechanism/serial_chain_with_inertia.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/control/sensorless/momentum_observer.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include "../property/chain_cases.hpp"
 
@@ -39,7 +39,8 @@ TEST(momentum_observer, sees_the_force_that_accelerates) {
   EXPECT_EQ(hand.generators, Eigen::Matrix2d::Identity());
 }
 
-// At 3 m/s against a brake of 4 N without acceleration the hand must push with 4 N; the other holds up to 2 N.
+// At 3 m/s against a brake of 4 N without acceleration the hand must push with 4 N; the other holds up to 2
+// N.
 TEST(momentum_observer, knows_what_slipping_brakes_make_and_what_stuck_ones_might) {
   ph::brakes_of<table> brakes;
   brakes.torque_limit.setConstant(10);

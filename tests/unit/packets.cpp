@@ -1,6 +1,7 @@
-// Vectors in packets, of any length: what is beyond the last number stays zero, sums and the largest number are right.
-#include <passive_haptics/core/packets.hpp>
-#include <passive_haptics/testing/random.hpp>
+// Vectors in packets, of any length: what is beyond the last number stays zero, sums and the largest number
+// are right.
+#include <passive_haptics/core/linear/packets.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 

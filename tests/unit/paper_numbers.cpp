@@ -3,8 +3,8 @@
 
 #include <passive_haptics/brake/passive_fme.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/two_link.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/two_link.hpp>
 
 #include <Eigen/LU>
 

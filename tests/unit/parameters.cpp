@@ -15,8 +15,8 @@ namespace {
 // A field that has to be > 0, >= 0, or merely finite.
 enum class rule { positive, not_negative, finite };
 
-// For each value that breaks the rule, validate() names the parameter, the value and what is expected, and the
-// constructor throws the same text. At the edge of the rule neither complains.
+// For each value that breaks the rule, validate() names the parameter, the value and what is expected, and
+// the constructor throws the same text. At the edge of the rule neither complains.
 template <class Parameters, class Field, class Construct>
 void expect_rule(const Parameters& good, Field&& field, const std::string& name, rule r,
                  Construct&& construct) {
@@ -33,9 +33,9 @@ void expect_rule(const Parameters& good, Field&& field, const std::string& name,
                                                    : "a finite number >= 0";
   for (const auto& [value, text] : wrong) {
     field(p) = value;
-    const std::string complaint = name + " = " + text + ", expected " + expected;
-    EXPECT_EQ(validate(p), complaint);
-    EXPECT_EQ(thrown_by([&] { construct(p); }), "passive_haptics: " + complaint);
+    const std::string error = name + " = " + text + ", expected " + expected;
+    EXPECT_EQ(validate(p), error);
+    EXPECT_EQ(thrown_by([&] { construct(p); }), "passive_haptics: " + error);
   }
   for (const T fine :
        {r == rule::positive ? std::numeric_limits<T>::min() : T(0), T(3), r == rule::finite ? T(-3) : T(7)}) {

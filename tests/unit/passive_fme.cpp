@@ -1,11 +1,11 @@
 // Passive FMEs: the sign regions and what lies in them.
 #include "support.hpp"
 
-#include <passive_haptics/brake/fme_boundary.hpp>
+#include <passive_haptics/brake/drawing/fme_boundary.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 namespace {
 

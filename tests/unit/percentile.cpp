@@ -1,5 +1,5 @@
 // Percentiles by nearest rank.
-#include <passive_haptics/testing/percentile.hpp>
+#include <passive_haptics/testing/support/percentile.hpp>
 
 #include <gtest/gtest.h>
 

@@ -113,7 +113,8 @@ list<Real> costs(const std::vector<level<Real>>& levels, const list<Real>& x) {
   return all;
 }
 
-// The best of all faces' best points. Costs that differ by less than `tie` (relative to `scale` of the level) tie.
+// The best of all faces' best points. Costs that differ by less than `tie` (relative to `scale` of the level)
+// tie.
 template <class Real>
 list<Real> solve_by_faces(const std::vector<level<Real>>& levels, const list<Real>& lower,
                           const list<Real>& upper, Real tie) {

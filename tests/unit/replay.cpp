@@ -1,4 +1,5 @@
-// Replay of a log: what it computes, what it says of a malformed log, and that memory does not grow with the log.
+// Replay of a log: what it computes, what it says of a malformed log, and that memory does not grow with the
+// log.
 #include "../../examples/common/replay.hpp"
 
 #include <gtest/gtest.h>

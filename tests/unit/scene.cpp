@@ -2,10 +2,10 @@
 #include "support.hpp"
 
 #include <passive_haptics/force/desired_force.hpp>
-#include <passive_haptics/scene/ball.hpp>
-#include <passive_haptics/scene/half_space.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <bit>
 #include <cmath>

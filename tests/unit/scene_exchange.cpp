@@ -1,12 +1,13 @@
-// A scene that another thread publishes: the latest, whole, not too old, with what the loop knew of the handle.
+// A scene that another thread publishes: the latest, whole, not too old, with what the loop knew of the
+// handle.
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/scene/half_space.hpp>
-#include <passive_haptics/scene/mesh_surface.hpp>
-#include <passive_haptics/scene/moving.hpp>
-#include <passive_haptics/scene/scene_exchange.hpp>
-#include <passive_haptics/scene/world.hpp>
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/shapes/moving.hpp>
+#include <passive_haptics/scene/world/scene_exchange.hpp>
+#include <passive_haptics/scene/world/world.hpp>
 
 #include <gtest/gtest.h>
 

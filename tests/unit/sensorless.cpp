@@ -1,13 +1,13 @@
 // Without a force sensor: the probe on paper, and simulated hands that want to leave a wall.
 #include "support.hpp"
 
-#include <passive_haptics/control/sensorless_controller.hpp>
-#include <passive_haptics/control/velocity_direct_control.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/control/laws/velocity_direct_control.hpp>
+#include <passive_haptics/control/sensorless/sensorless_controller.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
-#include <passive_haptics/scene/half_space.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <cmath>
 #include <cstdio>

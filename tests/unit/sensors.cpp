@@ -1,12 +1,12 @@
 // Encoders and the force sensor of the simulated device.
 #include "support.hpp"
 
-#include <passive_haptics/mechanism/five_bar.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/encoder.hpp>
 #include <passive_haptics/plant/force_sensor.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
-#include <passive_haptics/mechanism/denavit_hartenberg.hpp>
+#include <passive_haptics/mechanism/chains/denavit_hartenberg.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
-#include <passive_haptics/mechanism/serial_chain_with_inertia.hpp>
-#include <passive_haptics/mechanism/two_link.hpp>
+#include <passive_haptics/mechanism/models/two_link.hpp>
 #include "../property/chain_cases.hpp"
 #include "high_precision.hpp"
 
@@ -52,7 +52,8 @@ TEST(serial_chain, with_two_planar_joints_equals_two_link) {
   }
 }
 
-// The product of exponentials as it is written, in the base frame: the joints' motions from the last to the first.
+// The product of exponentials as it is written, in the base frame: the joints' motions from the last to the
+// first.
 template <class T, int N, int D>
 struct oracle {
   ph::serial_chain_parameters<T, N, D> geometry;

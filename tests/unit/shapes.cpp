@@ -1,5 +1,5 @@
 #include <passive_haptics/passive_haptics.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
@@ -37,9 +37,9 @@ void expect_foot_on_surface(const S& shape, const ph::point<S::dimension>& x, do
       << ", gradient = " << shape.gradient(x).transpose();
 }
 
-// The complaint of a constructor.
+// The error of a constructor.
 template <class F>
-std::string complaint_of(F&& make) {
+std::string error_of(F&& make) {
   try {
     make();
   } catch (const std::invalid_argument& e) {
@@ -513,19 +513,19 @@ TEST(a_shape, says_what_is_wrong_with_its_parameters) {
             "face 1 of a convex_polytope: |normal| of a half_space = 0, expected a direction");
   EXPECT_EQ(validate(slab{{{{{1, 0}, {-1, 0}}, {{0, 0}, {1, 0}}}}}),
             "faces of a convex_polytope have no common inside, expected normals that point out of it");
-  EXPECT_EQ(complaint_of([] {
+  EXPECT_EQ(error_of([] {
               ph::convex_polytope(ph::half_space<3>({0, 0, 5}, {1, 2, 3}),
                                   ph::half_space<3>({0, 0, 6}, {-1, -2, -3}));
             }),
             "passive_haptics: faces of a convex_polytope have no common inside, expected normals that point "
             "out of it");
 
-  EXPECT_EQ(complaint_of([] { ph::offset(ph::disc({0, 0}, 1), no_number); }),
+  EXPECT_EQ(error_of([] { ph::offset(ph::disc({0, 0}, 1), no_number); }),
             "passive_haptics: growth of an offset [m] = nan, expected a finite number");
-  EXPECT_EQ(complaint_of([] { ph::slot<2>({0, 0}, {1, 0}, -1); }),
+  EXPECT_EQ(error_of([] { ph::slot<2>({0, 0}, {1, 0}, -1); }),
             "passive_haptics: half_width of a slot [m] = -1, expected a finite number >= 0");
-  EXPECT_EQ(complaint_of([] { ph::slot<2>({0, 0}, {0, 0}, 1); }),
+  EXPECT_EQ(error_of([] { ph::slot<2>({0, 0}, {0, 0}, 1); }),
             "passive_haptics: |normal| of a half_space = 0, expected a direction");
-  EXPECT_EQ(complaint_of([] { ph::tube<2>({0, 0}, {1, 0}, -1); }),
+  EXPECT_EQ(error_of([] { ph::tube<2>({0, 0}, {1, 0}, -1); }),
             "passive_haptics: radius of a capsule [m] = -1, expected a finite number >= 0");
 }

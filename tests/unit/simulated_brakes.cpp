@@ -1,8 +1,8 @@
 // Real brakes against closed forms: gain, residual torque, drag, saturation.
 #include "support.hpp"
 
-#include <passive_haptics/mechanism/five_bar.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 
 #include <cmath>
@@ -41,7 +41,7 @@ TEST(simulated_brakes, are_ideal_where_only_the_controllers_are_given) {
 }
 
 TEST(simulated_brakes, name_what_is_wrong_with_them) {
-  const auto complaint_of = [](auto&& change) {
+  const auto error_of = [](auto&& change) {
     ph::simulated_brakes_of<M> real;
     change(real);
     const std::string text = validate(real);
@@ -53,16 +53,15 @@ TEST(simulated_brakes, name_what_is_wrong_with_them) {
     }
     return text.empty() ? text : "was not thrown: " + text;
   };
-  EXPECT_EQ(complaint_of([](auto&) {}), "");
-  EXPECT_EQ(complaint_of([](auto& p) { p.torque_limit[0] = -1; }),
+  EXPECT_EQ(error_of([](auto&) {}), "");
+  EXPECT_EQ(error_of([](auto& p) { p.torque_limit[0] = -1; }),
             "torque_limit[0] [N m] = -1, expected a finite number >= 0");
-  EXPECT_EQ(complaint_of([](auto& p) { p.time_constant[1] = -1; }),
+  EXPECT_EQ(error_of([](auto& p) { p.time_constant[1] = -1; }),
             "time_constant[1] [s] = -1, expected a finite number >= 0");
-  EXPECT_EQ(complaint_of([](auto& p) { p.gain[1] = -0.5; }),
-            "gain[1] [1] = -0.5, expected a finite number >= 0");
-  EXPECT_EQ(complaint_of([](auto& p) { p.residual_torque[0] = std::numeric_limits<double>::infinity(); }),
+  EXPECT_EQ(error_of([](auto& p) { p.gain[1] = -0.5; }), "gain[1] [1] = -0.5, expected a finite number >= 0");
+  EXPECT_EQ(error_of([](auto& p) { p.residual_torque[0] = std::numeric_limits<double>::infinity(); }),
             "residual_torque[0] [N m] = inf, expected a finite number >= 0");
-  EXPECT_EQ(complaint_of([](auto& p) { p.viscous_drag[1] = -2; }),
+  EXPECT_EQ(error_of([](auto& p) { p.viscous_drag[1] = -2; }),
             "viscous_drag[1] [N m s] = -2, expected a finite number >= 0");
 }
 

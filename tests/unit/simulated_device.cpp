@@ -1,8 +1,8 @@
 // The simulated device: what its brakes hold, what its motion keeps, what its sensor feels.
 #include "support.hpp"
 
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 
 #include <cmath>
@@ -104,8 +104,8 @@ TYPED_TEST(simulated, sensor_feels_what_reaches_the_device) {
   EXPECT_LE(std::abs(device.qd()[1]), this->tiny);
 }
 
-// The links' own accelerations and the hand's: kinetic energy changes by the error of the integrator alone, which
-// halves with the step.
+// The links' own accelerations and the hand's: kinetic energy changes by the error of the integrator alone,
+// which halves with the step.
 TEST(simulated_motion, keeps_its_kinetic_energy_to_first_order) {
   using M = ph::tendon_two_link<double>;
   const auto drift = [](double dt) {

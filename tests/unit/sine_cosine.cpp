@@ -1,6 +1,6 @@
 // Sine and cosine against 50 digits.
-#include <passive_haptics/core/sine_cosine.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/core/linear/sine_cosine.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>

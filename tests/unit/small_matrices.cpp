@@ -1,6 +1,6 @@
-// What the law suites ask of a matrix, against matrices made for a known answer.
-#include <passive_haptics/testing/random.hpp>
-#include <passive_haptics/testing/small_matrices.hpp>
+// What the property suites ask of a matrix, against matrices made for a known answer.
+#include <passive_haptics/testing/support/random.hpp>
+#include <passive_haptics/testing/support/small_matrices.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
-// The closed form in space against an oracle in 50 digits: its error does not grow with the condition of the cone.
+// The closed form in space against an oracle in 50 digits: its error does not grow with the condition of the
+// cone.
 #include "cone_oracle.hpp"
 
-#include <passive_haptics/core/active_set.hpp>
-#include <passive_haptics/core/cone.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/core/linear/active_set.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 

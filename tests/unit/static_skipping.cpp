@@ -2,16 +2,16 @@
 // (benchmarks/ladder), and its absence changes no result.
 #include "support.hpp"
 
-#include <passive_haptics/control/coercive_force_approximation.hpp>
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/on_off_control.hpp>
-#include <passive_haptics/control/velocity_direct_control.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/scene/half_space.hpp>
+#include <passive_haptics/control/laws/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/velocity_direct_control.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
-#include <passive_haptics/scene/moving.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/shapes/moving.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <limits>
 

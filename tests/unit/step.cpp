@@ -2,8 +2,8 @@
 #include "support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/scene/half_space.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <cmath>
 #include <limits>
@@ -147,7 +147,8 @@ TYPED_TEST(control_step, runs_without_a_force_sensor_where_the_law_needs_none) {
   using M = typename TestFixture::table_type;
   ph::controller control(M(), {}, ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 1e3)),
                          ph::no_direct_control{});
-  // Sinking: as with a sensor. At rest: no side is known, so the brake may hold either way, and predicts nothing
+  // Sinking: as with a sensor. At rest: no side is known, so the brake may hold either way, and predicts
+  // nothing
   const auto sinking = control(ph::sensorless_device_state<M>{0.0, {0, T(-1e-4)}, {0, -1}});
   expect_near(sinking.torque, ph::vector<T, 2>(0, T(0.1)), 1);
   const auto resting = control(ph::sensorless_device_state<M>{0.0, {0, T(-1e-4)}, {0, 0}});

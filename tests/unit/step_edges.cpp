@@ -2,11 +2,11 @@
 #include "support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
-#include <passive_haptics/scene/half_space.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <cmath>
 #include <limits>
@@ -136,7 +136,8 @@ TYPED_TEST(step_edges, a_force_that_overflows_in_the_approximation_releases_the_
   EXPECT_TRUE(run(0.6).capacity.isZero(0) && run(0.6).torque.isZero(0));
 }
 
-// A half-space violated by less than rounding is not worth a projection, but no torque of the wrong sign is left.
+// A half-space violated by less than rounding is not worth a projection, but no torque of the wrong sign is
+// left.
 TYPED_TEST(step_edges, torques_of_the_wrong_sign_are_exactly_zero_however_small) {
   using T = TypeParam;
   using V = ph::vector<T, 3>;

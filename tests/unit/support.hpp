@@ -1,9 +1,9 @@
 // What several unit tests share.
 #pragma once
 
-#include <passive_haptics/control/laws.hpp>
+#include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/testing/print.hpp>
+#include <passive_haptics/testing/support/print.hpp>
 
 #include <gtest/gtest.h>
 

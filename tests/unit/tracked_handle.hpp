@@ -1,7 +1,7 @@
 // A handle that is led along a tracked shape, and what it feels.
 #pragma once
 
-#include <passive_haptics/scene/mesh_surface.hpp>
+#include <passive_haptics/scene/mesh/mesh_surface.hpp>
 
 #include <vector>
 

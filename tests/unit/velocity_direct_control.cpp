@@ -2,16 +2,16 @@
 #include "support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/velocity_direct_control.hpp>
-#include <passive_haptics/mechanism/delta.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/control/laws/velocity_direct_control.hpp>
+#include <passive_haptics/mechanism/models/delta.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/first_order_lag.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
-#include <passive_haptics/scene/ball.hpp>
-#include <passive_haptics/scene/half_space.hpp>
-#include <passive_haptics/scene/offset.hpp>
-#include <passive_haptics/testing/random.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/shapes/offset.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <cmath>
 #include <stdexcept>
@@ -175,8 +175,9 @@ TEST(velocity_direct_control, holds_in_the_corner_of_two_walls) {
   EXPECT_LT(deepest, 2e-3);
 }
 
-// Back along the wall the cone leaves brake 1 alone, 51 deg from the wall's normal, while brake 2 comes to rest: told more it
-// does nothing. A law that does not know that lets the handle slide into the wall along the path of brake 2.
+// Back along the wall the cone leaves brake 1 alone, 51 deg from the wall's normal, while brake 2 comes to
+// rest: told more it does nothing. A law that does not know that lets the handle slide into the wall along
+// the path of brake 2.
 TEST(velocity_direct_control, knows_that_a_brake_at_rest_only_holds) {
   using M = ph::tendon_two_link<double>;
   const M arm;

@@ -1,13 +1,14 @@
-// The wall-following experiment (section 5): what the paper claims, and that the experiment is run as it says.
+// The wall-following experiment (section 5): what the paper claims, and that the experiment is run as it
+// says.
 #include "support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/mechanism/serial_chain_with_inertia.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
-#include <passive_haptics/mechanism/xy_table.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
-#include <passive_haptics/scene/half_space.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <Eigen/LU>
 
@@ -119,8 +120,8 @@ TYPED_TEST(wall_following, names_a_brake_that_is_not_there) {
   }
 }
 
-// Steady sliding without brake lag under direct control: in every cycle that scales, nothing of hand and brakes
-// together is left normal to the wall.
+// Steady sliding without brake lag under direct control: in every cycle that scales, nothing of hand and
+// brakes together is left normal to the wall.
 TYPED_TEST(wall_following, direct_control_leaves_nothing_normal_in_any_cycle) {
   using T = TypeParam;
   auto e = tendon_device<T>(0);
@@ -317,7 +318,8 @@ TEST(wall_following_run, any_decision_with_a_capacity_will_do) {
   EXPECT_EQ(last, 10);
 }
 
-// An arm with one joint too many. Its brakes' force at the handle is that which would accelerate the handle alike.
+// An arm with one joint too many. Its brakes' force at the handle is that which would accelerate the handle
+// alike.
 TEST(wall_following_run, devices_with_self_motion_follow_a_wall) {
   using M = ph::serial_chain_with_inertia<double, 3, 2>;
   ph::serial_chain_inertia<double, 3, 2> inertia;

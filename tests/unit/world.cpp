@@ -2,12 +2,12 @@
 #include "many_shapes.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws.hpp>
-#include <passive_haptics/mechanism/delta.hpp>
-#include <passive_haptics/scene/capsule.hpp>
-#include <passive_haptics/scene/complement.hpp>
-#include <passive_haptics/scene/moving.hpp>
-#include <passive_haptics/scene/offset.hpp>
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/mechanism/models/delta.hpp>
+#include <passive_haptics/scene/shapes/capsule.hpp>
+#include <passive_haptics/scene/shapes/complement.hpp>
+#include <passive_haptics/scene/shapes/moving.hpp>
+#include <passive_haptics/scene/shapes/offset.hpp>
 
 #include <gtest/gtest.h>
 
@@ -129,7 +129,8 @@ TYPED_TEST(world, finds_all_of_many_walls_in_one_place) {
   }
 }
 
-// A heap of balls of all sizes, and steps of all sizes: the next list may reach less far than the handle went meanwhile.
+// A heap of balls of all sizes, and steps of all sizes: the next list may reach less far than the handle went
+// meanwhile.
 TYPED_TEST(world, is_touched_as_a_scan_says_in_a_heap_of_all_sizes) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(seed);

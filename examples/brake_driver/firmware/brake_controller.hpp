@@ -12,10 +12,11 @@ namespace serial = example::serial;
 
 /// What a board gives the controller:
 ///
-///     void set_current(std::size_t brake, std::uint16_t current);  // [serial::current_unit], takes effect at once
-///     std::int32_t read_encoder(std::size_t encoder);              // counts modulo 2^32
+///     void set_current(std::size_t brake, std::uint16_t current);  // [serial::current_unit], takes effect
+///     at once std::int32_t read_encoder(std::size_t encoder);              // counts modulo 2^32
 ///     std::uint8_t encoder_faults(), brake_faults();               // bit i: channel i
-///     void send(std::span<const std::uint8_t>);                    // a whole frame, or drops all of it; returns at once
+///     void send(std::span<const std::uint8_t>);                    // a whole frame, or drops all of it;
+///     returns at once
 template <class B>
 concept Board = requires(B board, std::size_t i, std::uint16_t current, std::span<const std::uint8_t> bytes) {
   board.set_current(i, current);
@@ -41,8 +42,8 @@ enum class state : std::uint8_t {
   tripped,   ///< 0 A; currents are ignored. A release brings it to released.
 };
 
-/// A brake controller on a board. Whole packets only count, and of them currents for this number of brakes; what is silent,
-/// noise or cut off does not feed the watchdog. No current ever leaves it above the limit.
+/// A brake controller on a board. Whole packets only count, and of them currents for this number of brakes;
+/// what is silent, noise or cut off does not feed the watchdog. No current ever leaves it above the limit.
 template <Board B>
 class brake_controller {
  public:
@@ -55,8 +56,8 @@ class brake_controller {
     if (decoder_.take(byte) == serial::outcome::packet) obey(decoder_.last(), now);
   }
 
-  /// Once a period, at this time [us, modulo 2^32]: the watchdog, and a sample for the host. Silence ends in 0 A within
-  /// watchdog + period.
+  /// Once a period, at this time [us, modulo 2^32]: the watchdog, and a sample for the host. Silence ends in
+  /// 0 A within watchdog + period.
   void tick(std::uint32_t now) {
     check_watchdog(now);
     serial::sample m;

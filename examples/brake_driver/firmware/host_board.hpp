@@ -27,7 +27,8 @@ class pseudo_terminal {
         device_ >= 0 && grantpt(device_) == 0 && unlockpt(device_) == 0 ? ptsname(device_) : nullptr;
     if (name == nullptr) return;
     path_ = name;
-    // Kept open and raw, so that it is a serial port already before a host comes, and still one when the host has gone.
+    // Kept open and raw, so that it is a serial port already before a host comes, and still one when the host
+    // has gone.
     host_ = ::open(name, O_RDWR | O_NOCTTY | O_CLOEXEC);
     termios settings;
     if (tcgetattr(host_, &settings) == 0) {
@@ -64,8 +65,8 @@ class pseudo_terminal {
   std::string path_;
 };
 
-/// Brakes that take their current at once, and encoders on axes that a hand turns to and fro, the slower the more
-/// its brake resists; then it rests for a while, so that a host finds the home pose.
+/// Brakes that take their current at once, and encoders on axes that a hand turns to and fro, the slower the
+/// more its brake resists; then it rests for a while, so that a host finds the home pose.
 class host_board {
  public:
   static constexpr double hand_rate = 20'000;    ///< Of an encoder without brake [counts/s].

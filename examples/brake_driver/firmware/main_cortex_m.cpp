@@ -1,10 +1,11 @@
-// The firmware on a board: a template, written against the reference manual of the STM32F405/407 and compiled in the tests,
-// but never run on one. What a board has elsewhere is in set_up_pins() and cortex_m_board.
+// The firmware on a board: a template, written against the reference manual of the STM32F405/407 and compiled
+// in the tests, but never run on one. What a board has elsewhere is in set_up_pins() and cortex_m_board.
 //
 //   PA0, PA1 and PA15, PB3   encoders A, B (timers 5 and 2, 32 bits, four counts a line)
 //   PA2, PA3                 serial line, 1 Mbit/s (USART 2)
-//   PA6, PA7                 PWM, 20 kHz, 0 % = 0 A to current amplifiers; each needs a pull-down, for the time of a reset
-//   PC0, PC1 and PC2, PC3    fault outputs of amplifiers and of encoder receivers, low = fault
+//   PA6, PA7                 PWM, 20 kHz, 0 % = 0 A to current amplifiers; each needs a pull-down, for the
+//   time of a reset PC0, PC1 and PC2, PC3    fault outputs of amplifiers and of encoder receivers, low =
+//   fault
 #include <firmware/brake_controller.hpp>
 #include <firmware/registers.hpp>
 
@@ -121,7 +122,8 @@ void set_up_tick() {
   systick().ctrl = 7;
 }
 
-// Resets all, and so lets go of the brakes, when the loop does not come round for 12 ms (9 to 24, its clock is rough).
+// Resets all, and so lets go of the brakes, when the loop does not come round for 12 ms (9 to 24, its clock
+// is rough).
 void set_up_watchdog() {
   watchdog().kr = 0xCCCC;  // starts it and its clock, without which the next writes never arrive
   watchdog().kr = 0x5555;

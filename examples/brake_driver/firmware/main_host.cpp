@@ -33,8 +33,8 @@ void run(firmware::pseudo_terminal& line, const firmware::settings& settings) {
   std::array<std::uint8_t, 8192> bytes;
   for (std::int64_t next = start + period; ended == 0;) {
     clock.sleep_until(next);
-    // A process is kept waiting as no microcontroller is: it lives through each period that it missed, and what has come
-    // meanwhile came evenly.
+    // A process is kept waiting as no microcontroller is: it lives through each period that it missed, and
+    // what has come meanwhile came evenly.
     const auto periods = static_cast<std::size_t>(1 + (clock.now() - next) / period);
     const std::size_t all = line.read(bytes);
     for (std::size_t i = 0; i < periods; ++i, next += period) {

@@ -1,6 +1,6 @@
 /// @file
-/// The registers that main_cortex_m.cpp uses, of an STM32F405/407 (reference manual RM0090) and its Cortex-M4 core. For
-/// another microcontroller replace this file and the set-up.
+/// The registers that main_cortex_m.cpp uses, of an STM32F405/407 (reference manual RM0090) and its Cortex-M4
+/// core. For another microcontroller replace this file and the set-up.
 #pragma once
 
 #include <cstdint>

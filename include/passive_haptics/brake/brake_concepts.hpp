@@ -27,35 +27,37 @@ concept names_time_constant = requires(const B brakes) { brakes.time_constant; }
 
 }  // namespace detail
 
-/// Brakes with a largest torque: `vector<T, m> torque_limit` [N m], >= 0. A type without it has to say that it means it,
-/// `static constexpr bool unlimited = true`; then nothing is ever cut.
+/// Brakes with a largest torque: `vector<T, m> torque_limit` [N m], >= 0. A type without it has to say that
+/// it means it, `static constexpr bool unlimited = true`; then nothing is ever cut.
 template <class B, class T, int Brakes>
 concept LimitedBrakes = requires(const B brakes) {
   { brakes.torque_limit } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes that can be at rest: `vector<T, m> rate_dead_band` [rad/s], >= 0. Without it there is slip alone, s = sgn(w), and
-/// no hand torque is ever computed.
+/// Brakes that can be at rest: `vector<T, m> rate_dead_band` [rad/s], >= 0. Without it there is slip alone, s
+/// = sgn(w), and no hand torque is ever computed.
 template <class B, class T, int Brakes>
 concept StickingBrakes = requires(const B brakes) {
   { brakes.rate_dead_band } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes at rest on which a small push counts as none: `vector<T, m> torque_dead_band` [N m], >= 0. Without it any counts.
+/// Brakes at rest on which a small push counts as none: `vector<T, m> torque_dead_band` [N m], >= 0. Without
+/// it any counts.
 template <class B, class T, int Brakes>
 concept TorqueDeadBandBrakes = StickingBrakes<B, T, Brakes> && requires(const B brakes) {
   { brakes.torque_dead_band } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes of a known lag: `vector<T, m> time_constant` [s], >= 0. Read by laws that need it, and by nothing else.
+/// Brakes of a known lag: `vector<T, m> time_constant` [s], >= 0. Read by laws that need it, and by nothing
+/// else.
 template <class B, class T, int Brakes>
 concept LaggingBrakes = requires(const B brakes) {
   { brakes.time_constant } -> ExactVector<T, Brakes>;
 };
 
-/// What a control cycle takes for the m brakes of mechanism M: a class with any of the members torque_limit, rate_dead_band,
-/// torque_dead_band and time_constant, of exactly these types. What a type lacks costs nothing. brake_parameters has all,
-/// unlimited_brakes none.
+/// What a control cycle takes for the m brakes of mechanism M: a class with any of the members torque_limit,
+/// rate_dead_band, torque_dead_band and time_constant, of exactly these types. What a type lacks costs
+/// nothing. brake_parameters has all, unlimited_brakes none.
 template <class B, class M>
 concept BrakesFor =
     std::is_class_v<B> && (detail::is_unlimited<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>) &&
@@ -90,10 +92,11 @@ struct brake_requirements {
   static constexpr bool met = true;  ///< Or the compiler says what is not.
 };
 
-/// Brakes without a member: each makes any torque at once and slips at any rate but zero. For a device whose brakes are
-/// never asked for more than they can make (a soft wall, a driver that limits the current itself), whose rates are exactly 0 at rest (encoders)
-/// or need no dead band, and for the fewest instructions. A brake at rest has sign 0: it may hold either way, whoever
-/// pushes; a rate that is noise about zero decides a sign. 0 <= capacity, without an upper bound.
+/// Brakes without a member: each makes any torque at once and slips at any rate but zero. For a device whose
+/// brakes are never asked for more than they can make (a soft wall, a driver that limits the current itself),
+/// whose rates are exactly 0 at rest (encoders) or need no dead band, and for the fewest instructions. A
+/// brake at rest has sign 0: it may hold either way, whoever pushes; a rate that is noise about zero decides
+/// a sign. 0 <= capacity, without an upper bound.
 struct unlimited_brakes {
   static constexpr bool unlimited = true;  ///< There is no torque_limit, and none is missing.
 };
@@ -142,7 +145,7 @@ std::string check_brakes(const B& brakes) {
     torque = check_each_not_negative("torque_dead_band", "N m", brakes.torque_dead_band);
   if constexpr (detail::names_time_constant<B>)
     lag = check_each_not_negative("time_constant", "s", brakes.time_constant);
-  return detail::first_complaint(limit, rate, torque, lag);
+  return detail::first_error(limit, rate, torque, lag);
 }
 
 }  // namespace passive_haptics

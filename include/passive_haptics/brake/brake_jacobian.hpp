@@ -2,7 +2,7 @@
 /// E = J T^+, which maps brake rates to end-effector velocity and forces to brake torques.
 #pragma once
 
-#include <passive_haptics/core/orthogonal_decomposition.hpp>
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 
 #include <limits>
@@ -10,8 +10,8 @@
 
 namespace passive_haptics {
 
-/// T^+ (n x m) of a transmission T (m x n): T^-1 for square T, else (T^T T)^-1 T^T. NaN where T has not full column rank.
-/// Cost: one orthogonal decomposition of n x m.
+/// T^+ (n x m) of a transmission T (m x n): T^-1 for square T, else (T^T T)^-1 T^T. NaN where T has not full
+/// column rank. Cost: one orthogonal decomposition of n x m.
 template <class T, int Brakes, int Dof>
 matrix<T, Dof, Brakes> pseudo_inverse(const matrix<T, Brakes, Dof>& transmission) {
   const orthogonal_decomposition<T, Dof, Brakes> decomposition(transposed(transmission), T(0));
@@ -27,10 +27,10 @@ diagonal_matrix<T, N> pseudo_inverse(const diagonal_matrix<T, N>& transmission) 
 
 /// From J to E for one mechanism: T^+ where the mechanism names a transmission, made once if T is constant.
 template <class M>
-class brake_reduction {
+class brake_jacobian_evaluator {
  public:
   /// Of the mechanism.
-  explicit brake_reduction(const M& mechanism) : inverse_(inverse_of_constant(mechanism)) {}
+  explicit brake_jacobian_evaluator(const M& mechanism) : inverse_(inverse_of_constant(mechanism)) {}
 
   /// E = J T^+ in pose q. A diagonal_matrix where J and T are; J itself where there is no transmission.
   template <class JMatrix>
@@ -63,15 +63,15 @@ class brake_reduction {
   [[no_unique_address]] decltype(inverse_of_constant(std::declval<const M&>())) inverse_;
 };
 
-/// E = J T^+ (d x m, base frame), T^+ = T^-1 for square T: v = E w and, by virtual work, t = E^T F balances F.
-/// Needs no inverse of J, which may be singular. For redundant brakes T^+ = (T^T T)^-1 T^T, so t = E^T F has the
-/// least norm of all torques that balance F.
+/// E = J T^+ (d x m, base frame), T^+ = T^-1 for square T: v = E w and, by virtual work, t = E^T F balances
+/// F. Needs no inverse of J, which may be singular. For redundant brakes T^+ = (T^T T)^-1 T^T, so t = E^T F
+/// has the least norm of all torques that balance F.
 ///
 /// A diagonal_matrix where J and T are; J itself where the mechanism names no transmission. Not finite where
-/// J is undefined or T singular. Cost: T^+ and a product; a loop keeps a brake_reduction instead.
+/// J is undefined or T singular. Cost: T^+ and a product; a loop keeps a brake_jacobian_evaluator instead.
 template <class M>
 auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
-  return brake_reduction<M>(mechanism)(jacobian(mechanism, q), mechanism, q);
+  return brake_jacobian_evaluator<M>(mechanism)(jacobian(mechanism, q), mechanism, q);
 }
 
 /// Brake torques t = E^T F [N m] that balance the force F [N] at the end effector.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
-#include <passive_haptics/core/cholesky.hpp>
-#include <passive_haptics/core/orthogonal_decomposition.hpp>
+#include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 
 #include <limits>
@@ -18,9 +18,9 @@ concept has_inverse_jacobian = requires(const M mechanism, const joint_vector<M>
 };
 }  // namespace detail
 
-/// G = J^-T T^T (d x m) [N per N m] for n = d: brake torques t make the force F = G t at the end effector, however
-/// many brakes there are. From inverse_jacobian where the mechanism has one (closed chains). Not finite at a singular J. Cost: one orthogonal decomposition
-/// of d x d.
+/// G = J^-T T^T (d x m) [N per N m] for n = d: brake torques t make the force F = G t at the end effector,
+/// however many brakes there are. From inverse_jacobian where the mechanism has one (closed chains). Not
+/// finite at a singular J. Cost: one orthogonal decomposition of d x d.
 template <class M>
   requires(M::dof == M::task_dimension)
 matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(const M& mechanism,
@@ -42,11 +42,12 @@ matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(c
   }
 }
 
-/// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d): the force at the end effector that
-/// accelerates it as the brake torques t do, with Lambda = (J M^-1 J^T)^-1 the task inertia. The brakes may
-/// drive the self-motion meanwhile: it is the power t . w of the joints, not F . v, that is never positive.
-/// Not finite at a singular J. Cost: a Cholesky of n x n and an orthogonal decomposition of n x d.
-/// Reference: Khatib, A unified approach for motion and force control, IEEE J. Robotics and Automation 3 (1), 1987.
+/// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d): the force at the end
+/// effector that accelerates it as the brake torques t do, with Lambda = (J M^-1 J^T)^-1 the task inertia.
+/// The brakes may drive the self-motion meanwhile: it is the power t . w of the joints, not F . v, that is
+/// never positive. Not finite at a singular J. Cost: a Cholesky of n x n and an orthogonal decomposition of n
+/// x d. Reference: Khatib, A unified approach for motion and force control, IEEE J. Robotics and Automation 3
+/// (1), 1987.
 template <class M>
   requires(M::dof > M::task_dimension && Dynamics<M>)
 matrix<typename M::scalar, M::task_dimension, M::brake_count> inertial_force_generators(

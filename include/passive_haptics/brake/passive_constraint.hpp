@@ -25,16 +25,16 @@ T stick_torque(T td, T th) {
   return std::abs(held) <= std::abs(th) ? held : -th;
 }
 
-/// Torque that a brake of sign s = brake_sign(w, th, ...) makes of a command td: (3a) where it slips, else (3b).
-/// Guaranteed: s t <= 0 exactly, |t| <= |td|.
+/// Torque that a brake of sign s = brake_sign(w, th, ...) makes of a command td: (3a) where it slips, else
+/// (3b). Guaranteed: s t <= 0 exactly, |t| <= |td|.
 template <class T>
 T passive_torque(T td, T w, T th, T s, T rate_dead_band) {
   if (!(s * td < T(0))) return T(0);  // td does not oppose, or at rest nobody pushes
   return slips(w, rate_dead_band) || std::abs(td) <= std::abs(th) ? td : -th;
 }
 
-/// Torques (m) [N m] that brakes of signs s = brake_signs(w, th, brakes) produce when torques td are commanded. Without a
-/// rate_dead_band (3a) alone.
+/// Torques (m) [N m] that brakes of signs s = brake_signs(w, th, brakes) produce when torques td are
+/// commanded. Without a rate_dead_band (3a) alone.
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,
                                  const vector<T, Brakes>& th, const vector<T, Brakes>& s, const B& brakes) {

@@ -41,7 +41,8 @@ bool has_signs(const vector<T, Brakes>& t, const torque_signs<Brakes>& signs) {
 }
 }  // namespace detail
 
-/// True if F [N] lies in the passive FME { F : |t| <= 1 N m, t_i of the region's sign }, t = E^T F. Exact on faces.
+/// True if F [N] lies in the passive FME { F : |t| <= 1 N m, t_i of the region's sign }, t = E^T F. Exact on
+/// faces.
 template <class EMatrix, class T, int D, std::size_t Brakes>
 bool in_passive_fme(const EMatrix& E, const std::array<int, Brakes>& region, const vector<T, D>& F) {
   const vector<T, static_cast<int>(Brakes)> t = brake_torque(E, F);

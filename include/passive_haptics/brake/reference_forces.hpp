@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
-#include <passive_haptics/core/orthogonal_decomposition.hpp>
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/status.hpp>
 
 #include <limits>
@@ -19,7 +19,8 @@ struct reference_force_set {
 };
 
 /// G = E^-T, the forces (4) for unit torque of one brake with the others released. For n = d.
-/// For looking at the device (passive FME): the control step never needs this inverse. Cost: one decomposition of d x d.
+/// For looking at the device (passive FME): the control step never needs this inverse. Cost: one
+/// decomposition of d x d.
 template <class M>
   requires(M::dof == M::task_dimension && M::brake_count == M::dof)
 reference_force_set<M> reference_forces(const M& mechanism, const joint_vector<M>& q) {

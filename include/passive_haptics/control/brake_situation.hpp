@@ -8,8 +8,8 @@
 
 namespace passive_haptics {
 
-/// The device at one instant; E from brake_jacobian. Lives no longer than the values that it refers to. A TorqueLaw that
-/// takes any B also runs on brakes that lack members (brake/brake_concepts.hpp).
+/// The device at one instant; E from brake_jacobian. Lives no longer than the values that it refers to. A
+/// TorqueLaw that takes any B also runs on brakes that lack members (brake/brake_concepts.hpp).
 template <class M, class EMatrix, class B = brakes_of<M>>
 struct brake_situation {
   const M& mechanism;                 ///< The mechanism,

@@ -13,7 +13,8 @@ template <class T, int D>
 struct contact_situation {
   const vector<T, D>& normal;  ///< n = Fd / |Fd|, unit, out of the wall.
   T desired_magnitude;         ///< |Fd| [N], > 0.
-  T normal_velocity;  ///< n . (v - v_wall) [m/s], > 0 where the handle leaves; 0 for laws that do not need it.
+  T normal_velocity;  ///< n . (v - v_wall) [m/s], > 0 where the handle leaves; 0 for laws that do not need
+                      ///< it.
   const vector<T, D>& hand_force;  ///< Fh [N]; zero for laws that do not need it.
 };
 
@@ -33,10 +34,12 @@ concept commands_torques = requires { requires L::commands_torques; };
 }  // namespace detail
 
 /// A law that scales the approximated force, beside the needs of ControlLaw:
-///   - `T scale(const contact_situation<T, d>&, memory&) const noexcept`: alpha in [0, 1], Fc' = alpha Fc (7).
+///   - `T scale(const contact_situation<T, d>&, memory&) const noexcept`: alpha in [0, 1], Fc' = alpha Fc
+///   (7).
 ///
 /// Optional:
-///   - `static constexpr bool gives_way`, true if it scales the force of a contact being left so that nothing remains
+///   - `static constexpr bool gives_way`, true if it scales the force of a contact being left so that nothing
+///   remains
 ///     normal; of several contacts these are then met before the others. Without it, false;
 ///   - `static constexpr bool needs_normal_velocity`, false if it does not read that. Without it, true.
 template <class L>
@@ -48,14 +51,18 @@ concept ScalingLaw =
 
 /// A law that commands the brakes itself, beside the needs of ControlLaw:
 ///   - `static constexpr bool commands_torques = true`;
-///   - `brake_vector<M> torque(const brake_situation<M, E>&, const contacts<d, N>&, memory&) const noexcept`, a
-///     template over mechanisms: the torques [N m] that the brakes shall make, at least one wall being touched. The
-///     step cuts them to the limits; a torque that does not oppose its brake (s_i t_i > 0) releases it.
+///   - `brake_vector<M> torque(const brake_situation<M, E>&, const contacts<d, N>&, memory&) const noexcept`,
+///   a
+///     template over mechanisms: the torques [N m] that the brakes shall make, at least one wall being
+///     touched. The step cuts them to the limits; a torque that does not oppose its brake (s_i t_i > 0)
+///     releases it.
 ///
 /// Optional:
-///   - `void released(memory&, double time) const noexcept`, called in each cycle that commands nothing (free space,
+///   - `void released(memory&, double time) const noexcept`, called in each cycle that commands nothing (free
+///   space,
 ///     faults), so that the law knows what its brakes were told;
-///   - `static constexpr bool needs_torque_limit`, true if it reads the brakes' limits, as one that locks brakes does.
+///   - `static constexpr bool needs_torque_limit`, true if it reads the brakes' limits, as one that locks
+///   brakes does.
 ///     Without it, false.
 template <class L>
 concept TorqueLaw = detail::states_its_needs<L> && detail::commands_torques<L>;
@@ -63,7 +70,8 @@ concept TorqueLaw = detail::states_its_needs<L> && detail::commands_torques<L>;
 /// A control law.
 ///
 /// Minimal complete definition, beside that of a ScalingLaw or a TorqueLaw:
-///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag`: what it reads. A law that needs
+///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag`: what it reads. A law that
+///   needs
 ///     no hand force runs on a device without a force sensor;
 ///   - `struct memory`: what it remembers from cycle to cycle, default-constructible (may be empty).
 template <class L>

@@ -18,24 +18,25 @@ concept has_another_dimension = requires { requires S::dimension != D; };
 // A law whose parameters can be checked, passed on once they are.
 template <class L>
 L&& require_valid_law(L&& law) {
-  if constexpr (requires { validate(law); }) require_no_complaint(validate(law));
-  else if constexpr (requires { validate(law.parameters); }) require_no_complaint(validate(law.parameters));
+  if constexpr (requires { validate(law); }) require_no_error(validate(law));
+  else if constexpr (requires { validate(law.parameters); }) require_no_error(validate(law.parameters));
   return std::forward<L>(law);
 }
 // Brakes that have been checked.
 template <class B>
 const B& require_valid_brakes(const B& brakes) {
   if constexpr (requires { validate(brakes); }) return require_valid(brakes);
-  require_no_complaint(check_brakes(brakes));
+  require_no_error(check_brakes(brakes));
   return brakes;
 }
 }  // namespace detail
 
 /// Owns all that a control loop needs but the state, which comes in each cycle.
 ///
-/// S: a scene<...>, held_scene<...>, world<...> or latest_scene<...>, or any type with a contacts_type for which sense(s, x)
-/// or sense(s, x, time) gives such contacts. Where there is a scene_status(s), a cycle ends with it unless it is ok. B:
-/// brakes_of<M>, or any type with some of its members (brake/brake_concepts.hpp): what it lacks costs nothing.
+/// S: a scene<...>, held_scene<...>, world<...> or latest_scene<...>, or any type with a contacts_type for
+/// which sense(s, x) or sense(s, x, time) gives such contacts. Where there is a scene_status(s), a cycle ends
+/// with it unless it is ok. B: brakes_of<M>, or any type with some of its members (brake/brake_concepts.hpp):
+/// what it lacks costs nothing.
 template <class M, class S, class L, class B = brakes_of<M>>
 class controller {
   static_assert(mechanism_requirements<M>::met);
@@ -48,8 +49,8 @@ class controller {
   using options_type = step_options<typename M::scalar>;              ///< Options of a step.
   using result_type = step_result_for<M, typename S::contacts_type>;  ///< What a cycle decides.
 
-  /// Throws std::invalid_argument with the text of validate(brakes) or check_brakes(brakes), or of validate(law) or
-  /// validate(law.parameters) where there is one.
+  /// Throws std::invalid_argument with the text of validate(brakes) or check_brakes(brakes), or of
+  /// validate(law) or validate(law.parameters) where there is one.
   controller(M mechanism, const B& brakes, S scene, L law = {}, const options_type& options = options_type())
       : mechanism_(std::move(mechanism)),
         brakes_(detail::require_valid_brakes(brakes)),
@@ -61,8 +62,8 @@ class controller {
     if (parameters_ != status::ok) options_.min_cosine = std::numeric_limits<typename M::scalar>::quiet_NaN();
   }
 
-  /// One control cycle; see step(). A state that is not finite is not shown to the scene, nor is a position, unless the
-  /// Jacobian is constant: then a finite q gives a finite position.
+  /// One control cycle; see step(). A state that is not finite is not shown to the scene, nor is a position,
+  /// unless the Jacobian is constant: then a finite q gives a finite position.
   template <class State>
   PASSIVE_HAPTICS_FLATTEN result_type operator()(const State& state) noexcept {
     result_type result;
@@ -132,7 +133,7 @@ class controller {
   S scene_;
   L law_;
   options_type options_;
-  brake_reduction<M> reduction_;
+  brake_jacobian_evaluator<M> reduction_;
   status parameters_;  // of brakes_ and options_, which do not change
   step_memory<L> memory_;
 };

@@ -20,11 +20,11 @@ struct step_knowledge {
   bool account = true;     ///< More than capacity and outcome of the result is read.
 };
 
-/// What the brakes can display of a unit force n with torques t = E^T n, in the form that fits the mechanism: half-spaces,
-/// or generators for redundant brakes and inertial forces.
+/// What the brakes can display of a unit force n with torques t = E^T n, in the form that fits the mechanism:
+/// half-spaces, or generators for redundant brakes and inertial forces.
 template <bool WithCosine = true, class M, class EMatrix, class B>
 auto approximate_with(const brake_situation<M, EMatrix, B>& now, const task_vector<M>& n,
-                      const brake_vector<M>& t, typename M::scalar min_cosine, half_space_set& idle) {
+                      const brake_vector<M>& t, typename M::scalar min_cosine, half_space_set& active) {
   using T = typename M::scalar;
   if constexpr (detail::has_inertial_forces<M>) {
     return approximate_by_generators(inertial_force_generators(now.mechanism, now.q), now.s, n, min_cosine);
@@ -36,7 +36,7 @@ auto approximate_with(const brake_situation<M, EMatrix, B>& now, const task_vect
       return now.w[i] > T(0) ? t[i] > T(0) : (now.w[i] < T(0) && t[i] < T(0));
     });
   } else {
-    return approximate<WithCosine>(now.E, now.s, n, t, min_cosine, idle);
+    return approximate<WithCosine>(now.E, now.s, n, t, min_cosine, active);
   }
 }
 
@@ -50,8 +50,9 @@ status check_contacts(const Contacts& touched) {
   return status::ok;
 }
 
-/// Torques td [N m] commanded for one contact: E^T Fc, scaled by the law and within the limits. Notes in `result` what
-/// it found. Section 4, steps 1 to 4. Where walls cannot move, nothing is computed of their velocity.
+/// Torques td [N m] commanded for one contact: E^T Fc, scaled by the law and within the limits. Notes in
+/// `result` what it found. Section 4, steps 1 to 4. Where walls cannot move, nothing is computed of their
+/// velocity.
 template <step_knowledge Known = step_knowledge{}, class M, class EMatrix, int D, class L, class B>
 brake_vector<M> display_one(const brake_situation<M, EMatrix, B>& now, const contact<D>& touched,
                             const L& law, step_memory<L>& memory,
@@ -78,7 +79,7 @@ brake_vector<M> display_one(const brake_situation<M, EMatrix, B>& now, const con
     return brake_vector<M>::Zero();
   }
 
-  const auto Fc = approximate_with<Known.account>(now, n, t, options.min_cosine, memory.idle);
+  const auto Fc = approximate_with<Known.account>(now, n, t, options.min_cosine, memory.active);
   result.display = Fc.display;
   if constexpr (Known.account) {
     result.power = classify_power(outward, Fc.display == display_class::exact);

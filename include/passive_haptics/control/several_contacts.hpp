@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/one_contact.hpp>
-#include <passive_haptics/force/contact_forces.hpp>
+#include <passive_haptics/force/torques/contact_forces.hpp>
 
 namespace passive_haptics {
 
@@ -21,9 +21,10 @@ auto force_map_of(const brake_situation<M, EMatrix, B>& now) {
   }
 }
 
-/// Torques td [N m] commanded for several contacts (force/contact_forces.hpp), with a_j = alpha_j k_j depth_j. Contacts
-/// being left under a law that gives way come first. Notes each contact's report in `result`; its classes and scale
-/// are those of the contact that asks for the largest force, display is exact where all that is wanted is met.
+/// Torques td [N m] commanded for several contacts (force/torques/contact_forces.hpp), with a_j = alpha_j k_j
+/// depth_j. Contacts being left under a law that gives way come first. Notes each contact's report in
+/// `result`; its classes and scale are those of the contact that asks for the largest force, display is exact
+/// where all that is wanted is met.
 template <step_knowledge Known = step_knowledge{}, class M, class EMatrix, class Contacts, class L, class B>
 brake_vector<M> display_several(const brake_situation<M, EMatrix, B>& now, const Contacts& touched,
                                 const L& law, typename L::memory& memory,

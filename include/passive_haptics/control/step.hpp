@@ -23,7 +23,8 @@ status check_state(const State& state) {
   return finite ? status::ok : status::state_not_finite;
 }
 
-/// Whether what a step reads of the brakes and the options is finite and no limit or dead band negative. The lag is read by laws that need it.
+/// Whether what a step reads of the brakes and the options is finite and no limit or dead band negative. The
+/// lag is read by laws that need it.
 template <class L, class T, class B>
 status check_parameters([[maybe_unused]] const B& brakes, const step_options<T>& options) {
   const auto valid_each = [](const auto& x) { return all_finite(x) && (x.array() >= T(0)).all(); };
@@ -79,7 +80,7 @@ void tell_released(const L& law, typename L::memory& memory, double time) {
 template <step_knowledge Known, class M, class Pose, class B, class Contacts, class L, class State>
 PASSIVE_HAPTICS_FLATTEN status step_in_contact(const M& mechanism, const Pose& at,
                                                const point<M::task_dimension>& x,
-                                               const brake_reduction<M>& reduction, const B& brakes,
+                                               const brake_jacobian_evaluator<M>& reduction, const B& brakes,
                                                const Contacts& touched, const L& law, const State& state,
                                                step_memory<L>& memory,
                                                const step_options<typename M::scalar>& options,
@@ -138,15 +139,17 @@ PASSIVE_HAPTICS_FLATTEN status step_in_contact(const M& mechanism, const Pose& a
 /// One control cycle of a mechanism in contact: from what is touched and how the device moves to what the
 /// brakes are told. Pure apart from memory; never throws, allocates, locks or reads a clock.
 ///
-/// One contact is displayed by force approximation (one_contact.hpp), several by priorities (several_contacts.hpp).
-/// If the state has no hand force, a brake at rest has sign 0: it may hold either way.
+/// One contact is displayed by force approximation (one_contact.hpp), several by priorities
+/// (several_contacts.hpp). If the state has no hand force, a brake at rest has sign 0: it may hold either
+/// way.
 ///
-/// B: brakes_of<M>, or any type with some of its members (brake/brake_concepts.hpp). Without a torque_limit nothing is
-/// cut; without a rate_dead_band s = sgn(w) and no hand torque is computed.
+/// B: brakes_of<M>, or any type with some of its members (brake/brake_concepts.hpp). Without a torque_limit
+/// nothing is cut; without a rate_dead_band s = sgn(w) and no hand torque is computed.
 ///
-/// Errors: NaN or infinity in what is read, a pose without a finite Jacobian or a law's scale outside [0, 1] gives
-/// zero capacity and the reason in outcome. Cost: nothing but checks in free space; no projection where Fd can be
-/// displayed exactly. A constant transmission is inverted each time; a controller keeps its inverse.
+/// Errors: NaN or infinity in what is read, a pose without a finite Jacobian or a law's scale outside [0, 1]
+/// gives zero capacity and the reason in outcome. Cost: nothing but checks in free space; no projection where
+/// Fd can be displayed exactly. A constant transmission is inverted each time; a controller keeps its
+/// inverse.
 template <class M, class Contacts, class L, class State, class B = brakes_of<M>>
 step_result_for<M, Contacts> step(
     const M& mechanism, const B& brakes, const Contacts& touched, const L& law, const State& state,
@@ -160,8 +163,9 @@ step_result_for<M, Contacts> step(
   if (outcome == status::ok && !free) {
     const auto at = pose(mechanism, state.q);
     const auto x = as<double>(mechanism.position(at));
-    outcome = detail::step_in_contact<step_knowledge{}>(mechanism, at, x, brake_reduction<M>(mechanism),
-                                                        brakes, touched, law, state, memory, options, result);
+    outcome =
+        detail::step_in_contact<step_knowledge{}>(mechanism, at, x, brake_jacobian_evaluator<M>(mechanism),
+                                                  brakes, touched, law, state, memory, options, result);
   }
   if (outcome != status::ok) release(result, outcome);
   if (free || outcome != status::ok) detail::tell_released(law, memory.law, state.time);

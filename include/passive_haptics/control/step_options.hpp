@@ -4,7 +4,7 @@
 
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/saturation.hpp>
-#include <passive_haptics/core/cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/force/approximation.hpp>
 
 #include <cmath>
@@ -30,7 +30,7 @@ template <class L>
 struct step_memory {
   static_assert(ControlLaw<L>, "passive_haptics: the law must model ControlLaw (control/control_law.hpp).");
   [[no_unique_address]] typename L::memory law = {};  ///< The law's own part.
-  half_space_set idle = 0;  ///< Brakes that the last approximation released: a warm start.
+  half_space_set active = 0;  ///< Brakes that the last approximation released: a warm start.
 };
 
 }  // namespace passive_haptics

@@ -9,8 +9,8 @@
 
 namespace passive_haptics {
 
-/// Torques td [N m] that a TorqueLaw commands, within the limits and none that would have to drive. Notes in `result`
-/// the account: power of the governing contact, and how much of what the law wanted is commanded.
+/// Torques td [N m] that a TorqueLaw commands, within the limits and none that would have to drive. Notes in
+/// `result` the account: power of the governing contact, and how much of what the law wanted is commanded.
 template <class M, class EMatrix, class Contacts, class L, class B>
 brake_vector<M> command_torques(const brake_situation<M, EMatrix, B>& now, const Contacts& touched,
                                 const L& law, typename L::memory& memory, step_result<M>& result) {

@@ -41,7 +41,8 @@ concept ExactVector = ExactMatrix<X, T, N, 1>;
 template <class X, class T, int N>
 concept ExactDiagonal = std::same_as<std::remove_cvref_t<X>, diagonal_matrix<T, N>>;
 
-/// A^T as a value. (Constructing it from A.transpose() makes g++ 12 warn of uninitialised memory inside Eigen.)
+/// A^T as a value. (Constructing it from A.transpose() makes g++ 12 warn of uninitialised memory inside
+/// Eigen.)
 template <class T, int R, int C>
 matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
   matrix<T, C, R> At;
@@ -106,8 +107,8 @@ struct scalar_of<X> {
 
 }  // namespace detail
 
-// Products entry by entry: for two or three numbers Eigen's packets cost more than they save (measured: a third of a
-// control cycle).
+// Products entry by entry: for two or three numbers Eigen's packets cost more than they save (measured: a
+// third of a control cycle).
 
 /// x, each entry converted to To.
 template <class To, class T, int N>
@@ -207,7 +208,8 @@ T determinant(const matrix<T, 3, 3>& A) {
   return dot(vector<T, 3>(A.col(0)), cross(vector<T, 3>(A.col(1)), vector<T, 3>(A.col(2))));
 }
 
-/// The matrix of these entries, row by row. (Eigen's constructor from nested lists costs 70 instructions for 2 x 2.)
+/// The matrix of these entries, row by row. (Eigen's constructor from nested lists costs 70 instructions for
+/// 2 x 2.)
 template <int R, int C, class T, class... Rest>
 matrix<T, R, C> matrix_of(T first, Rest... rest) {
   static_assert(1 + sizeof...(Rest) == static_cast<std::size_t>(R * C));

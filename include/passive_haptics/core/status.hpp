@@ -6,12 +6,14 @@
 
 namespace passive_haptics {
 
-/// Outcome of a calculation. Nothing in the fast path throws; a status other than ok comes with zero capacity.
+/// Outcome of a calculation. Nothing in the fast path throws; a status other than ok comes with zero
+/// capacity.
 enum class status {
   ok,                  ///< The result is valid.
   state_not_finite,    ///< NaN or infinity in time, q, qd or hand_force.
   contact_not_finite,  ///< NaN or infinity in a contact, or k * depth overflows.
-  parameters_invalid,  ///< NaN, infinity, a negative limit or dead band in the brakes' parameters or the options.
+  parameters_invalid,  ///< NaN, infinity, a negative limit or dead band in the brakes' parameters or the
+                       ///< options.
   pose_undefined,  ///< The mechanism has no finite position, Jacobian or transmission inverse at this pose.
   scale_out_of_range,  ///< The law returned a scale that is NaN or outside [0, 1].
   result_not_finite,   ///< Finite input whose result overflows.

@@ -14,7 +14,7 @@ namespace passive_haptics {
 namespace detail {
 
 template <class T>
-std::string complaint(std::string_view name, T value, std::string_view expected) {
+std::string error_text(std::string_view name, T value, std::string_view expected) {
   std::ostringstream text;
   text << name << " = " << value << ", expected " << expected;
   return text.str();
@@ -30,17 +30,17 @@ std::string indexed(std::string_view before, Index i, std::string_view after) {
 
 template <class T>
 std::string check_positive(std::string_view name, T value) {
-  return std::isfinite(value) && value > T(0) ? "" : complaint(name, value, "a finite number > 0");
+  return std::isfinite(value) && value > T(0) ? "" : error_text(name, value, "a finite number > 0");
 }
 
 template <class T>
 std::string check_not_negative(std::string_view name, T value) {
-  return std::isfinite(value) && value >= T(0) ? "" : complaint(name, value, "a finite number >= 0");
+  return std::isfinite(value) && value >= T(0) ? "" : error_text(name, value, "a finite number >= 0");
 }
 
 template <class T>
 std::string check_finite(std::string_view name, T value) {
-  return std::isfinite(value) ? "" : complaint(name, value, "a finite number");
+  return std::isfinite(value) ? "" : error_text(name, value, "a finite number");
 }
 
 /// Of the first element of a vector that is not finite or < 0, as name[i] [unit].
@@ -54,32 +54,32 @@ std::string check_each_not_negative(std::string_view name, std::string_view unit
   return text;
 }
 
-/// The first complaint that is not empty.
+/// The first error that is not empty.
 template <class... Strings>
-std::string first_complaint(Strings... complaints) {
+std::string first_error(Strings... errors) {
   std::string first;
-  ((first.empty() ? void(first = std::move(complaints)) : void()), ...);
+  ((first.empty() ? void(first = std::move(errors)) : void()), ...);
   return first;
 }
 
 }  // namespace detail
 
-/// Throws std::invalid_argument with this complaint unless it is empty; under -fno-exceptions prints it and ends
+/// Throws std::invalid_argument with this error unless it is empty; under -fno-exceptions prints it and ends
 /// the program. For constructors, never for a control cycle.
-inline void require_no_complaint(const std::string& complaint) {
-  if (complaint.empty()) return;
+inline void require_no_error(const std::string& error) {
+  if (error.empty()) return;
 #if defined(__cpp_exceptions)
-  throw std::invalid_argument("passive_haptics: " + complaint);
+  throw std::invalid_argument("passive_haptics: " + error);
 #else
-  std::fprintf(stderr, "passive_haptics: %s\n", complaint.c_str());
+  std::fprintf(stderr, "passive_haptics: %s\n", error.c_str());
   std::abort();
 #endif
 }
 
-/// The parameters themselves, if validate(parameters) has no complaint; else see require_no_complaint().
+/// The parameters themselves, if validate(parameters) has no error; else see require_no_error().
 template <class Parameters>
 const Parameters& require_valid(const Parameters& parameters) {
-  require_no_complaint(validate(parameters));
+  require_no_error(validate(parameters));
   return parameters;
 }
 

@@ -9,8 +9,8 @@
 
 namespace passive_haptics {
 
-/// A clock that a loop can sleep on: now() in ns from any origin; sleep_until(t) returns not before t, or at once if t is
-/// past. Tests bring their own.
+/// A clock that a loop can sleep on: now() in ns from any origin; sleep_until(t) returns not before t, or at
+/// once if t is past. Tests bring their own.
 template <class C>
 concept LoopClock = requires(C clock, std::int64_t time) {
   { clock.now() } noexcept -> std::same_as<std::int64_t>;

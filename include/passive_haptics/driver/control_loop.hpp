@@ -25,9 +25,9 @@ struct control_loop_parameters {
 
 /// What is wrong with the parameters; empty if nothing.
 inline std::string validate(const control_loop_parameters& p) {
-  return detail::first_complaint(
-      p.period >= 1e-6 && p.period <= 1 ? "" : detail::complaint("period [s]", p.period, "1e-6 to 1"),
-      p.most_overruns >= 0 ? "" : detail::complaint("most_overruns", p.most_overruns, "a number >= 0"),
+  return detail::first_error(
+      p.period >= 1e-6 && p.period <= 1 ? "" : detail::error_text("period [s]", p.period, "1e-6 to 1"),
+      p.most_overruns >= 0 ? "" : detail::error_text("most_overruns", p.most_overruns, "a number >= 0"),
       detail::check_positive("longest_sleep [s]", p.longest_sleep));
 }
 
@@ -49,7 +49,8 @@ struct loop_report {
   std::string exception;         ///< What the cycle threw.
 };
 
-/// Wakes at start + k period, so that lateness never adds up; what a long cycle missed is skipped, and the phase kept.
+/// Wakes at start + k period, so that lateness never adds up; what a long cycle missed is skipped, and the
+/// phase kept.
 template <LoopClock Clock = monotonic_clock>
 class control_loop {
  public:
@@ -57,10 +58,12 @@ class control_loop {
   explicit control_loop(const control_loop_parameters& p = {}, Clock clock = {})
       : p_(require_valid(p)), clock_(std::move(clock)), period_(std::llround(1e9 * p.period)) {}
 
-  /// Runs until stop() is true or cycle(loop_cycle) is false. Before it returns, and where it runs late or the clock jumps, it calls
-  /// release(fault), which must not throw; after those the loop goes on, so that somebody can rearm.
+  /// Runs until stop() is true or cycle(loop_cycle) is false. Before it returns, and where it runs late or
+  /// the clock jumps, it calls release(fault), which must not throw; after those the loop goes on, so that
+  /// somebody can rearm.
   ///
-  /// A cycle that throws ends the loop: its exception is in the report. Between cycles nothing but the clock is called.
+  /// A cycle that throws ends the loop: its exception is in the report. Between cycles nothing but the clock
+  /// is called.
   template <class Cycle, class Stop, class Release>
   loop_report run(Cycle&& cycle, Stop&& stop, Release&& release) {
     loop_report report;

@@ -10,8 +10,8 @@
 
 namespace passive_haptics {
 
-/// Counts durations in bins of 1/16 of their power of two, from 1 ns to years: percentiles to 6 %, the largest exactly. Adding
-/// one costs some instructions; no allocation.
+/// Counts durations in bins of 1/16 of their power of two, from 1 ns to years: percentiles to 6 %, the
+/// largest exactly. Adding one costs some instructions; no allocation.
 class duration_histogram {
  public:
   /// One duration [ns]; a negative one counts as 0.

@@ -66,17 +66,17 @@ constexpr std::string_view to_string(fault f) {
 enum class fault_source { loop, encoders, force_sensor, brakes };
 
 /// A fault, and where.
-struct incident {
+struct fault_record {
   fault what = fault::none;                  ///< none: nothing is wrong.
   fault_source source = fault_source::loop;  ///< Where.
   int channel = -1;                          ///< From 0; -1 where it is of no single one.
 
   /// The same fault at the same place.
-  bool operator==(const incident&) const = default;
+  bool operator==(const fault_record&) const = default;
 };
 
-/// The incident in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.
-inline std::string to_string(const incident& i) {
+/// The fault_record in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.
+inline std::string to_string(const fault_record& i) {
   std::ostringstream text;
   switch (i.source) {
     case fault_source::loop: break;

@@ -13,10 +13,11 @@ namespace passive_haptics {
 
 /// How a transfer ended.
 enum class port_status {
-  ok,         ///< A new sample was read; the currents were handed to the device.
-  no_sample,  ///< Nothing new came. The loop bridges it for a while.
-  bad_sample,  ///< What came is damaged: cut off, a wrong checksum, a wrong length. The loop bridges it for a while.
-  failed,  ///< The device is gone or refuses; no further transfer can be expected.
+  ok,          ///< A new sample was read; the currents were handed to the device.
+  no_sample,   ///< Nothing new came. The loop holds over it for a while.
+  bad_sample,  ///< What came is damaged: cut off, a wrong checksum, a wrong length. The loop holds over it
+               ///< for a while.
+  failed,      ///< The device is gone or refuses; no further transfer can be expected.
 };
 
 /// The status in words.
@@ -53,17 +54,18 @@ using brake_currents = std::array<double, static_cast<std::size_t>(N)>;
 ///     port_status write(const brake_currents<brake_count>&) noexcept;
 ///     void release() noexcept;
 ///
-/// open: called once, before the loop. Empty if the device is ready, else what is missing, by name, and what to do; then
+/// open: called once, before the loop. Empty if the device is ready, else what is missing, by name, and what
+/// to do; then
 ///   nothing else but release() is called.
-/// read: the latest sample. Returns at once, whether there is a new one or not; the sample counts only with ok.
-/// write: hands over currents in [0, limit], already checked. Returns at once.
-/// release: 0 A on all brakes, as fast as the device can. May be called at any time, also before open(), twice and after a
+/// read: the latest sample. Returns at once, whether there is a new one or not; the sample counts only with
+/// ok. write: hands over currents in [0, limit], already checked. Returns at once. release: 0 A on all
+/// brakes, as fast as the device can. May be called at any time, also before open(), twice and after a
 ///   failure; the destructor calls it. A port that is still there can be written to again.
 ///
 /// A port whose counters wrap also has `int counter_bits() const noexcept`, their width, once it is open.
 ///
-/// Laws: read, write and release neither allocate, throw, lock nor wait. A second port of the same type may be open to the
-/// same device in another process, of which only open() and release() are called (supervisor).
+/// Laws: read, write and release neither allocate, throw, lock nor wait. A second port of the same type may
+/// be open to the same device in another process, of which only open() and release() are called (supervisor).
 template <class P>
 concept BrakePort =
     requires(P port, port_sample<P::encoder_count>& sample, const brake_currents<P::brake_count>& currents) {
@@ -80,7 +82,8 @@ constexpr int counter_bits(const P& port) noexcept {
   else return 0;
 }
 
-/// A force (and torque) sensor between last link and handle: `channel_count`, and open and read as of a BrakePort.
+/// A force (and torque) sensor between last link and handle: `channel_count`, and open and read as of a
+/// BrakePort.
 template <class S>
 concept ForceSensor = requires(S sensor, port_sample<S::channel_count>& sample) {
   { sensor.open() } -> std::same_as<std::string>;

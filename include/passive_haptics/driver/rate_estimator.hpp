@@ -23,14 +23,15 @@ struct rate_estimator_parameters {
 
 /// What is wrong with the parameters; empty if nothing.
 inline std::string validate(const rate_estimator_parameters& p) {
-  return detail::first_complaint(
+  return detail::first_error(
       detail::check_positive("resolution [counts]", p.resolution),
-      p.window >= 1 ? "" : detail::complaint("window [periods]", p.window, "at least 1"));
+      p.window >= 1 ? "" : detail::error_text("window [periods]", p.window, "at least 1"));
 }
 
-/// The slowest rate that a window can tell from rest, resolution / (window period): slower ones are estimated as 0, and none
-/// is estimated between it and 0. The Karnopp dead band of a brake whose rate is estimated so: rate_dead_band of
-/// brake_parameters, with the resolution in rad (or m). A steady rate of twice as much is always seen. [unit/s]
+/// The slowest rate that a window can tell from rest, resolution / (window period): slower ones are estimated
+/// as 0, and none is estimated between it and 0. The Karnopp dead band of a brake whose rate is estimated so:
+/// rate_dead_band of brake_parameters, with the resolution in rad (or m). A steady rate of twice as much is
+/// always seen. [unit/s]
 inline double rate_dead_band(double resolution, int window, double period) noexcept {
   return resolution / (window * period);
 }
@@ -41,8 +42,8 @@ inline double rate_lag(double resolution, int window, double period, double acce
   return 0.5 * std::min(window * period, std::sqrt(16 * resolution / acceleration + period * period));
 }
 
-/// Latest time after a start from rest or a reversal, at constant acceleration a [unit/s^2], at which a sample has the right
-/// sign: when two steps have been made within the window,
+/// Latest time after a start from rest or a reversal, at constant acceleration a [unit/s^2], at which a
+/// sample has the right sign: when two steps have been made within the window,
 ///
 ///     2 sqrt(resolution / a) + 2 T                                    if that is within window T,
 ///     2 resolution / (a window T) + window T / 2 + 2 T     else. [s]
@@ -51,18 +52,20 @@ inline double rate_onset(double resolution, int window, double period, double ac
   return 2 * period + (two_steps <= most ? two_steps : 2 * resolution / (acceleration * most) + 0.5 * most);
 }
 
-/// Rates of `Axes` encoders. Of each, the end-fit first-order adaptive window (Janabi-Sharifi, Hayward, Chen, Discrete-time
-/// adaptive windowing for velocity estimation, IEEE Trans. Control Systems Technology 8 (6), 2000): with real sample times,
+/// Rates of `Axes` encoders. Of each, the end-fit first-order adaptive window (Janabi-Sharifi, Hayward, Chen,
+/// Discrete-time adaptive windowing for velocity estimation, IEEE Trans. Control Systems Technology 8 (6),
+/// 2000): with real sample times,
 ///
 ///     rate = (y_k - y_(k-n)) / (t_k - t_(k-n)),
 ///
-/// n the last of 1, 2, ... for which the line through both ends passes each sample between within one resolution. A line
-/// through sample k passes sample i so if its slope is in an interval; the intersection of these grows sample by sample, so the
-/// cost is O(window) and needs no fitting.
+/// n the last of 1, 2, ... for which the line through both ends passes each sample between within one
+/// resolution. A line through sample k passes sample i so if its slope is in an interval; the intersection of
+/// these grows sample by sample, so the cost is O(window) and needs no fitting.
 ///
-/// A rate with |y_k - y_(k-n)| <= resolution is exactly 0: its sign is not certain. Any other has the sign of the mean rate
-/// over its window, also if the encoder jitters about an edge (by less than half a step) and samples are missing. At constant rate the error
-/// is below resolution / (t_k - t_(k-n)). Lag: rate_lag, rate_onset.
+/// A rate with |y_k - y_(k-n)| <= resolution is exactly 0: its sign is not certain. Any other has the sign of
+/// the mean rate over its window, also if the encoder jitters about an edge (by less than half a step) and
+/// samples are missing. At constant rate the error is below resolution / (t_k - t_(k-n)). Lag: rate_lag,
+/// rate_onset.
 ///
 /// Give it positions in counts and scale the rates: differences of counts are exact. Capacity: most window.
 template <int Axes, int Capacity = 16>
@@ -73,12 +76,12 @@ class rate_estimator {
   /// Throws std::invalid_argument with the text of validate(p), or if the window is over Capacity.
   explicit rate_estimator(const rate_estimator_parameters& p = {}) : p_(require_valid(p)) {
     if (p.window > Capacity)
-      require_no_complaint(detail::complaint("window [periods]", p.window,
-                                             detail::indexed("at most the capacity, ", Capacity, "")));
+      require_no_error(detail::error_text("window [periods]", p.window,
+                                          detail::indexed("at most the capacity, ", Capacity, "")));
   }
 
-  /// Positions at this time [s]; the rates [unit/s]. A position that is NaN or infinite, or a time that is not after the one
-  /// before it, changes nothing.
+  /// Positions at this time [s]; the rates [unit/s]. A position that is NaN or infinite, or a time that is
+  /// not after the one before it, changes nothing.
   const vector<double, Axes>& add(double time, const vector<double, Axes>& position) noexcept {
     for (int i = 0; i < Axes; ++i) {
       const bool is_new = std::isfinite(time) && std::isfinite(position[i]) && axis(i).is_after(time);

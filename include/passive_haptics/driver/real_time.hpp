@@ -28,14 +28,14 @@ struct real_time_parameters {
 
 /// What is wrong with the parameters; empty if nothing.
 inline std::string validate(const real_time_parameters& p) {
-  return detail::first_complaint(
-      p.priority >= 0 && p.priority <= 99 ? "" : detail::complaint("priority", p.priority, "0 (none) to 99"),
+  return detail::first_error(
+      p.priority >= 0 && p.priority <= 99 ? "" : detail::error_text("priority", p.priority, "0 (none) to 99"),
       p.cpu >= -1 && p.cpu < CPU_SETSIZE
           ? ""
-          : detail::complaint("cpu", p.cpu, "-1 (any) or the number of a processor"),
+          : detail::error_text("cpu", p.cpu, "-1 (any) or the number of a processor"),
       std::isfinite(p.dma_latency) && p.dma_latency <= 1
           ? ""
-          : detail::complaint("dma_latency [s]", p.dma_latency, "< 0 (any) to 1"));
+          : detail::error_text("dma_latency [s]", p.dma_latency, "< 0 (any) to 1"));
 }
 
 /// What became of a request.
@@ -44,8 +44,8 @@ struct real_time_setting {
   std::string refused;  ///< Why, and what would help; empty where it was granted.
 };
 
-/// Asks for what the parameters say, when it is made: call it in the loop's thread, after forking. A refusal is told, never fatal.
-/// The latency request ends with it; the rest stays.
+/// Asks for what the parameters say, when it is made: call it in the loop's thread, after forking. A refusal
+/// is told, never fatal. The latency request ends with it; the rest stays.
 class real_time {
  public:
   /// Throws std::invalid_argument with the text of validate(p).

@@ -14,7 +14,8 @@ namespace passive_haptics {
 enum class release_policy {
   zero,  ///< 0 A at once: the handle is free.
   ramp,  ///< Down to 0 A within ramp_time: an arm under gravity sinks instead of falling.
-  hold,  ///< The last currents stay: for brakes that current opens, or an arm that must not sink. Heat may lower them.
+  hold,  ///< The last currents stay: for brakes that current opens, or an arm that must not sink. Heat may
+         ///< lower them.
 };
 
 /// A policy and its time.

@@ -2,8 +2,8 @@
 /// A port that no bad sample, command or device can hurt a hand through.
 #pragma once
 
+#include <passive_haptics/driver/checks/sample_check.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
-#include <passive_haptics/driver/sample_check.hpp>
 
 #include <array>
 #include <cmath>
@@ -22,15 +22,16 @@ struct no_force_sensor {
   port_status read(port_sample<0>&) noexcept { return port_status::ok; }
 };
 
-/// A port and a force sensor, watched: the last good samples in, currents that may flow out. To be called once a cycle,
-/// read(), then write(), with the time of the cycle [s] on the clock of the samples.
+/// A port and a force sensor, watched: the last good samples in, currents that may flow out. To be called
+/// once a cycle, read(), then write(), with the time of the cycle [s] on the clock of the samples.
 ///
 ///   open -> ready -> activate -> active <-> degraded -> (fault) -> released -> rearm -> ready
 ///
-/// A bad sample is bridged: what was read before stays. After `bridge` seconds without a good one the brakes are released; at
-/// once where the device is lost or restarted, an encoder froze, a command is not valid, or no cycle came for `bridge`
-/// seconds. `bridge` also bounds how long ago a sample may have been taken. Where nobody knows any more how far the encoders
-/// went, the program must start again, with homing. Nothing here allocates, throws, locks or reads a clock after open().
+/// A bad sample is held_over: what was read before stays. After `hold_over` seconds without a good one the
+/// brakes are released; at once where the device is lost or restarted, an encoder froze, a command is not
+/// valid, or no cycle came for `hold_over` seconds. `hold_over` also bounds how long ago a sample may have
+/// been taken. Where nobody knows any more how far the encoders went, the program must start again, with
+/// homing. Nothing here allocates, throws, locks or reads a clock after open().
 template <BrakePort Port, ForceSensor Sensor = no_force_sensor>
 class safe_port {
  public:
@@ -47,10 +48,10 @@ class safe_port {
   explicit safe_port(Port port, Sensor sensor = {}, const parameters& p = {})
       : port_(std::move(port)),
         sensor_(std::move(sensor)),
-        bridge_(require_valid(p).bridge),
-        sample_check_(bridge_),
+        hold_over_(require_valid(p).hold_over),
+        sample_check_(hold_over_),
         encoder_check_(p.encoders),
-        sensor_sample_check_(bridge_),
+        sensor_sample_check_(hold_over_),
         sensor_check_(p.sensor),
         limiter_(p.currents),
         release_(p.at_release) {}
@@ -61,26 +62,26 @@ class safe_port {
   /// Opens device and sensor, once; empty if both are there, else what is missing.
   std::string open() {
     if (state_ != port_state::closed) return "open() was called before: the device is open";
-    std::string complaint = port_.open();
-    if (complaint.empty()) complaint = sensor_.open();
+    std::string error = port_.open();
+    if (error.empty()) error = sensor_.open();
     encoder_check_.set_counter_bits(counter_bits(port_));
-    if (complaint.empty()) state_ = port_state::ready;
+    if (error.empty()) state_ = port_state::ready;
     else port_.release();
-    return complaint;
+    return error;
   }
 
   /// Takes this cycle's samples.
   port_state read(double now) noexcept {
     if (state_ == port_state::closed) return state_;
-    if (!(now > now_) || (holds() && now - now_ > bridge_)) fail({fault::clock_jump});
+    if (!(now > now_) || (holds() && now - now_ > hold_over_)) fail({fault::clock_jump});
     dt_ = now > now_ && std::isfinite(now_) ? now - now_ : 0;
     now_ = now;
     if (lost_) return state_;
 
-    const incident encoders = read_encoders();
-    const incident sensor = read_sensor();
-    bridged_ = encoders.what != fault::none ? encoders : sensor;
-    if (in_doubt(encoders.what) && (at_once(encoders) || now_ - encoders_good_ > bridge_)) homed_ = false;
+    const fault_record encoders = read_encoders();
+    const fault_record sensor = read_sensor();
+    held_over_ = encoders.what != fault::none ? encoders : sensor;
+    if (in_doubt(encoders.what) && (at_once(encoders) || now_ - encoders_good_ > hold_over_)) homed_ = false;
     watch(encoders, encoders_good_);
     watch(sensor, sensor_good_);
     settle();
@@ -120,12 +121,12 @@ class safe_port {
   }
 
   /// Releases the brakes. What is released stays so, with the first reason.
-  void release(const incident& why = {fault::user}) noexcept {
+  void release(const fault_record& why = {fault::user}) noexcept {
     if (state_ != port_state::closed) fail(why);
   }
 
-  /// From released to ready; false, and nothing happens, unless released, the last samples are good and the encoders have
-  /// not lost their way (needs_homing()).
+  /// From released to ready; false, and nothing happens, unless released, the last samples are good and the
+  /// encoders have not lost their way (needs_homing()).
   bool rearm() noexcept {
     if (state_ != port_state::released || !homed_ || !samples_are_good()) return false;
     reason_ = {};
@@ -137,9 +138,9 @@ class safe_port {
   /// The state.
   port_state state() const noexcept { return state_; }
   /// Why the brakes are released; none where they are not.
-  const incident& reason() const noexcept { return reason_; }
-  /// What was wrong with the last samples, bridged or not; none where they are good.
-  const incident& bridged() const noexcept { return bridged_; }
+  const fault_record& reason() const noexcept { return reason_; }
+  /// What was wrong with the last samples, held_over or not; none where they are good.
+  const fault_record& held_over() const noexcept { return held_over_; }
   /// Whether nobody knows how far the encoders went: the program must start again.
   bool needs_homing() const noexcept { return !homed_; }
   /// Where the encoders are, past every wrap of their counters: the last good reading [counts].
@@ -158,24 +159,24 @@ class safe_port {
 
   bool holds() const noexcept { return state_ == port_state::active || state_ == port_state::degraded; }
   bool samples_are_good() const noexcept {
-    return bridged_.what == fault::none && std::isfinite(encoders_good_);
+    return held_over_.what == fault::none && std::isfinite(encoders_good_);
   }
 
-  incident read_encoders() noexcept {
+  fault_record read_encoders() noexcept {
     port_sample<encoder_count> sample;
     const port_status status = port_.read(sample);
-    incident found = sample_check_(status, sample, now_, fault_source::encoders);
+    fault_record found = sample_check_(status, sample, now_, fault_source::encoders);
     if (found.what != fault::none) return found;
     found = encoder_check_(sample, applied() == currents{});
     if (found.what == fault::none) position_time_ = sample.time;
     return found;
   }
 
-  incident read_sensor() noexcept {
+  fault_record read_sensor() noexcept {
     if constexpr (channel_count == 0) return {};
     port_sample<channel_count> sample;
     const port_status status = sensor_.read(sample);
-    incident found = sensor_sample_check_(status, sample, now_, fault_source::force_sensor);
+    fault_record found = sensor_sample_check_(status, sample, now_, fault_source::force_sensor);
     // A force has no home to lose
     if (found.what == fault::device_restarted) sensor_sample_check_.reset();
     if (found.what == fault::none) found = sensor_check_(sample);
@@ -183,12 +184,12 @@ class safe_port {
     return found;
   }
 
-  // Bridges what can be bridged, from the last time that all was good
-  void watch(const incident& found, double& good) noexcept {
+  // Holds over what can be held_over, from the last time that all was good
+  void watch(const fault_record& found, double& good) noexcept {
     if (found.what == fault::none) good = now_;
-    else if (at_once(found) || (holds() && now_ - good > bridge_)) fail(found);
+    else if (at_once(found) || (holds() && now_ - good > hold_over_)) fail(found);
   }
-  static bool at_once(const incident& i) noexcept {
+  static bool at_once(const fault_record& i) noexcept {
     return i.what == fault::device_lost || i.what == fault::encoder_frozen ||
            (i.what == fault::device_restarted && i.source == fault_source::encoders);
   }
@@ -198,7 +199,7 @@ class safe_port {
            f == fault::encoder_frozen;
   }
 
-  void fail(const incident& why) noexcept {
+  void fail(const fault_record& why) noexcept {
     if (why.what == fault::device_lost && why.source != fault_source::force_sensor) {
       lost_ = true;
       homed_ = false;
@@ -215,13 +216,13 @@ class safe_port {
 
   void settle() noexcept {
     if (!holds()) return;
-    const bool well = bridged_.what == fault::none && write_good_ == now_ && !limiter_.lowered_by_heat();
+    const bool well = held_over_.what == fault::none && write_good_ == now_ && !limiter_.lowered_by_heat();
     state_ = well ? port_state::active : port_state::degraded;
   }
 
   Port port_;
   [[no_unique_address]] Sensor sensor_;
-  double bridge_;
+  double hold_over_;
   sample_check<encoder_count> sample_check_;
   encoder_check<encoder_count> encoder_check_;
   sample_check<channel_count> sensor_sample_check_;
@@ -232,7 +233,7 @@ class safe_port {
   port_state state_ = port_state::closed;
   bool lost_ = false;  // nothing can be read or written any more
   bool homed_ = true;
-  incident reason_, bridged_;
+  fault_record reason_, held_over_;
   double now_ = never, dt_ = 0;
   double encoders_good_ = never, sensor_good_ = never, write_good_ = never;  // when last [s]
   double position_time_ = 0;

@@ -2,10 +2,10 @@
 /// What a safe_port allows, and how it can be.
 #pragma once
 
-#include <passive_haptics/driver/current_limiter.hpp>
-#include <passive_haptics/driver/encoder_check.hpp>
+#include <passive_haptics/driver/checks/current_limiter.hpp>
+#include <passive_haptics/driver/checks/encoder_check.hpp>
+#include <passive_haptics/driver/checks/sensor_check.hpp>
 #include <passive_haptics/driver/release_policy.hpp>
-#include <passive_haptics/driver/sensor_check.hpp>
 
 #include <string>
 #include <string_view>
@@ -19,15 +19,15 @@ struct safe_port_parameters {
   sensor_limits<Channels> sensor = {};   ///< What the force sensor can tell.
   current_limits<Brakes> currents = {};  ///< What the brakes may get.
   release_parameters at_release = {};    ///< What they get once they are released.
-  double bridge =
-      0.020;  ///< For how long a bad sample, or a refused write, is bridged by the last good one [s].
+  double hold_over =
+      0.020;  ///< For how long a bad sample, or a refused write, is held_over by the last good one [s].
 };
 
 /// What is wrong with the parameters; empty if nothing.
 template <int Brakes, int Channels>
 std::string validate(const safe_port_parameters<Brakes, Channels>& p) {
-  return detail::first_complaint(validate(p.encoders), validate(p.sensor), validate(p.currents),
-                                 validate(p.at_release), detail::check_positive("bridge [s]", p.bridge));
+  return detail::first_error(validate(p.encoders), validate(p.sensor), validate(p.currents),
+                             validate(p.at_release), detail::check_positive("hold_over [s]", p.hold_over));
 }
 
 /// How a safe_port is.
@@ -35,7 +35,7 @@ enum class port_state {
   closed,    ///< Not open.
   ready,     ///< Samples are read; the brakes get 0 A until activate().
   active,    ///< The brakes get what they are told, within their limits.
-  degraded,  ///< Active, but a bad sample is being bridged or a coil is too warm for what is asked.
+  degraded,  ///< Active, but a bad sample is being held_over or a coil is too warm for what is asked.
   released,  ///< A fault: the brakes get what the release policy says, by default 0 A, until rearm().
 };
 

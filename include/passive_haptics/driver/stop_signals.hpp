@@ -13,7 +13,8 @@ inline std::atomic<bool> signal_to_rearm = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 }  // namespace detail
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the program but set a flag, and SIGUSR1 another. One at a time.
+/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the program but set a flag, and SIGUSR1 another. One
+/// at a time.
 class stop_signals {
  public:
   stop_signals() {

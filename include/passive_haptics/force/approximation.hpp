@@ -6,7 +6,7 @@
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/force/classification.hpp>
 #include <passive_haptics/force/nearest_force.hpp>
-#include <passive_haptics/force/nearest_torque.hpp>
+#include <passive_haptics/force/torques/nearest_torque.hpp>
 
 #include <cmath>
 #include <limits>
@@ -27,7 +27,7 @@ std::string validate(const approximation_parameters<T>& p) {
   const T angle = p.max_approximation_angle;
   return angle > T(0) && angle < radians(T(90))
              ? ""
-             : detail::complaint("max_approximation_angle [rad]", angle, "an angle between 0 and pi/2");
+             : detail::error_text("max_approximation_angle [rad]", angle, "an angle between 0 and pi/2");
 }
 
 /// What brakes can display of a unit desired force n.
@@ -44,16 +44,16 @@ struct approximated_force {
 /// Exact (Fc = n) where all s_i t_i <= 0. Else Fc = Fp / |Fp|^2 with Fp the nearest displayable force, "so
 /// that its component in the normal direction becomes Fd" (section 4); cos(gamma) = |Fp|. None where |Fp| is
 /// of rounding size or gamma is over the limit. Feasible to rounding: Fp = Fc cos^2(gamma), not Fc itself.
-/// idle: brakes to begin with, left with those that the answer releases; the answer does not depend on them.
-/// WithCosine: without it the cosine of an approximate force is left out, and with it a square root.
+/// active: brakes to begin with, left with those that the answer releases; the answer does not depend on
+/// them. WithCosine: without it the cosine of an approximate force is left out, and with it a square root.
 template <bool WithCosine = true, class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, const vector<T, Brakes>& t, T min_cosine,
-                                             half_space_set& idle) {
+                                             half_space_set& active) {
   if (producible(s, t)) return {display_class::exact, as<T>(n), as<T>(t), T(1)};
   approximated_force<T, D, Brakes> result;
-  const auto nearest = nearest_force(E, s, n, idle);
-  idle = nearest.idle;
+  const auto nearest = nearest_force(E, s, n, active);
+  active = nearest.active;
   const vector<T, D>& Fp = nearest.force;
   const T square = dot(Fp, Fp), least = std::max(min_cosine, rounding_tolerance<T>(D));
   if (!(square >= least * least)) return result;
@@ -64,7 +64,7 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
   const vector<T, Brakes> tc = brake_torque(E, result.force);
   // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0
   unrolled<Brakes>(
-      [&](auto i) { result.torque[i] = (idle >> i & 1u) != 0 || s[i] * tc[i] > T(0) ? T(0) : tc[i]; });
+      [&](auto i) { result.torque[i] = (active >> i & 1u) != 0 || s[i] * tc[i] > T(0) ? T(0) : tc[i]; });
   return result;
 }
 
@@ -72,17 +72,17 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
 template <bool WithCosine = true, class T>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
                                         const vector<T, 2>& n, const vector<T, 2>& t, T min_cosine,
-                                        half_space_set& idle) {
+                                        half_space_set& active) {
   if (producible(s, t)) return {display_class::exact, as<T>(n), as<T>(t), T(1)};
   const vector<T, 2> square = detail::column_squares(E);
   const T area = s[0] * s[1] * detail::area_between(E, square);
-  if (area == T(0)) return approximate<WithCosine, matrix<T, 2, 2>>(E, s, n, t, min_cosine, idle);
+  if (area == T(0)) return approximate<WithCosine, matrix<T, 2, 2>>(E, s, n, t, min_cosine, active);
   const auto edge = detail::nearest_edge(E, s, n, square, area);
   const T least = std::max(min_cosine, rounding_tolerance<T>(2));
   approximated_force<T, 2, 2> result;
   if (edge.held < 0 || !(edge.along * edge.along >= least * least * edge.square)) return result;
 
-  idle = 1u << edge.held;
+  active = 1u << edge.held;
   const T scale = T(1) / edge.along;
   result.display = display_class::approximate;
   if constexpr (WithCosine) result.cosine = edge.along / std::sqrt(edge.square);
@@ -95,7 +95,8 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
 
 namespace detail {
 
-// For a diagonal E each axis is alone and nothing is solved. drives(i): whether brake i would have to, s_i t_i > 0.
+// For a diagonal E each axis is alone and nothing is solved. drives(i): whether brake i would have to, s_i
+// t_i > 0.
 template <bool WithCosine, class T, int D, class Drives>
 approximated_force<T, D, D> approximate_axes(const vector<T, D>& n, const vector<T, D>& t, T min_cosine,
                                              const Drives& drives) {
@@ -142,12 +143,12 @@ template <class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, const vector<T, Brakes>& t,
                                              T min_cosine) {
-  half_space_set idle = 0;
-  return approximate(E, s, n, t, min_cosine, idle);
+  half_space_set active = 0;
+  return approximate(E, s, n, t, min_cosine, active);
 }
 
-/// The same in generator form, F = G t, for redundant brakes and for devices with self-motion: exact where n is in the
-/// cone, the torques those of least norm.
+/// The same in generator form, F = G t, for redundant brakes and for devices with self-motion: exact where n
+/// is in the cone, the torques those of least norm.
 template <class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Brakes>& G,
                                                            const vector<T, Brakes>& s, const vector<T, D>& n,

@@ -22,7 +22,8 @@ enum class display_class {
   none,         ///< No producible force has a component along the desired one.
   approximate,  ///< The nearest producible force, scaled so that its component along Fd is |Fd|.
   exact,        ///< Fd itself.
-  empty_cone,  ///< None whatever: leaving its self-motion alone (n > d), the device can produce no force at all.
+  empty_cone,   ///< None whatever: leaving its self-motion alone (n > d), the device can produce no force at
+                ///< all.
 };
 
 /// The class in words.

@@ -22,8 +22,8 @@ desired_force<T, D> force_of(const contact<D>& c) {
   return {as<T>(c.normal), static_cast<T>(c.stiffness * c.depth)};
 }
 
-/// Index of the contact that asks for the largest force; -1 if there is none. A force that is not finite governs,
-/// so that the step reports it.
+/// Index of the contact that asks for the largest force; -1 if there is none. A force that is not finite
+/// governs, so that the step reports it.
 template <int D, int Capacity>
 int governing_contact(const contacts<D, Capacity>& touched) {
   if constexpr (Capacity == 1) return touched.size() - 1;
@@ -40,8 +40,8 @@ int governing_contact(const contacts<D, Capacity>& touched) {
   return governing;
 }
 
-/// The contact that asks for a force F [N], base frame: how an effect (force/effects) joins the walls of a step. An effect
-/// that resists motion has F . v <= 0, so no law ever scales it.
+/// The contact that asks for a force F [N], base frame: how an effect (force/effects) joins the walls of a
+/// step. An effect that resists motion has F . v <= 0, so no law ever scales it.
 template <class T, int D>
 contact<D> contact_asking_for(const vector<T, D>& F) {
   const point<D> force = F.template cast<double>();

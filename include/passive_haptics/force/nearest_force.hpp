@@ -2,16 +2,16 @@
 /// The nearest force that the brakes can produce.
 #pragma once
 
-#include <passive_haptics/core/cone.hpp>
-#include <passive_haptics/core/orthogonal_decomposition.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 
 namespace passive_haptics {
 
 /// Nearest displayable force Fp to Fd and the brakes that it leaves alone.
 template <class T, int D, int Brakes>
 struct nearest_force_result {
-  vector<T, D> force;   ///< Fp [N], in the cone C to rounding; Fp . Fd = |Fp|^2.
-  half_space_set idle;  ///< Brakes that are released: their half-spaces hold Fp back, t_i = 0.
+  vector<T, D> force;     ///< Fp [N], in the cone C to rounding; Fp . Fd = |Fp|^2.
+  half_space_set active;  ///< Brakes that are released: their half-spaces hold Fp back, t_i = 0.
 };
 
 /// B in C = { F : B^T F <= 0 }: columns s_i E_i.
@@ -25,8 +25,8 @@ matrix<T, D, Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<
 /// Projection of Fd on C = { F : s_i (E^T F)_i <= 0 }, the forces that brakes of signs s can produce.
 /// E (d x m) from brake_jacobian; J may be singular and n > d (then C leaves the self-motion alone).
 /// Brakes with s_i = 0 restrict nothing. Fd of moderate norm: pass a unit vector. Fp = 0 may come out as a
-/// vector of rounding size, not exactly 0. start: half-spaces to begin with, best those idle in the cycle before; the
-/// answer does not depend on them. Cost: core/cone.hpp.
+/// vector of rounding size, not exactly 0. start: half-spaces to begin with, best those active in the cycle
+/// before; the answer does not depend on them. Cost: core/linear/cone.hpp.
 template <class T, int D, int Brakes>
 nearest_force_result<T, D, Brakes> nearest_force(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
                                                  const vector<T, D>& Fd, half_space_set start = 0) {
@@ -42,13 +42,14 @@ nearest_force_result<T, D, D> nearest_force(const diagonal_matrix<T, D>& E, cons
   for (int i = 0; i < D; ++i) {
     if (!(s[i] * E.diagonal()[i] * Fd[i] > T(0))) continue;
     result.force[i] = T(0);
-    result.idle |= 1u << i;
+    result.active |= 1u << i;
   }
   return result;
 }
 
-/// True if C = {0}: no force at all can be displayed. Only with self-motion (n > d). If C held some F != 0, F would
-/// have a component against the sum of the half-spaces' normals, and the projection of that sum would not vanish.
+/// True if C = {0}: no force at all can be displayed. Only with self-motion (n > d). If C held some F != 0, F
+/// would have a component against the sum of the half-spaces' normals, and the projection of that sum would
+/// not vanish.
 template <class T, int D, int Brakes>
 bool cone_is_zero(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s) {
   matrix<T, D, Brakes> B = half_spaces_of(E, s);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/validate.hpp>
-#include <passive_haptics/scene/mesh_topology.hpp>
+#include <passive_haptics/scene/mesh/mesh_topology.hpp>
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -86,16 +86,15 @@ inline std::string check_mesh_file(const mesh_file& file) {
 
 }  // namespace detail
 
-/// The mesh of a file whose unit is `metres_per_unit` (1e-3: millimetres). Polygons are cut into triangles; parts are
-/// put where the file says. Assimp keeps coordinates in float, 24 bits.
+/// The mesh of a file whose unit is `metres_per_unit` (1e-3: millimetres). Polygons are cut into triangles;
+/// parts are put where the file says. Assimp keeps coordinates in float, 24 bits.
 ///
-/// Throws std::invalid_argument, its text names the file: no such file, no mesh in it, a scale that is not positive, no
-/// triangles, coordinates that are not finite. For set-up, never for a control cycle.
+/// Throws std::invalid_argument, its text names the file: no such file, no mesh in it, a scale that is not
+/// positive, no triangles, coordinates that are not finite. For set-up, never for a control cycle.
 inline mesh_file read_mesh_file(const std::filesystem::path& path, double metres_per_unit = 1) {
   const std::string name = path.string();
-  const auto require = [&](const std::string& complaint) {
-    if (!complaint.empty())
-      require_no_complaint(std::string("mesh file ").append(name).append(": ").append(complaint));
+  const auto require = [&](const std::string& error) {
+    if (!error.empty()) require_no_error(std::string("mesh file ").append(name).append(": ").append(error));
   };
   require(detail::check_positive("metres_per_unit", metres_per_unit));
   std::error_code ignored;

@@ -51,7 +51,8 @@ auto jacobian(const M& mechanism, const joint_vector<M>& q) {
   else return automatic_jacobian(mechanism, q);
 }
 
-/// What mechanism.position(pose) and jacobian(mechanism, pose) have in common: the mechanism's own pose, else q.
+/// What mechanism.position(pose) and jacobian(mechanism, pose) have in common: the mechanism's own pose, else
+/// q.
 template <class M>
 auto pose(const M& mechanism, const joint_vector<M>& q) {
   if constexpr (detail::has_pose<M>) return mechanism.pose(q);

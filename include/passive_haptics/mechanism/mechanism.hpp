@@ -95,19 +95,22 @@ concept has_exact_transmission = requires(const M mechanism, const joint_vector<
 ///
 /// Minimal complete definition (n = dof, d = task_dimension, m = brake_count):
 ///   - `using scalar`: float, double or long double;
-///   - `static constexpr int dof, task_dimension, brake_count`, with m = n >= d, or redundant brakes m > n = d;
-///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`, the end effector [m] in the base frame.
+///   - `static constexpr int dof, task_dimension, brake_count`, with m = n >= d, or redundant brakes m > n =
+///   d;
+///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`, the end effector [m] in the base
+///   frame.
 ///     If it is templated on the scalar, the Jacobian is had by automatic differentiation (jacobian.hpp).
 ///
 /// Optional, each exploited at compile time where it is constant (takes no q) or a diagonal_matrix:
 ///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
 ///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, where w are the
 ///     rates of the brakes' own axes; of full column rank n. Without it brake i sits on joint i (m = n);
-///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines. Both then
+///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines.
+///   Both then
 ///     also take it in place of q, and a control cycle computes it once.
 ///
-/// Laws: position and jacobian of pose(q) are those of q; jacobian is the derivative of position; both are pure; finite q gives a finite position.
-/// testing/mechanism_laws.hpp checks them for any model.
+/// Laws: position and jacobian of pose(q) are those of q; jacobian is the derivative of position; both are
+/// pure; finite q gives a finite position. testing/mechanism_properties.hpp checks them for any model.
 template <class M>
 concept Mechanism = detail::has_supported_sizes<M> && detail::has_position<M> &&
                     (!detail::names_jacobian<M> || detail::has_exact_jacobian<M>) &&

@@ -2,7 +2,7 @@
 /// Coulomb friction of several brakes at once, with exact stick.
 #pragma once
 
-#include <passive_haptics/core/cholesky.hpp>
+#include <passive_haptics/core/linear/cholesky.hpp>
 
 #include <algorithm>
 #include <array>
@@ -32,11 +32,13 @@ vector<T, Brakes> within(vector<T, Brakes> p, const vector<T, Brakes>& limit) {
 }  // namespace detail
 
 /// Solves w = w0 + A p with |p_i| <= limit_i such that each brake either sticks (w_i = 0) or slips with the
-/// full impulse against its motion (p_i = -limit_i sgn(w_i)): a box-constrained linear complementarity problem.
+/// full impulse against its motion (p_i = -limit_i sgn(w_i)): a box-constrained linear complementarity
+/// problem.
 ///
-/// A = T M^-1 T^T (m x m) symmetric positive definite, w0 [rad/s] the rates without brakes, limit [N m s] >= 0.
-/// The solution exists and is unique. Least-index principal pivoting: exact and finite for any such A
-/// (Murty 1974; with bounds: Judice and Pires 1992). Cost: one Cholesky of m x m for each pivot, few in practice.
+/// A = T M^-1 T^T (m x m) symmetric positive definite, w0 [rad/s] the rates without brakes, limit [N m s] >=
+/// 0. The solution exists and is unique. Least-index principal pivoting: exact and finite for any such A
+/// (Murty 1974; with bounds: Judice and Pires 1992). Cost: one Cholesky of m x m for each pivot, few in
+/// practice.
 template <class T, int Brakes>
 friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>& A,
                                                 const vector<T, Brakes>& w0, const vector<T, Brakes>& limit) {
@@ -92,8 +94,9 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
 
 /// The same for redundant brakes, m > n, whose A is only positive semi-definite: w is unique, p is not.
 ///
-/// Proximal point iteration, p <- the solution for A + eps I and w0 - eps p, each one regular: exact to rounding in two
-/// or three rounds (Rockafellar 1976; an LCP of a convex program, so finite). From p = 0 it ends near the least p.
+/// Proximal point iteration, p <- the solution for A + eps I and w0 - eps p, each one regular: exact to
+/// rounding in two or three rounds (Rockafellar 1976; an LCP of a convex program, so finite). From p = 0 it
+/// ends near the least p.
 template <class T, int Brakes>
 friction_impulses<T, Brakes> solve_redundant_box_friction(const matrix<T, Brakes, Brakes>& A,
                                                           const vector<T, Brakes>& w0,

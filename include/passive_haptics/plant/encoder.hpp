@@ -2,7 +2,7 @@
 /// Encoders: positions in whole counts, rates by differences.
 #pragma once
 
-#include <passive_haptics/brake/encoder_axes.hpp>
+#include <passive_haptics/brake/measurement/encoder_axes.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/plant/first_order_lag.hpp>
 
@@ -13,31 +13,33 @@ namespace passive_haptics {
 
 /// Encoders of all axes of a device.
 struct encoder_parameters {
-  /// One count, on the encoder's axis [rad, or m of a slide]; 8192 a turn. 0 is an ideal encoder, whose position and rate
-  /// are exact and unfiltered.
+  /// One count, on the encoder's axis [rad, or m of a slide]; 8192 a turn. 0 is an ideal encoder, whose
+  /// position and rate are exact and unfiltered.
   double resolution = 2 * std::numbers::pi / 8192;
   double rate_corner = 50;  ///< First-order low-pass of the differenced rates [Hz]; 0 for none.
 };
 
 /// What is wrong with the parameters; empty if nothing.
 inline std::string validate(const encoder_parameters& p) {
-  return detail::first_complaint(detail::check_not_negative("resolution [rad or m]", p.resolution),
-                                 detail::check_not_negative("rate_corner [Hz]", p.rate_corner));
+  return detail::first_error(detail::check_not_negative("resolution [rad or m]", p.resolution),
+                             detail::check_not_negative("rate_corner [Hz]", p.rate_corner));
 }
 
-/// Encoders on N axes, read once a period: position = resolution floor(true position / resolution), so it is late by up
-/// to one count; rate = difference of two positions / period, low-passed. The first reading starts at the true rate.
+/// Encoders on N axes, read once a period: position = resolution floor(true position / resolution), so it is
+/// late by up to one count; rate = difference of two positions / period, low-passed. The first reading starts
+/// at the true rate.
 template <class T, int N>
 class encoder {
  public:
-  /// Read every period [s]. Throws std::invalid_argument with the text of validate(p) or if the period is not > 0.
+  /// Read every period [s]. Throws std::invalid_argument with the text of validate(p) or if the period is not
+  /// > 0.
   encoder(const encoder_parameters& p, double period)
       : resolution_(static_cast<T>(require_valid(p).resolution)),
         period_(static_cast<T>(period)),
         share_(p.rate_corner > 0
                    ? -std::expm1(-period_ / low_pass_time_constant(static_cast<T>(p.rate_corner)))
                    : T(1)) {
-    require_no_complaint(detail::check_positive("period [s]", period));
+    require_no_error(detail::check_positive("period [s]", period));
   }
 
   /// One reading of axes at `position` [rad or m] that move with `rate` [rad/s or m/s].
@@ -68,7 +70,8 @@ class encoder {
   vector<T, N> count_ = vector<T, N>::Zero(), position_ = vector<T, N>::Zero(), rate_ = vector<T, N>::Zero();
 };
 
-/// Encoders on the encoder_axes of mechanism M and the joint positions and rates that a controller gets from them.
+/// Encoders on the encoder_axes of mechanism M and the joint positions and rates that a controller gets from
+/// them.
 template <class M>
 class joint_encoders {
  public:

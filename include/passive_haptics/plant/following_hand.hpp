@@ -9,8 +9,8 @@
 
 namespace passive_haptics {
 
-/// Impedance of the hand along the wall and its push on it. The paper prints neither; with these the hand force
-/// stays below the paper's 2 N (Fig. 8) in the wall's normal direction.
+/// Impedance of the hand along the wall and its push on it. The paper prints neither; with these the hand
+/// force stays below the paper's 2 N (Fig. 8) in the wall's normal direction.
 template <class T>
 struct following_hand_parameters {
   T speed = T(0.05);         ///< Intended speed along the wall [m/s].
@@ -24,12 +24,12 @@ struct following_hand_parameters {
 /// What is wrong with the parameters; empty if nothing.
 template <class T>
 std::string validate(const following_hand_parameters<T>& p) {
-  return detail::first_complaint(detail::check_finite("speed [m/s]", p.speed),
-                                 detail::check_not_negative("stiffness [N/m]", p.stiffness),
-                                 detail::check_not_negative("damping [N s/m]", p.damping),
-                                 detail::check_finite("push [N]", p.push),
-                                 detail::check_not_negative("normal_damping [N s/m]", p.normal_damping),
-                                 detail::check_not_negative("mass [kg]", p.mass));
+  return detail::first_error(detail::check_finite("speed [m/s]", p.speed),
+                             detail::check_not_negative("stiffness [N/m]", p.stiffness),
+                             detail::check_not_negative("damping [N s/m]", p.damping),
+                             detail::check_finite("push [N]", p.push),
+                             detail::check_not_negative("normal_damping [N s/m]", p.normal_damping),
+                             detail::check_not_negative("mass [kg]", p.mass));
 }
 
 /// A hand that intends to move along `direction` at constant speed while it presses on the wall:
@@ -40,7 +40,8 @@ std::string validate(const following_hand_parameters<T>& p) {
 template <class T, int D>
 class following_hand {
  public:
-  /// Starts at x0 [m] at time 0. direction: any length > 0. Throws std::invalid_argument with the text of validate(p).
+  /// Starts at x0 [m] at time 0. direction: any length > 0. Throws std::invalid_argument with the text of
+  /// validate(p).
   following_hand(const vector<T, D>& direction, const vector<T, D>& x0,
                  const following_hand_parameters<T>& p = {})
       : p_(require_valid(p)), direction_(direction.normalized()), start_(direction_.dot(x0)) {}
@@ -54,7 +55,8 @@ class following_hand {
     return along * t - (p_.push + p_.normal_damping * v.dot(n)) * n;
   }
 
-  /// Unit direction along a wall with normal n; the intended direction itself where that is normal to the wall.
+  /// Unit direction along a wall with normal n; the intended direction itself where that is normal to the
+  /// wall.
   vector<T, D> tangent(const vector<T, D>& n) const {
     const vector<T, D> t = direction_ - n * n.dot(direction_);
     const T length = t.norm();

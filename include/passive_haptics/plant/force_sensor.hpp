@@ -2,9 +2,9 @@
 /// A force sensor at the handle: a low-pass and noise.
 #pragma once
 
-#include <passive_haptics/core/random_numbers.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/plant/first_order_lag.hpp>
+#include <passive_haptics/plant/random_numbers.hpp>
 
 #include <cstdint>
 #include <random>
@@ -20,12 +20,12 @@ struct force_sensor_parameters {
 
 /// What is wrong with the parameters; empty if nothing.
 inline std::string validate(const force_sensor_parameters& p) {
-  return detail::first_complaint(detail::check_not_negative("corner [Hz]", p.corner),
-                                 detail::check_not_negative("noise [N]", p.noise));
+  return detail::first_error(detail::check_not_negative("corner [Hz]", p.corner),
+                             detail::check_not_negative("noise [N]", p.noise));
 }
 
-/// Force sensor with D components. The low-pass follows the force in time; white noise joins each reading behind it, so
-/// two readings share none. Starts at no force.
+/// Force sensor with D components. The low-pass follows the force in time; white noise joins each reading
+/// behind it, so two readings share none. Starts at no force.
 template <class T, int D>
 class force_sensor {
  public:

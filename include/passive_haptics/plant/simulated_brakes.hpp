@@ -27,7 +27,8 @@ struct simulated_brakes {
   /// Viscous drag, as of bearings or the brake's fluid [N m s].
   vector<T, Brakes> viscous_drag = vector<T, Brakes>::Zero();
 
-  /// Strength [N m] that commanded capacities [N m] end in; a capacity that is negative or NaN releases its brake.
+  /// Strength [N m] that commanded capacities [N m] end in; a capacity that is negative or NaN releases its
+  /// brake.
   vector<T, Brakes> strength(const vector<T, Brakes>& capacity) const {
     vector<T, Brakes> y;
     for (int i = 0; i < Brakes; ++i)
@@ -52,11 +53,11 @@ simulated_brakes<T, Brakes> ideal_brakes(const brake_parameters<T, Brakes>& beli
 /// What is wrong with the parameters; empty if nothing.
 template <class T, int Brakes>
 std::string validate(const simulated_brakes<T, Brakes>& p) {
-  return detail::first_complaint(detail::check_each_not_negative("torque_limit", "N m", p.torque_limit),
-                                 detail::check_each_not_negative("time_constant", "s", p.time_constant),
-                                 detail::check_each_not_negative("gain", "1", p.gain),
-                                 detail::check_each_not_negative("residual_torque", "N m", p.residual_torque),
-                                 detail::check_each_not_negative("viscous_drag", "N m s", p.viscous_drag));
+  return detail::first_error(detail::check_each_not_negative("torque_limit", "N m", p.torque_limit),
+                             detail::check_each_not_negative("time_constant", "s", p.time_constant),
+                             detail::check_each_not_negative("gain", "1", p.gain),
+                             detail::check_each_not_negative("residual_torque", "N m", p.residual_torque),
+                             detail::check_each_not_negative("viscous_drag", "N m s", p.viscous_drag));
 }
 
 }  // namespace passive_haptics

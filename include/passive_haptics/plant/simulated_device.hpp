@@ -3,11 +3,11 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
-#include <passive_haptics/core/cholesky.hpp>
-#include <passive_haptics/core/orthogonal_decomposition.hpp>
+#include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/plant/box_friction.hpp>
-#include <passive_haptics/plant/energy_books.hpp>
+#include <passive_haptics/plant/energy_balance.hpp>
 #include <passive_haptics/plant/first_order_lag.hpp>
 #include <passive_haptics/plant/simulated_brakes.hpp>
 
@@ -18,12 +18,14 @@
 
 namespace passive_haptics {
 
-/// Simulated device: M qdd + c = J^T Fh + T^T t, where the brakes are Coulomb friction with exact stick and viscous drag;
-/// the friction's strength follows the commanded capacity as simulated_brakes says. Any m, n, d of a Mechanism.
+/// Simulated device: M qdd + c = J^T Fh + T^T t, where the brakes are Coulomb friction with exact stick and
+/// viscous drag; the friction's strength follows the commanded capacity as simulated_brakes says. Any m, n, d
+/// of a Mechanism.
 ///
-/// Semi-implicit Euler on impulses, first order in dt: rates first (friction and drag implicit), then positions with the
-/// new rates. The hand's mass moves with the handle; the hand's force drives both, a sensor between them feels what reaches
-/// the device. books() tells where the energy went. Cost of a step: M, J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
+/// Semi-implicit Euler on impulses, first order in dt: rates first (friction and drag implicit), then
+/// positions with the new rates. The hand's mass moves with the handle; the hand's force drives both, a
+/// sensor between them feels what reaches the device. books() tells where the energy went. Cost of a step: M,
+/// J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
 template <class M>
 class simulated_device {
   static_assert(mechanism_requirements<M>::met);
@@ -34,8 +36,9 @@ class simulated_device {
  public:
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
-  /// At rest at q, with brakes that are what their controller believes (ideal_brakes). hand_mass [kg] moves with the
-  /// handle. Throws std::invalid_argument with the text of validate(brakes), or if the mass is negative or not finite.
+  /// At rest at q, with brakes that are what their controller believes (ideal_brakes). hand_mass [kg] moves
+  /// with the handle. Throws std::invalid_argument with the text of validate(brakes), or if the mass is
+  /// negative or not finite.
   simulated_device(M mechanism, const brakes_of<M>& brakes, scalar hand_mass, const joint_vector<M>& q)
       : simulated_device(std::move(mechanism), ideal_brakes(require_valid(brakes)), hand_mass, q) {}
 
@@ -46,7 +49,7 @@ class simulated_device {
         brakes_(require_valid(brakes)),
         strength_(brakes.time_constant),
         hand_mass_(hand_mass) {
-    require_no_complaint(detail::check_not_negative("hand_mass [kg]", hand_mass));
+    require_no_error(detail::check_not_negative("hand_mass [kg]", hand_mass));
     set_motion(q, joint_vector<M>::Zero());
   }
 
@@ -55,7 +58,7 @@ class simulated_device {
     q_ = q;
     qd_ = qd;
     measure_pose();
-    books_ = energy_books();
+    books_ = energy_balance();
     books_.start = books_.kinetic = kinetic_energy();
   }
 
@@ -82,7 +85,7 @@ class simulated_device {
     brake_torque_ = scaled(scalar(1) / dt, impulse);
     const brake_vector<M> rates = product(T, next);
 
-    // Work at the mid-point rate: see energy_books
+    // Work at the mid-point rate: see energy_balance
     const joint_vector<M> middle = scaled(scalar(1) / scalar(2), joint_vector<M>(qd_ + next));
     const brake_vector<M> middle_rates = product(T, middle);
     const joint_vector<M> gravity = mechanism_.bias_torque(q_, joint_vector<M>::Zero());
@@ -123,15 +126,17 @@ class simulated_device {
   /// What the brakes could hold now by command [N m], without residual torque.
   const brake_vector<M>& brake_strength() const { return strength_.output(); }
   /// Where the energy came from and went since the last set_motion, or the start.
-  const energy_books& books() const { return books_; }
+  const energy_balance& books() const { return books_; }
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
 
-  /// The force at the handle that does to it what brake_torque() does [N], here and now: J^-T T^T t for n = d, else
-  /// (J M^-1 J^T)^-1 J M^-1 T^T t (the dynamically consistent inverse, Khatib 1987). Not finite where J has not full row rank.
+  /// The force at the handle that does to it what brake_torque() does [N], here and now: J^-T T^T t for n =
+  /// d, else (J M^-1 J^T)^-1 J M^-1 T^T t (the dynamically consistent inverse, Khatib 1987). Not finite where
+  /// J has not full row rank.
   task_vector<M> brake_force() const {
     const joint_vector<M> torque = transposed_transmission() * brake_torque_;
-    // M = L L^T: a least-squares solution of L^-1 J^T F = L^-1 T^T t. The hand's mass changes nothing, so it may stay in M.
+    // M = L L^T: a least-squares solution of L^-1 J^T F = L^-1 T^T t. The hand's mass changes nothing, so it
+    // may stay in M.
     const cholesky<scalar, M::dof> mass(mass_);
     const matrix<scalar, M::dof, M::task_dimension> A = mass.half_solve(transposed(J_));
     const orthogonal_decomposition<scalar, M::dof, M::task_dimension> decomposition(A, scalar(0));
@@ -174,7 +179,7 @@ class simulated_device {
   joint_vector<M> q_, qd_;
   task_matrix J_;
   joint_matrix mass_;  // device and hand
-  energy_books books_;
+  energy_balance books_;
   task_vector<M> sensed_force_ = task_vector<M>::Zero();
   brake_vector<M> brake_torque_ = brake_vector<M>::Zero();
   brake_vector<M> brake_power_ = brake_vector<M>::Zero();

@@ -1,5 +1,6 @@
 /// @file
-/// The wall-following experiment (section 5): a hand moves a simulated device along a wall under a controller.
+/// The wall-following experiment (section 5): a hand moves a simulated device along a wall under a
+/// controller.
 #pragma once
 
 #include <passive_haptics/control/device_state.hpp>
@@ -25,7 +26,8 @@ struct wall_following_parameters {
   double sensor_corner = 200;    ///< Low-pass of the force sensor [Hz]; 0 for none.
   double sensor_noise = 0;       ///< Standard deviation of each component of each reading [N].
   std::uint64_t noise_seed = 1;  ///< Of that noise.
-  /// One count of the encoders on the brakes' axes [rad, or m of a slide]: 8192 a turn; 0 for ideal encoders. See joint_encoders.
+  /// One count of the encoders on the brakes' axes [rad, or m of a slide]: 8192 a turn; 0 for ideal encoders.
+  /// See joint_encoders.
   double encoder_resolution = encoder_parameters().resolution;
   double rate_corner = 50;  ///< Low-pass of the differenced rates [Hz]; 0 for none.
   double path_end = 0.17;   ///< Stops where the handle's progress reaches this [m].
@@ -35,7 +37,7 @@ struct wall_following_parameters {
 
 /// What is wrong with the parameters; empty if nothing.
 inline std::string validate(const wall_following_parameters& p) {
-  return detail::first_complaint(
+  return detail::first_error(
       detail::check_positive("time_step [s]", p.time_step),
       detail::check_positive("control_period [s]", p.control_period),
       detail::check_not_negative("sensor_corner [Hz]", p.sensor_corner),
@@ -74,13 +76,14 @@ using decision_of = std::conditional_t<
 
 }  // namespace detail
 
-/// Runs the experiment: the hand moves the device beside `shape` (the wall whose depth is measured) until the end of
-/// the path, for at most `longest`.
+/// Runs the experiment: the hand moves the device beside `shape` (the wall whose depth is measured) until the
+/// end of the path, for at most `longest`.
 ///
-/// control(device_state<M>) is called once a control period with what encoders and force sensor read, the first time at
-/// once, and returns a step_result<M>, or any default-constructible value with a brake_vector<M> `capacity`.
-/// observe(wall_following_sample) is called once a time step. Depth and figures are the true ones, not those read.
-/// Throws std::invalid_argument with the text of validate(parameters), or if there is no watched_brake.
+/// control(device_state<M>) is called once a control period with what encoders and force sensor read, the
+/// first time at once, and returns a step_result<M>, or any default-constructible value with a
+/// brake_vector<M> `capacity`. observe(wall_following_sample) is called once a time step. Depth and figures
+/// are the true ones, not those read. Throws std::invalid_argument with the text of validate(parameters), or
+/// if there is no watched_brake.
 template <class M, class Shape, class Control, class Observer>
 contact_metrics follow_wall(simulated_device<M>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,
@@ -88,8 +91,7 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
   using T = typename M::scalar;
   const wall_following_parameters& p = require_valid(parameters);
   if (p.watched_brake < 0 || p.watched_brake >= M::brake_count) {
-    require_no_complaint(
-        detail::complaint("watched_brake", p.watched_brake, "a brake of the device, from 0"));
+    require_no_error(detail::error_text("watched_brake", p.watched_brake, "a brake of the device, from 0"));
   }
   constexpr int d = M::task_dimension;
   force_sensor<T, d> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed});

@@ -4,7 +4,7 @@
 
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/contacts.hpp>
-#include <passive_haptics/scene/tracked_shape.hpp>
+#include <passive_haptics/scene/world/tracked_shape.hpp>
 
 #include <boost/hana/at.hpp>
 #include <boost/hana/for_each.hpp>
@@ -43,8 +43,9 @@ class scene {
   static constexpr int wall_count = 1 + static_cast<int>(sizeof...(Rest));  ///< Walls, so most contacts.
   static_assert(((Rest::dimension == dimension) && ...),
                 "passive_haptics: all walls of a scene need the same dimension.");
-  static_assert(Shape<First> && (Shape<Rest> && ...),
-                "passive_haptics: a shape that is followed (TrackedShape) needs a world (scene/world.hpp).");
+  static_assert(
+      Shape<First> && (Shape<Rest> && ...),
+      "passive_haptics: a shape that is followed (TrackedShape) needs a world (scene/world/world.hpp).");
 
   /// What sensing this scene gives.
   using contacts_type = contacts<dimension, wall_count>;
@@ -88,15 +89,17 @@ void describe(const wall<S>& w, const point<S::dimension>& x, double distance, c
   c.curvature = surface_curvature(w.shape, x);
 }
 
-/// Whether sensing an S can give a wall_velocity other than zero; known to be false for scenes of fixed shapes.
+/// Whether sensing an S can give a wall_velocity other than zero; known to be false for scenes of fixed
+/// shapes.
 template <class S>
 inline constexpr bool walls_may_move = true;
 /// The same of a scene known to the compiler: true if one of its shapes moves.
 template <class... Shapes>
 inline constexpr bool walls_may_move<scene<Shapes...>> = (MovingShape<Shapes> || ...);
 
-/// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a contact with
-/// a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for each contact.
+/// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a
+/// contact with a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for each
+/// contact.
 template <class... Shapes>
 typename scene<Shapes...>::contacts_type sense(const scene<Shapes...>& walls,
                                                const point<scene<Shapes...>::dimension>& x) {

@@ -23,11 +23,12 @@ concept names_dimension = requires { requires(std::integral_constant<int, S::dim
 /// Minimal complete definition:
 ///   - `static constexpr int dimension`;
 ///   - `double distance(const point<dimension>& x) const`: signed distance [m], positive in free space;
-///   - `point<dimension> gradient(const point<dimension>& x) const`: its gradient, a unit vector out of the wall.
+///   - `point<dimension> gradient(const point<dimension>& x) const`: its gradient, a unit vector out of the
+///   wall.
 ///
 /// Laws: |distance(x) - distance(y)| <= |x - y| (1-Lipschitz); gradient is the derivative of distance where
-/// that exists and any unit vector pointing to free space elsewhere. testing/shape_laws.hpp checks them. A NaN in x
-/// gives a NaN distance, so that no step mistakes it for free space.
+/// that exists and any unit vector pointing to free space elsewhere. testing/shape_properties.hpp checks
+/// them. A NaN in x gives a NaN distance, so that no step mistakes it for free space.
 template <class S>
 concept Shape = detail::names_dimension<S> && requires(const S shape, const point<S::dimension> x) {
   { shape.distance(x) } -> std::same_as<double>;
@@ -35,7 +36,8 @@ concept Shape = detail::names_dimension<S> && requires(const S shape, const poin
 };
 
 /// A shape that moves. Minimal complete definition, beyond Shape:
-///   - `point<dimension> velocity(const point<dimension>& x) const`: velocity [m/s] of the surface nearest to x,
+///   - `point<dimension> velocity(const point<dimension>& x) const`: velocity [m/s] of the surface nearest to
+///   x,
 ///     base frame.
 template <class S>
 concept MovingShape = Shape<S> && requires(const S shape, const point<S::dimension> x) {
@@ -53,7 +55,8 @@ point<S::dimension> surface_velocity(const S& shape, const point<S::dimension>& 
 }
 
 /// A shape that tells its curvature. Minimal complete definition, beyond Shape:
-///   - `matrix<double, dimension, dimension> hessian(const point<dimension>& x) const`: second derivative of the
+///   - `matrix<double, dimension, dimension> hessian(const point<dimension>& x) const`: second derivative of
+///   the
 ///     distance [1/m], symmetric, with hessian(x) gradient(x) = 0.
 template <class S>
 concept CurvedShape = Shape<S> && requires(const S shape, const point<S::dimension> x) {

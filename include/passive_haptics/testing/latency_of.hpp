@@ -1,11 +1,13 @@
 /// @file
-/// How long one control cycle takes, state in, capacities out: rows for Google Benchmark, in one line for any controller.
+/// How long one control cycle takes, state in, capacities out: rows for Google Benchmark, in one line for any
+/// controller.
 ///
-/// Needs Google Benchmark: link benchmark::benchmark, or benchmark::benchmark_main and call it from an initialiser.
+/// Needs Google Benchmark: link benchmark::benchmark, or benchmark::benchmark_main and call it from an
+/// initialiser.
 #pragma once
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/testing/percentile.hpp>
+#include <passive_haptics/testing/support/percentile.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -59,8 +61,8 @@ inline void report_percentiles(benchmark::State& run, std::vector<double> sample
   run.counters["max_ns"] = ascending.back();
 }
 
-/// Reads twice as much memory as the largest cache holds, so that neither data nor TLB entries stay, nor code as far as
-/// outer caches include inner ones.
+/// Reads twice as much memory as the largest cache holds, so that neither data nor TLB entries stay, nor code
+/// as far as outer caches include inner ones.
 class cache_eviction {
  public:
   cache_eviction() : other_(2 * std::max(largest_cache(), least) / sizeof(std::uint64_t), 1) {}
@@ -167,18 +169,19 @@ class measured_loop {
 
 }  // namespace detail
 
-/// Registers three rows with Google Benchmark that time control(state) over the given states, one after the other, round
-/// and round. Call it before benchmark::RunSpecifiedBenchmarks.
+/// Registers three rows with Google Benchmark that time control(state) over the given states, one after the
+/// other, round and round. Call it before benchmark::RunSpecifiedBenchmarks.
 ///
 ///   - name/hot: independent cycles, as fast as they come (throughput);
-///   - name/chain: each state waits for the capacities of the cycle before (latency). In free space the capacities
+///   - name/chain: each state waits for the capacities of the cycle before (latency). In free space the
+///   capacities
 ///     are known beforehand, so there both are alike;
 ///   - name/cold: all caches evicted before each cycle, as in a loop that wakes up once a millisecond.
 ///
-/// Each row has p50_ns, p99_ns, p99.9_ns and max_ns of cycles that are timed one by one, less what the clock takes, in
-/// steps of the clock (some 10 ns).
-/// Give 64 states or so of the kind that matters (in contact, free), or the branch predictor learns them. A state
-/// that gives a fault fails its row. Rows compare within one run; the machine's load slows all of them.
+/// Each row has p50_ns, p99_ns, p99.9_ns and max_ns of cycles that are timed one by one, less what the clock
+/// takes, in steps of the clock (some 10 ns). Give 64 states or so of the kind that matters (in contact,
+/// free), or the branch predictor learns them. A state that gives a fault fails its row. Rows compare within
+/// one run; the machine's load slows all of them.
 ///
 /// Errors: std::invalid_argument without states or samples. Memory: twice the largest cache.
 template <class M, class S, class L, class State>

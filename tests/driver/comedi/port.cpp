@@ -3,7 +3,7 @@
 
 #include "port_fixture.hpp"
 
-#include <passive_haptics/driver/encoder_check.hpp>
+#include <passive_haptics/driver/checks/encoder_check.hpp>
 
 #include <cerrno>
 #include <limits>
@@ -75,7 +75,7 @@ TEST_F(comedi_port, tells_the_width_of_its_counters_so_that_a_wrap_is_undone) {
     plugged.subdevices[3].value[0] = (0u - count) & 0xffffff;  // down
     ASSERT_EQ(card.read(sample), ph::port_status::ok);
     sample.time = 1e-3 * travelled;
-    ASSERT_EQ(encoders(sample, false), ph::incident());
+    ASSERT_EQ(encoders(sample, false), ph::fault_record());
     EXPECT_EQ(encoders.position()[0], 0xffff00 + travelled);
     EXPECT_EQ(encoders.position()[1], 0x100 - travelled);
   }

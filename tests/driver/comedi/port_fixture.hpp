@@ -28,7 +28,7 @@ inline port::parameters parameters() {
 struct at_a_card : ::testing::Test {
   at_a_card() { comedi_double::plug_in(); }
 
-  void expect_complaint(const std::string& text) const {
+  void expect_error(const std::string& text) const {
     EXPECT_NE(port(p).open().find(text), std::string::npos) << port(p).open();
     EXPECT_EQ(plugged.handles, 0);
   }

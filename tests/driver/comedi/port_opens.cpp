@@ -34,11 +34,11 @@ TEST_F(opening_a_comedi_port, names_what_is_wrong_with_its_parameters) {
 
 TEST_F(opening_a_comedi_port, names_the_device_that_it_cannot_open_and_what_to_do) {
   p.device = "/dev/comedi7";
-  expect_complaint(
+  expect_error(
       "device = /dev/comedi7 does not exist, expected the file of a Comedi card: load the card's driver");
   const auto expect = [&](int error, const std::string& text) {
     plugged.open_error = error;
-    expect_complaint("device = /dev/comedi7" + text);
+    expect_error("device = /dev/comedi7" + text);
   };
   expect(EACCES, " may not be opened by this user: join its group");
   expect(ENODEV, " has no card behind it: plug the card in");
@@ -48,41 +48,40 @@ TEST_F(opening_a_comedi_port, names_the_device_that_it_cannot_open_and_what_to_d
 
 TEST_F(opening_a_comedi_port, names_a_subdevice_of_the_wrong_type) {
   p.output_subdevice = 0;
-  expect_complaint(
+  expect_error(
       "output_subdevice = 0, expected a subdevice of /dev/comedi0 that is an analog output, as 1 is");
   p.output_subdevice = 4;
-  expect_complaint("output_subdevice = 4, expected 0 to 3, as many as /dev/comedi0 (double) has");
+  expect_error("output_subdevice = 4, expected 0 to 3, as many as /dev/comedi0 (double) has");
   p.output_subdevice = 1;
   p.encoders[1].subdevice = 1;
-  expect_complaint(
-      "encoders[1].subdevice = 1, expected a subdevice of /dev/comedi0 that is a counter, as 2 is");
+  expect_error("encoders[1].subdevice = 1, expected a subdevice of /dev/comedi0 that is a counter, as 2 is");
   plugged.subdevices.pop_back();
   plugged.subdevices.pop_back();
-  expect_complaint(
+  expect_error(
       "encoders[0].subdevice: /dev/comedi0 (double) has no subdevice that is a counter; take a card that "
       "has");
 }
 
 TEST_F(opening_a_comedi_port, names_a_channel_that_the_card_lacks) {
   p.brakes[1].channel = 2;
-  expect_complaint("brakes[1].channel = 2, expected less than 2, the number of channels of subdevice 1");
+  expect_error("brakes[1].channel = 2, expected less than 2, the number of channels of subdevice 1");
   p.brakes[1].channel = 1;
   p.encoders[0].channel = 5;
-  expect_complaint("encoders[0].channel = 5, expected less than 3, the number of channels of subdevice 2");
+  expect_error("encoders[0].channel = 5, expected less than 3, the number of channels of subdevice 2");
 }
 
 TEST_F(opening_a_comedi_port, names_a_range_that_does_not_fit_and_those_that_there_are) {
   p.brakes[0].range = 4;
-  expect_complaint(
+  expect_error(
       "brakes[0].range = 4, expected a range in volts: subdevice 1, channel 0 has: 0 (-10 to 10 V), "
       "1 (0 to 5 V), 2 (1 to 5 V), 3 (0 to 20 mA)");
   p.brakes[0].range = 3;
-  expect_complaint("brakes[0].range = 3, expected a range in volts");
+  expect_error("brakes[0].range = 3, expected a range in volts");
   p.brakes[0].range = 2;
-  expect_complaint("brakes[0].range = 2 (1 to 5 V), expected one from 0 V, where the brake is free, upwards");
+  expect_error("brakes[0].range = 2 (1 to 5 V), expected one from 0 V, where the brake is free, upwards");
   p.brakes[0].range = 1;
   p.brakes[0].largest_current = 3;
-  expect_complaint(
+  expect_error(
       "brakes[0].largest_current [A] = 3 takes 6 V, expected at most 5 V: lower it, or take another");
   p.brakes[0].range = 0;
   EXPECT_EQ(port(p).open(), "");
@@ -90,12 +89,11 @@ TEST_F(opening_a_comedi_port, names_a_range_that_does_not_fit_and_those_that_the
 
 TEST_F(opening_a_comedi_port, names_a_largest_sample_that_makes_no_sense) {
   plugged.subdevices[3].largest = 0xffff;
-  expect_complaint("encoders[1].channel = 0 counts to 65535, expected 2^n - 1, the same of all encoders");
+  expect_error("encoders[1].channel = 0 counts to 65535, expected 2^n - 1, the same of all encoders");
   plugged.subdevices[2].largest = plugged.subdevices[3].largest = 999;
-  expect_complaint("encoders[0].channel = 0 counts to 999, expected 2^n - 1");
+  expect_error("encoders[0].channel = 0 counts to 999, expected 2^n - 1");
   plugged.subdevices[1].largest = 0;
-  expect_complaint(
-      "brakes[0].channel = 0: subdevice 1 tells no largest sample (maxdata), expected at least 1");
+  expect_error("brakes[0].channel = 0: subdevice 1 tells no largest sample (maxdata), expected at least 1");
 }
 
 TEST_F(opening_a_comedi_port, frees_brakes_that_an_earlier_program_left_on) {
@@ -108,7 +106,7 @@ TEST_F(opening_a_comedi_port, frees_brakes_that_an_earlier_program_left_on) {
 TEST_F(opening_a_comedi_port, fails_if_it_may_not_write) {
   plugged.subdevices[1].value = {60000, 50000};
   plugged.subdevices[1].broken[0] = true;
-  expect_complaint("/dev/comedi0 refuses 0 V: Input/output error");
+  expect_error("/dev/comedi0 refuses 0 V: Input/output error");
   EXPECT_EQ(output(1), zero) << "the other brake is free";
 }
 

@@ -68,8 +68,8 @@ struct a_board : a_driver {
     board = spawn({firmware, "--link", "brakes", "--watchdog", "20000"}, "firmware");
     ASSERT_TRUE(eventually([this] { return fs::is_symlink(directory / "brakes"); }));
   }
-  // Of an empty pseudo-terminal read() waits for a thread of the kernel, for seconds where that gets no processor: what the
-  // driver then says is true, but not what a test asks for.
+  // Of an empty pseudo-terminal read() waits for a thread of the kernel, for seconds where that gets no
+  // processor: what the driver then says is true, but not what a test asks for.
   bool was_held_up() const {
     const log_file all = log();
     for (std::size_t i = 0; i + 1 < all.size(); ++i)
@@ -77,8 +77,8 @@ struct a_board : a_driver {
     return false;
   }
   static constexpr const char* held_up = "the kernel held the pseudo-terminal up";
-  static settings connected(double bridge = 5) {
-    return {.bridge = bridge,
+  static settings connected(double hold_over = 5) {
+    return {.hold_over = hold_over,
             .top = "law = \"no_direct_control\"",
             .sections = "[port]\ntype = \"serial\"\ndevice = \"brakes\"\nopen_timeout = 20\n",
             .sensor = "type = \"none\""};
@@ -173,7 +173,7 @@ TEST_F(a_board, can_be_tried_with_the_shipped_configuration) {
   put("49152", std::to_string(peer.port()));
   put("pose = ", "longest_gap = 5\nduration = 0.1\npose = ");
   put("priority = 80\nlock_memory = true", "most_overruns = 1000000\nlongest_sleep = 10");
-  put("supervisor_priority = 81", "bridge = 5\nsupervisor_timeout = 5");
+  put("supervisor_priority = 81", "hold_over = 5\nsupervisor_timeout = 5");
   file("c.toml", text);
   start({"--config", "c.toml", "--quiet"});
   EXPECT_TRUE(reaches("active")) << ended()

@@ -125,16 +125,17 @@ class log_file {
   std::vector<words> rows_;
 };
 
-// What of a configuration the tests change. As it stands, no load on the machine is a fault, and no hand touches the handle.
+// What of a configuration the tests change. As it stands, no load on the machine is a fault, and no hand
+// touches the handle.
 struct settings {
-  double bridge = 5, supervisor_timeout = 5, longest_sleep = 10, period = 1e-3, hand_start = 1000;
+  double hold_over = 5, supervisor_timeout = 5, longest_sleep = 10, period = 1e-3, hand_start = 1000;
   std::string top{}, sections{}, sensor{};
 
   std::string text() const {
     std::ostringstream all;
     all << top << "\n[homing]\npose = [1.8812, -1.3055]\nduration = 0.1\ntolerance = 1e6\nlongest_gap = 5\n"
         << "[loop]\nmost_overruns = 1000000\nlongest_sleep = " << longest_sleep << "\nperiod = " << period
-        << "\n[safety]\nbridge = " << bridge << "\nsupervisor_timeout = " << supervisor_timeout
+        << "\n[safety]\nbridge = " << hold_over << "\nsupervisor_timeout = " << supervisor_timeout
         << "\n[simulation]\nhand_start = " << hand_start << "\n[sensor]\n"
         << sensor << "\n"
         << sections;
@@ -241,7 +242,7 @@ struct a_driver : ::testing::Test {
     if (all.size() < 2) return "nothing logged; " + text_of(directory / "driver.err");
     const std::size_t i = all.size() - 2;
     return "at " + all.text(i, "t") + " s: " + all.text(i, "state") + ", " + all.text(i, "reason") +
-           ", bridged " + all.text(i, "bridged") + "; ";
+           ", held_over " + all.text(i, "held_over") + "; ";
   }
   // Whether current has flowed.
   bool brakes_hold() {

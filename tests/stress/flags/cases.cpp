@@ -1,9 +1,9 @@
-// The same fixed cycles in every build: `cases write FILE` notes what came out, `cases compare FILE` holds this build
-// against it. Torques agree to rounding of the terms that they are made of; classes agree unless some quantity that decides
-// is within rounding of its boundary, which is counted.
-#include <passive_haptics/control/laws.hpp>
+// The same fixed cycles in every build: `cases write FILE` notes what came out, `cases compare FILE` holds
+// this build against it. Torques agree to rounding of the terms that they are made of; classes agree unless
+// some quantity that decides is within rounding of its boundary, which is counted.
+#include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/mechanism/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Detents: periodic positions along a direction that resist being left.
 #pragma once
 
-#include <passive_haptics/force/effects/effect.hpp>
+#include <passive_haptics/force/effect.hpp>
 #include <passive_haptics/force/effects/resistance.hpp>
 
 #include <cmath>
@@ -24,7 +24,7 @@ struct detents_parameters {
 template <class T, int D>
 std::string validate(const detents_parameters<T, D>& p) {
   if (!all_finite(p.origin)) return "origin of detents is not finite, expected metres";
-  return detail::first_complaint(
+  return detail::first_error(
       detail::check_direction("|direction| of detents", p.direction),
       detail::check_positive("spacing of detents [m]", p.spacing),
       detail::check_not_negative("strength of detents [N]", p.strength),
@@ -35,9 +35,9 @@ std::string validate(const detents_parameters<T, D>& p) {
 ///
 ///   F = -f |sin(2 pi e / P)| sgn(e) a  while e grows away from the detent, else 0.
 ///
-/// This is the leaving half of a magnetic detent's sinusoidal force. The other half would pull the handle in; a brake
-/// cannot (equation 3), so on the way in the handle is free. Continuous in x; in v outside the dead band,
-/// where it is a one_way_resistance() and holds against a hand force under the limit.
+/// This is the leaving half of a magnetic detent's sinusoidal force. The other half would pull the handle in;
+/// a brake cannot (equation 3), so on the way in the handle is free. Continuous in x; in v outside the dead
+/// band, where it is a one_way_resistance() and holds against a hand force under the limit.
 template <class T, int D>
 class detents {
  public:

@@ -30,20 +30,20 @@ std::string validate(const end_stops_parameters<T, N>& p) {
       return what + "[" + std::to_string(i) + "] of end_stops";
     };
     if (!(p.lower[i] < p.upper[i]))
-      return detail::complaint(name("lower"), p.lower[i], detail::indexed("less than upper[", i, "]"));
-    std::string text = detail::first_complaint(
-        detail::check_not_negative(name("stiffness") + " [N m/rad]", p.stiffness[i]),
-        detail::check_positive(name("rate_dead_band") + " [rad/s]", p.rate_dead_band[i]));
+      return detail::error_text(name("lower"), p.lower[i], detail::indexed("less than upper[", i, "]"));
+    std::string text =
+        detail::first_error(detail::check_not_negative(name("stiffness") + " [N m/rad]", p.stiffness[i]),
+                            detail::check_positive(name("rate_dead_band") + " [rad/s]", p.rate_dead_band[i]));
     if (!text.empty()) return text;
   }
   return {};
 }
 
-/// Desired joint torques: behind a limit, k times the way behind it against motion further out. On the way back the
-/// joint is free, as at every wall of brakes: the elastic part would be active there (equation 3).
+/// Desired joint torques: behind a limit, k times the way behind it against motion further out. On the way
+/// back the joint is free, as at every wall of brakes: the elastic part would be active there (equation 3).
 ///
-/// An Effect in joint space: with no hand torque, t_i qd_i <= 0 for each joint and t = 0 at rest. A limit in the task
-/// space is a half_space.
+/// An Effect in joint space: with no hand torque, t_i qd_i <= 0 for each joint and t = 0 at rest. A limit in
+/// the task space is a half_space.
 template <class T, int N>
 class end_stops {
  public:
@@ -53,8 +53,8 @@ class end_stops {
   /// Throws std::invalid_argument with the text of validate(p).
   explicit end_stops(const end_stops_parameters<T, N>& p) : p_(require_valid(p)) {}
 
-  /// Joint torque (n) [N m] at q (n) [rad] with rates qd (n) [rad/s]; hand_torque (n) [N m], what the hand does to the
-  /// joints, J^T Fh, matters in the dead band only.
+  /// Joint torque (n) [N m] at q (n) [rad] with rates qd (n) [rad/s]; hand_torque (n) [N m], what the hand
+  /// does to the joints, J^T Fh, matters in the dead band only.
   vector<T, N> torque(const vector<T, N>& q, const vector<T, N>& qd,
                       const vector<T, N>& hand_torque = vector<T, N>::Zero()) const {
     vector<T, N> t;

@@ -2,7 +2,7 @@
 /// Guidance along a line or in a plane by resistance to what leaves it.
 #pragma once
 
-#include <passive_haptics/force/effects/effect.hpp>
+#include <passive_haptics/force/effect.hpp>
 #include <passive_haptics/force/effects/resistance.hpp>
 
 namespace passive_haptics {
@@ -29,7 +29,7 @@ struct guide_parameters {
 template <class T, int D>
 std::string validate(const guide_parameters<T, D>& p) {
   if (!all_finite(p.point)) return "point of a guide is not finite, expected metres";
-  return detail::first_complaint(
+  return detail::first_error(
       detail::check_direction("|direction| of a guide", p.direction),
       detail::check_not_negative("stiffness of a guide [N/m]", p.stiffness),
       detail::check_not_negative("tolerance of a guide [m]", p.tolerance),
@@ -41,11 +41,11 @@ std::string validate(const guide_parameters<T, D>& p) {
 ///
 ///   F = -k max(|e| - tolerance, 0) u  while u . v > 0, else 0;   and -b v_e always.
 ///
-/// Motion along the guide and back to it is free of stiffness; nothing pulls the handle back. Continuous in x; in v
-/// outside the dead band, where the first part is a one_way_resistance() and holds against a hand force under its limit.
-/// scene/virtual_fixtures.hpp has the same as walls.
-/// References: L. B. Rosenberg, Virtual fixtures: perceptual tools for telerobotic manipulation, IEEE VRAIS 1993, pp.
-/// 76-82; D. K. Swanson, W. J. Book, Path-following control for dissipative passive haptic displays, 11th Symposium on
+/// Motion along the guide and back to it is free of stiffness; nothing pulls the handle back. Continuous in
+/// x; in v outside the dead band, where the first part is a one_way_resistance() and holds against a hand
+/// force under its limit. scene/shapes/virtual_fixtures.hpp has the same as walls. References: L. B.
+/// Rosenberg, Virtual fixtures: perceptual tools for telerobotic manipulation, IEEE VRAIS 1993, pp. 76-82; D.
+/// K. Swanson, W. J. Book, Path-following control for dissipative passive haptic displays, 11th Symposium on
 /// Haptics, 2003, pp. 101-108 (the paper's [5]).
 template <class T, int D>
 class guide {

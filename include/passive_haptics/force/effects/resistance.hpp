@@ -9,20 +9,20 @@
 
 namespace passive_haptics {
 
-/// Speed under which a handle counts as at rest [m/s]: the brakes' rate dead band, 0.02 rad/s (brake_parameters.hpp),
-/// at the paper's link length of 0.15 m (section 5).
+/// Speed under which a handle counts as at rest [m/s]: the brakes' rate dead band, 0.02 rad/s
+/// (brake_parameters.hpp), at the paper's link length of 0.15 m (section 5).
 template <class T>
 inline constexpr T default_velocity_dead_band = T(0.003);
 
-/// Force of size `limit` against the velocity v; inside the dead band, limit v / dead_band plus what holds against the
-/// push, together no more than limit.
+/// Force of size `limit` against the velocity v; inside the dead band, limit v / dead_band plus what holds
+/// against the push, together no more than limit.
 ///
-/// So a push under the limit brings the handle to rest and holds it. Without a push the force is continuous, zero at
-/// rest, and F . v <= 0. With one, F . v <= limit dead_band, and F jumps at the edge of the band if the push is not
-/// along v. Units: limit and push [N], v and dead_band [m/s], or [N m] and [rad/s]; limit >= 0, dead_band > 0.
-/// The slope is a damping: a simulation that applies the force without the passive constraint (3), which lets no
-/// brake reverse a motion, needs limit step < 2 dead_band mass.
-/// Reference: D. Karnopp, Computer simulation of stick-slip friction in mechanical dynamic systems, ASME J. Dynamic
+/// So a push under the limit brings the handle to rest and holds it. Without a push the force is continuous,
+/// zero at rest, and F . v <= 0. With one, F . v <= limit dead_band, and F jumps at the edge of the band if
+/// the push is not along v. Units: limit and push [N], v and dead_band [m/s], or [N m] and [rad/s]; limit >=
+/// 0, dead_band > 0. The slope is a damping: a simulation that applies the force without the passive
+/// constraint (3), which lets no brake reverse a motion, needs limit step < 2 dead_band mass. Reference: D.
+/// Karnopp, Computer simulation of stick-slip friction in mechanical dynamic systems, ASME J. Dynamic
 /// Systems, Measurement, and Control 107(1), 1985, pp. 100-103.
 template <class T, int D>
 vector<T, D> resistance(T limit, const vector<T, D>& v, T dead_band, const vector<T, D>& push) {
@@ -33,8 +33,8 @@ vector<T, D> resistance(T limit, const vector<T, D>& v, T dead_band, const vecto
   return size > limit ? vector<T, D>(-limit / size * wanted) : vector<T, D>(-wanted);
 }
 
-/// The same along one direction and against motion that way only: size of the force against it, 0 <= size <= limit.
-/// Motion the other way is free. `speed` and `push` are components along the direction.
+/// The same along one direction and against motion that way only: size of the force against it, 0 <= size <=
+/// limit. Motion the other way is free. `speed` and `push` are components along the direction.
 template <class T>
 T one_way_resistance(T limit, T speed, T dead_band, T push) {
   if (speed > dead_band) return limit;
@@ -45,12 +45,12 @@ T one_way_resistance(T limit, T speed, T dead_band, T push) {
 }
 
 namespace detail {
-/// Complaint about a direction that has none.
+/// Error about a direction that has none.
 template <class Derived>
 std::string check_direction(std::string_view name, const Eigen::MatrixBase<Derived>& direction) {
   using T = typename Derived::Scalar;
   const T length = direction.allFinite() ? direction.stableNorm() : std::numeric_limits<T>::quiet_NaN();
-  return std::isfinite(length) && length > 0 ? "" : complaint(name, length, "a direction");
+  return std::isfinite(length) && length > 0 ? "" : error_text(name, length, "a direction");
 }
 }  // namespace detail
 

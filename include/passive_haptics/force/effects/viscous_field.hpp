@@ -2,9 +2,9 @@
 /// A viscous field, F = -B v.
 #pragma once
 
-#include <passive_haptics/core/cholesky.hpp>
+#include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/core/validate.hpp>
-#include <passive_haptics/force/effects/effect.hpp>
+#include <passive_haptics/force/effect.hpp>
 
 namespace passive_haptics {
 
@@ -26,11 +26,11 @@ std::string validate(const viscous_field_parameters<T, D>& p) {
   return {};
 }
 
-/// F = -B v everywhere. B may be anisotropic (easy along one direction) and have a part that turns the force across
-/// the motion without power (B != B^T); brakes display that part as far as their cone allows.
+/// F = -B v everywhere. B may be anisotropic (easy along one direction) and have a part that turns the force
+/// across the motion without power (B != B^T); brakes display that part as far as their cone allows.
 ///
-/// Reference for such fields: R. Shadmehr, F. A. Mussa-Ivaldi, Adaptive representation of dynamics during learning of a
-/// motor task, J. Neuroscience 14(5), 1994, pp. 3208-3224.
+/// Reference for such fields: R. Shadmehr, F. A. Mussa-Ivaldi, Adaptive representation of dynamics during
+/// learning of a motor task, J. Neuroscience 14(5), 1994, pp. 3208-3224.
 template <class T, int D>
 class viscous_field {
  public:

@@ -19,7 +19,7 @@ struct wall_friction_parameters {
 /// What is wrong with the parameters; empty if nothing.
 template <class T>
 std::string validate(const wall_friction_parameters<T>& p) {
-  return detail::first_complaint(
+  return detail::first_error(
       detail::check_not_negative("coefficient of wall_friction", p.coefficient),
       detail::check_not_negative("viscosity of wall_friction [N s/m]", p.viscosity),
       detail::check_positive("velocity_dead_band of wall_friction [m/s]", p.velocity_dead_band));
@@ -27,8 +27,8 @@ std::string validate(const wall_friction_parameters<T>& p) {
 
 /// Force with which the hand presses on a wall of unit normal n [N]: max(0, -n . Fh).
 ///
-/// The load for wall_friction. k depth is none: of the 5e4 N that a stiff wall asks for, brakes display what the hand
-/// presses.
+/// The load for wall_friction. k depth is none: of the 5e4 N that a stiff wall asks for, brakes display what
+/// the hand presses.
 template <class T, int D>
 T pressing_force(const vector<T, D>& n, const std::type_identity_t<vector<T, D>>& hand_force) {
   const T pressing = -n.dot(hand_force);
@@ -39,11 +39,12 @@ T pressing_force(const vector<T, D>& n, const std::type_identity_t<vector<T, D>>
 ///
 ///   F = -mu load v_t / |v_t| - b v_t,    v_t = (I - n n^T) v
 ///
-/// where the dry part is resistance(): inside the dead band it holds against the hand force along the wall. v [m/s] is
-/// relative to the wall, v - contact.wall_velocity; F . v <= 0 with that v. A wall that moves would drag the handle
-/// along, which no brake does. Where no hand force is known pass zero: the handle then creeps in the dead band.
-/// Reference: S. E. Salcudean, T. D. Vlaar, On the emulation of stiff walls and static friction with a magnetically
-/// levitated input/output device, ASME J. Dynamic Systems, Measurement, and Control 119(1), 1997.
+/// where the dry part is resistance(): inside the dead band it holds against the hand force along the wall. v
+/// [m/s] is relative to the wall, v - contact.wall_velocity; F . v <= 0 with that v. A wall that moves would
+/// drag the handle along, which no brake does. Where no hand force is known pass zero: the handle then creeps
+/// in the dead band. Reference: S. E. Salcudean, T. D. Vlaar, On the emulation of stiff walls and static
+/// friction with a magnetically levitated input/output device, ASME J. Dynamic Systems, Measurement, and
+/// Control 119(1), 1997.
 template <class T, int D>
 vector<T, D> wall_friction(const wall_friction_parameters<T>& p, const vector<T, D>& n,
                            std::type_identity_t<T> load, const std::type_identity_t<vector<T, D>>& v,

@@ -1,0 +1,51 @@
+/// @file
+/// What a law remembers of each wall while it is touched.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace passive_haptics {
+
+/// Memories of up to Most walls touched at once, found by the wall's number. A wall that was not touched in
+/// the cycle before begins with a fresh one; beyond Most walls the last memory is shared.
+template <class Memory, int Most = 8>
+class contact_memory {
+ public:
+  /// To be called at the beginning of a cycle: forgets walls that were not touched in the last one.
+  void begin_cycle() {
+    for (slot& s : slots_) {
+      s.known = s.touched;
+      s.touched = false;
+    }
+  }
+
+  /// The memory of this wall.
+  Memory& of(int wall) {
+    slot* free = nullptr;
+    for (slot& s : slots_) {
+      if ((s.known || s.touched) && s.wall == wall) {
+        s.touched = true;
+        return s.memory;
+      }
+      if (free == nullptr && !s.known && !s.touched) free = &s;
+    }
+    if (free == nullptr) return slots_.back().memory;
+    *free = {wall, false, true, {}};
+    return free->memory;
+  }
+
+  /// Forgets all walls.
+  void clear() { slots_ = {}; }
+
+ private:
+  struct slot {
+    int wall = 0;
+    bool known = false;    // touched in the cycle before
+    bool touched = false;  // touched in this one
+    Memory memory = {};
+  };
+  std::array<slot, static_cast<std::size_t>(Most)> slots_{};
+};
+
+}  // namespace passive_haptics

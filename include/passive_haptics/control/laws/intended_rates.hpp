@@ -1,0 +1,30 @@
+/// @file
+/// Which way each brake turns, or is about to turn.
+#pragma once
+
+#include <passive_haptics/brake/signs.hpp>
+#include <passive_haptics/control/brake_situation.hpp>
+
+namespace passive_haptics {
+
+/// Rates of the brakes [rad/s or m/s], those at rest taken to turn at their dead band where the hand pushes
+/// them; 0 where nobody pushes. So E times it has the direction in which the handle moves, or would if it
+/// were let go.
+template <class M, class EMatrix, class B>
+brake_vector<M> intended_rates(const brake_situation<M, EMatrix, B>& now) {
+  using T = typename M::scalar;
+  brake_vector<M> w;
+  unrolled<M::brake_count>([&](auto i) {
+    const T band = rate_dead_band_of<T>(now.brakes, i);
+    w[i] = slips(now.w[i], band) ? now.w[i] : now.s[i] * band;
+  });
+  return w;
+}
+
+/// The torque [N m] that makes a brake of sign s hold with `capacity`; either way where s = 0.
+template <class T>
+T holding_torque(T s, T capacity) {
+  return s > T(0) ? -capacity : capacity;
+}
+
+}  // namespace passive_haptics

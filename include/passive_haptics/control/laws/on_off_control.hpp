@@ -1,0 +1,103 @@
+/// @file
+/// On-off control: the whole approximated force or none, by a relay with hysteresis.
+#pragma once
+
+#include <passive_haptics/control/laws/contact_memory.hpp>
+#include <passive_haptics/control/one_contact.hpp>
+#include <passive_haptics/control/several_contacts.hpp>
+#include <passive_haptics/core/validate.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace passive_haptics {
+
+/// Constants of on_off_control.
+struct on_off_parameters {
+  double reference_depth = 1.5e-3;  ///< In the wall, about which the relay switches [m].
+  double hysteresis = 0.1e-3;       ///< h, half width of the relay's hysteresis [m].
+  double lead = 0.02;  ///< tau [s]: the depth is judged as it will be then; about the brakes' lag.
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const on_off_parameters& p) {
+  return detail::first_error(detail::check_finite("reference_depth [m]", p.reference_depth),
+                             detail::check_not_negative("hysteresis [m]", p.hysteresis),
+                             detail::check_not_negative("lead [s]", p.lead));
+}
+
+/// For each wall a relay of the depth to come,
+///
+///     sigma = depth - reference_depth - tau n . (v - v_wall):   on if sigma > h, off if sigma < -h, else as
+///     before (off at first),
+///
+/// so a handle that sinks is braked before it is too deep, and one that leaves is let go before it is out. On
+/// displays the approximated force whole, as no_direct_control does: one contact by force approximation,
+/// several by priorities. Brakes can only lead a handle back to the reference depth where the approximation
+/// pulls; a hand that leaves is free.
+///
+/// For any mechanism. Needs nothing but the state; cost: that of the approximation.
+///
+/// Reference: Tsypkin, Relay control systems, Cambridge University Press, 1984 (the switching line).
+/// Assumed: all of its use on brakes; the paper names no such rival.
+struct on_off_control {
+  static constexpr bool needs_hand_force =
+      false;  ///< Runs without a force sensor; with one, brakes at rest have signs.
+  static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
+  static constexpr bool needs_brake_lag = false;  ///< Knows no lag; tau is a constant of the law.
+  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
+
+  /// Of one wall.
+  struct relay {
+    bool on = false;  ///< Its force is displayed.
+  };
+  /// What it remembers.
+  struct memory {
+    contact_memory<relay> walls;  ///< The relay of each.
+  };
+
+  on_off_parameters parameters = {};  ///< The constants.
+
+  /// Brake torques [N m].
+  template <class M, class EMatrix, int D, int Capacity, class B>
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
+                         memory& remembered) const noexcept {
+    using T = typename M::scalar;
+    std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)> demands;
+    int count = 0;
+    remembered.walls.begin_cycle();
+    for (const auto& c : touched) {
+      const auto [n, magnitude] = force_of<T>(c);
+      const double outward =
+          static_cast<double>(dot(brake_torque(now.E, n), now.w)) - c.normal.dot(c.wall_velocity);
+      relay& wall = remembered.walls.of(c.wall);
+      wall.on = switched(wall.on, c.depth, outward);
+      if (wall.on) demands[static_cast<std::size_t>(count++)] = {n, magnitude, false};
+    }
+    if (count == 0) return brake_vector<M>::Zero();
+    const auto limits = torque_limits_of<T, M::brake_count>(now.brakes);
+    if (count > 1) {
+      const auto map = force_map_of(now);
+      return contact_forces<T, D, M::brake_count, Capacity>(map, torques_within(now.s, limits), demands,
+                                                            count)
+          .torque;
+    }
+    half_space_set active = 0;
+    const task_vector<M>& n = demands[0].normal;
+    const auto Fc = approximate_with(now, n, brake_torque(now.E, n), step_options<T>().min_cosine, active);
+    return saturate(Fc.torque, demands[0].force, limits, saturation::keep_direction).torque;
+  }
+
+  /// Free space or a fault: all relays are off.
+  void released(memory& remembered, double) const noexcept { remembered.walls.clear(); }
+
+ private:
+  bool switched(bool on, double depth, double outward) const {
+    const double sigma = depth - parameters.reference_depth - parameters.lead * outward;
+    if (sigma > parameters.hysteresis) return true;
+    return sigma < -parameters.hysteresis ? false : on;
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,125 @@
+/// @file
+/// Single-degree-of-freedom control: one brake is locked, and the handle follows its path.
+#pragma once
+
+#include <passive_haptics/control/control_law.hpp>
+#include <passive_haptics/control/laws/contact_memory.hpp>
+#include <passive_haptics/control/laws/intended_rates.hpp>
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/force/desired_force.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace passive_haptics {
+
+/// Constants of single_degree_of_freedom_control.
+struct single_degree_of_freedom_parameters {
+  double reference_depth = 1e-3;  ///< In the wall, that the handle follows [m].
+  double band = 0.3e-3;           ///< Half width of the band about it, in which the locked brake is kept [m].
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const single_degree_of_freedom_parameters& p) {
+  return detail::first_error(detail::check_finite("reference_depth [m]", p.reference_depth),
+                             detail::check_not_negative("band [m]", p.band));
+}
+
+/// Locks one brake i, so that the handle moves as the others let it, v_i = v - w_i E e_i: on a path in the
+/// plane. With slope_i = n . v_i / |v_i| and the depth error e = depth - reference_depth:
+///
+///   - e > band: the flattest path out, 0 <= slope_i; all brakes are locked where every path leads in;
+///   - e < -band: the flattest path in, slope_i <= 0; where there is none, the flattest out;
+///   - else the brake that is locked already; at first the one of the flattest path.
+///
+/// The handle zigzags within the band. A hand that wants to leave the wall must follow the path, too.
+/// For n = d = m >= 2. In space the handle follows a surface, that of the one locked brake. Of several
+/// contacts the one that asks for the largest force governs. Needs the hand force (which way a brake at rest
+/// would turn); cost: E w.
+///
+/// Reference: Swanson and Book, Obstacle avoidance methods for a passive haptic display, IEEE/ASME Int. Conf.
+/// on Advanced Intelligent Mechatronics, 2001, 1187-1192; the band: Sakaguchi, Furusho, Takesue, Passive
+/// force display using ER brakes and its control experiments, Virtual Reality 2001, 7-12. Both as the paper
+/// describes them. Assumed: the reference depth, the band's width, the flattest path among several, and that
+/// a locked brake is told its torque limit.
+struct single_degree_of_freedom_control {
+  static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
+  static constexpr bool needs_dynamics = false;     ///< Knows no inertia.
+  static constexpr bool needs_brake_lag = false;    ///< Knows no lag.
+  static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
+  static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
+
+  /// Of one wall.
+  struct locked_brake {
+    int brake = -1;  ///< Which is locked; -1 for none in particular.
+  };
+  /// What it remembers.
+  struct memory {
+    contact_memory<locked_brake> walls;  ///< The brake locked at each.
+  };
+
+  single_degree_of_freedom_parameters parameters = {};  ///< The constants.
+
+  /// Brake torques [N m].
+  template <class M, class EMatrix, int D, int Capacity, class B>
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
+                         memory& remembered) const noexcept {
+    static_assert(
+        M::brake_count == M::dof && M::dof == M::task_dimension && M::dof >= 2,
+        "passive_haptics: single_degree_of_freedom_control needs brake_count == dof == task_dimension >= 2.");
+    const auto& c = touched[governing_contact(touched)];
+    remembered.walls.begin_cycle();
+    int& locked = remembered.walls.of(c.wall).brake;
+    locked = choose(slopes(now, c), c.depth - parameters.reference_depth, locked);
+
+    brake_vector<M> t = brake_vector<M>::Zero();
+    unrolled<M::brake_count>([&](auto i) {
+      if (locked == i || locked == all) t[i] = holding_torque(now.s[i], now.brakes.torque_limit[i]);
+    });
+    if (locked == all) locked = -1;
+    return t;
+  }
+
+  /// Free space or a fault: no brake is locked.
+  void released(memory& remembered, double) const noexcept { remembered.walls.clear(); }
+
+ private:
+  static constexpr int all = -2;
+
+  // Sines of the angles at which the handle leaves the wall with brake i locked
+  template <class M, class EMatrix, int D, class B>
+  static brake_vector<M> slopes(const brake_situation<M, EMatrix, B>& now, const contact<D>& c) {
+    using T = typename M::scalar;
+    const matrix<T, D, M::brake_count> E(now.E);
+    const brake_vector<M> w = intended_rates(now);
+    brake_vector<M> slope;
+    unrolled<M::brake_count>([&](auto i) {
+      brake_vector<M> others = w;
+      others[i] = T(0);
+      const vector<T, D> v = product(E, others) - as<T>(c.wall_velocity);
+      const T speed = v.stableNorm();
+      slope[i] = speed > T(0) ? dot(as<T>(c.normal), v) / speed : T(0);
+    });
+    return slope;
+  }
+
+  // The brake to lock, or all
+  template <class Slopes>
+  int choose(const Slopes& slope, double error, int locked) const {
+    const bool deep = error > parameters.band, shallow = error < -parameters.band;
+    if (!deep && !shallow && locked >= 0) return locked;
+    int best = -1;
+    bool best_fits = false;
+    for (int i = 0; i < slope.size(); ++i) {
+      const bool fits = deep ? slope[i] >= 0 : (!shallow || slope[i] <= 0);
+      const bool flatter = best < 0 || std::abs(slope[i]) < std::abs(slope[best]);
+      if (best < 0 || (fits && !best_fits) || (fits == best_fits && flatter)) {
+        best = i;
+        best_fits = fits;
+      }
+    }
+    return deep && !best_fits ? all : best;
+  }
+};
+
+}  // namespace passive_haptics

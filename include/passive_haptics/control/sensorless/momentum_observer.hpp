@@ -1,0 +1,201 @@
+/// @file
+/// The hand's force from the motion it causes: a generalised-momentum observer that knows brakes.
+#pragma once
+
+#include <passive_haptics/brake/signs.hpp>
+#include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/control/laws/brake_lag.hpp>
+#include <passive_haptics/control/sensorless/hand_force_estimate.hpp>
+#include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/mechanism/dynamics.hpp>
+#include <passive_haptics/mechanism/jacobian.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace passive_haptics {
+
+/// Constants of a momentum_observer.
+struct momentum_observer_parameters {
+  double gain = 100;             ///< K [1/s]: the estimate follows with a first-order lag of 1 / K.
+  double longest_period = 0.02;  ///< After a longer pause between two states the observer starts anew [s].
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const momentum_observer_parameters& p) {
+  return detail::first_error(detail::check_positive("gain [1/s]", p.gain),
+                             detail::check_positive("longest_period [s]", p.longest_period));
+}
+
+/// Estimates the hand's joint torques tau = J^T Fh by the momentum p = M qd, pd = tau + T^T t + Md qd - c.
+/// Over a period h in which the momentum changes,
+///
+///     h tau_mean = (M0 + M1) (qd1 - qd0) / 2 + h (c0 + c1) / 2 - h T^T t_mean,
+///     r1 = exp(-K h) r0 + (1 - exp(-K h)) tau_mean,
+///
+/// which is the observer rd = K (tau - r) exactly where tau is constant over the period; no acceleration is
+/// measured. A brake that slips all the period one way makes t_mean = -sgn(w) times its strength, which
+/// follows its capacity with its lag. One that is at rest, or turned round, is taken to make none and its
+/// strength is what may be missing, filtered like r: so the lagged joint torque of the hand is r + T^T t with
+/// |t_i| <= unknown_torque_i, always.
+///
+/// The force: F = (J M^-1 J^T)^-1 J M^-1 r, which is J^-T r for n = d and for n > d the force that
+/// accelerates the end effector as r does (a hand that also drives the self-motion directly is seen as if it
+/// did not). Starts at r = 0 with all strengths unknown. What the model leaves out (friction, cables, errors
+/// of M and of the brakes) is taken for the hand's.
+///
+/// Errors: see hand_force_estimate::outcome; the next good state starts anew. Pure apart from its own memory;
+/// never allocates. Cost: a Cholesky of n x n, an orthogonal decomposition of n x d. Reference: De Luca,
+/// Mattone, Actuator failure detection and isolation using generalized momenta, IEEE Int. Conf. on Robotics
+/// and Automation, 2003, 634-639; De Luca, Albu-Schaeffer, Haddadin, Hirzinger, Collision detection and safe
+/// reaction with the DLR-III lightweight manipulator arm, IROS 2006, 1623-1630. Force of n > d: Khatib 1987.
+/// Assumed: the trapezoidal rule for c and Md, and all that concerns brakes.
+template <class M>
+class momentum_observer {
+  static_assert(mechanism_requirements<M>::met);
+  static_assert(Dynamics<M>,
+                "passive_haptics: a momentum observer needs a mechanism that models Dynamics "
+                "(mechanism/dynamics.hpp).");
+
+ public:
+  using scalar = typename M::scalar;             ///< Scalar of the mechanism.
+  using estimate_type = hand_force_estimate<M>;  ///< What it finds.
+
+  /// Throws std::invalid_argument with the text of validate(brakes) or validate(p).
+  momentum_observer(M mechanism, const brakes_of<M>& brakes, const momentum_observer_parameters& p = {})
+      : mechanism_(std::move(mechanism)), brakes_(require_valid(brakes)), p_(require_valid(p)) {}
+
+  /// The state now, and the capacities [N m] that the brakes have been told since the state before. Only
+  /// time, q and qd of the state are read.
+  template <class State>
+    requires DeviceState<State, M>
+  const estimate_type& update(const State& state, const brake_vector<M>& capacity) noexcept {
+    const joint_torque r0 = residual_;
+    const brake_vector<M> strength = mean_strength(state.time, capacity);
+    const motion now = motion_of(state);
+    estimate_.outcome = check(state, now, capacity);
+    if (estimate_.outcome != status::ok) {
+      reset();
+      return estimate_;
+    }
+    const double h = state.time - before_.time;
+    const bool follows = started_ && h > 0 && h <= p_.longest_period;
+    const auto Tt = transposed_transmission(state.q);
+    if (follows) {
+      const scalar fresh = static_cast<scalar>(-std::expm1(-p_.gain * h));
+      brake_vector<M> known = brake_vector<M>::Zero(), unknown = strength;
+      unrolled<M::brake_count>([&](auto i) {
+        if (!slipped(i, now)) return;
+        known[i] = -sgn(now.w[i]) * strength[i];
+        unknown[i] = scalar(0);
+      });
+      const joint_torque inertial =
+          (before_.mass + now.mass) * (now.qd - before_.qd) / static_cast<scalar>(2 * h);
+      const joint_torque tau = inertial + (before_.bias + now.bias) / scalar(2) - Tt * known;
+      residual_ = r0 + fresh * (tau - r0);
+      estimate_.unknown_torque += fresh * (unknown - estimate_.unknown_torque);
+    } else if (!started_ || h != 0) {
+      residual_.setZero();
+      estimate_.unknown_torque = strength;
+    }
+    before_ = now;
+    started_ = true;
+    estimate_.outcome = to_force(state.q, now, Tt);
+    return estimate_;
+  }
+
+  /// The estimate of the last update.
+  const estimate_type& estimate() const { return estimate_; }
+  /// r [N m or N]: the hand's joint torques if brakes at rest make none.
+  const joint_vector<M>& joint_torques() const { return residual_; }
+  /// Forgets all but the brakes' strengths.
+  void reset() {
+    started_ = false;
+    residual_.setZero();
+    const status outcome = estimate_.outcome;
+    estimate_ = estimate_type();
+    estimate_.outcome = outcome;
+  }
+
+ private:
+  static constexpr int n = M::dof, d = M::task_dimension, m = M::brake_count;
+  using joint_torque = joint_vector<M>;
+  struct motion {
+    double time = 0;
+    joint_vector<M> qd = joint_vector<M>::Zero(), bias = joint_vector<M>::Zero();
+    brake_vector<M> w = brake_vector<M>::Zero();
+    matrix<scalar, n, n> mass = matrix<scalar, n, n>::Zero();
+  };
+
+  template <class State>
+  motion motion_of(const State& state) const {
+    return {state.time, state.qd, mechanism_.bias_torque(state.q, state.qd),
+            brake_rates(mechanism_, state.q, state.qd), mechanism_.mass_matrix(state.q)};
+  }
+
+  template <class State>
+  static status check(const State& state, const motion& now, const brake_vector<M>& capacity) {
+    if (!all_finite(state.time, state.q, state.qd, capacity)) return status::state_not_finite;
+    return all_finite(now.bias, now.w, now.mass) ? status::ok : status::pose_undefined;
+  }
+
+  // Mean over the period of a strength that follows T_b dtau/dt + tau = u: u - T_b (tau1 - tau0) / h
+  brake_vector<M> mean_strength(double time, const brake_vector<M>& capacity) {
+    brake_vector<M> u, mean, before;
+    unrolled<m>([&](auto i) {
+      const scalar told = std::isfinite(capacity[i]) ? capacity[i] : brakes_.torque_limit[i];
+      u[i] = lag_.command(i, told, brakes_.time_constant[i], brakes_.torque_limit[i], 0.0);
+      before[i] = static_cast<scalar>(lag_.torque(i));
+    });
+    const double h = time - before_.time;
+    lag_.advance(time, brakes_.time_constant);
+    unrolled<m>([&](auto i) {
+      const scalar after = static_cast<scalar>(lag_.torque(i));
+      const bool lags = started_ && h > 0 && brakes_.time_constant[i] > scalar(0);
+      mean[i] = lags ? u[i] - brakes_.time_constant[i] * (after - before[i]) / static_cast<scalar>(h) : after;
+    });
+    return mean.cwiseMax(scalar(0)).cwiseMin(brakes_.torque_limit);
+  }
+
+  bool slipped(int i, const motion& now) const {
+    const scalar band = brakes_.rate_dead_band[i];
+    return slips(before_.w[i], band) && slips(now.w[i], band) && sgn(before_.w[i]) == sgn(now.w[i]);
+  }
+
+  matrix<scalar, n, m> transposed_transmission(const joint_vector<M>& q) const {
+    if constexpr (detail::has_exact_transmission<M>)
+      return transposed(matrix<scalar, m, n>(transmission(mechanism_, q)));
+    else return matrix<scalar, n, m>::Identity();
+  }
+
+  // M = L L^T: (J M^-1 J^T)^-1 J M^-1 r is the least-squares solution F of L^-1 J^T F = L^-1 r.
+  status to_force(const joint_vector<M>& q, const motion& now, const matrix<scalar, n, m>& Tt) {
+    estimate_.force.setZero();
+    estimate_.generators.setZero();
+    const matrix<scalar, d, n> J(jacobian(mechanism_, q));
+    const cholesky<scalar, n> mass(now.mass);
+    const matrix<scalar, n, d> A = mass.half_solve(transposed(J));
+    if (!all_finite(A)) return status::pose_undefined;
+    const orthogonal_decomposition<scalar, n, d> decomposition(A, rounding_tolerance<scalar>(n));
+    if (decomposition.rank() < d) return status::singular_jacobian;
+    estimate_.force = decomposition.solve(joint_torque(mass.half_solve(residual_)));
+    const matrix<scalar, n, m> B = mass.half_solve(Tt);
+    for (int i = 0; i < m; ++i) estimate_.generators.col(i) = decomposition.solve(B.col(i));
+    return status::ok;
+  }
+
+  M mechanism_;
+  brakes_of<M> brakes_;
+  momentum_observer_parameters p_;
+  brake_lag_model lag_;
+  bool started_ = false;
+  motion before_;
+  joint_torque residual_ = joint_torque::Zero();
+  estimate_type estimate_;
+};
+
+}  // namespace passive_haptics

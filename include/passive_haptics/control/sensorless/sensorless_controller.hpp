@@ -1,0 +1,146 @@
+/// @file
+/// A controller for a device without a force sensor, with laws that need a hand force.
+#pragma once
+
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/sensorless/momentum_observer.hpp>
+#include <passive_haptics/control/sensorless/release_probe.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace passive_haptics {
+
+/// Constants of a sensorless_controller.
+struct sensorless_parameters {
+  momentum_observer_parameters observer = {};  ///< Of the estimate of the hand force.
+  release_probe_parameters probe = {};         ///< Of the search for hands that want to leave.
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const sensorless_parameters& p) {
+  return detail::first_error(validate(p.observer), validate(p.probe));
+}
+
+/// A controller whose law gets the force of a momentum_observer in place of a sensor's, and which probes
+/// brakes that hold (release_probe), so that no hand stays locked inside a wall.
+///
+/// A brake at rest has sign 0 and may hold either way, as for any state without a hand force. Of all forces
+/// that the estimate allows, the law gets the one by which the hand does to brakes at rest what it last did
+/// to them: a brake that holds hides the hand, not takes it away. That is a belief, and probes put it to the
+/// test. Laws that choose by which way a brake at rest is pushed (single_degree_of_freedom_control,
+/// velocity_ratio_control) are not told. Probes make a pressing hand sink step by step, and a law does not
+/// know that its brakes are probed.
+///
+/// For mechanisms that model Dynamics. Errors: as controller. Cost: that of the law and of the observer.
+template <class M, class S, class L>
+class sensorless_controller {
+ public:
+  using mechanism_type = M;                                              ///< The mechanism.
+  using options_type = step_options<typename M::scalar>;                 ///< Options of a step.
+  using result_type = step_result_for<M, typename S::contacts_type>;     ///< What a cycle decides.
+  using probe_phase = typename release_probe<M::task_dimension>::phase;  ///< What the probe does.
+
+  /// Throws std::invalid_argument with the text of validate(brakes), of validate(p), or of the law's own.
+  sensorless_controller(M mechanism, const brakes_of<M>& brakes, S scene, L law = {},
+                        const sensorless_parameters& p = {}, const options_type& options = options_type())
+      : observer_(mechanism, brakes, p.observer),
+        controller_(std::move(mechanism), with_unknown_pushes(brakes), std::move(scene), std::move(law),
+                    options),
+        probe_(p.probe) {}
+
+  /// One control cycle. Only time, q and qd of the state are read.
+  template <class State>
+  result_type operator()(const State& state) noexcept {
+    const auto& hand = observer_.update(state, told_);
+    result_type result =
+        controller_(device_state<M>{state.time, state.q, state.qd, believed_force(hand, state.q)});
+    if (result.outcome == status::ok && result.wall >= 0) probe(state.time, state.q, state.qd, result);
+    else forget_rest();
+    told_ = result.capacity;
+    return result;
+  }
+
+  /// The estimate of the last cycle, and how far it may be off.
+  const hand_force_estimate<M>& hand() const { return observer_.estimate(); }
+  /// What the probe did in the last cycle.
+  probe_phase probing() const { return probe_.now(); }
+  /// Forgets the motion so far.
+  void reset() {
+    observer_.reset();
+    controller_.reset();
+    believed_.setZero();
+    forget_rest();
+  }
+  /// The scene, for example to move a wall of it before a cycle.
+  S& scene() { return controller_.scene(); }
+  /// The mechanism.
+  const M& mechanism() const { return controller_.mechanism(); }
+
+ private:
+  // The estimate does not tell which way a brake at rest is pushed: no torque of it decides a sign.
+  static brakes_of<M> with_unknown_pushes(brakes_of<M> brakes) {
+    brakes.torque_dead_band.setConstant(std::numeric_limits<typename M::scalar>::max());
+    return brakes;
+  }
+
+  // Fh [N] with E^T Fh as near as may be to what it was while brakes slipped
+  task_vector<M> believed_force(const hand_force_estimate<M>& hand, const joint_vector<M>& q) {
+    if (hand.outcome != status::ok) {
+      believed_.setZero();
+      return hand.force;
+    }
+    const brake_vector<M> seen = brake_torque(brake_jacobian(mechanism(), q), hand.force);
+    const brake_vector<M> hidden =
+        (believed_ - seen).cwiseMin(hand.unknown_torque).cwiseMax(-hand.unknown_torque);
+    believed_ = seen + hidden;
+    return hand.force + product(hand.generators, hidden);
+  }
+
+  void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {
+    constexpr int m = M::brake_count;
+    const brake_vector<M> w = brake_rates(mechanism(), q, qd);
+    double rest = 0;
+    unrolled<m>([&](auto i) {
+      // Whatever it is told now: a law that switches at rest holds by the mean of its commands
+      const bool rests = !slips(w[i], controller_.brakes().rate_dead_band[i]);
+      if (!rests || rest_since_[i] > time) rest_since_[i] = time;
+      rest = std::max(rest, time - rest_since_[i]);
+    });
+    const auto x = as<double>(mechanism().position(q));
+    const point<M::task_dimension> n = as<double>(result.desired_force).stableNormalized();
+    const probe_phase before = probe_.now(), phase = probe_.update(time, x, n, rest);
+    if (phase == probe_phase::watching) {
+      if (before != phase) rest_since_.setConstant(time);
+      return;
+    }
+    unrolled<m>([&](auto i) {
+      if (phase == probe_phase::probing) {
+        bool& probed = probed_[static_cast<std::size_t>(i)];
+        if (before != phase) probed = rest_since_[i] < time;
+        if (!probed) return;
+      }
+      result.capacity[i] = result.torque[i] = 0;
+    });
+  }
+
+  void forget_rest() {
+    probe_.clear();
+    rest_since_.setConstant(std::numeric_limits<double>::infinity());
+  }
+
+  momentum_observer<M> observer_;
+  controller<M, S, L> controller_;
+  release_probe<M::task_dimension> probe_;
+  brake_vector<M> told_ = brake_vector<M>::Zero();
+  brake_vector<M> believed_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
+  vector<double, M::brake_count> rest_since_ =
+      vector<double, M::brake_count>::Constant(std::numeric_limits<double>::infinity());
+  std::array<bool, static_cast<std::size_t>(M::brake_count)> probed_{};
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,198 @@
+/// @file
+/// Projection onto a cone of half-spaces by an active set.
+#pragma once
+
+#include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/core/linear/plane_cone.hpp>
+#include <passive_haptics/core/linear/updatable_qr.hpp>
+
+#include <bit>
+#include <limits>
+
+namespace passive_haptics::detail {
+
+/// Lawson and Hanson's non-negative least squares, argmin |B mu - f|, mu >= 0, over an explicit thin QR of
+/// the active columns; the residual is the nearest point of the cone.
+///
+/// Begins with the half-spaces of a start or a guess. Where those hold f back and violate no other, which is
+/// the rule, that was it; else exchanges follow, at most 6 Columns. Reference: Lawson, Hanson, Solving Least
+/// Squares Problems (1974), ch. 23.
+template <class T, int Rows, int Columns>
+class active_set {
+ public:
+  /// Of { p : B^T p <= 0 } and f.
+  [[gnu::always_inline]] active_set(const matrix<T, Rows, Columns>& B, const vector<T, Rows>& f)
+      : b_(B.data()), f_(f.data()), qr_(column::load(f_)) {}
+
+  /// The nearest point to f.
+  PASSIVE_HAPTICS_FLATTEN half_space_projection<T, Rows, Columns> nearest(half_space_set start) {
+    prepare();
+    start &= all;
+    if (start == 0) guess();
+    for (; start != 0 && qr_.size() < most; start &= start - 1) append(std::countr_zero(start));
+    qr_.solve(mu_);
+    if (!all_positive(mu_) || most_violated() >= 0) exchange();
+    half_space_projection<T, Rows, Columns> result{{}, vector<T, Columns>::Zero(), members_};
+    qr_.clean_residual().store(result.point.data());
+    for (int k = 0; k < qr_.size(); ++k) result.coefficients[member_[at(k)]] = mu_[at(k)];
+    return result;
+  }
+
+ private:
+  static constexpr int most = Rows < Columns ? Rows : Columns;
+  static constexpr half_space_set all = ~half_space_set(0) >> (32 - Columns);
+  static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  using qr = updatable_qr<T, Rows, most>;
+  using column = typename qr::column;
+  using packet = typename column::packet;
+  using coefficients = typename qr::coefficients;
+  using by_half_space = packets<T, Columns>;
+
+  [[gnu::always_inline]] column half_space(int j) const { return column::load(b_ + j * Rows); }
+
+  [[gnu::always_inline]] void prepare() {
+    const T ff = qr_.residual().dot(qr_.residual());
+    vanishing_ = rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * ff;
+    const auto square = sums<T, Columns>([&](int j) {
+      const column b = half_space(j);
+      return b.products(b);
+    });
+    square.store(square_);
+    // What is so short that its square is no number any more restricts nothing
+    square.map([](packet s) { return s > std::numeric_limits<T>::min() ? T(1) / s : packet{}; })
+        .store(weight_);
+  }
+
+  // B^T x
+  [[gnu::always_inline]] by_half_space products_with(const column& x) const {
+    return sums<T, Columns>([&](int j) { return half_space(j).products(x); });
+  }
+
+  // The half-space that is violated by the largest angle, of those that may enter, and the square of x's part
+  // beyond it; from B^T x.
+  [[gnu::always_inline]] largest_entry<T> most_violated(by_half_space beyond) const {
+    const auto weight = by_half_space::load(weight_);
+    unrolled<by_half_space::count>([&](auto i) {
+      const packet x = beyond.p[i] > packet{} ? beyond.p[i] : packet{};
+      beyond.p[i] = weight.p[i] * x * x;
+    });
+    return largest(beyond);
+  }
+
+  // The half-space that the residual violates by the largest angle and by more than rounding; -1 if none.
+  [[gnu::always_inline]] int most_violated() const {
+    if (qr_.size() == most) return -1;
+    const auto worst = most_violated(products_with(qr_.residual()));
+    if (worst.value > vanishing_) return worst.index;
+    const T rr = qr_.residual().dot(qr_.residual());
+    constexpr T eps = std::numeric_limits<T>::epsilon();
+    return rr > vanishing_ && worst.value > eps * eps * rr ? worst.index : -1;
+  }
+
+  // All that the residual violates, one after the other, without a look at the signs of mu; the products with
+  // the residual are carried along, so that the next one need not wait for it. They know what is violated to
+  // rounding of |f|, not of |r|.
+  [[gnu::always_inline]] void guess() {
+    T along[at(most)][at(Columns)];  // of v_k and b_j
+    auto beyond = products_with(qr_.residual());
+    while (qr_.size() < most) {
+      const auto [value, j] = most_violated(beyond);
+      if (!(value > T(Rows * Rows) * vanishing_)) return;
+      const int k = qr_.size();
+      if (!append(j, [&, j = j](int l) { return along[l][j]; })) continue;
+      const auto product = products_with(qr_.orthogonal(k));
+      beyond.subtract(qr_.along(k), product);
+      const T scale = qr_.inverse_square(k);
+      product.map([&](packet x) { return scale * x; }).store(along[k]);
+    }
+  }
+
+  // Half-space j, with a coefficient to be found; refused for now if it depends on the members.
+  template <class... Along>
+  [[gnu::always_inline]] bool append(int j, Along&&... along_b) {
+    const int k = qr_.size();
+    weight_[j] = T(0);
+    if (!qr_.append(half_space(j), square_[j], along_b...)) return false;
+    member_[at(k)] = j;
+    members_ |= 1u << j;
+    return true;
+  }
+
+  [[gnu::always_inline]] bool all_positive(const coefficients& y) const {
+    bool all_are = true;
+    for (int k = 0; k < qr_.size(); ++k) all_are &= y[at(k)] > T(0);
+    return all_are;
+  }
+
+  // From mu, the least squares of the members. Not inlined: rare.
+  [[gnu::noinline]] void exchange() {
+    while (!all_positive(mu_)) {
+      int last = qr_.size() - 1;
+      while (mu_[at(last)] > T(0)) --last;
+      remove(last);
+      qr_.solve(mu_);
+    }
+    half_space_set refused = 0;
+    for (int exchange = 0; exchange < 6 * Columns; ++exchange) {
+      for (int j = 0; j < Columns; ++j)
+        weight_[j] = ((members_ | refused) >> j & 1u) == 0 && square_[j] > std::numeric_limits<T>::min()
+                         ? T(1) / square_[j]
+                         : T(0);
+      const int entering = most_violated();
+      if (entering < 0) return;
+      mu_[at(qr_.size())] = T(0);
+      // A newcomer that leaves at once was chosen by rounding; any other exchange lowers the residual.
+      if (append(entering) && settle(entering)) refused = 0;
+      else refused |= 1u << entering;
+    }
+  }
+
+  // Takes member `out` from the set; those behind it are appended anew.
+  void remove(int out) {
+    const int size = qr_.size();
+    const auto old_member = member_;
+    const auto old_mu = mu_;
+    for (int k = out; k < size; ++k) members_ &= ~(1u << old_member[at(k)]);
+    qr_.truncate(out, column::load(f_));
+    for (int k = out + 1; k < size; ++k) {
+      mu_[at(qr_.size())] = old_mu[at(k)];
+      append(old_member[at(k)]);
+    }
+  }
+
+  // Moves mu to the least squares of the members, and out of the set those that would become negative on the
+  // way. False if the newcomer left.
+  bool settle(int entering) {
+    bool kept = true;
+    coefficients y;
+    for (qr_.solve(y); !all_positive(y); qr_.solve(y)) {
+      int blocking = -1;
+      T step = T(1);
+      for (int k = 0; k < qr_.size(); ++k) {
+        if (y[at(k)] > T(0)) continue;
+        const T until_zero = mu_[at(k)] > T(0) ? mu_[at(k)] / (mu_[at(k)] - y[at(k)]) : T(0);
+        if (blocking < 0 || until_zero < step) {
+          step = until_zero;
+          blocking = k;
+        }
+      }
+      for (int k = 0; k < qr_.size(); ++k) mu_[at(k)] += step * (y[at(k)] - mu_[at(k)]);
+      if (member_[at(blocking)] == entering) kept = false;
+      remove(blocking);
+    }
+    mu_ = y;
+    return kept;
+  }
+
+  const T* b_;  // B by columns
+  const T* f_;
+  qr qr_;
+  T vanishing_;                                             // |r|^2 that is rounding
+  T square_[Columns];                                       // |b_j|^2
+  alignas(16) T weight_[Columns];                           // 1 / |b_j|^2 of those that may enter, else 0
+  std::array<int, static_cast<std::size_t>(most)> member_;  // columns in the set, in the order of the QR
+  coefficients mu_;                                         // of the members
+  half_space_set members_ = 0;
+};
+
+}  // namespace passive_haptics::detail

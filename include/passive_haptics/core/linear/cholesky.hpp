@@ -1,0 +1,81 @@
+/// @file
+/// Cholesky decomposition of a small symmetric matrix.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+
+#include <cmath>
+
+namespace passive_haptics {
+
+/// A = L D L^T with a unit lower triangle L and a diagonal D, from the lower triangle of a symmetric positive
+/// definite A.
+///
+/// Not pivoted. Where A is singular to the last digit, the unknown of a pivot of zero is 0 in solve(); NaN in
+/// A makes the solutions NaN. In plain loops: Eigen's decompositions take the compiler some seconds for each
+/// size. Cost: N^3/6.
+template <class T, int N>
+class cholesky {
+ public:
+  /// Decomposes A.
+  explicit cholesky(const matrix<T, N, N>& A) : l_(A) {
+    for (int j = 0; j < N; ++j) {
+      for (int k = 0; k < j; ++k) {
+        const T scaled = l_(j, k) * pivot_[k];
+        for (int i = j; i < N; ++i) l_(i, j) -= l_(i, k) * scaled;
+      }
+      pivot_[j] = l_(j, j);
+      for (int i = j + 1; i < N; ++i) l_(i, j) = over_pivot(l_(i, j), j);
+    }
+  }
+
+  /// True if all pivots are > 0; false for NaN.
+  bool is_positive_definite() const {
+    bool is_positive = true;
+    for (int i = 0; i < N; ++i) is_positive = is_positive && pivot_[i] > T(0);
+    return is_positive;
+  }
+
+  /// A^-1 B.
+  template <int C>
+  matrix<T, N, C> solve(const matrix<T, N, C>& B) const {
+    matrix<T, N, C> X = lower_solve(B);
+    for (int c = 0; c < C; ++c) {
+      for (int i = 0; i < N; ++i) X(i, c) = over_pivot(X(i, c), i);
+      for (int i = N - 1; i >= 0; --i) {
+        for (int k = i + 1; k < N; ++k) X(i, c) -= l_(k, i) * X(k, c);
+      }
+    }
+    return X;
+  }
+
+  /// (L D^1/2)^-1 B, whose square is B^T A^-1 B; NaN or infinite where A is not positive definite.
+  template <int C>
+  matrix<T, N, C> half_solve(const matrix<T, N, C>& B) const {
+    matrix<T, N, C> X = lower_solve(B);
+    for (int i = 0; i < N; ++i) {
+      const T root = std::sqrt(pivot_[i]);
+      for (int c = 0; c < C; ++c) X(i, c) /= root;
+    }
+    return X;
+  }
+
+ private:
+  T over_pivot(T x, int i) const { return pivot_[i] == T(0) ? x * T(0) : x / pivot_[i]; }  // a NaN stays
+
+  // L^-1 B
+  template <int C>
+  matrix<T, N, C> lower_solve(matrix<T, N, C> X) const {
+    for (int c = 0; c < C; ++c) {
+      for (int i = 0; i < N; ++i) {
+        for (int k = 0; k < i; ++k) X(i, c) -= l_(i, k) * X(k, c);
+      }
+    }
+    return X;
+  }
+
+  matrix<T, N, N> l_;  // below the diagonal
+  vector<T, N> pivot_;
+};
+
+}  // namespace passive_haptics

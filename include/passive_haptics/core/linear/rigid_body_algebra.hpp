@@ -1,0 +1,122 @@
+/// @file
+/// The vector algebra of turning bodies, the same expressions in the plane and in space.
+#pragma once
+
+#include <passive_haptics/core/linear/sine_cosine.hpp>
+#include <passive_haptics/core/matrix.hpp>
+
+#include <cmath>
+
+namespace passive_haptics {
+
+/// Numbers in an angular velocity: 1 in the plane (about z, out of it), 3 in space.
+template <int D>
+inline constexpr int angular_size = D == 2 ? 1 : 3;
+
+/// Angular velocity [rad/s], angular acceleration [rad/s^2] or moment [N m].
+template <class T, int D>
+using angular_vector = vector<T, angular_size<D>>;
+
+/// Moment of inertia [kg m^2]: 1 x 1 in the plane, 3 x 3 in space.
+template <class T, int D>
+using inertia_matrix = matrix<T, angular_size<D>, angular_size<D>>;
+
+namespace detail {
+
+/// The products that turning bodies need. One name a role, so that Eigen expressions convert without doubt.
+template <class T, int D>
+struct rigid_body_algebra;
+
+/// In the plane.
+template <class T>
+struct rigid_body_algebra<T, 2> {
+  using angular = vector<T, 1>;  ///< About z.
+  using linear = vector<T, 2>;   ///< In the plane.
+  using turn = matrix<T, 2, 2>;  ///< Rotation.
+
+  /// w x r, the velocity of r.
+  static linear velocity(const angular& w, const linear& r) { return {-w[0] * r[1], w[0] * r[0]}; }
+  /// r x f, the moment of f.
+  static angular moment(const linear& r, const linear& f) { return angular(r[0] * f[1] - r[1] * f[0]); }
+  /// v x w of two angular vectors, parallel in the plane.
+  static angular gyroscopic(const angular&, const angular&) { return angular::Zero(); }
+
+  /// r turned by `angle` [rad]; there is one axis only. One sine and one cosine.
+  template <class S>
+  static vector<S, 2> turned(const linear&, const S& angle, const vector<S, 2>& r) {
+    using std::cos, std::sin;
+    const S c = cos(angle), s = sin(angle);
+    return {c * r[0] - s * r[1], s * r[0] + c * r[1]};
+  }
+
+  /// The matrix of turned().
+  static turn rotation(const linear&, T angle) {
+    const auto [s, c] = sine_cosine(angle);
+    return turn{{c, -s}, {s, c}};
+  }
+
+  /// The axis of a joint after the turn: z stays.
+  static angular axis(const turn&, const linear&) { return angular(T(1)); }
+
+  /// Inertia of a body after the turn: the number it was.
+  static inertia_matrix<T, 2> inertia(const turn&, const inertia_matrix<T, 2>& i) { return i; }
+
+  /// Inertia of a point mass at r about the origin, m |r|^2.
+  static inertia_matrix<T, 2> point_inertia(T mass, const linear& r) {
+    return inertia_matrix<T, 2>(mass * r.squaredNorm());
+  }
+};
+
+/// In space.
+template <class T>
+struct rigid_body_algebra<T, 3> {
+  using angular = vector<T, 3>;  ///< Base frame.
+  using linear = vector<T, 3>;   ///< Base frame.
+  using turn = matrix<T, 3, 3>;  ///< Rotation.
+
+  /// w x r, the velocity of r.
+  static linear velocity(const angular& w, const linear& r) { return cross(w, r); }
+  /// r x f, the moment of f.
+  static angular moment(const linear& r, const linear& f) { return cross(r, f); }
+  /// v x w of two angular vectors.
+  static angular gyroscopic(const angular& v, const angular& w) { return cross(v, w); }
+
+  /// r turned by `angle` [rad] about the unit vector `axis` (Rodrigues): with w the axis,
+  /// r + sin w x r + (1 - cos) w x (w x r).
+  template <class S>
+  static vector<S, 3> turned(const angular& axis, const S& angle, const vector<S, 3>& r) {
+    using std::cos, std::sin;
+    const vector<S, 3> w{S(axis[0]), S(axis[1]), S(axis[2])};
+    const vector<S, 3> across = cross(w, r), inward = cross(w, across);
+    const S s = sin(angle), v = S(T(1)) - cos(angle);
+    return {r[0] + s * across[0] + v * inward[0], r[1] + s * across[1] + v * inward[1],
+            r[2] + s * across[2] + v * inward[2]};
+  }
+
+  /// The matrix of turned().
+  static turn rotation(const angular& w, T angle) {
+    const auto [sine, c] = sine_cosine(angle);
+    const T v = T(1) - c;
+    const angular s = sine * w;
+    const T xy = v * w[0] * w[1], yz = v * w[1] * w[2], zx = v * w[2] * w[0];
+    return turn{{c + v * w[0] * w[0], xy - s[2], zx + s[1]},
+                {xy + s[2], c + v * w[1] * w[1], yz - s[0]},
+                {zx - s[1], yz + s[0], c + v * w[2] * w[2]}};
+  }
+
+  /// The axis of a joint after the turn.
+  static angular axis(const turn& A, const linear& w) { return A * w; }
+
+  /// Inertia of a body after the turn, A I A^T.
+  static inertia_matrix<T, 3> inertia(const turn& A, const inertia_matrix<T, 3>& i) {
+    return A * i * A.transpose();
+  }
+
+  /// Inertia of a point mass at r about the origin, m (|r|^2 - r r^T).
+  static inertia_matrix<T, 3> point_inertia(T mass, const linear& r) {
+    return mass * (r.squaredNorm() * turn::Identity() - r * r.transpose());
+  }
+};
+
+}  // namespace detail
+}  // namespace passive_haptics

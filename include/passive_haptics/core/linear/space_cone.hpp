@@ -1,0 +1,156 @@
+/// @file
+/// Projection onto a cone of three half-spaces in space, in closed form.
+#pragma once
+
+#include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/core/linear/active_set.hpp>
+#include <passive_haptics/core/linear/difference_of_products.hpp>
+#include <passive_haptics/core/linear/plane_cone.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace passive_haptics::detail {
+
+/// In space the answer is f, its foot on a face or on an edge, or the apex. With the edges d_k = b_i x b_j
+/// (i, j, k in cyclic order) and c_j = b_j x f, Lagrange's identity gives for the foot p of f on face j
+///
+///     |b_j|^2 b_i . p = c_j . (b_j x b_i) = +-c_j . d_k,
+///
+/// which is also |d_k|^2 mu_i of the foot on the edge of i and j. So signs of a few products tell which one
+/// it is, and all that a narrow angle between two half-spaces could spoil are the edges; those are made to a
+/// few roundings of themselves.
+template <class T>
+class space_cone {
+ public:
+  using projection = half_space_projection<T, 3, 3>;  ///< What nearest() gives.
+
+  /// Of { p : B^T p <= 0 } and f, which is read as long as this lives.
+  space_cone(const matrix<T, 3, 3>& B, const vector<T, 3>& f) : f_(f) {
+    unrolled<3>([&](auto j) {
+      b_[at(j)] = B.col(j);
+      square_[j] = dot(b_[at(j)], b_[at(j)]);
+      outside_[j] = dot(b_[at(j)], f);
+    });
+  }
+
+  /// The nearest point to f. False where rounding would decide which it is; then `answer` is not touched.
+  PASSIVE_HAPTICS_FLATTEN bool nearest(projection& answer) {
+    if (!(outside_[0] > T(0) || outside_[1] > T(0) || outside_[2] > T(0))) {
+      answer = {f_, vector<T, 3>::Zero(), 0};
+      return true;
+    }
+    if (!squares_are_moderate()) return false;
+    unrolled<3>([&](auto k) { edge_[at(k)] = edge(next(k), previous(k)); });
+    for (int j = 0; j < 3; ++j) {
+      if (!(outside_[j] > T(0))) continue;
+      look_from_face(j);
+      if (beyond_next_[j] <= T(0) && beyond_previous_[j] <= T(0)) return lie_on_face(j, answer);
+    }
+    for (int j = 0; j < 3; ++j) {
+      if (!(outside_[j] > T(0))) look_from_face(j);
+    }
+    for (int k = 0; k < 3; ++k) {
+      if (!is_within_edge(k)) continue;
+      const T along = dot(edge_[at(k)], f_), third = height(k);
+      if (is_flat(k, third)) return false;
+      if (!(along * third > T(0))) return lie_on_edge(k, along, answer);
+    }
+    return lie_at_apex(answer);
+  }
+
+ private:
+  static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  static constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
+  static constexpr int previous(int k) { return k == 0 ? 2 : k - 1; }
+
+  // Products of four lengths must be numbers
+  bool squares_are_moderate() const {
+    constexpr T most = sizeof(T) > sizeof(float) ? T(1e30) : T(1e8);
+    bool moderate = true;
+    unrolled<3>(
+        [&](auto j) { moderate &= square_[j] < most && (square_[j] > T(1) / most || square_[j] == T(0)); });
+    return moderate;
+  }
+
+  // b_i x b_j to rounding of itself; 0 where they are parallel to rounding, so that a foot on one face lies
+  // on the other
+  vector<T, 3> edge(int i, int j) const {
+    vector<T, 3> d = cross(b_[at(i)], b_[at(j)]);
+    const T both = square_[i] * square_[j], narrow = both / T(16);
+    if (dot(d, d) >= narrow) return d;
+    d = accurate_cross(b_[at(i)], b_[at(j)]);
+    constexpr T parallel = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
+    if (!(dot(d, d) > parallel * both)) d.setZero();
+    return d;
+  }
+
+  // |b_j|^2 b . p of the two other columns b, for the foot p of f on face j
+  void look_from_face(int j) {
+    normal_[at(j)] = cross(b_[at(j)], f_);
+    beyond_next_[j] = dot(normal_[at(j)], edge_[at(previous(j))]);
+    beyond_previous_[j] = -dot(normal_[at(j)], edge_[at(next(j))]);
+  }
+
+  bool lie_on_face(int j, projection& answer) const {
+    const T inverse = T(1) / square_[j];
+    answer = {scaled(inverse, cross(normal_[at(j)], b_[at(j)])), vector<T, 3>::Zero(), 1u << j};
+    answer.coefficients[j] = outside_[j] * inverse;
+    return true;
+  }
+
+  // f pulled to edge k by both of its half-spaces
+  bool is_within_edge(int k) const {
+    return beyond_previous_[previous(k)] > T(0) && beyond_next_[next(k)] > T(0);
+  }
+
+  // b_k . d_k, the determinant of B: how far edge k rises over face k
+  T height(int k) const { return dot(b_[at(k)], edge_[at(k)]); }
+  // Whether that is rounding: edge k lies in face k
+  bool is_flat(int k, T height) const {
+    constexpr T tolerance = rounding_tolerance<T>(3) * rounding_tolerance<T>(3);
+    return square_[k] > T(0) && !(height * height > tolerance * square_[k] * dot(edge_[at(k)], edge_[at(k)]));
+  }
+
+  bool lie_on_edge(int k, T along, projection& answer) const {
+    const vector<T, 3>& d = edge_[at(k)];
+    const T inverse = T(1) / dot(d, d);
+    const int i = next(k), j = previous(k);
+    answer = {scaled(along * inverse, d), vector<T, 3>::Zero(), 1u << i | 1u << j};
+    answer.coefficients[i] = beyond_previous_[j] * inverse;
+    answer.coefficients[j] = beyond_next_[i] * inverse;
+    return true;
+  }
+
+  // f = B mu by Cramer's rule, if mu >= 0
+  bool lie_at_apex(projection& answer) const {
+    vector<T, 3> mu;
+    for (int k = 0; k < 3; ++k) {
+      const T determinant = height(k);
+      if (is_flat(k, determinant)) return false;
+      mu[k] = dot(edge_[at(k)], f_) / determinant;
+      if (!(mu[k] >= T(0))) return false;
+    }
+    answer = {vector<T, 3>::Zero(), mu, 7u};
+    return true;
+  }
+
+  const vector<T, 3>& f_;
+  std::array<vector<T, 3>, 3> b_, edge_, normal_;  // columns of B, d_k, c_j
+  vector<T, 3> square_, outside_;                  // |b_j|^2, b_j . f
+  vector<T, 3> beyond_next_, beyond_previous_;     // |b_j|^2 b . p_j of the column after and before j
+};
+
+/// The nearest point of { p : B^T p <= 0 } to f: in closed form, or where that will not do by an active set
+/// from `start`.
+template <class T>
+half_space_projection<T, 3, 3> nearest_in_space(const matrix<T, 3, 3>& B, const vector<T, 3>& f,
+                                                half_space_set start) {
+  half_space_projection<T, 3, 3> answer;
+  if (space_cone<T>(B, f).nearest(answer)) return answer;
+  return active_set<T, 3, 3>(B, f).nearest(start);
+}
+
+}  // namespace passive_haptics::detail

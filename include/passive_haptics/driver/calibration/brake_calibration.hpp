@@ -1,0 +1,106 @@
+/// @file
+/// From the torques that a controller asks of its brakes to currents.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/driver/calibration/brake_curve.hpp>
+#include <passive_haptics/driver/port.hpp>
+
+namespace passive_haptics {
+
+/// The curve of each brake.
+template <int Brakes>
+using brake_curves = std::array<brake_curve, static_cast<std::size_t>(Brakes)>;
+
+/// What is wrong with the curves, with the brake's number; empty if nothing.
+template <std::size_t Brakes>
+std::string validate(const std::array<brake_curve, Brakes>& curves) {
+  for (std::size_t i = 0; i < Brakes; ++i)
+    if (std::string text = validate(curves[i]); !text.empty())
+      return detail::indexed("brakes[", i, "].").append(text);
+  return {};
+}
+
+/// Currents for commanded capacities, and what they come to. With hysteresis h a brake is taken for a play of
+/// this width,
+///
+///     rising(I) <= torque <= rising(I) + h,
+///
+/// which keeps its torque until one side pushes it (the simplest of Prandtl's and Ishlinskii's). Its exact
+/// inverse: the current for the capacity itself while that grows, for capacity - h while it falls. So a
+/// capacity that trembles makes the current jump by h over the slope; and after a fall to 0 A the brake is
+/// taken to hold its residual torque + h until it is asked for more.
+///
+/// No brake is made to give more than its capacity, or its residual torque + h where that is more.
+template <int Brakes>
+class brake_calibration {
+ public:
+  /// Throws std::invalid_argument with the text of validate(curves).
+  explicit brake_calibration(const brake_curves<Brakes>& curves) : curves_(require_valid(curves)) {
+    restart();
+  }
+
+  /// Currents [A], each in [0, current_limit], for capacities [N m]; 0 for one that is negative or NaN. With
+  /// the brakes' temperatures [K], where they are measured: see current_of_torque.
+  brake_currents<Brakes> currents(
+      const vector<double, Brakes>& capacity,
+      const vector<double, Brakes>& temperature = unknown_temperatures()) noexcept {
+    brake_currents<Brakes> all{};
+    for (int i = 0; i < Brakes; ++i)
+      all[static_cast<std::size_t>(i)] = current(static_cast<std::size_t>(i), capacity[i], temperature[i]);
+    return all;
+  }
+
+  /// Torques [N m] that currents [A] make on the rising branch, for logs; the falling one is h above.
+  vector<double, Brakes> rising_torque(
+      const brake_currents<Brakes>& currents,
+      const vector<double, Brakes>& temperature = unknown_temperatures()) const noexcept {
+    vector<double, Brakes> torque;
+    for (int i = 0; i < Brakes; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      torque[i] = torque_of_current(curves_[k], currents[k], temperature[i]);
+    }
+    return torque;
+  }
+
+  /// Torques [N m] that the brakes are taken to have made of the last currents, when their lag is over.
+  vector<double, Brakes> torque() const noexcept {
+    vector<double, Brakes> all;
+    for (int i = 0; i < Brakes; ++i) all[i] = state_[static_cast<std::size_t>(i)].torque;
+    return all;
+  }
+
+  /// Brakes without current and without remanence, as after a long pause.
+  void restart() noexcept {
+    for (std::size_t i = 0; i < curves_.size(); ++i) state_[i] = {curves_[i].residual_torque, false};
+  }
+
+  /// Of brakes whose temperature nobody measures: NaN [K].
+  static vector<double, Brakes> unknown_temperatures() noexcept {
+    return vector<double, Brakes>::Constant(unknown_temperature);
+  }
+
+ private:
+  struct branch {
+    double torque = 0;
+    bool falling = false;
+  };
+
+  double current(std::size_t i, double capacity, double temperature) noexcept {
+    const brake_curve& p = curves_[i];
+    branch& at = state_[i];
+    const double asked = capacity > 0 ? capacity : 0;
+    if (asked != at.torque) at.falling = asked < at.torque;
+    const double I = current_of_torque(p, asked - (at.falling ? p.hysteresis : 0), temperature);
+    const double rising = torque_of_current(p, I, temperature);
+    // What it makes at an end of its range; within, the very number, so that the same capacity is no change
+    const bool within = I > 0 && I < p.current_limit;
+    at.torque = within ? asked : std::clamp(at.torque, rising, rising + p.hysteresis);
+    return I;
+  }
+
+  brake_curves<Brakes> curves_;
+  std::array<branch, static_cast<std::size_t>(Brakes)> state_{};
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,148 @@
+/// @file
+/// The torque that a brake makes of a current.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace passive_haptics {
+
+/// A measured point of a brake.
+struct current_torque {
+  double current = 0;  ///< [A]
+  double torque = 0;   ///< [N m]; of a sliding brake [N].
+};
+
+/// One electric brake: its torque when the current rises, measured cold,
+///
+///     torque = residual_torque + torque_per_ampere current,   or a table that is linear between its points,
+///
+/// and what changes it. For a sliding brake read N for N m. The defaults are no brake's: 1 N m at 1 A.
+struct brake_curve {
+  static constexpr int most_points = 16;  ///< Of a table.
+
+  double residual_torque = 0;    ///< What drags without current [N m].
+  double torque_per_ampere = 1;  ///< Slope of the straight line [N m/A]. Not read with a table.
+  double current_limit = 1;      ///< Most current that is ever given [A].
+  /// The first `points` are a table in place of the line: both values rise, the first is 0 A and
+  /// residual_torque.
+  std::array<current_torque, static_cast<std::size_t>(most_points)> table{};
+  int points = 0;  ///< 0: the straight line; else 2 to most_points.
+  /// By how much the falling branch lies above the rising one, remanence [N m].
+  double hysteresis = 0;
+  /// Share of the torque, without the residual one, that a kelvin above the reference takes away [1/K].
+  double loss_per_kelvin = 0;
+  double reference_temperature = 293.15;  ///< At which the curve was measured, the coldest of the device [K].
+  double highest_temperature = 353.15;    ///< A hotter reading counts as this [K].
+};
+
+namespace detail {
+
+inline std::string check_brake_table(const brake_curve& p) {
+  const auto named = [](int i, const char* member) { return indexed("table[", i, "]").append(member); };
+  if (p.points == 1 || p.points < 0 || p.points > brake_curve::most_points)
+    return error_text("points", p.points,
+                      indexed("0 for a straight line, or 2 to ", brake_curve::most_points, ""));
+  std::string text;
+  for (int i = 0; i < p.points && text.empty(); ++i) {
+    const current_torque at = p.table[static_cast<std::size_t>(i)];
+    text = first_error(check_finite(named(i, ".current [A]"), at.current),
+                       check_finite(named(i, ".torque [N m]"), at.torque));
+    if (i == 0 || !text.empty()) continue;
+    const current_torque before = p.table[static_cast<std::size_t>(i - 1)];
+    if (!(at.current > before.current))
+      text = error_text(named(i, ".current [A]"), at.current, "more than in the point before it");
+    else if (!(at.torque > before.torque))
+      text = error_text(named(i, ".torque [N m]"), at.torque, "more than in the point before it");
+  }
+  if (p.points == 0 || !text.empty()) return text;
+  const double last = p.table[static_cast<std::size_t>(p.points - 1)].current;
+  if (p.table[0].current != 0) return error_text("table[0].current [A]", p.table[0].current, "0");
+  if (p.table[0].torque != p.residual_torque)
+    return error_text("table[0].torque [N m]", p.table[0].torque, "the residual_torque");
+  if (p.current_limit > last)
+    return error_text("current_limit [A]", p.current_limit, "at most the last current of the table");
+  return text;
+}
+
+// Torque that is left of 1; cold if the temperature is not known
+inline double hot_share(const brake_curve& p, double temperature) noexcept {
+  if (!std::isfinite(temperature)) return 1;
+  const double above = std::min(temperature, p.highest_temperature) - p.reference_temperature;
+  return 1 - p.loss_per_kelvin * std::max(above, 0.0);
+}
+
+// The piece of the table whose upper end first has member >= value, or the last one
+template <double current_torque::* Member>
+std::size_t piece_of_table(const brake_curve& p, double value) noexcept {
+  std::size_t i = 1;
+  while (i + 1 < static_cast<std::size_t>(p.points) && p.table[i].*Member < value) ++i;
+  return i;
+}
+
+}  // namespace detail
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const brake_curve& p) {
+  std::string text = detail::first_error(
+      detail::check_not_negative("residual_torque [N m]", p.residual_torque),
+      detail::check_positive("torque_per_ampere [N m/A]", p.torque_per_ampere),
+      detail::check_positive("current_limit [A]", p.current_limit),
+      detail::check_not_negative("hysteresis [N m]", p.hysteresis),
+      detail::check_not_negative("loss_per_kelvin [1/K]", p.loss_per_kelvin),
+      detail::check_positive("reference_temperature [K]", p.reference_temperature),
+      detail::check_positive("highest_temperature [K]", p.highest_temperature), detail::check_brake_table(p));
+  if (!text.empty()) return text;
+  if (p.highest_temperature < p.reference_temperature)
+    return detail::error_text("highest_temperature [K]", p.highest_temperature,
+                              "at least reference_temperature");
+  if (!(detail::hot_share(p, p.highest_temperature) > 0))
+    return detail::error_text("loss_per_kelvin [1/K]", p.loss_per_kelvin,
+                              "less than 1 / (highest_temperature - reference_temperature)");
+  return text;
+}
+
+/// Temperature of a brake that nobody measures [K].
+inline constexpr double unknown_temperature = std::numeric_limits<double>::quiet_NaN();
+
+/// Torque [N m] that a current [A] makes on the rising branch. A temperature [K] that is colder than the
+/// reference, NaN or infinite reads as the reference.
+inline double torque_of_current(const brake_curve& p, double current,
+                                double temperature = unknown_temperature) noexcept {
+  double made = p.torque_per_ampere * current;
+  if (p.points > 0) {
+    const std::size_t i = detail::piece_of_table<&current_torque::current>(p, current);
+    const current_torque &low = p.table[i - 1], &high = p.table[i];
+    made = low.torque - p.residual_torque +
+           (current - low.current) * ((high.torque - low.torque) / (high.current - low.current));
+  }
+  return p.residual_torque + detail::hot_share(p, temperature) * made;
+}
+
+/// The current [A] in [0, current_limit] that makes this torque [N m] on the rising branch: 0 up to the
+/// residual torque and for NaN.
+///
+/// A temperature that is not known reads as the reference, which is the coldest: a cold brake is strongest,
+/// so the current is the smallest that can be meant. The brake then makes at most what was asked, and is not
+/// heated further for a sensor that broke; the wall is softer, and no torque is there that nobody asked for.
+inline double current_of_torque(const brake_curve& p, double torque,
+                                double temperature = unknown_temperature) noexcept {
+  if (!(torque > p.residual_torque)) return 0;
+  const double made = (torque - p.residual_torque) / detail::hot_share(p, temperature);
+  double current = made / p.torque_per_ampere;
+  if (p.points > 0) {
+    const double cold = p.residual_torque + made;
+    const std::size_t i = detail::piece_of_table<&current_torque::torque>(p, cold);
+    const current_torque &low = p.table[i - 1], &high = p.table[i];
+    current = low.current + (cold - low.torque) * ((high.current - low.current) / (high.torque - low.torque));
+  }
+  return std::clamp(current, 0.0, p.current_limit);
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,120 @@
+/// @file
+/// All calibrations of a device: counts and readings to its state, capacities to currents.
+#pragma once
+
+#include <passive_haptics/brake/measurement/encoder_axes.hpp>
+#include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/driver/calibration/brake_calibration.hpp>
+#include <passive_haptics/driver/calibration/encoder_calibration.hpp>
+#include <passive_haptics/driver/calibration/force_calibration.hpp>
+#include <passive_haptics/driver/rate_estimator.hpp>
+
+namespace passive_haptics {
+
+/// What was measured on a device with mechanism M and a force sensor with this many channels.
+template <class M, int Channels = M::task_dimension>
+struct device_calibration_parameters {
+  encoder_calibration_parameters<encoder_axes<M>::count> encoders;       ///< On encoder_axes<M>.
+  rate_estimator_parameters rates;                                       ///< In counts.
+  brake_curves<M::brake_count> brakes{};                                 ///< Torque of current.
+  force_calibration_parameters<M::task_dimension, Channels> force = {};  ///< Not read without a sensor.
+};
+
+/// What is wrong with the parameters, with the part's name; empty if nothing.
+template <class M, int Channels>
+std::string validate(const device_calibration_parameters<M, Channels>& p) {
+  const auto part = [](std::string_view name, const std::string& text) {
+    return text.empty() ? text : std::string(name).append(text);
+  };
+  return detail::first_error(part("encoders.", validate(p.encoders)), part("rates.", validate(p.rates)),
+                             validate(p.brakes), part("force.", validate(p.force)));
+}
+
+/// Chains rate estimator, encoder, force and brake calibration of mechanism M. Frame tells how the sensor
+/// turns.
+template <class M, int Channels = M::task_dimension, class Frame = fixed_sensor_frame<M::task_dimension>>
+class device_calibration {
+  static_assert(mechanism_requirements<M>::met);
+  static_assert(SensorFrame<Frame, M::dof, M::task_dimension>,
+                "passive_haptics: a sensor frame takes q and returns a matrix<double, d, d> exactly.");
+  using T = typename M::scalar;
+
+ public:
+  using axes = encoder_axes<M>;                          ///< What the encoders turn with.
+  using counts_array = std::array<double, axes::count>;  ///< As safe_port::position(): past wraps [counts].
+  using readings_array = std::array<double, static_cast<std::size_t>(Channels)>;  ///< The same of the sensor.
+  using parameters = device_calibration_parameters<M, Channels>;                  ///< What it is made of.
+
+  /// Throws std::invalid_argument with the text of validate(p), or if the transmission is singular.
+  device_calibration(const M& mechanism, const parameters& p, const Frame& frame = {})
+      : encoders(require_valid(p).encoders),
+        rates(p.rates),
+        force(p.force),
+        brakes(p.brakes),
+        axes_(mechanism),
+        frame_(frame) {
+    const bool solvable = all_finite(axes_.to_joints(vector<T, axes::count>::Ones()));
+    require_no_error(solvable ? "" : "the mechanism's transmission is singular");
+  }
+
+  /// State at the time [s] of a sample; not finite where a count or reading is not.
+  device_state<M> state(double time, const counts_array& counts, const readings_array& readings) noexcept {
+    device_state<M> y;
+    read(y, time, counts);
+    const vector<double, Channels> raw(readings.data());
+    y.hand_force = as<T>(force.force(raw, frame_(as<double>(y.q))));
+    return y;
+  }
+
+  /// The same without a force sensor.
+  sensorless_device_state<M> state(double time, const counts_array& counts) noexcept {
+    sensorless_device_state<M> y;
+    read(y, time, counts);
+    return y;
+  }
+
+  /// Currents [A] for capacities [N m], with the brakes' temperatures [K] where they are measured.
+  brake_currents<M::brake_count> currents(
+      const brake_vector<M>& capacity,
+      const vector<double, M::brake_count>& temperature =
+          brake_calibration<M::brake_count>::unknown_temperatures()) noexcept {
+    return brakes.currents(as<double>(capacity), temperature);
+  }
+
+  /// Axis positions [rad or m] of a pose: the reference of homing.
+  vector<double, axes::count> axis_positions(const joint_vector<M>& q) const noexcept {
+    return as<double>(axes_.from_joints(q));
+  }
+  /// Sensor's frame in a pose: for taring.
+  matrix<double, M::task_dimension, M::task_dimension> sensor_frame(const joint_vector<M>& q) const noexcept {
+    return frame_(as<double>(q));
+  }
+
+  encoder_calibration<axes::count> encoders;             ///< Counts to axis positions.
+  rate_estimator<axes::count> rates;                     ///< Of counts.
+  force_calibration<M::task_dimension, Channels> force;  ///< Readings to force.
+  brake_calibration<M::brake_count> brakes;              ///< Capacities to currents.
+
+ private:
+  template <class State>
+  void read(State& y, double time, const counts_array& counts) noexcept {
+    const vector<double, axes::count> at(counts.data());
+    y.time = time;
+    y.q = axes_.to_joints(as<T>(encoders.position(at)));
+    y.qd = axes_.to_joints(as<T>(encoders.rate(rates.add(time, at))));
+  }
+
+  axes axes_;
+  Frame frame_;
+};
+
+/// The same with the sensor's frame deduced.
+template <class M, int Channels, class Frame>
+device_calibration(const M&, const device_calibration_parameters<M, Channels>&, const Frame&)
+    -> device_calibration<M, Channels, Frame>;
+/// The same with a frame that stays.
+template <class M, int Channels>
+device_calibration(const M&, const device_calibration_parameters<M, Channels>&)
+    -> device_calibration<M, Channels>;
+
+}  // namespace passive_haptics

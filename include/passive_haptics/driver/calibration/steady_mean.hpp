@@ -1,0 +1,104 @@
+/// @file
+/// The mean of readings while nothing moves, for homing and taring.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/validate.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace passive_haptics {
+
+/// When readings count as steady.
+struct steady_parameters {
+  double duration = 0.5;      ///< Of the mean [s].
+  double tolerance = 3;       ///< Most between the least and the largest reading, in their unit (counts).
+  double longest_gap = 0.02;  ///< Between two readings [s].
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const steady_parameters& p) {
+  return detail::first_error(detail::check_positive("duration [s]", p.duration),
+                             detail::check_not_negative("tolerance [counts]", p.tolerance),
+                             detail::check_positive("longest_gap [s]", p.longest_gap));
+}
+
+/// How far a steady_mean is.
+enum class steady_status {
+  collecting,   ///< Steady so far.
+  moved,        ///< A reading moved out of the tolerance: started anew with it.
+  interrupted,  ///< A reading was NaN or infinite, came late, or its time did not go on: started anew.
+  done,         ///< The mean is there; further readings change nothing.
+};
+
+/// The status in words.
+constexpr std::string_view to_string(steady_status s) {
+  switch (s) {
+    case steady_status::collecting: return "collecting";
+    case steady_status::moved: return "moved: started anew";
+    case steady_status::interrupted: return "interrupted: started anew";
+    case steady_status::done: return "done";
+  }
+  return "unknown steady status";
+}
+
+/// Mean of N readings over a time in which none moved by more than a tolerance.
+template <int N>
+class steady_mean {
+ public:
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit steady_mean(const steady_parameters& p = {}) : p_(require_valid(p)) {}
+
+  /// Readings at this time [s].
+  steady_status add(double time, const vector<double, N>& reading) noexcept {
+    if (status_ == steady_status::done) return status_;
+    if (!std::isfinite(time) || !all_finite(reading)) {
+      restart();
+      return status_ = steady_status::interrupted;
+    }
+    if (count_ == 0) return begin(time, reading, steady_status::collecting);
+    if (!(time > last_) || time - last_ > p_.longest_gap)
+      return begin(time, reading, steady_status::interrupted);
+    least_ = least_.cwiseMin(reading);
+    most_ = most_.cwiseMax(reading);
+    if ((most_ - least_).maxCoeff() > p_.tolerance) return begin(time, reading, steady_status::moved);
+    last_ = time;
+    sum_ += reading - first_;
+    count_ += 1;
+    return status_ = time - start_ < p_.duration ? steady_status::collecting : steady_status::done;
+  }
+
+  /// What the last add() said.
+  steady_status status() const noexcept { return status_; }
+
+  /// The mean, in the readings' unit; NaN until it is done.
+  vector<double, N> mean() const noexcept {
+    if (status_ == steady_status::done) return first_ + sum_ / count_;
+    return vector<double, N>::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// As new.
+  void restart() noexcept {
+    count_ = 0;
+    status_ = steady_status::collecting;
+  }
+
+ private:
+  steady_status begin(double time, const vector<double, N>& reading, steady_status why) noexcept {
+    first_ = least_ = most_ = reading;
+    sum_.setZero();
+    count_ = 1;
+    start_ = last_ = time;
+    return status_ = why;
+  }
+
+  steady_parameters p_;
+  steady_status status_ = steady_status::collecting;
+  vector<double, N> first_ = vector<double, N>::Zero(), least_ = first_, most_ = first_, sum_ = first_;
+  double start_ = 0, last_ = 0, count_ = 0;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,88 @@
+/// @file
+/// What currents a brake's coil and amplifier may get.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/driver/port.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace passive_haptics {
+
+/// Limits of the current of each of N brakes.
+template <int N>
+struct current_limits {
+  brake_currents<N> largest = constant(1);     ///< Never more [A].
+  brake_currents<N> continuous = constant(1);  ///< May flow for ever [A].
+  brake_currents<N> heat =
+      constant(10);  ///< What may be over it: the integral of I^2 - continuous^2 [A^2 s].
+  brake_currents<N> fastest_rise = constant(0);  ///< [A/s], 0 for no limit. A fall is never slowed.
+
+  /// The same for all brakes.
+  static constexpr brake_currents<N> constant(double value) {
+    brake_currents<N> all{};
+    all.fill(value);
+    return all;
+  }
+};
+
+/// What is wrong with the limits; empty if nothing.
+template <int N>
+std::string validate(const current_limits<N>& p) {
+  std::string text;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(N) && text.empty(); ++i) {
+    const auto name = [&](const char* what, const char* unit) {
+      return detail::indexed(std::string(what).append("["), i, std::string("] [").append(unit).append("]"));
+    };
+    text = detail::first_error(detail::check_positive(name("largest", "A"), p.largest[i]),
+                               detail::check_positive(name("continuous", "A"), p.continuous[i]),
+                               detail::check_positive(name("heat", "A^2 s"), p.heat[i]),
+                               detail::check_not_negative(name("fastest_rise", "A/s"), p.fastest_rise[i]));
+  }
+  return text;
+}
+
+/// Clamps, slows and, where a coil gets too warm, lowers currents: I^2 t as of a fuse that mends.
+template <int N>
+class current_limiter {
+ public:
+  /// Throws std::invalid_argument with the text of validate(limits).
+  explicit current_limiter(const current_limits<N>& limits) : limits_(require_valid(limits)) {}
+
+  /// What may flow now instead of `wanted` (each finite and >= 0) [A], `dt` [s] after the call before.
+  brake_currents<N> operator()(const brake_currents<N>& wanted, double dt) noexcept {
+    warm_ = false;
+    for (std::size_t i = 0; i < flowing_.size(); ++i) {
+      const double continuous = limits_.continuous[i];
+      heat_[i] = std::max(0.0, heat_[i] + (flowing_[i] * flowing_[i] - continuous * continuous) * dt);
+      double most = limits_.largest[i];
+      // Once too warm it stays lowered until half of the heat is gone, or it would switch each cycle
+      hot_[i] = heat_[i] > (hot_[i] ? 0.5 : 1.0) * limits_.heat[i];
+      if (hot_[i] && continuous < most) most = cooling * continuous;
+      if (limits_.fastest_rise[i] > 0) most = std::min(most, flowing_[i] + limits_.fastest_rise[i] * dt);
+      warm_ = warm_ || (hot_[i] && wanted[i] > cooling * continuous);
+      flowing_[i] = std::min(wanted[i], most);
+    }
+    return flowing_;
+  }
+
+  /// Whether heat lowered the last currents.
+  bool lowered_by_heat() const noexcept { return warm_; }
+  /// The last currents [A].
+  const brake_currents<N>& flowing() const noexcept { return flowing_; }
+  /// Nothing flows any more; the coils stay as warm as they are.
+  void release() noexcept { flowing_ = {}; }
+
+ private:
+  static constexpr double cooling = 0.95;  // of the continuous current, at which a coil cools
+
+  current_limits<N> limits_;
+  brake_currents<N> flowing_{};
+  brake_currents<N> heat_{};
+  std::array<bool, static_cast<std::size_t>(N)> hot_{};
+  bool warm_ = false;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,96 @@
+/// @file
+/// Encoder counts past the wrap of their counter, and whether a device can have moved so.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/driver/fault.hpp>
+#include <passive_haptics/driver/port.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace passive_haptics {
+
+/// What encoders of a device can do.
+struct encoder_limits {
+  double largest_rate =
+      2e5;  ///< Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts.
+  /// An encoder that does not change while the others together turn so far and no brake holds is frozen
+  /// [counts]; 0: never asked. A turn of 8192 counts by default; more where friction alone can hold an axis.
+  double frozen_travel = 8192;
+};
+
+/// What is wrong with the limits; empty if nothing.
+inline std::string validate(const encoder_limits& p) {
+  return detail::first_error(detail::check_positive("largest_rate [counts/s]", p.largest_rate),
+                             detail::check_not_negative("frozen_travel [counts]", p.frozen_travel));
+}
+
+/// Follows N encoders from sample to sample.
+template <int N>
+class encoder_check {
+ public:
+  using counts = std::array<double, static_cast<std::size_t>(N)>;  ///< [counts]
+
+  /// Throws std::invalid_argument with the text of validate(limits).
+  explicit encoder_check(const encoder_limits& limits) : limits_(require_valid(limits)) {}
+
+  /// Counters of this width wrap; 0: they never do. Before the first sample.
+  void set_counter_bits(int bits) noexcept { turn_ = bits > 0 ? std::ldexp(1.0, bits) : 0.0; }
+
+  /// Takes a sample; `free` says that no brake holds. A fault: the sample was not taken, or an encoder froze,
+  /// which stays so.
+  fault_record operator()(const port_sample<N>& sample, bool free) noexcept {
+    if (!started_) {
+      start(sample);
+      return {};
+    }
+    // Nobody saw where the device went between two samples, but a sample that jumped was seen
+    if (!jumped_) unseen_ = std::max(0.0, sample.time - last_.time);
+    jumped_ = true;
+    counts moved;
+    const double furthest = limits_.largest_rate * unseen_ + 2;  // a count of rounding at each end
+    double travel = 0;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      moved[i] = sample.value[i] - last_.value[i];
+      if (turn_ > 0) moved[i] = std::remainder(moved[i], turn_);
+      if (!(std::abs(moved[i]) <= furthest))
+        return {fault::encoder_jump, fault_source::encoders, static_cast<int>(i)};
+      travel += std::abs(moved[i]);
+    }
+    jumped_ = false;
+    last_ = sample;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      position_[i] += moved[i];
+      if (moved[i] != 0) others_travel_[i] = 0;
+      else if (free) others_travel_[i] += travel;
+      if (limits_.frozen_travel > 0 && others_travel_[i] > limits_.frozen_travel)
+        frozen_ = {fault::encoder_frozen, fault_source::encoders, static_cast<int>(i)};
+    }
+    return frozen_;
+  }
+
+  /// Where the encoders are, on past every wrap; the first sample's own counts to begin with [counts].
+  const counts& position() const noexcept { return position_; }
+
+ private:
+  void start(const port_sample<N>& sample) noexcept {
+    last_ = sample;
+    position_ = sample.value;
+    started_ = true;
+  }
+
+  encoder_limits limits_;
+  double turn_ = 0;  // counts until the counter wraps
+  bool started_ = false;
+  bool jumped_ = false;  // the sample before this one
+  double unseen_ = 0;    // [s]
+  fault_record frozen_;
+  port_sample<N> last_;
+  counts position_{};
+  counts others_travel_{};  // since this one changed, without a brake
+};
+
+}  // namespace passive_haptics

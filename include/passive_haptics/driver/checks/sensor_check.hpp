@@ -1,0 +1,59 @@
+/// @file
+/// Whether a force sensor is within its range.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/driver/fault.hpp>
+#include <passive_haptics/driver/port.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace passive_haptics {
+
+/// What a force sensor with N channels can tell.
+template <int N>
+struct sensor_limits {
+  /// A channel at +-range or beyond is saturated, as the sensor tells it [N or N m, or its own unit];
+  /// infinite: never.
+  std::array<double, static_cast<std::size_t>(N)> range = unlimited();
+
+  /// Infinite for all.
+  static constexpr std::array<double, static_cast<std::size_t>(N)> unlimited() {
+    std::array<double, static_cast<std::size_t>(N)> all{};
+    for (double& one : all) one = std::numeric_limits<double>::infinity();
+    return all;
+  }
+};
+
+/// What is wrong with the limits; empty if nothing.
+template <int N>
+std::string validate(const sensor_limits<N>& p) {
+  for (std::size_t i = 0; i < p.range.size(); ++i)
+    if (!(p.range[i] > 0))
+      return detail::error_text(detail::indexed("range[", i, "]"), p.range[i], "a number > 0, or inf");
+  return {};
+}
+
+/// Looks at the values of good samples.
+template <int N>
+class sensor_check {
+ public:
+  /// Throws std::invalid_argument with the text of validate(limits).
+  explicit sensor_check(const sensor_limits<N>& limits) : limits_(require_valid(limits)) {}
+
+  /// Saturated, or none.
+  fault_record operator()(const port_sample<N>& sample) const noexcept {
+    for (std::size_t i = 0; i < limits_.range.size(); ++i)
+      if (!(std::abs(sample.value[i]) < limits_.range[i]))
+        return {fault::sensor_saturated, fault_source::force_sensor, static_cast<int>(i)};
+    return {};
+  }
+
+ private:
+  sensor_limits<N> limits_;
+};
+
+}  // namespace passive_haptics

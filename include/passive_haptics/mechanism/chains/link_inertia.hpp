@@ -1,0 +1,88 @@
+/// @file
+/// Inertia of the links of a serial chain.
+#pragma once
+
+#include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/core/linear/rigid_body_algebra.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain_parameters.hpp>
+
+namespace passive_haptics {
+
+/// A rigid link in the zero pose, base frame. There is no usual mass: the default is refused.
+template <class T, int D>
+struct link_inertia {
+  T mass = T(0);                               ///< [kg], > 0.
+  vector<T, D> centre = vector<T, D>::Zero();  ///< Centre of mass [m].
+  inertia_matrix<T, D> about_centre =
+      inertia_matrix<T, D>::Zero();  ///< [kg m^2]; symmetric; 1 x 1 in the plane.
+};
+
+/// A uniform thin rod between two points of the zero pose [m].
+template <class T, int D>
+link_inertia<T, D> uniform_rod(T mass, const vector<T, D>& from, const vector<T, D>& to) {
+  const vector<T, D> along = to - from;
+  return {mass, (from + to) / T(2), detail::rigid_body_algebra<T, D>::point_inertia(mass / T(12), along)};
+}
+
+/// Both bodies as one.
+template <class T, int D>
+link_inertia<T, D> joined(const link_inertia<T, D>& a, const link_inertia<T, D>& b) {
+  const T mass = a.mass + b.mass;
+  const T share = b.mass / mass;
+  const vector<T, D> apart = b.centre - a.centre;
+  return {mass, a.centre + share * apart,
+          a.about_centre + b.about_centre +
+              detail::rigid_body_algebra<T, D>::point_inertia(share * a.mass, apart)};
+}
+
+/// Inertia of a serial chain: a link a joint, the rotors of the brakes, what the hand holds, gravity.
+template <class T, int N, int D>
+struct serial_chain_inertia {
+  std::array<link_inertia<T, D>, N> links = {};  ///< Link i moves with joint i.
+  vector<T, N> rotor_inertia =
+      vector<T, N>::Constant(T(5e-5));          ///< On the joints' axes [kg m^2, or kg]; that of two_link.
+  T handle_mass = T(0.1);                       ///< Point mass at the end effector [kg]; that of two_link.
+  vector<T, D> gravity = vector<T, D>::Zero();  ///< [m/s^2]; zero: horizontal or counterbalanced.
+};
+
+namespace detail {
+
+/// Error unless a rigid body can have this inertia: no principal moment over the sum of the others.
+template <class T>
+std::string check_inertia(const std::string& name, const matrix<T, 3, 3>& inertia) {
+  const T size = inertia.cwiseAbs().maxCoeff();
+  const T rounding = rounding_tolerance<T>(3) * size;
+  if (!((inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= rounding))
+    return name + " is not finite and symmetric, expected a finite symmetric matrix";
+  // int r r^T dm, which no mass makes indefinite
+  const matrix<T, 3, 3> second_moment =
+      (inertia.trace() / T(2) + rounding) * matrix<T, 3, 3>::Identity() - inertia;
+  if (cholesky<T, 3>(second_moment).is_positive_definite()) return "";
+  return name + " has a principal moment over the sum of the other two, expected that of a rigid body";
+}
+
+template <class T>
+std::string check_inertia(const std::string& name, const matrix<T, 1, 1>& inertia) {
+  return check_not_negative(name, inertia(0, 0));
+}
+
+}  // namespace detail
+
+/// What is wrong with the parameters; empty if nothing.
+template <class T, int N, int D>
+std::string validate(const serial_chain_inertia<T, N, D>& p) {
+  std::string first;
+  for (int i = 0; i < N && first.empty(); ++i) {
+    const link_inertia<T, D>& link = p.links[std::size_t(i)];
+    first = detail::first_error(
+        detail::check_positive(detail::member_of("links", i, "mass [kg]"), link.mass),
+        detail::check_finite_vector<T, D>(detail::member_of("links", i, "centre [m]"), link.centre),
+        detail::check_inertia<T>(detail::member_of("links", i, "about_centre [kg m^2]"), link.about_centre),
+        detail::check_not_negative(detail::indexed("rotor_inertia[", i, "] [kg m^2 or kg]"),
+                                   p.rotor_inertia[i]));
+  }
+  return detail::first_error(first, detail::check_not_negative("handle_mass [kg]", p.handle_mass),
+                             detail::check_finite_vector<T, D>("gravity [m/s^2]", p.gravity));
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,125 @@
+/// @file
+/// Any serial chain of revolute and prismatic joints, in the plane or in space.
+#pragma once
+
+#include <passive_haptics/mechanism/chains/chain_pose.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain_parameters.hpp>
+#include <passive_haptics/mechanism/mechanism.hpp>
+
+namespace passive_haptics {
+
+/// N joints in series, planar (D = 2) or spatial (D = 3), a product of exponentials of joint screws S_i:
+///
+///     x = exp(S_1 q_1) ... exp(S_N q_N) x_0,   J_i = z_i x (x - p_i) (revolute),  z_i (prismatic),
+///
+/// z_i and p_i the axis of joint i and a point on it in the pose, x_0 the handle in the zero pose. Task:
+/// position only. A brake on each joint. More joints than task dimensions (N > D) is a device with
+/// self-motion. Singular where the columns of J do not span the task, e.g. a straight planar arm. Cost of
+/// position or jacobian: one sine and one cosine for each revolute joint. For inertia see
+/// serial_chain_with_inertia.hpp.
+template <class T, int N, int D>
+class serial_chain {
+  static_assert((D == 2 || D == 3) && N >= 2 && N >= D,
+                "passive_haptics: serial_chain<T, N, D> needs D = 2 or 3 and N >= D joints.");
+
+ public:
+  using scalar = T;                         ///< Scalar of all lengths and angles.
+  static constexpr int dof = N;             ///< n
+  static constexpr int task_dimension = D;  ///< d
+  static constexpr int brake_count = N;     ///< m
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit serial_chain(const serial_chain_parameters<T, N, D>& p)
+      : p_(require_valid(p)), joints_(joints_of(p)), tip_(tip_of(p)), frames_(joints_, tip_) {}
+
+  /// The parameters as given.
+  const serial_chain_parameters<T, N, D>& parameters() const { return p_; }
+
+  /// End effector [m], base frame. Any scalar S that can be made from T.
+  template <class S>
+  vector<S, D> position(const vector<S, N>& q) const {
+    vector<S, D> x = in<S>(tip_);
+    for (std::size_t i = size; i-- > 0;) {
+      const S& qi = q[int(i)];
+      if (joints_[i].turns) x = algebra::turned(joints_[i].axis, qi, x);
+      else
+        for (int k = 0; k < D; ++k) x[k] += joints_[i].axis[k] * qi;
+      x += in<S>(joints_[i].offset);
+    }
+    return x;
+  }
+
+  /// J [m/rad, or 1 in the columns of prismatic joints].
+  matrix<T, D, N> jacobian(const vector<T, N>& q) const { return jacobian(pose(q)); }
+
+  /// End effector [m].
+  const vector<T, D>& position(const chain_pose<T, N, D>& at) const { return at.handle; }
+
+  /// J
+  matrix<T, D, N> jacobian(const chain_pose<T, N, D>& at) const {
+    matrix<T, D, N> J;
+    for (std::size_t i = 0; i < size; ++i) {
+      vector<T, D> r;
+      unrolled<D>([&](int k) { r[k] = at.handle[k] - at.point[i][k]; });
+      const vector<T, D> column = joints_[i].turns ? algebra::velocity(at.turning[i], r) : at.sliding[i];
+      unrolled<D>([&](int k) { J(k, int(i)) = column[k]; });
+    }
+    return J;
+  }
+
+  /// All joints and the handle. Cost: one sine and one cosine for each revolute joint.
+  chain_pose<T, N, D> pose(const vector<T, N>& q) const { return frames_.pose(q); }
+
+ protected:
+  /// The zero-pose point [m] that body i is measured from.
+  vector<T, D> zero_point(std::size_t i) const {
+    vector<T, D> p = vector<T, D>::Zero();
+    for (std::size_t k = 0; k <= i; ++k) p += joints_[k].offset;
+    return p;
+  }
+
+  /// Orientation of the frame of body i in the zero pose.
+  matrix<T, D, D> zero_turn(std::size_t i) const { return frames_.zero(i); }
+
+ private:
+  using algebra = detail::rigid_body_algebra<T, D>;
+  static constexpr std::size_t size = std::size_t(N);
+  using joints = std::array<detail::zero_pose_joint<T, D>, N>;
+
+  static joints joints_of(const serial_chain_parameters<T, N, D>& p) {
+    joints all;
+    vector<T, D> previous = vector<T, D>::Zero();
+    for (std::size_t i = 0; i < size; ++i) {
+      auto& to = all[i];
+      to.turns = p.joints[i].kind == joint_kind::revolute;
+      // A slide has no point of its own: its body is measured from the point before
+      const vector<T, D> point = to.turns ? p.joints[i].point : previous;
+      to.axis = to.turns && D == 2 ? vector<T, D>::Zero().eval() : p.joints[i].axis.stableNormalized();
+      to.offset = point - previous;
+      previous = point;
+    }
+    return all;
+  }
+
+  static vector<T, D> tip_of(const serial_chain_parameters<T, N, D>& p) {
+    vector<T, D> last = vector<T, D>::Zero();
+    for (const auto& j : p.joints) {
+      if (j.kind == joint_kind::revolute) last = j.point;
+    }
+    return p.handle - last;
+  }
+
+  template <class S>
+  static vector<S, D> in(const vector<T, D>& x) {
+    vector<S, D> y;
+    for (int k = 0; k < D; ++k) y[k] = S(x[k]);
+    return y;
+  }
+
+  serial_chain_parameters<T, N, D> p_;
+  joints joints_;
+  vector<T, D> tip_;  // from the point of the last body to the handle [m], zero pose
+  detail::chain_frames<T, N, D> frames_;
+};
+
+}  // namespace passive_haptics

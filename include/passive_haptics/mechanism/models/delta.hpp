@@ -1,0 +1,187 @@
+/// @file
+/// A delta: three arms that move a platform in space without turning it.
+#pragma once
+
+#include <passive_haptics/core/linear/rigid_body_algebra.hpp>
+#include <passive_haptics/mechanism/dynamics.hpp>
+#include <passive_haptics/mechanism/models/delta_parameters.hpp>
+#include <passive_haptics/mechanism/models/distal_links.hpp>
+#include <passive_haptics/mechanism/models/two_link_inverse.hpp>
+
+#include <array>
+
+namespace passive_haptics {
+
+/// Branch of one arm of a delta.
+enum class delta_elbow {
+  outward,  ///< The elbow lies on the outer side of the line from the base joint down to the platform: usual.
+  inward,   ///< It lies on the other side.
+};
+
+/// Three arms at 0, 120 and 240 deg about z, with radial directions e_i; base joints in the plane
+/// z = 0, measured and braked, q_i [rad] from the horizontal, downwards; forearms are parallelograms, so the
+/// platform keeps its attitude. With the platform's radius moved into the base
+/// (R = base_radius - platform_radius) its middle x lies on three spheres of radius l about the elbows:
+///
+///     P_i = (R + L cos q_i) e_i - L sin q_i e_z,   |x - P_i| = l.
+///
+/// Where they do not meet the loop cannot be closed: position, jacobian and all else are NaN, and a step
+/// reports status::pose_undefined. Singular (conditioning tells how nearly): type 1, a forearm in the plane
+/// that upper arm and joint axis span; type 2, the forearms coplanar or two parallel, where J is unbounded.
+///
+/// Dynamics with the usual lumped forearms: half of each forearm's mass at its elbow, half at the platform.
+/// Cost: three sines, three cosines and some square roots; jacobian some products and a division more.
+template <class T>
+class delta {
+ public:
+  using scalar = T;                         ///< Scalar of all lengths and angles.
+  static constexpr int dof = 3;             ///< n
+  static constexpr int task_dimension = 3;  ///< d
+  static constexpr int brake_count = 3;     ///< m
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit delta(const delta_parameters<T>& p = {})
+      : p_(require_valid(p)), side_(p.assembly == delta_assembly::upper ? T(1) : T(-1)) {}
+
+  /// The parameters as given.
+  const delta_parameters<T>& parameters() const { return p_; }
+
+  /// Middle of the platform [m], base frame: from the circumcentre of the elbows, at right angles to their
+  /// plane. The height is a product of differences of lengths, so no squares cancel. Any scalar S that
+  /// multiplies with T.
+  template <class S>
+  vector<S, 3> position(const vector<S, 3>& q) const {
+    const auto angle = sine_cosine(q);
+    return handle(elbow_point(0, lever(0, angle[0])), elbow_point(1, lever(1, angle[1])),
+                  elbow_point(2, lever(2, angle[2])));
+  }
+
+  /// All legs.
+  distal_links<T, 3> pose(const vector<T, 3>& q) const { return legs(q); }
+
+  /// Middle of the platform [m].
+  const vector<T, 3>& position(const distal_links<T, 3>& at) const { return at.handle; }
+
+  /// J = A^-1 B [m/rad].
+  matrix<T, 3, 3> jacobian(const distal_links<T, 3>& at) const { return at.jacobian(); }
+
+  /// J [m/rad]
+  matrix<T, 3, 3> jacobian(const vector<T, 3>& q) const { return legs(q).jacobian(); }
+
+  /// J^-1 = B^-1 A [rad/m], finite at singularities of type 2.
+  matrix<T, 3, 3> inverse_jacobian(const vector<T, 3>& q) const { return legs(q).inverse_jacobian(); }
+
+  /// Type 1: the least |cos| of the angle between a forearm and its elbow's velocity. Type 2: the volume that
+  /// the forearms' unit vectors span.
+  chain_conditioning<T> conditioning(const vector<T, 3>& q) const { return legs(q).conditioning(); }
+
+  /// Base angles in [-pi, pi] that put the platform at x [m] with these elbows. out_of_reach: an arm is too
+  /// short or too long (it then points at x), or all reach but the platform lies on the side of the other
+  /// assembly; position(q) is then not x.
+  joint_solution<T, 3> inverse(const vector<T, 3>& x, const std::array<delta_elbow, 3>& elbows = {}) const {
+    joint_solution<T, 3> solution;
+    for (int i = 0; i < 3; ++i) {
+      // In the arm's own plane: outwards and down; the forearm leans out of it by `aside`
+      const vector<T, 3> e = radial(i);
+      const T outwards = x[0] * e[0] + x[1] * e[1] - (p_.base_radius - p_.platform_radius);
+      const T aside = x[1] * e[0] - x[0] * e[1];
+      const T square = (p_.forearm - aside) * (p_.forearm + aside);
+      const elbow branch = elbows[std::size_t(i)] == delta_elbow::outward ? elbow::right : elbow::left;
+      const auto arm = two_link_inverse<T>(p_.upper_arm, std::sqrt(std::max(square, T(0))),
+                                           vector<T, 2>(outwards, -x[2]), branch);
+      solution.q[i] = detail::principal_angle(arm.q[0]);
+      if (solution.outcome == status::ok) solution.outcome = arm.outcome;
+      if (solution.outcome == status::ok && square < T(0)) solution.outcome = status::out_of_reach;
+    }
+    if (solution.outcome != status::ok) return solution;
+    const T above = side_ * determinant(legs(solution.q, &x).link);
+    if (above < -rounding_tolerance<T>(3) * p_.forearm * p_.forearm * p_.forearm)
+      solution.outcome = status::out_of_reach;
+    return solution;
+  }
+
+  /// M(q) [kg m^2], rotors included.
+  matrix<T, 3, 3> mass_matrix(const vector<T, 3>& q) const {
+    const matrix<T, 3, 3> J = jacobian(q);
+    const T arm = (p_.upper_arm_mass / T(3) + p_.forearm_mass / T(2)) * p_.upper_arm * p_.upper_arm;
+    matrix<T, 3, 3> M = moved_mass() * J.transpose() * J;
+    M.diagonal() += p_.rotor_inertia + vector<T, 3>::Constant(arm);
+    return M.template selfadjointView<Eigen::Lower>();
+  }
+
+  /// c(q, qd) [N m]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
+  vector<T, 3> bias_torque(const vector<T, 3>& q, const vector<T, 3>& qd) const {
+    const auto at = legs(q);
+    const matrix<T, 3, 3> J = at.jacobian();
+    const T arm = (p_.upper_arm_mass + p_.forearm_mass) / T(2);  // as if at the elbow
+    return moved_mass() * J.transpose() * (at.bias_acceleration(J, qd) - p_.gravity) -
+           arm * at.tangent.transpose() * p_.gravity;
+  }
+
+  /// Jd qd [m/s^2].
+  vector<T, 3> bias_acceleration(const vector<T, 3>& q, const vector<T, 3>& qd) const {
+    const auto at = legs(q);
+    return at.bias_acceleration(at.jacobian(), qd);
+  }
+
+ private:
+  // What moves with the platform [kg]
+  T moved_mass() const { return p_.platform_mass + T(3) / T(2) * p_.forearm_mass; }
+
+  static vector<T, 3> radial(int i) {
+    constexpr T half = T(1) / T(2), height = std::numbers::sqrt3_v<T> / T(2);
+    if (i == 0) return {T(1), T(0), T(0)};
+    return {-half, i == 1 ? height : -height, T(0)};
+  }
+
+  template <class S>
+  vector<S, 3> lever(int i, const sine_cosine_pair<S>& angle) const {
+    const vector<T, 3> e = radial(i);
+    const S out = p_.upper_arm * angle.cosine;
+    return {e[0] * out, e[1] * out, -p_.upper_arm * angle.sine};
+  }
+
+  // Moved inwards by the platform's radius
+  template <class S>
+  vector<S, 3> elbow_point(int i, const vector<S, 3>& arm) const {
+    const vector<T, 3> e = radial(i);
+    const S radius = S(p_.base_radius) - S(p_.platform_radius);
+    return {arm[0] + e[0] * radius, arm[1] + e[1] * radius, arm[2]};
+  }
+
+  template <class S>
+  vector<S, 3> handle(const vector<S, 3>& P1, const vector<S, 3>& P2, const vector<S, 3>& P3) const {
+    using std::sqrt;
+    const vector<S, 3> a = P2 - P1, b = P3 - P1, c = P3 - P2;
+    const vector<S, 3> n = cross(a, b);
+    const S aa = dot(a, a), bb = dot(b, b), nn = dot(n, n);
+    const vector<S, 3> bn = cross(b, n), na = cross(n, a);
+    const S circumradius = sqrt(S(aa * bb * dot(c, c) / nn)) / T(2);
+    const S height = side_ * sqrt(S((p_.forearm - circumradius) * (p_.forearm + circumradius) / nn));
+    const S to_centre = T(1) / (T(2) * nn);
+    vector<S, 3> x;
+    for (int k = 0; k < 3; ++k) x[k] = P1[k] + (aa * bn[k] + bb * na[k]) * to_centre + height * n[k];
+    return x;
+  }
+
+  // With the platform at x, or else where it is
+  distal_links<T, 3> legs(const vector<T, 3>& q, const vector<T, 3>* x = nullptr) const {
+    distal_links<T, 3> at;
+    std::array<vector<T, 3>, 3> P;
+    const auto angle = sine_cosine(q);
+    for (int i = 0; i < 3; ++i) {
+      const vector<T, 3> a = lever(i, angle[std::size_t(i)]), e = radial(i);
+      P[std::size_t(i)] = elbow_point(i, a);
+      at.lever.col(i) = a;
+      at.tangent.col(i) = a[2] * e - a.dot(e) * vector<T, 3>::UnitZ();
+    }
+    at.handle = x != nullptr ? *x : handle(P[0], P[1], P[2]);
+    for (int i = 0; i < 3; ++i) at.link.row(i) = at.handle - P[std::size_t(i)];
+    return at;
+  }
+
+  delta_parameters<T> p_;
+  T side_;  // 1: the platform above the plane of the elbows
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,93 @@
+/// @file
+/// The constraint of legs that meet at the handle: the distal link of each keeps its length.
+#pragma once
+
+#include <passive_haptics/core/linear/rigid_body_algebra.hpp>
+#include <passive_haptics/mechanism/models/closed_chain.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace passive_haptics {
+
+/// N legs in N dimensions. Leg i has a lever a_i from its base joint to its elbow, which turns at rate qd_i,
+/// and a distal link r_i from the elbow to the handle. As |r_i| is constant,
+///
+///     A v = B qd,   A = [r_i^T],   B = diag(r_i . a'_i),   a'_i = da_i / dq_i,   a''_i = -a_i.
+template <class T, int N>
+struct distal_links {
+  matrix<T, N, N> link;     ///< A [m]: row i is r_i^T.
+  matrix<T, N, N> lever;    ///< Column i is a_i [m].
+  matrix<T, N, N> tangent;  ///< Column i is a'_i [m/rad].
+  vector<T, N> handle;      ///< Where the legs meet [m].
+
+  /// Diagonal of B [m^2/rad].
+  vector<T, N> drive() const {
+    vector<T, N> B;
+    unrolled<N>([&](int i) {
+      B[i] = T(0);
+      unrolled<N>([&](int k) { B[i] += link(i, k) * tangent(k, i); });
+    });
+    return B;
+  }
+
+  /// J = A^-1 B [m/rad]; not finite, or of no accuracy, where A is singular.
+  matrix<T, N, N> jacobian() const { return solved(drive()); }
+
+  /// J^-1 = B^-1 A [rad/m]; not finite where B is singular.
+  matrix<T, N, N> inverse_jacobian() const { return drive().cwiseInverse().asDiagonal() * link; }
+
+  /// |B_ii| / (|r_i| |a'_i|), the least, and |det A| / prod |r_i|.
+  chain_conditioning<T> conditioning() const {
+    const vector<T, N> B = drive();
+    matrix<T, N, N> unit = link;
+    T sine = T(1);
+    for (int i = 0; i < N; ++i) {
+      const T length = norm(vector<T, N>(link.row(i)));
+      for (int k = 0; k < N; ++k) unit(i, k) /= length;
+      const T ratio = std::abs(B[i]) / length / norm(vector<T, N>(tangent.col(i)));
+      if (ratio < sine || ratio != ratio) sine = ratio;  // a NaN stays
+    }
+    // In this order std::min keeps a NaN
+    return {sine, std::min(std::abs(determinant(unit)), T(1))};
+  }
+
+  /// Jd qd [m/s^2] from the constraint's second derivative, r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.
+  vector<T, N> bias_acceleration(const matrix<T, N, N>& J, const vector<T, N>& qd) const {
+    const vector<T, N> v = product(J, qd);
+    vector<T, N> right;
+    for (int i = 0; i < N; ++i) {
+      right[i] = T(0);
+      for (int k = 0; k < N; ++k) {
+        const T relative = v[k] - qd[i] * tangent(k, i);
+        right[i] -= qd[i] * qd[i] * link(i, k) * lever(k, i) + relative * relative;
+      }
+    }
+    return product(solved(right), vector<T, N>(vector<T, N>::Ones()));
+  }
+
+ private:
+  // A^-1 diag(b) by Cramer's rule.
+  matrix<T, N, N> solved(const vector<T, N>& b) const {
+    static_assert(N == 2 || N == 3);
+    if constexpr (N == 2) {
+      const T inverse = T(1) / determinant(link);
+      const T b0 = b[0] * inverse, b1 = b[1] * inverse;
+      return matrix_of<2, 2>(b0 * link(1, 1), -b1 * link(0, 1), -b0 * link(1, 0), b1 * link(0, 0));
+    } else {
+      matrix<T, N, N> X;
+      std::array<vector<T, 3>, 3> r;
+      unrolled<3>([&](int i) { unrolled<3>([&](int k) { r[std::size_t(i)][k] = link(i, k); }); });
+      const std::array<vector<T, 3>, 3> across{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])};
+      const T inverse = T(1) / dot(r[0], across[0]);
+      unrolled<3>([&](int i) {
+        const T scale = b[i] * inverse;
+        unrolled<3>([&](int k) { X(k, i) = scale * across[std::size_t(i)][k]; });
+      });
+      return X;
+    }
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,191 @@
+/// @file
+/// A five-bar: two base joints, two legs that meet at the handle (pantograph).
+#pragma once
+
+#include <passive_haptics/core/linear/sine_cosine.hpp>
+#include <passive_haptics/mechanism/dynamics.hpp>
+#include <passive_haptics/mechanism/models/distal_links.hpp>
+#include <passive_haptics/mechanism/models/five_bar_parameters.hpp>
+#include <passive_haptics/mechanism/models/two_link_inverse.hpp>
+
+namespace passive_haptics {
+
+/// Planar closed chain. Base joints at (-+b/2, 0), measured and braked, q_i [rad] from the x axis; leg i has
+/// a proximal link l_i to elbow P_i and a distal link r_i to the handle x:
+///
+///     P_i = (-+b/2, 0) + l_i (cos q_i, sin q_i),   |x - P_1| = r_1,   |x - P_2| = r_2.
+///
+/// Where |P_2 - P_1| is over r_1 + r_2 or under |r_1 - r_2| the loop cannot be closed: position, jacobian and
+/// all else are NaN, and a step reports status::pose_undefined. Singular (conditioning tells how nearly):
+/// type 1, a leg straight or folded; type 2, the distal links aligned, where J is unbounded and the
+/// assemblies meet.
+///
+/// Brakes = 4: as Book's P-TER, brakes on both base rates, their difference and their sum, T constant 4 x 2.
+/// Cost: two sines, two cosines and two square roots; jacobian some products and a division more.
+template <class T, int Brakes = 2>
+class five_bar {
+  static_assert(Brakes == 2 || Brakes == 4, "passive_haptics: a five_bar has 2 or 4 brakes.");
+
+ public:
+  using scalar = T;                           ///< Scalar of all lengths and angles.
+  static constexpr int dof = 2;               ///< n
+  static constexpr int task_dimension = 2;    ///< d
+  static constexpr int brake_count = Brakes;  ///< m
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit five_bar(const five_bar_parameters<T, Brakes>& p = {})
+      : p_(require_valid(p)), side_(p.assembly == five_bar_assembly::left ? T(1) : T(-1)) {}
+
+  /// The parameters as given.
+  const five_bar_parameters<T, Brakes>& parameters() const { return p_; }
+
+  /// Handle [m], base frame: the middle of the elbows, then along and across the line between them. The
+  /// height is a product of differences of lengths: no squares cancel. Any scalar S that multiplies with T.
+  template <class S>
+  vector<S, 2> position(const vector<S, 2>& q) const {
+    const auto angle = sine_cosine(q);
+    return handle(elbow_point(0, lever(0, angle[0])), elbow_point(1, lever(1, angle[1])));
+  }
+
+  /// Both legs.
+  distal_links<T, 2> pose(const vector<T, 2>& q) const { return legs(q); }
+
+  /// Handle [m].
+  const vector<T, 2>& position(const distal_links<T, 2>& at) const { return at.handle; }
+
+  /// J = A^-1 B [m/rad].
+  matrix<T, 2, 2> jacobian(const distal_links<T, 2>& at) const { return at.jacobian(); }
+
+  /// J [m/rad]
+  matrix<T, 2, 2> jacobian(const vector<T, 2>& q) const { return legs(q).jacobian(); }
+
+  /// J^-1 = B^-1 A [rad/m], finite at singularities of type 2.
+  matrix<T, 2, 2> inverse_jacobian(const vector<T, 2>& q) const { return legs(q).inverse_jacobian(); }
+
+  /// Type 1: the least |sin| of the angle between a proximal and its distal link. Type 2: |sin| of the angle
+  /// between the distal links.
+  chain_conditioning<T> conditioning(const vector<T, 2>& q) const { return legs(q).conditioning(); }
+
+  /// T in w = T qd for four brakes: base joint 1, base joint 2, q1 - q2, q1 + q2.
+  matrix<T, 4, 2> transmission() const
+    requires(Brakes == 4)
+  {
+    return matrix<T, 4, 2>{{T(1), T(0)}, {T(0), T(1)}, {T(1), T(-1)}, {T(1), T(1)}};
+  }
+
+  /// Base angles in [-pi, pi] that put the handle at x [m] with these elbows, each seen from its base joint.
+  /// out_of_reach: a leg is too short or too long (it then points at x), or both reach but the handle lies on
+  /// the side of the other assembly; position(q) is then not x.
+  joint_solution<T, 2> inverse(const vector<T, 2>& x, elbow leg_1 = elbow::left,
+                               elbow leg_2 = elbow::right) const {
+    const vector<T, 2> to_base(p_.base_distance / T(2), T(0));
+    const auto q1 = two_link_inverse<T>(p_.proximal_1, p_.distal_1, x + to_base, leg_1);
+    const auto q2 = two_link_inverse<T>(p_.proximal_2, p_.distal_2, x - to_base, leg_2);
+    const vector<T, 2> q(detail::principal_angle(q1.q[0]), detail::principal_angle(q2.q[0]));
+    if (q1.outcome != status::ok) return {q, q1.outcome};
+    if (q2.outcome != status::ok) return {q, q2.outcome};
+    const T left_of = side_ * determinant(legs(q, &x).link);
+    const bool other_side = left_of < -rounding_tolerance<T>(2) * p_.distal_1 * p_.distal_2;
+    return {q, other_side ? status::out_of_reach : status::ok};
+  }
+
+  /// M(q) [kg m^2], rotors on the brakes' axes included.
+  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const {
+    const auto at = legs(q);
+    const matrix<T, 2, 2> J = at.jacobian();
+    matrix<T, 2, 2> M = rotor_mass_matrix() + p_.handle_mass * J.transpose() * J;
+    for (int i = 0; i < 2; ++i) {
+      M(i, i) += third * p_.proximal_mass * at.lever.col(i).squaredNorm();
+      // A uniform rod whose ends have velocities a, b: (a.a + a.b + b.b) m / 6; E qd is the elbow's
+      const matrix<T, 2, 2> E = elbow_jacobian(at, i), EJ = E.transpose() * J;
+      M += third * p_.distal_mass * (E.transpose() * E + (EJ + EJ.transpose()) / T(2) + J.transpose() * J);
+    }
+    M(1, 0) = M(0, 1);
+    return M;
+  }
+
+  /// c(q, qd) [N m]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
+  vector<T, 2> bias_torque(const vector<T, 2>& q, const vector<T, 2>& qd) const {
+    const auto at = legs(q);
+    const matrix<T, 2, 2> J = at.jacobian();
+    const vector<T, 2> handle = at.bias_acceleration(J, qd) - p_.gravity;
+    vector<T, 2> c = p_.handle_mass * J.transpose() * handle;
+    for (int i = 0; i < 2; ++i) {
+      c[i] -= p_.proximal_mass / T(2) * at.tangent.col(i).dot(p_.gravity);
+      const vector<T, 2> elbow = -qd[i] * qd[i] * at.lever.col(i) - p_.gravity;
+      c += third * p_.distal_mass *
+           (elbow_jacobian(at, i).transpose() * (elbow + handle / T(2)) +
+            J.transpose() * (handle + elbow / T(2)));
+    }
+    return c;
+  }
+
+  /// Jd qd [m/s^2].
+  vector<T, 2> bias_acceleration(const vector<T, 2>& q, const vector<T, 2>& qd) const {
+    const auto at = legs(q);
+    return at.bias_acceleration(at.jacobian(), qd);
+  }
+
+ private:
+  static constexpr T third = T(1) / T(3);  // a uniform rod about its end: m l^2 / 3
+
+  template <class S>
+  vector<S, 2> lever(int i, const sine_cosine_pair<S>& angle) const {
+    const T l = i == 0 ? p_.proximal_1 : p_.proximal_2;
+    return {l * angle.cosine, l * angle.sine};
+  }
+
+  template <class S>
+  vector<S, 2> elbow_point(int i, const vector<S, 2>& arm) const {
+    const T half_base = p_.base_distance / T(2);
+    return {arm[0] + (i == 0 ? -half_base : half_base), arm[1]};
+  }
+
+  template <class S>
+  vector<S, 2> handle(const vector<S, 2>& P1, const vector<S, 2>& P2) const {
+    using std::sqrt;
+    const vector<S, 2> apart(P2[0] - P1[0], P2[1] - P1[1]);
+    const S square = apart[0] * apart[0] + apart[1] * apart[1];
+    const S distance = sqrt(square);
+    const S sum = S(p_.distal_1) + S(p_.distal_2), difference = S(p_.distal_1) - S(p_.distal_2);
+    const S along = difference * sum / (T(2) * square);
+    const S stretched = (sum - distance) * (sum + distance);
+    const S folded = (distance - difference) * (distance + difference);
+    const S across = side_ * sqrt(S(stretched * folded)) / (T(2) * square);
+    const T half = T(1) / T(2);
+    return {half * (P1[0] + P2[0]) + along * apart[0] - across * apart[1],
+            half * (P1[1] + P2[1]) + along * apart[1] + across * apart[0]};
+  }
+
+  // With the handle at x, or else where it is
+  distal_links<T, 2> legs(const vector<T, 2>& q, const vector<T, 2>* x = nullptr) const {
+    distal_links<T, 2> at;
+    const auto angle = sine_cosine(q);
+    const vector<T, 2> a1 = lever(0, angle[0]), a2 = lever(1, angle[1]);
+    const vector<T, 2> P1 = elbow_point(0, a1), P2 = elbow_point(1, a2);
+    at.handle = x != nullptr ? *x : handle(P1, P2);
+    at.lever << a1, a2;
+    at.tangent.row(0) = -at.lever.row(1);
+    at.tangent.row(1) = at.lever.row(0);
+    at.link.row(0) = at.handle - P1;
+    at.link.row(1) = at.handle - P2;
+    return at;
+  }
+
+  // Of elbow i: only base joint i moves it
+  static matrix<T, 2, 2> elbow_jacobian(const distal_links<T, 2>& at, int i) {
+    matrix<T, 2, 2> E = matrix<T, 2, 2>::Zero();
+    E.col(i) = at.tangent.col(i);
+    return E;
+  }
+
+  matrix<T, 2, 2> rotor_mass_matrix() const {
+    if constexpr (Brakes == 2) return p_.rotor_inertia.asDiagonal();
+    else return transmission().transpose() * p_.rotor_inertia.asDiagonal() * transmission();
+  }
+
+  five_bar_parameters<T, Brakes> p_;
+  T side_;  // 1: the handle left of the line from elbow 1 to elbow 2
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,51 @@
+/// @file
+/// The paper's device: two links, both brakes at the base, coupled by tendons (Fig. 7).
+#pragma once
+
+#include <passive_haptics/mechanism/models/two_link.hpp>
+
+namespace passive_haptics {
+
+/// Two links and the reduction of the tendon that drives link 2.
+template <class T>
+struct tendon_two_link_parameters {
+  two_link_parameters<T> arm = {};  ///< Links and rotors.
+  T reduction_2 = T(0.4);           ///< k2 [1], section 5.1.
+};
+
+/// What is wrong with the parameters; empty if nothing.
+template <class T>
+std::string validate(const tendon_two_link_parameters<T>& p) {
+  return detail::first_error(validate(p.arm), detail::check_positive("reduction_2 [1]", p.reduction_2));
+}
+
+/// two_link with brake 1 on joint 1 and brake 2 at the base, tendon-driven to link 2:
+///
+///     w = T qd,   T = [ 1    0    ]
+///                     [ 1  1 / k2 ].
+///
+/// The paper prints k2 but not the coupling; this one reproduces its approximation angles on the wall
+/// y = 0.225 m (about 3 deg at x = 0.06 m and 33 deg at x = 0.17 m, section 5.2).
+template <class T>
+class tendon_two_link : public two_link<T> {
+ public:
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit tendon_two_link(const tendon_two_link_parameters<T>& p = {})
+      : two_link<T>(require_valid(p).arm), per_joint_2_(T(1) / p.reduction_2) {}
+
+  /// T, constant.
+  matrix<T, 2, 2> transmission() const { return matrix_of<2, 2>(T(1), T(0), T(1), per_joint_2_); }
+
+  /// M(q) [kg m^2] with the rotors on the brake axes: links + T^T diag(I_B) T.
+  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const {
+    const auto& p = this->parameters();
+    const matrix<T, 2, 2> t = transmission();
+    return this->link_mass_matrix(q) +
+           t.transpose() * vector<T, 2>(p.rotor_inertia_1, p.rotor_inertia_2).asDiagonal() * t;
+  }
+
+ private:
+  T per_joint_2_;  // 1 / k2
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,139 @@
+/// @file
+/// Two links in a plane, a brake on each joint (Figs. 2 and 3).
+#pragma once
+
+#include <passive_haptics/core/linear/sine_cosine.hpp>
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/mechanism/dynamics.hpp>
+#include <passive_haptics/mechanism/models/two_link_inverse.hpp>
+
+#include <cmath>
+
+namespace passive_haptics {
+
+/// Geometry and inertia of a two-link arm: uniform rods with a point mass at the handle.
+/// Lengths are the paper's; it prints no masses, these are those of a light desktop device.
+template <class T>
+struct two_link_parameters {
+  T length_1 = T(0.15);         ///< l1 [m], section 5.1.
+  T length_2 = T(0.15);         ///< l2 [m], section 5.1.
+  T mass_1 = T(0.2);            ///< Link 1 [kg].
+  T mass_2 = T(0.2);            ///< Link 2 [kg].
+  T handle_mass = T(0.1);       ///< Point mass at the end effector [kg].
+  T rotor_inertia_1 = T(5e-5);  ///< On the axis of brake 1 [kg m^2].
+  T rotor_inertia_2 = T(5e-5);  ///< On the axis of brake 2 [kg m^2].
+};
+
+/// What is wrong with the parameters; empty if nothing.
+template <class T>
+std::string validate(const two_link_parameters<T>& p) {
+  return detail::first_error(
+      detail::check_positive("length_1 [m]", p.length_1), detail::check_positive("length_2 [m]", p.length_2),
+      detail::check_positive("mass_1 [kg]", p.mass_1), detail::check_positive("mass_2 [kg]", p.mass_2),
+      detail::check_not_negative("handle_mass [kg]", p.handle_mass),
+      detail::check_not_negative("rotor_inertia_1 [kg m^2]", p.rotor_inertia_1),
+      detail::check_not_negative("rotor_inertia_2 [kg m^2]", p.rotor_inertia_2));
+}
+
+/// Where the links of a two-link arm point.
+template <class T>
+struct two_link_pose {
+  vector<T, 2> link_1;  ///< From base to elbow [m].
+  vector<T, 2> link_2;  ///< From elbow to handle [m].
+};
+
+/// Two-link arm in a horizontal plane, q1 from the x axis, q2 from link 1 [rad]:
+///
+///     x = l1 (cos q1, sin q1) + l2 (cos q12, sin q12),   q12 = q1 + q2.
+///
+/// Singular at q2 = 0 and q2 = +-pi (det J = l1 l2 sin q2): straight or folded, no radial velocity.
+/// Cost of a pose: two sines and two cosines; of its position or jacobian a few additions.
+template <class T>
+class two_link {
+ public:
+  using scalar = T;                         ///< Scalar of all lengths and angles.
+  static constexpr int dof = 2;             ///< n
+  static constexpr int task_dimension = 2;  ///< d
+  static constexpr int brake_count = 2;     ///< m
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit two_link(const two_link_parameters<T>& p = {}) : p_(require_valid(p)) {}
+
+  /// The parameters as given.
+  const two_link_parameters<T>& parameters() const { return p_; }
+
+  /// End effector [m], base frame. Any scalar S that multiplies with T.
+  template <class S>
+  vector<S, 2> position(const vector<S, 2>& q) const {
+    using std::cos, std::sin;
+    const S q12 = q[0] + q[1];
+    return {p_.length_1 * cos(q[0]) + p_.length_2 * cos(q12),
+            p_.length_1 * sin(q[0]) + p_.length_2 * sin(q12)};
+  }
+
+  /// The links [m].
+  two_link_pose<T> pose(const vector<T, 2>& q) const {
+    const auto [q1, q12] = sine_cosine(q[0], q[0] + q[1]);
+    return {{p_.length_1 * q1.cosine, p_.length_1 * q1.sine},
+            {p_.length_2 * q12.cosine, p_.length_2 * q12.sine}};
+  }
+
+  /// End effector [m].
+  vector<T, 2> position(const two_link_pose<T>& at) const {
+    return {at.link_1[0] + at.link_2[0], at.link_1[1] + at.link_2[1]};
+  }
+
+  /// J [m/rad], the inverse transpose of which is (5).
+  matrix<T, 2, 2> jacobian(const two_link_pose<T>& at) const {
+    const vector<T, 2> x = position(at);
+    return matrix_of<2, 2>(-x[1], -at.link_2[1], x[0], at.link_2[0]);
+  }
+
+  /// J [m/rad]
+  matrix<T, 2, 2> jacobian(const vector<T, 2>& q) const { return jacobian(pose(q)); }
+
+  /// Joint positions that put the handle at x [m]. Out of reach gives the nearest reach in the same
+  /// direction; at x = 0 (l1 = l2) q1 is free and 0 is taken for the direction.
+  joint_solution<T, 2> inverse(const vector<T, 2>& x, elbow branch) const {
+    return two_link_inverse(p_.length_1, p_.length_2, x, branch);
+  }
+
+  /// M(q) [kg m^2], rotors on the joint axes included.
+  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const {
+    matrix<T, 2, 2> M = link_mass_matrix(q);
+    M(0, 0) += p_.rotor_inertia_1;
+    M(1, 1) += p_.rotor_inertia_2;
+    return M;
+  }
+
+  /// c(q, qd) [N m]: Coriolis and centrifugal; the plane is horizontal, so no gravity.
+  vector<T, 2> bias_torque(const vector<T, 2>& q, const vector<T, 2>& qd) const {
+    const T h = coupling() * std::sin(q[1]);
+    return {-h * (T(2) * qd[0] * qd[1] + qd[1] * qd[1]), h * qd[0] * qd[0]};
+  }
+
+  /// Jd qd [m/s^2]: each link's centripetal acceleration.
+  vector<T, 2> bias_acceleration(const vector<T, 2>& q, const vector<T, 2>& qd) const {
+    const T w12 = qd[0] + qd[1];
+    const auto [link_1, link_2] = pose(q);
+    return -qd[0] * qd[0] * link_1 - w12 * w12 * link_2;
+  }
+
+ protected:
+  /// M(q) [kg m^2] without rotors.
+  matrix<T, 2, 2> link_mass_matrix(const vector<T, 2>& q) const {
+    const T l1 = p_.length_1, l2 = p_.length_2, m1 = p_.mass_1, m2 = p_.mass_2, mh = p_.handle_mass;
+    const T third = T(1) / T(3);  // a uniform rod about its end: m l^2 / 3
+    const T outer = (third * m2 + mh) * l2 * l2;
+    const T cross = coupling() * std::cos(q[1]);
+    const T M11 = (third * m1 + m2 + mh) * l1 * l1 + outer + T(2) * cross;
+    return matrix<T, 2, 2>{{M11, outer + cross}, {outer + cross, outer}};
+  }
+
+ private:
+  T coupling() const { return (p_.mass_2 / T(2) + p_.handle_mass) * p_.length_1 * p_.length_2; }
+
+  two_link_parameters<T> p_;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,45 @@
+/// @file
+/// Inverse kinematics of two links in a plane, the building block of mechanisms with two-link legs.
+#pragma once
+
+#include <passive_haptics/mechanism/models/joint_solution.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace passive_haptics {
+
+/// The branch of a two-link arm, seen from the base towards the handle.
+enum class elbow {
+  left,   ///< q2 <= 0: the elbow lies left of the line from base to handle.
+  right,  ///< q2 >= 0: it lies right of it.
+};
+
+/// Joint positions (q1 from the x axis, q2 from link 1) that put the end of links l1, l2 [m] at x [m]. Out of
+/// reach gives the nearest reach in the same direction; at x = 0 (l1 = l2) q1 is free and 0 is taken for the
+/// direction.
+template <class T>
+joint_solution<T, 2> two_link_inverse(T l1, T l2, const vector<T, 2>& x, elbow branch) {
+  const T r = std::hypot(x[0], x[1]);
+  const T outside = (l1 + l2 - r) * (l1 + l2 + r);     // 0 where straight
+  const T inside = (r - (l1 - l2)) * (r + (l1 - l2));  // 0 where folded
+  if (!all_finite(x))
+    return {vector<T, 2>::Constant(std::numeric_limits<T>::quiet_NaN()), status::state_not_finite};
+  const T bend = T(2) * std::atan2(std::sqrt(std::max(outside, T(0))), std::sqrt(std::max(inside, T(0))));
+  const T q2 = branch == elbow::left ? -bend : bend;
+  const T q1 = std::atan2(x[1], x[0]) - std::atan2(l2 * std::sin(q2), l1 + l2 * std::cos(q2));
+  return {{q1, q2}, outside < T(0) || inside < T(0) ? status::out_of_reach : status::ok};
+}
+
+namespace detail {
+
+/// The angle in [-pi, pi].
+template <class T>
+T principal_angle(T angle) {
+  return std::remainder(angle, T(2) * std::numbers::pi_v<T>);
+}
+
+}  // namespace detail
+}  // namespace passive_haptics

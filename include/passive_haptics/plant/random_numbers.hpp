@@ -1,0 +1,21 @@
+/// @file
+/// Random numbers that are the same on every platform (the distributions of the standard library are not).
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace passive_haptics {
+
+/// Uniform in [0, 1), all 53 bits of it. Not for control loops.
+inline double uniform_number(std::mt19937_64& bits) { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+
+/// Normal, mean 0 and standard deviation 1 (Box and Muller 1958; one number of the two). Not for control
+/// loops.
+inline double normal_number(std::mt19937_64& bits) {
+  const double radius = std::sqrt(-2 * std::log(1 - uniform_number(bits)));
+  return radius * std::cos(2 * std::numbers::pi * uniform_number(bits));
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,68 @@
+/// @file
+/// The axis-aligned box about a shape.
+#pragma once
+
+#include <passive_haptics/scene/shape.hpp>
+
+#include <limits>
+
+namespace passive_haptics {
+
+/// All points x with lower <= x <= upper [m], base frame. By default empty: it grows by what it is extended
+/// by.
+template <int D>
+struct bounding_box {
+  point<D> lower = point<D>::Constant(std::numeric_limits<double>::infinity());   ///< [m]
+  point<D> upper = point<D>::Constant(-std::numeric_limits<double>::infinity());  ///< [m]
+
+  /// Grows until it holds x, too.
+  void extend(const point<D>& x) {
+    lower = lower.cwiseMin(x);
+    upper = upper.cwiseMax(x);
+  }
+  /// Grows until it holds another box, too.
+  void extend(const bounding_box& other) {
+    lower = lower.cwiseMin(other.lower);
+    upper = upper.cwiseMax(other.upper);
+  }
+};
+
+/// The box of half-width r [m] about x.
+template <int D>
+bounding_box<D> box_about(const point<D>& x, double r) {
+  return {x - point<D>::Constant(r), x + point<D>::Constant(r)};
+}
+
+/// All of space.
+template <int D>
+bounding_box<D> everywhere() {
+  const point<D> infinity = point<D>::Constant(std::numeric_limits<double>::infinity());
+  return {-infinity, infinity};
+}
+
+namespace detail {
+/// The largest |x_i| of the points of a box that is not empty.
+template <int D>
+double largest_coordinate(const bounding_box<D>& b) {
+  return b.lower.cwiseAbs().cwiseMax(b.upper.cwiseAbs()).maxCoeff();
+}
+}  // namespace detail
+
+/// A shape that knows how far its wall extends. Minimal complete definition, beyond Shape:
+///   - `bounding_box<dimension> bounds() const`: holds every point of the wall (distance <= 0); may be
+///   infinite.
+///
+/// Laws: distance(x) is not less than the distance from x to the box.
+template <class S>
+concept BoundedShape = Shape<S> && requires(const S shape) {
+  { shape.bounds() } -> std::same_as<bounding_box<S::dimension>>;
+};
+
+/// The bounds of a shape; everywhere() for one that does not tell.
+template <int D, class S>
+bounding_box<D> bounds_of(const S& shape) {
+  if constexpr (requires { shape.bounds(); }) return shape.bounds();
+  else return everywhere<D>();
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,93 @@
+/// @file
+/// The thin slab in front of a facet, which a proxy does not enter from the front.
+#pragma once
+
+#include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
+#include <passive_haptics/scene/mesh/mesh_facet.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace passive_haptics::detail {
+
+/// The part [first, last] of a way p + t step, t in [0, 1], that meets some conditions; empty if first >
+/// last.
+struct part_of_way {
+  double first = 0, last = 1;
+
+  /// Keeps the part where a + t b <= most. NaN keeps nothing.
+  void keep_below(double a, double b, double most) {
+    if (b > 0) last = std::min(last, (most - a) / b);
+    else if (b < 0) first = std::max(first, (most - a) / b);
+    else if (!(a <= most)) last = -1;
+  }
+  /// Keeps the part where low <= a + t b <= high.
+  void keep_between(double a, double b, double low, double high) {
+    keep_below(a, b, high);
+    keep_below(-a, -b, -low);
+  }
+  bool empty() const { return !(first <= last); }
+};
+
+/// Calls f(corner, outward) for each rim of a facet: a point of it and the unit vector in the facet's plane
+/// out of it.
+template <class F>
+void for_each_rim(const mesh_facet<2>& f, const F& rim) {
+  const point<2> along(-f.normal[1], f.normal[0]);
+  rim(f.corners[0], point<2>(-along));
+  rim(f.corners[1], along);
+}
+template <class F>
+void for_each_rim(const mesh_facet<3>& f, const F& rim) {
+  for (int i = 0; i < 3; ++i) {
+    const point<3> out = cross_in_space<3>(f.corner(i + 1) - f.corner(i), f.normal);
+    rim(f.corner(i), point<3>(out / out.norm()));
+  }
+}
+
+/// All points at a height in [-lip, skin] over the facet or, at its rims, up to a lip beside it. The lip
+/// closes the cracks that rounding leaves between neighbours. It is much thinner than the skin, so that who
+/// rests on a facet at the height of the skin is beside the slabs of those beyond a convex edge.
+template <int D>
+struct facet_slab {
+  const mesh_facet<D>& f;
+  double skin;  // [m]
+  double lip;   // [m]
+
+  /// When on its way p + t step to stop: where it enters the slab from the front or from beside, > 1 if it
+  /// need not. Falling by less than a lip under the skin, as between neighbours in one plane, is let through.
+  double stop(const point<D>& p, const point<D>& step) const {
+    constexpr double never = 2;
+    const double fall = f.normal.dot(step), height = f.height(p);
+    if (!(fall < 0) || !(height >= -lip) || !(height + fall < skin - lip)) return never;
+    part_of_way way;
+    way.keep_between(height, fall, -lip, skin);
+    keep_beside(way, p, step);
+    if (way.empty() || !(height + way.last * fall < skin - lip)) return never;
+    return way.first;
+  }
+
+  /// True if p rests on the facet: in the slab, with another lip for rounding.
+  bool holds(const point<D>& p) const {
+    const double height = f.height(p);
+    if (!(height >= -2 * lip && height <= skin + lip)) return false;
+    part_of_way way;
+    facet_slab{f, skin, 2 * lip}.keep_beside(way, p, point<D>::Zero());
+    return !way.empty();
+  }
+
+ private:
+  void keep_beside(part_of_way& way, const point<D>& p, const point<D>& step) const {
+    for_each_rim(f, [&](const point<D>& corner, const point<D>& out) {
+      way.keep_below(out.dot(p - corner), out.dot(step), lip);
+    });
+    if constexpr (D == 3) {  // two rims alone would leave a long spike before the tip of a needle
+      for (int i = 0; i < 3; ++i) {
+        const auto [low, high] = std::minmax({f.corners[0][i], f.corners[1][i], f.corners[2][i]});
+        way.keep_between(p[i], step[i], low - skin - lip, high + skin + lip);
+      }
+    }
+  }
+};
+
+}  // namespace passive_haptics::detail

@@ -1,0 +1,81 @@
+/// @file
+/// A terrain: heights over a regular grid.
+#pragma once
+
+#include <passive_haptics/scene/mesh/mesh.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace passive_haptics {
+
+/// Heights over the points (i spacing_x, j spacing_y) of a grid from `origin`, free above.
+struct height_field_parameters {
+  int columns = 0;       ///< Points along x, 2 or more.
+  int rows = 0;          ///< Points along y, 2 or more.
+  double spacing_x = 0;  ///< Between columns [m], > 0.
+  double spacing_y = 0;  ///< Between rows [m], > 0.
+  std::vector<double>
+      heights;  ///< z over the origin [m], row by row: that of column i and row j is [j columns + i].
+  point<3> origin = point<3>::Zero();  ///< Of column 0 and row 0, at height 0 [m].
+};
+
+/// What is wrong with the parameters; empty if nothing. (A template, so that who makes none does not compile
+/// it.)
+template <class = void>
+std::string validate(const height_field_parameters& p) {
+  constexpr const char* grid = "2 or more, and at most 2^31 triangles in all";
+  if (p.columns < 2) return detail::error_text("columns of a height_field", p.columns, grid);
+  if (p.rows < 2) return detail::error_text("rows of a height_field", p.rows, grid);
+  const auto count = static_cast<std::size_t>(p.columns) * static_cast<std::size_t>(p.rows);
+  if (count > std::numeric_limits<int>::max() / 2)
+    return detail::error_text("columns x rows of a height_field", count, grid);
+  std::string text =
+      detail::first_error(detail::check_positive("spacing_x of a height_field [m]", p.spacing_x),
+                          detail::check_positive("spacing_y of a height_field [m]", p.spacing_y));
+  if (!text.empty()) return text;
+  if (p.heights.size() != count)
+    return detail::error_text("number of heights of a height_field", p.heights.size(),
+                              detail::indexed("columns x rows, ", count, ""));
+  if (!all_finite(p.origin)) return "origin of a height_field is not finite, expected metres";
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!std::isfinite(p.heights[k]))
+      return detail::error_text(detail::indexed("heights[", k, "] of a height_field [m]"), p.heights[k],
+                                "a finite number");
+  }
+  return {};
+}
+
+/// Two triangles for each cell, cut along the diagonal whose ends differ less in height, so that a ridge or a
+/// valley is not cut into teeth. An open surface: take mesh_surface. Throws std::invalid_argument with the
+/// text of validate(p).
+template <class = void>
+mesh_parameters<3> height_field(const height_field_parameters& p) {
+  require_valid(p);
+  mesh_parameters<3> m;
+  m.vertices.reserve(p.heights.size());
+  for (int j = 0; j < p.rows; ++j) {
+    for (int i = 0; i < p.columns; ++i)
+      m.vertices.push_back(p.origin +
+                           point<3>(i * p.spacing_x, j * p.spacing_y, p.heights[m.vertices.size()]));
+  }
+  const auto z = [&](int k) { return p.heights[static_cast<std::size_t>(k)]; };
+  for (int j = 0; j + 1 < p.rows; ++j) {
+    for (int i = 0; i + 1 < p.columns; ++i) {
+      const int a = j * p.columns + i, b = a + 1, c = b + p.columns,
+                d = a + p.columns;  // counterclockwise from above
+      if (std::abs(z(a) - z(c)) <= std::abs(z(b) - z(d))) {
+        m.facets.push_back({a, b, c});
+        m.facets.push_back({a, c, d});
+      } else {
+        m.facets.push_back({a, b, d});
+        m.facets.push_back({b, c, d});
+      }
+    }
+  }
+  return m;
+}
+
+}  // namespace passive_haptics

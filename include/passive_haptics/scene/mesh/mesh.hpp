@@ -1,0 +1,163 @@
+/// @file
+/// A surface of segments (2-D) or triangles (3-D) and the point of it nearest to another.
+#pragma once
+
+#include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
+#include <passive_haptics/scene/mesh/mesh_topology.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace passive_haptics {
+
+/// A point of a mesh.
+template <int D>
+struct mesh_point : facet_point<D> {
+  int facet;  ///< On which facet.
+
+  /// From the point that it is nearest to [m].
+  double distance() const { return std::sqrt(this->squared_distance); }
+};
+
+/// A surface that never changes: its copies share it, any number of threads may ask it, and no question
+/// allocates.
+template <int D>
+class mesh {
+ public:
+  static constexpr int dimension = D;  ///< d
+
+  /// Throws std::invalid_argument with the text of validate(p). O(n log n).
+  explicit mesh(const mesh_parameters<D>& p) : data_(std::make_shared<const data>(require_valid(p))) {}
+
+  /// Number of facets.
+  int size() const { return static_cast<int>(data_->facets.size()); }
+
+  /// Facet i, 0 <= i < size(), in the order of the parameters.
+  const mesh_facet<D>& operator[](int i) const { return data_->facets[static_cast<std::size_t>(i)]; }
+
+  /// True if the facets enclose their wall or their free space without a hole, all running the same way
+  /// round.
+  bool closed() const { return data_->hole.empty(); }
+
+  /// Why it is not closed, by vertices and facets; empty if it is.
+  const std::string& hole() const { return data_->hole; }
+
+  /// Enclosed area [m^2] (2-D) or volume [m^3] (3-D) of a closed mesh; < 0 if the outside is solid.
+  double content() const { return data_->content; }
+
+  /// The box about all facets.
+  const bounding_box<D>& bounds() const { return data_->bounds; }
+
+  /// The facets by their boxes.
+  const bounding_volume_tree<D>& tree() const { return data_->tree; }
+
+  /// The nearest point of the surface; starts with facet `guess`, best that of a neighbouring x. About log n.
+  /// A NaN in x gives a NaN distance.
+  mesh_point<D> nearest(const point<D>& x, int guess = 0) const {
+    mesh_point<D> best{nearest_point((*this)[guess], x), guess};
+    double limit = best.squared_distance;
+    auto search = data_->tree.start();
+    data_->tree.go_on(search, squared_distance_from<D>(x), limit, [&](int i, double) {
+      const auto& f = (*this)[i];
+      const double height = f.height(x);
+      if (!(height * height < limit)) return;  // as from inside a ball, where all boxes are about as near
+      const auto candidate = nearest_point(f, x);
+      if (!(candidate.squared_distance < limit)) return;
+      best = {candidate, i};
+      limit = candidate.squared_distance;
+    });
+    return best;
+  }
+
+  /// The unit normal of the surface at one of its points: of an edge or a corner that of its facets, weighted
+  /// by their angles there. Whether x is in front of the surface of a closed mesh is the sign of this . (x -
+  /// nearest). Reference: J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted
+  /// pseudonormal, IEEE Trans. Visualization and Computer Graphics 11 (3), 2005, pp. 243-253.
+  const point<D>& normal_at(const mesh_point<D>& p) const {
+    const auto f = static_cast<std::size_t>(p.facet), i = static_cast<std::size_t>(p.index);
+    if (p.part == facet_part::interior) return data_->facets[f].normal;
+    if constexpr (D == 3) {
+      if (p.part == facet_part::edge)
+        return data_->edge_normals[static_cast<std::size_t>(data_->edges[f][i])];
+    }
+    return data_->vertex_normals[static_cast<std::size_t>(data_->vertices[f][i])];
+  }
+
+  /// Distance from x to its nearest point [m], < 0 behind the surface of a closed mesh.
+  double signed_distance(const point<D>& x, const mesh_point<D>& nearest) const {
+    return normal_at(nearest).dot(x - nearest.position) < 0 ? -nearest.distance() : nearest.distance();
+  }
+
+ private:
+  using indices = std::array<int, static_cast<std::size_t>(D)>;
+
+  struct data {
+    std::vector<mesh_facet<D>> facets;
+    std::vector<indices> vertices, edges;  // of each facet, indices of the normals below
+    std::vector<point<D>> vertex_normals, edge_normals;
+    bounding_volume_tree<D> tree;
+    bounding_box<D> bounds;
+    std::string hole;
+    double content = 0;
+
+    explicit data(const mesh_parameters<D>& p) : vertices(p.facets) {
+      const std::vector<int> first = detail::welded<D>(p.vertices);
+      std::vector<bounding_box<D>> boxes(p.facets.size());
+      facets.reserve(p.facets.size());
+      for (std::size_t f = 0; f < p.facets.size(); ++f) {
+        for (int& v : vertices[f]) v = first[static_cast<std::size_t>(v)];
+        const auto corners = p.corners(f);
+        facets.push_back({corners, detail::normal_of(corners)});
+        for (const point<D>& c : corners) boxes[f].extend(c);
+        bounds.extend(boxes[f]);
+      }
+      tree = bounding_volume_tree<D>(boxes);
+      find_vertex_normals(p.vertices.size());
+      find_edges();
+      content = detail::enclosed(facets) / (D == 2 ? 2 : 6);
+    }
+
+    void find_vertex_normals(std::size_t count) {
+      vertex_normals.assign(count, point<D>::Zero());
+      for_each_corner([&](const auto& f, point<D>& sum, int i) { sum += detail::angle_at(f, i) * f.normal; });
+      // Where facets lie back to back, any of them will do.
+      for_each_corner(
+          [&](const auto& f, point<D>& sum, int) { sum = detail::direction_or<D>(sum, f.normal); });
+    }
+    template <class F>
+    void for_each_corner(const F& f) {
+      for (std::size_t k = 0; k < facets.size(); ++k) {
+        for (int i = 0; i < D; ++i)
+          f(facets[k], vertex_normals[static_cast<std::size_t>(vertices[k][static_cast<std::size_t>(i)])], i);
+      }
+    }
+
+    void find_edges() {
+      const auto ridges = detail::sorted_ridges<D>(vertices);
+      if (D == 3) edges.resize(facets.size());
+      for (const detail::ridge *r = ridges.data(), *end = r + ridges.size(); r != end;) {
+        const detail::ridge* const first = r;
+        point<D> sum = point<D>::Zero();
+        for (; r != end && r->same_place(*first); ++r) {
+          const auto f = static_cast<std::size_t>(r->facet);
+          sum += facets[f].normal;
+          if (D == 3) edges[f][static_cast<std::size_t>(r->index)] = static_cast<int>(edge_normals.size());
+        }
+        if (D == 3)
+          edge_normals.push_back(
+              detail::direction_or<D>(sum, facets[static_cast<std::size_t>(first->facet)].normal));
+        if (hole.empty()) hole = detail::check_ridge<D>(first, r);
+      }
+    }
+  };
+
+  std::shared_ptr<const data> data_;
+};
+
+/// A mesh in space.
+using triangle_mesh = mesh<3>;
+/// A mesh in the plane.
+using polyline = mesh<2>;
+
+}  // namespace passive_haptics

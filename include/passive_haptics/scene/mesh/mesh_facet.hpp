@@ -1,0 +1,149 @@
+/// @file
+/// One facet of a mesh: a segment (2-D) or a triangle (3-D), and its point nearest to another.
+#pragma once
+
+#include <passive_haptics/scene/shape.hpp>
+#include <passive_haptics/scene/shapes/directions.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+namespace passive_haptics {
+
+/// The corners of a facet [m].
+template <int D>
+using facet_corners = std::array<point<D>, static_cast<std::size_t>(D)>;
+
+/// D corners and the unit normal towards the free side: in the plane on the right of the way from corner 0 to
+/// 1 (a polygon that runs counterclockwise is solid), in space where the corners run counterclockwise.
+template <int D>
+struct mesh_facet {
+  static_assert(D == 2 || D == 3, "passive_haptics: a facet is a segment (D = 2) or a triangle (D = 3).");
+
+  facet_corners<D> corners;  ///< [m]
+  point<D> normal;           ///< Unit vector.
+
+  /// Corner i, counted round.
+  const point<D>& corner(int i) const { return corners[static_cast<std::size_t>(i % D)]; }
+  /// n . (x - c), in front of the facet's plane > 0 [m].
+  double height(const point<D>& x) const { return normal.dot(x - corners[0]); }
+};
+
+/// Which part of a facet a point lies on.
+enum class facet_part {
+  corner,    ///< A corner.
+  edge,      ///< Between corner i and the next (3-D).
+  interior,  ///< Between all of them.
+};
+
+/// A point of a facet.
+template <int D>
+struct facet_point {
+  point<D> position;        ///< [m]
+  double squared_distance;  ///< From the point that it is nearest to [m^2].
+  facet_part part;          ///< What it lies on.
+  int index;                ///< Which corner or edge.
+};
+
+namespace detail {
+
+// Templates throughout, so that who includes this and has no mesh pays nothing for it.
+
+/// a x b; D = 3.
+template <int D>
+point<D> cross_in_space(const point<D>& a, const point<D>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Index of the longest edge of a triangle: it runs from corner i to the next.
+template <int D>
+int longest_edge(const facet_corners<D>& c) {
+  const std::array<double, 3> square{(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(),
+                                     (c[0] - c[2]).squaredNorm()};
+  return static_cast<int>(std::max_element(square.begin(), square.end()) - square.begin());
+}
+
+/// How far a facet reaches in its narrowest direction, by its longest: |b - a| > 0 of a segment gives 1, a
+/// triangle its height by its longest edge. 0 if it has no area, NaN if its coordinates overflow.
+template <int D>
+double slenderness(const facet_corners<D>& c) {
+  if constexpr (D == 2) {
+    const double length = (c[1] - c[0]).stableNorm();
+    return length / length > 0 ? 1 : 0;
+  } else {
+    const int i = longest_edge<D>(c);
+    const auto at = [&](int k) { return c[static_cast<std::size_t>(k % 3)]; };
+    const point<D> along = (at(i + 1) - at(i)).stableNormalized(), up = at(i + 2) - at(i);
+    const double height = (up - along.dot(up) * along).stableNorm(),
+                 length = (at(i + 1) - at(i)).stableNorm();
+    return length > 0 ? height / length : 0;
+  }
+}
+
+/// The unit normal of a facet that has one. Of a needle it still is at right angles to the long edge: all
+/// three corners stay in its plane to rounding.
+template <int D>
+point<D> normal_of(const facet_corners<D>& c) {
+  if constexpr (D == 2) {
+    const point<D> along = (c[1] - c[0]).stableNormalized();
+    return {along[1], -along[0]};
+  } else {
+    const int i = longest_edge<D>(c);
+    const auto at = [&](int k) { return c[static_cast<std::size_t>(k % 3)]; };
+    const point<D> along = (at(i + 1) - at(i)).stableNormalized();
+    point<D> n =
+        cross_in_space<D>((at(i + 2) - at(i + 1)).stableNormalized(), (at(i) - at(i + 2)).stableNormalized());
+    for (int pass = 0; pass < 2; ++pass) {
+      n -= along.dot(n) * along;
+      n.normalize();
+    }
+    return n;
+  }
+}
+
+/// The point of the segment a b nearest to x.
+template <int D>
+facet_point<D> nearest_on_segment(const point<D>& a, const point<D>& b, const point<D>& x, int edge) {
+  const point<D> along = b - a;
+  const double s = along.dot(x - a), whole = along.squaredNorm();
+  if (!(s > 0)) return {a, (x - a).squaredNorm(), facet_part::corner, edge};
+  if (!(s < whole)) return {b, (x - b).squaredNorm(), facet_part::corner, (edge + 1) % D};
+  const point<D> foot = a + s / whole * along;
+  return {foot, (x - foot).squaredNorm(), facet_part::edge, edge};
+}
+
+}  // namespace detail
+
+/// The point of a facet nearest to x; a NaN in x gives a NaN distance.
+///
+/// If the foot of x on the plane lies between the edges it is the one, else the point lies on an edge behind
+/// which the foot lies. Longer than with barycentric coordinates (Ericson, Real-Time Collision Detection,
+/// 2005, ch. 5.1.5), but those lose a needle's short side to rounding, the square of its slenderness.
+template <int D>
+facet_point<D> nearest_point(const mesh_facet<D>& f, const std::type_identity_t<point<D>>& x) {
+  const auto on_plane = [&] {
+    const double h = f.height(x);
+    return facet_point<D>{x - h * f.normal, h * h, facet_part::interior, 0};
+  };
+  if constexpr (D == 2) {
+    const auto on_segment = detail::nearest_on_segment<D>(f.corners[0], f.corners[1], x, 0);
+    return on_segment.part == facet_part::corner ? on_segment : on_plane();
+  } else {
+    facet_point<D> best{x, std::numeric_limits<double>::infinity(), facet_part::interior, 0};
+    bool inside = true;
+    for (int i = 0; i < 3; ++i) {
+      const point<D>&a = f.corner(i), &b = f.corner(i + 1);
+      if (!(f.normal.dot(detail::cross_in_space<D>(b - a, x - a)) < 0)) continue;
+      inside = false;
+      const auto on_edge = detail::nearest_on_segment<D>(a, b, x, i);
+      if (on_edge.squared_distance < best.squared_distance) best = on_edge;
+    }
+    return inside ? on_plane() : best;
+  }
+}
+
+}  // namespace passive_haptics

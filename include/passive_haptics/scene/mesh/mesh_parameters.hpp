@@ -1,0 +1,69 @@
+/// @file
+/// A surface of facets as it is given: corners and which of them each facet has.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/mesh/mesh_facet.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace passive_haptics {
+
+/// A polyline (D = 2: segments) or a triangle mesh (D = 3). Which side is free: see mesh_facet. Vertices in
+/// the same place count as one, so that a list of loose triangles (STL) has a topology.
+template <int D>
+struct mesh_parameters {
+  std::vector<point<D>> vertices;                                    ///< [m]; some may be unused.
+  std::vector<std::array<int, static_cast<std::size_t>(D)>> facets;  ///< Indices of vertices.
+
+  /// The corners of facet i, whose indices must be valid.
+  std::array<point<D>, static_cast<std::size_t>(D)> corners(std::size_t i) const {
+    std::array<point<D>, static_cast<std::size_t>(D)> c;
+    for (std::size_t k = 0; k < c.size(); ++k) c[k] = vertices[static_cast<std::size_t>(facets[i][k])];
+    return c;
+  }
+};
+
+/// A triangle whose height is this part of its longest edge or less has no direction: its normal would be
+/// rounding.
+inline constexpr double least_slenderness = 1e-10;
+
+/// What is wrong with the parameters; empty if nothing. Names the first facet that is wrong.
+template <int D>
+std::string validate(const mesh_parameters<D>& p) {
+  if (p.facets.empty()) return "facets of a mesh are none, expected one or more";
+  for (std::size_t i = 0; i < p.vertices.size(); ++i) {
+    if (!all_finite(p.vertices[i]))
+      return detail::indexed("vertex ", i, " of a mesh is not finite, expected metres");
+  }
+  for (std::size_t i = 0; i < p.facets.size(); ++i) {
+    const std::string name = detail::indexed("facet ", i, " of a mesh");
+    for (const int v : p.facets[i]) {
+      if (v >= 0 && static_cast<std::size_t>(v) < p.vertices.size()) continue;
+      return detail::error_text(name + ": index of a vertex", v,
+                                detail::indexed("0 or more and less than ", p.vertices.size(), ""));
+    }
+    const double slenderness = detail::slenderness(p.corners(i));
+    if (!(slenderness > least_slenderness))
+      return detail::error_text(name + ": height by longest edge", slenderness,
+                                "> 1e-10; remove the facet, without_slivers() does");
+  }
+  return {};
+}
+
+/// The same without the facets that have no area. That is no loss of surface, but where one joined an edge to
+/// two shorter ones the mesh is open then. All indices must be valid.
+template <int D>
+mesh_parameters<D> without_slivers(mesh_parameters<D> p) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < p.facets.size(); ++i) {
+    if (detail::slenderness(p.corners(i)) > least_slenderness) p.facets[kept++] = p.facets[i];
+  }
+  p.facets.resize(kept);
+  return p;
+}
+
+}  // namespace passive_haptics

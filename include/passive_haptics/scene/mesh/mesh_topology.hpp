@@ -1,0 +1,113 @@
+/// @file
+/// How the facets of a mesh hang together: which edges they share, and the normals there.
+#pragma once
+
+#include <passive_haptics/scene/mesh/mesh_parameters.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace passive_haptics::detail {
+
+/// Which vertex stands for each: the first one in the same place.
+template <int D>
+std::vector<int> welded(const std::vector<point<D>>& vertices) {
+  std::vector<int> order(vertices.size()), stands_for(vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto at = [&](int i) -> const point<D>& { return vertices[static_cast<std::size_t>(i)]; };
+  std::sort(order.begin(), order.end(), [&](int i, int j) {
+    for (int k = 0; k < D; ++k) {
+      if (at(i)[k] != at(j)[k]) return at(i)[k] < at(j)[k];
+    }
+    return i < j;
+  });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool same = k > 0 && at(order[k]) == at(order[k - 1]);
+    stands_for[static_cast<std::size_t>(order[k])] =
+        same ? stands_for[static_cast<std::size_t>(order[k - 1])] : order[k];
+  }
+  return stands_for;
+}
+
+/// Where facets meet, one entry for each facet there: an edge between two vertices (3-D) or a vertex (2-D,
+/// low = high).
+struct ridge {
+  int low, high;  // vertices
+  int turn;       // 1 or -1: which way round the facet runs along it
+  int facet, index;
+
+  bool same_place(const ridge& other) const { return low == other.low && high == other.high; }
+};
+
+/// All of them, those in the same place one after the other.
+template <int D>
+std::vector<ridge> sorted_ridges(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets) {
+  std::vector<ridge> all;
+  all.reserve(D * facets.size());
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    for (int i = 0; i < D; ++i) {
+      const int from = facets[f][static_cast<std::size_t>(i)];
+      const int to = D == 2 ? from : facets[f][static_cast<std::size_t>((i + 1) % D)];
+      const int turn = D == 2 ? 1 - 2 * i : (from < to ? 1 : -1);
+      all.push_back({std::min(from, to), std::max(from, to), turn, static_cast<int>(f), i});
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const ridge& a, const ridge& b) {
+    return std::pair(a.low, a.high) != std::pair(b.low, b.high)
+               ? std::pair(a.low, a.high) < std::pair(b.low, b.high)
+               : std::pair(a.facet, a.index) < std::pair(b.facet, b.index);
+  });
+  return all;
+}
+
+/// What keeps the facets that meet in [first, last) from enclosing anything; empty if nothing.
+template <int D>
+std::string check_ridge(const ridge* first, const ridge* last) {
+  int turns = 0;
+  for (const ridge* r = first; r != last; ++r) turns += r->turn;
+  if (turns == 0) return {};  // each facet has its partner, also where two bodies touch in an edge
+  std::ostringstream text;
+  text << (D == 2 ? "vertex " : "edge between vertices ") << first->low;
+  if (D == 3) text << " and " << first->high;
+  if (last - first == 1) {
+    text << " of a mesh_solid belongs to facet " << first->facet
+         << " alone, expected a closed surface; close the hole, or take mesh_surface";
+  } else if (last - first == 2) {
+    text << " of a mesh_solid: facets " << first->facet << " and " << first[1].facet
+         << " run the same way, expected opposite ways; swap two vertices of one of them";
+  } else {
+    text << " of a mesh_solid belongs to " << last - first
+         << " facets, expected as many that run one way as the other; remove what is within the solid";
+  }
+  return text.str();
+}
+
+/// The angle of a facet at a corner [rad]; in the plane all facets count alike.
+template <int D>
+double angle_at(const mesh_facet<D>& f, int i) {
+  if constexpr (D == 2) return 1;
+  else {
+    const point<3> u = f.corner(i + 1) - f.corner(i), v = f.corner(i + 2) - f.corner(i);
+    return std::atan2(cross_in_space<3>(u, v).norm(), u.dot(v));
+  }
+}
+
+/// Area (2-D) or volume (3-D) that facets about an origin enclose, times 2 or 6; < 0 if they are inside out.
+template <int D>
+double enclosed(const std::vector<mesh_facet<D>>& facets) {
+  double sum = 0;
+  const point<D> origin = facets.front().corners[0];
+  for (const mesh_facet<D>& f : facets) {
+    const point<D> a = f.corners[0] - origin, b = f.corners[1] - origin;
+    if constexpr (D == 2) sum += cross_in_plane(a, b);
+    else sum += cross_in_space<3>(a, b).dot(f.corners[2] - origin);
+  }
+  return sum;
+}
+
+}  // namespace passive_haptics::detail

@@ -1,0 +1,170 @@
+/// @file
+/// A proxy: the point on the free side of a mesh that stands for a handle behind it.
+///
+/// References: C. B. Zilles, J. K. Salisbury, A constraint-based god-object method for haptic display, IROS
+/// 1995, pp. 146-151; D. C. Ruspini, K. Kolarov, O. Khatib, The haptic display of complex graphical
+/// environments, SIGGRAPH 1997, pp. 345-352.
+#pragma once
+
+#include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/scene/mesh/facet_slab.hpp>
+#include <passive_haptics/scene/mesh/mesh.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace passive_haptics {
+
+/// What is remembered of one handle at one mesh.
+template <int D>
+struct proxy_tracker {
+  /// Facets on which a proxy rests at once; of more, some wait.
+  static constexpr int most_facets = 4 * (D - 1);
+
+  bool known = false;  ///< Whether the handle was seen.
+  bool held = false;   ///< Whether the surface keeps the proxy from the handle; else they are in one place.
+  std::array<double, static_cast<std::size_t>(D)> position{};  ///< Of the proxy, if held [m].
+  std::array<int, most_facets> facets{};                       ///< On which it rests, if held.
+  int facet_count = 0;                                         ///< How many.
+  int nearest = 0;  ///< A facet that was nearest: where to search first.
+};
+
+namespace detail {
+
+/// The way of a proxy towards the handle in one cycle. It stays a skin in front of the facets that it meets;
+/// none lets it from the front to the back, since each straight part of its way ends where a facet's slab
+/// begins.
+template <int D>
+class proxy_way {
+ public:
+  /// Goes on from where the tracker says.
+  proxy_way(const mesh<D>& surface, double skin, proxy_tracker<D>& tracker)
+      : surface_(surface), skin_(skin), tracker_(tracker), p_(tracker.position.data()) {}
+
+  /// As near to x as the surface lets it.
+  void go_to(const point<D>& x) {
+    for (int move = 0; move < most_moves; ++move) {
+      leave_facets();
+      const point<D> wanted = x - p_;
+      const point<D> step = along_facets(wanted);
+      const bool free = active_ == 0;
+      if (!free && !(step.norm() > lip())) break;
+      const auto [time, facet] = first_stop(step, false);
+      if (facet < 0 && free) {
+        tracker_.held = false;
+        tracker_.facet_count = 0;
+        keep(x);
+        return;
+      }
+      p_ += time * step;
+      if (facet >= 0) rest_on(facet);
+    }
+    rise();
+    tracker_.held = true;
+    keep(p_);
+  }
+
+ private:
+  // Straight parts in one cycle; where they do not suffice the proxy lags, on the free side.
+  static constexpr int most_moves = 64;
+  static constexpr int most = proxy_tracker<D>::most_facets;
+
+  struct hit {
+    double time;  // in [0, 1]
+    int facet;    // -1 if none
+  };
+
+  double lip() const { return lip_by_skin * skin_; }
+  facet_slab<D> slab(int facet) const { return {surface_[facet], skin_, lip()}; }
+  int& resting(int k) { return tracker_.facets[static_cast<std::size_t>(k)]; }
+  void keep(const point<D>& at) {
+    for (int i = 0; i < D; ++i) tracker_.position[static_cast<std::size_t>(i)] = at[i];
+  }
+
+  // Facets that the proxy has slid off hold it no longer.
+  void leave_facets() {
+    int kept = 0;
+    for (int k = 0; k < tracker_.facet_count; ++k) {
+      if (slab(resting(k)).holds(p_)) resting(kept++) = resting(k);
+    }
+    tracker_.facet_count = kept;
+  }
+
+  // The part of the wanted step that enters no facet on which the proxy rests: its projection on { s : n . s
+  // >= 0 }.
+  point<D> along_facets(const point<D>& wanted) {
+    active_ = 0;
+    const double length = wanted.norm();
+    if (tracker_.facet_count == 0 || !(length > 0)) return wanted;
+    matrix<double, D, most> B = matrix<double, D, most>::Zero();
+    for (int k = 0; k < tracker_.facet_count; ++k) B.col(k) = -surface_[resting(k)].normal;
+    const auto projection = project_onto_half_spaces<double, D, most>(B, wanted / length);
+    active_ = projection.active;
+    return active_ == 0 ? wanted : point<D>(length * projection.point);
+  }
+
+  // A full list first loses a facet that did not hold the last step back.
+  void rest_on(int facet) {
+    if (tracker_.facet_count == most) {
+      int idle = 0;
+      while (idle + 1 < most && (active_ >> idle & 1u) != 0) ++idle;
+      resting(idle) = resting(--tracker_.facet_count);
+    }
+    resting(tracker_.facet_count++) = facet;
+  }
+
+  bool rests_on(int facet) {
+    for (int k = 0; k < tracker_.facet_count; ++k) {
+      if (resting(k) == facet) return true;
+    }
+    return false;
+  }
+
+  // Which slab the step enters first; those of the facets on which the proxy rests only if told so.
+  hit first_stop(const point<D>& step, bool resting_too) {
+    const auto entry = [&](const four_outer_boxes<D>& boxes) {
+      Eigen::Array<double, 4, 1> times;
+      for (int k = 0; k < 4; ++k) {
+        const outer_box<D> box = boxes[k];
+        part_of_way way;
+        for (int i = 0; i < D; ++i)
+          way.keep_between(p_[i], step[i], double(box.lower[i]) - 2 * skin_,
+                           double(box.upper[i]) + 2 * skin_);
+        times[k] = way.empty() ? 2.0 : way.first;
+      }
+      return times;
+    };
+    hit first{1, -1};
+    auto search = surface_.tree().start();
+    surface_.tree().go_on(search, entry, first.time, [&](int i, double) {
+      const double time = slab(i).stop(p_, step);
+      const bool sooner = time < first.time || (time <= first.time && first.facet < 0);
+      if (sooner && (resting_too || !rests_on(i))) first = {time, i};
+    });
+    return first;
+  }
+
+  // Round a convex edge the height over the next facet is the lower the sharper the edge is: back to the
+  // skin.
+  void rise() {
+    constexpr double low = 0.9;  // of the skin
+    for (int k = 0; k < tracker_.facet_count; ++k) {
+      const auto& f = surface_[resting(k)];
+      const double height = f.height(p_);
+      if (!(height < low * skin_)) continue;
+      const point<D> step = (skin_ - height) * f.normal;
+      p_ += first_stop(step, true).time * step;
+    }
+  }
+
+  static constexpr double lip_by_skin = 1e-3;
+
+  const mesh<D>& surface_;
+  double skin_;
+  proxy_tracker<D>& tracker_;
+  point<D> p_;
+  half_space_set active_ = 0;
+};
+
+}  // namespace detail
+}  // namespace passive_haptics

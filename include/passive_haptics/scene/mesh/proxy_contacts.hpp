@@ -1,0 +1,113 @@
+/// @file
+/// The contacts of a handle whose proxy rests on facets of a mesh.
+#pragma once
+
+#include <passive_haptics/scene/mesh/proxy.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace passive_haptics::detail {
+
+/// The shares m >= 0 of the least displacement N m that brings a point in front of all of K planes, N the
+/// unit normals by columns (zero: no plane) and depth how far it is behind each; one of them must be > 0.
+/// Where nothing is in front of all, the depths themselves. By Lawson and Hanson's least-distance programme,
+/// as in convex_polytope.hpp.
+template <int D, int K>
+vector<double, K> shares_of_displacement(const matrix<double, D, K>& N, const vector<double, K>& depth) {
+  constexpr double far_before = -1e100;  // in units of the largest depth: keeps the squares finite
+  matrix<double, D + 1, K> B;
+  B.template topRows<D>() = N;
+  B.row(D) = (depth / depth.maxCoeff()).cwiseMax(far_before).transpose();
+  const vector<double, K> c =
+      project_onto_half_spaces<double, D + 1, K>(B, vector<double, D + 1>::Unit(D)).coefficients;
+  const double square = (N * c).squaredNorm();
+  return square > 0 ? vector<double, K>(c * (c.dot(depth) / square)) : vector<double, K>(depth.cwiseMax(0));
+}
+
+/// Facets of one smooth surface make one contact, others one each.
+template <int D>
+class proxy_contacts {
+ public:
+  /// Of a handle at x whose proxy rests on these facets. cos_crease: of the largest angle within a smooth
+  /// surface.
+  proxy_contacts(const mesh<D>& surface, const proxy_tracker<D>& tracker, const point<D>& x,
+                 double cos_crease)
+      : cos_crease_(cos_crease) {
+    for (int k = 0; k < tracker.facet_count; ++k) {
+      const auto& f = surface[tracker.facets[static_cast<std::size_t>(k)]];
+      normals_.col(k) = f.normal;
+      depths_[k] = -f.height(x);
+    }
+  }
+
+  /// Calls add(normal, depth) for each, at most D: as many facets hold a point.
+  template <class Add>
+  void add_to(Add&& add) const {
+    if (!(depths_.maxCoeff() > 0)) return;
+    const auto shares = shares_of_displacement<D, most>(normals_, depths_);
+    half_space_set left = 0;
+    for (int k = 0; k < most; ++k) {
+      if (shares[k] > 0) left |= 1u << k;
+    }
+    while (left != 0) {
+      const half_space_set group = smooth_group(left);
+      left &= ~group;
+      add_group(group, shares, add);
+    }
+  }
+
+ private:
+  static constexpr int most = proxy_tracker<D>::most_facets;
+
+  // The first of `left` and what is connected with it by angles less than the crease angle.
+  half_space_set smooth_group(half_space_set left) const {
+    half_space_set group = left & (~left + 1u);
+    for (half_space_set before = 0; before != group;) {
+      before = group;
+      for (int i = 0; i < most; ++i) {
+        for (int j = 0; j < most; ++j) {
+          if ((group >> i & 1u) != 0 && (left >> j & 1u) != 0 &&
+              normals_.col(i).dot(normals_.col(j)) > cos_crease_)
+            group |= 1u << j;
+        }
+      }
+    }
+    return group;
+  }
+
+  // Normal and depth are those of the way to in front of the group's own planes. The depth is no more than
+  // the group's share of the whole displacement: at an obtuse edge a second surface that is reached at some
+  // depth of the first then begins with depth zero.
+  template <class Add>
+  void add_group(half_space_set group, const vector<double, most>& shares, Add&& add) const {
+    matrix<double, D, most> N = matrix<double, D, most>::Zero();
+    vector<double, most> depths = vector<double, most>::Zero();
+    point<D> share = point<D>::Zero();
+    int last = 0, count = 0;
+    for (int k = 0; k < most; ++k) {
+      if ((group >> k & 1u) == 0) continue;
+      N.col(k) = normals_.col(k);
+      depths[k] = depths_[k];
+      share += shares[k] * normals_.col(k);
+      last = k;
+      ++count;
+    }
+    if (!(depths.maxCoeff() > 0)) return;
+    if (count == 1) {
+      add(point<D>(N.col(last)), std::min(depths[last], shares[last]));
+      return;
+    }
+    const point<D> way = N * shares_of_displacement<D, most>(N, depths);
+    const double depth = way.norm();
+    if (depth > 0) add(point<D>(way / depth), std::min(depth, share.norm()));
+  }
+
+  double cos_crease_;
+  matrix<double, D, most> normals_ = matrix<double, D, most>::Zero();
+  vector<double, most> depths_ = vector<double, most>::Zero();
+};
+
+}  // namespace passive_haptics::detail

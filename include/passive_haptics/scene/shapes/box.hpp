@@ -1,0 +1,116 @@
+/// @file
+/// A rectangular wall: rectangle (2-D) or box (3-D), aligned with any orthonormal frame.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/bounds/bounding_box.hpp>
+#include <passive_haptics/scene/shapes/directions.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+
+#include <array>
+#include <string>
+#include <utility>
+
+namespace passive_haptics {
+
+/// Centre, size and directions of a box.
+template <int D>
+struct box_parameters {
+  point<D> centre;        ///< [m]
+  point<D> half_extents;  ///< Centre to face along each axis [m], >= 0.
+  matrix<double, D, D> axes = matrix<double, D, D>::Identity();  ///< Orthonormal columns, base frame.
+};
+
+/// How far the axes of a box may be from orthonormal, |a_i . a_j - delta_ij|: six printed digits. The box
+/// orthonormalises them.
+inline constexpr double box_axes_tolerance = 1e-5;
+
+/// What is wrong with the parameters; empty if nothing.
+template <int D>
+std::string validate(const box_parameters<D>& p) {
+  if (!all_finite(p.centre)) return "centre of a box is not finite, expected metres";
+  for (int i = 0; i < D; ++i) {
+    const std::string name = detail::indexed("half_extents[", i, "] of a box [m]");
+    if (std::string text = detail::check_not_negative(name, p.half_extents[i]); !text.empty()) return text;
+  }
+  const double skew = (p.axes.transpose() * p.axes - matrix<double, D, D>::Identity()).cwiseAbs().maxCoeff();
+  if (!all_finite(p.axes) || !(skew <= box_axes_tolerance))
+    return detail::error_text("|axes^T axes - I| of a box", skew, "orthonormal columns");
+  return {};
+}
+
+/// In the box's own frame, with q = |R^T (x - c)| - h by components: distance(x) = |max(q, 0)| outside and
+/// max_i q_i inside. Exact on both sides. Where faces are equally near from inside, the first one gives the
+/// gradient.
+template <int D>
+class box {
+ public:
+  static constexpr int dimension = D;  ///< d
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit box(const box_parameters<D>& p)
+      : centre_(require_valid(p).centre), half_extents_(p.half_extents), axes_(orthonormal(p.axes)) {}
+
+  /// Box about centre [m] with half_extents [m] along the base frame.
+  box(const point<D>& centre, const point<D>& half_extents) : box(box_parameters<D>{centre, half_extents}) {}
+
+  /// Signed distance [m]; one square root outside, D^2 multiplications.
+  double distance(const point<D>& x) const {
+    const point<D> q = beyond_faces(local(x));
+    const double inside = q.maxCoeff();
+    return inside > 0 ? q.cwiseMax(0).norm() : inside;
+  }
+
+  /// Unit vector away from the nearest point of the surface, to the free side.
+  point<D> gradient(const point<D>& x) const {
+    const point<D> at = local(x);
+    const point<D> q = beyond_faces(at);
+    const point<D> side = at.unaryExpr([](double u) { return u < 0 ? -1.0 : 1.0; });
+    int nearest = 0;
+    q.maxCoeff(&nearest);
+    const point<D> face = point<D>::Unit(nearest);
+    return axes_ * side.cwiseProduct(detail::direction_or<D>(q.cwiseMax(0), face));
+  }
+
+  /// The 2 D faces as walls whose common inside is the box: axis 0 positive and negative, axis 1, ...
+  std::array<half_space<D>, 2 * D> faces() const {
+    const auto face = [this](std::size_t k) {
+      const auto i = static_cast<int>(k / 2);
+      const point<D> normal = (k % 2 == 0 ? 1 : -1) * axes_.col(i);
+      return half_space<D>(centre_ + half_extents_[i] * normal, normal);
+    };
+    return [&]<std::size_t... k>(std::index_sequence<k...>) {
+      return std::array<half_space<D>, 2 * D>{face(k)...};
+    }(std::make_index_sequence<2 * D>());
+  }
+
+  /// The box along the base frame about this one.
+  bounding_box<D> bounds() const {
+    const point<D> half = axes_.cwiseAbs() * half_extents_;
+    return {centre_ - half, centre_ + half};
+  }
+
+ private:
+  point<D> local(const point<D>& x) const { return axes_.transpose() * (x - centre_); }
+  point<D> beyond_faces(const point<D>& local_point) const { return local_point.cwiseAbs() - half_extents_; }
+
+  // Gram and Schmidt, twice; exact for columns that are units of the base frame.
+  static matrix<double, D, D> orthonormal(matrix<double, D, D> a) {
+    for (int i = 0; i < D; ++i) {
+      for (int pass = 0; pass < 2; ++pass) {
+        for (int j = 0; j < i; ++j) a.col(i) -= a.col(j).dot(a.col(i)) * a.col(j);
+      }
+      a.col(i).normalize();
+    }
+    return a;
+  }
+
+  point<D> centre_;
+  point<D> half_extents_;
+  matrix<double, D, D> axes_;
+};
+
+/// A box in the plane.
+using rectangle = box<2>;
+
+}  // namespace passive_haptics

@@ -1,0 +1,160 @@
+/// @file
+/// A convex polytope by the half-spaces that bound it.
+#pragma once
+
+#include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/shape.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <string>
+#include <utility>
+
+namespace passive_haptics {
+
+/// The planes of the faces; the polytope is what lies behind all of them. It may be unbounded, planes may be
+/// redundant.
+template <int D, int K>
+struct convex_polytope_parameters {
+  std::array<half_space_parameters<D>, static_cast<std::size_t>(K)> faces;  ///< Normals out of the polytope.
+};
+
+namespace detail {
+
+/// Distance from x to the set behind K planes, for the distances g of x from them, not all <= 0, and their
+/// normals N (columns).
+///
+/// The nearest point is a least-distance problem: least |d| with n_i . d <= -g_i. Lawson and Hanson (Solving
+/// Least Squares Problems, 1974, ch. 23) turn it into the projection of the last unit vector on a cone in one
+/// dimension more. Its multipliers mu >= 0 give the direction N mu and the distance mu . g / |N mu|, the dual
+/// value: never too large, and exact to second order in the error of mu.
+template <int D, int K>
+struct polytope_distance {
+  double distance = 0;                    ///< [m]
+  point<D> gradient = point<D>::UnitX();  ///< From the nearest point to x.
+  double residual = 0;                    ///< |projection|, in [0, 1]; 0 if no point is behind all planes.
+
+  polytope_distance(const matrix<double, D, K>& N, const vector<double, K>& g) {
+    constexpr double far_behind = -1e100;  // in units of the largest distance: keeps the squares finite
+    matrix<double, D + 1, K> B;
+    B.template topRows<D>() = -N;
+    B.row(D) = (g / g.maxCoeff()).cwiseMax(far_behind).transpose();
+    const auto projection = project_onto_half_spaces<double, D + 1, K>(B, vector<double, D + 1>::Unit(D));
+    const point<D> direction = N * projection.coefficients;
+    const double length = direction.norm();
+    residual = projection.point.norm();
+    distance = projection.coefficients.dot(g) / length;
+    gradient = direction / length;
+  }
+};
+
+/// Normals of planes, by columns.
+template <int D, std::size_t K>
+matrix<double, D, static_cast<int>(K)> normals_of(const std::array<half_space<D>, K>& faces) {
+  matrix<double, D, static_cast<int>(K)> N;
+  for (int i = 0; i < N.cols(); ++i) N.col(i) = faces[static_cast<std::size_t>(i)].gradient(point<D>::Zero());
+  return N;
+}
+
+/// Distances of x from planes.
+template <int D, std::size_t K>
+vector<double, static_cast<int>(K)> distances_from(const std::array<half_space<D>, K>& faces,
+                                                   const point<D>& x) {
+  vector<double, static_cast<int>(K)> g;
+  for (int i = 0; i < g.size(); ++i) g[i] = faces[static_cast<std::size_t>(i)].distance(x);
+  return g;
+}
+
+/// Half-spaces from their parameters.
+template <int D, std::size_t K>
+std::array<half_space<D>, K> half_spaces(const std::array<half_space_parameters<D>, K>& p) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array<half_space<D>, K>{half_space<D>(p[i])...};
+  }(std::make_index_sequence<K>());
+}
+
+/// Error about half-spaces without a common inside. Planes within 1e-8 rad of parallel count as parallel.
+template <int D, std::size_t K>
+std::string check_common_inside(const std::array<half_space<D>, K>& faces) {
+  constexpr int k = static_cast<int>(K);
+  constexpr double parallel = 1e-8;  // rad; about the root of the rounding of double
+  const matrix<double, D, k> N = normals_of(faces);
+  const vector<double, k> g = distances_from<D, K>(faces, point<D>::Zero());
+  if (g.maxCoeff() <= 0 || polytope_distance<D, k>(N, g).residual >= parallel) return {};
+  return "faces of a convex_polytope have no common inside, expected normals that point out of it";
+}
+
+}  // namespace detail
+
+/// What is wrong with the parameters; empty if nothing.
+template <int D, int K>
+std::string validate(const convex_polytope_parameters<D, K>& p) {
+  for (std::size_t i = 0; i < p.faces.size(); ++i) {
+    const std::string text = validate(p.faces[i]);
+    if (!text.empty()) return detail::indexed("face ", i, " of a convex_polytope: ") + text;
+  }
+  return detail::check_common_inside(detail::half_spaces(p.faces));
+}
+
+/// distance(x) = max_i n_i . (x - p_i) inside, the distance to the nearest point of the polytope outside.
+/// Exact on both sides, to the rounding of n_i . (x - p_i) divided by the sine of the sharpest angle between
+/// the faces that meet at the nearest point. Where faces are equally near from inside, the first one gives
+/// the gradient.
+///
+/// One contact at most, as every shape. For a room, where several faces are touched at once, see room.hpp.
+template <int D, int K>
+class convex_polytope {
+  static_assert(K >= 1, "passive_haptics: a convex_polytope has one face or more.");
+  static constexpr auto face_count = static_cast<std::size_t>(K);
+
+ public:
+  static constexpr int dimension = D;  ///< d
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit convex_polytope(const convex_polytope_parameters<D, K>& p)
+      : faces_(detail::half_spaces(require_valid(p).faces)), normals_(detail::normals_of(faces_)) {}
+
+  /// What lies behind all of these; throws std::invalid_argument if nothing does.
+  template <std::same_as<half_space<D>>... Rest>
+    requires(sizeof...(Rest) + 1 == face_count)
+  explicit convex_polytope(const half_space<D>& first, const Rest&... rest)
+      : faces_{first, rest...}, normals_(detail::normals_of(faces_)) {
+    require_no_error(detail::check_common_inside(faces_));
+  }
+
+  /// Signed distance [m]; K D multiplications inside, outside a cone projection as well.
+  double distance(const point<D>& x) const { return nearest(x).first; }
+
+  /// Unit vector away from the nearest point of the surface, to the free side; cost as distance.
+  point<D> gradient(const point<D>& x) const { return nearest(x).second; }
+
+  /// The half-spaces whose common inside is the polytope.
+  const std::array<half_space<D>, face_count>& faces() const { return faces_; }
+
+ private:
+  std::pair<double, point<D>> nearest(const point<D>& x) const {
+    const vector<double, K> g = detail::distances_from(faces_, x);
+    int nearest_plane = 0;
+    for (int i = 1; i < K; ++i) {
+      if (g[i] > g[nearest_plane]) nearest_plane = i;
+    }
+    if (g[nearest_plane] > 0) {
+      const detail::polytope_distance<D, K> outside(normals_, g);
+      if (outside.distance > g[nearest_plane]) return {outside.distance, outside.gradient};
+    }
+    return {g[nearest_plane], normals_.col(nearest_plane)};
+  }
+
+  std::array<half_space<D>, face_count> faces_;
+  matrix<double, D, K> normals_;
+};
+
+/// Dimension and number of faces follow from the half-spaces.
+template <int D, class... Rest>
+convex_polytope(const half_space<D>&, const Rest&...)
+    -> convex_polytope<D, 1 + static_cast<int>(sizeof...(Rest))>;
+
+}  // namespace passive_haptics

@@ -1,0 +1,56 @@
+/// @file
+/// A plane wall.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/shape.hpp>
+
+namespace passive_haptics {
+
+/// A point on a plane wall and the direction out of it.
+template <int D>
+struct half_space_parameters {
+  point<D> surface_point;  ///< Any point of the surface [m].
+  point<D> normal;         ///< Out of the wall, towards the free side; any length > 0.
+};
+
+/// What is wrong with the parameters; empty if nothing.
+template <int D>
+std::string validate(const half_space_parameters<D>& p) {
+  if (!all_finite(p.surface_point)) return "surface_point of a half_space is not finite, expected metres";
+  const double length = p.normal.stableNorm();
+  if (!std::isfinite(length) || length == 0)
+    return detail::error_text("|normal| of a half_space", length, "a direction");
+  return {};
+}
+
+/// The wall behind a plane: distance(x) = n . (x - p).
+template <int D>
+class half_space {
+ public:
+  static constexpr int dimension = D;  ///< d
+
+  /// Throws std::invalid_argument with the text of validate(p).
+  explicit half_space(const half_space_parameters<D>& p)
+      : normal_(require_valid(p).normal.stableNormalized()), point_(p.surface_point) {}
+
+  /// Wall through surface_point with the free side where normal points.
+  half_space(const point<D>& surface_point, const point<D>& normal)
+      : half_space(half_space_parameters<D>{surface_point, normal}) {}
+
+  /// Signed distance [m]; D multiplications.
+  double distance(const point<D>& x) const {
+    point<D> moved;
+    unrolled<D>([&](auto i) { moved[i] = x[i] - point_[i]; });
+    return dot(normal_, moved);
+  }
+
+  /// The unit normal.
+  point<D> gradient(const point<D>&) const { return normal_; }
+
+ private:
+  point<D> normal_;
+  point<D> point_;
+};
+
+}  // namespace passive_haptics

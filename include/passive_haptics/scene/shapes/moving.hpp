@@ -1,0 +1,67 @@
+/// @file
+/// A shape that is carried along.
+#pragma once
+
+#include <passive_haptics/scene/shape.hpp>
+
+#include <utility>
+
+namespace passive_haptics {
+
+/// distance(x) = S(x - u) for a displacement u, and its velocity for the contacts. Motion comes from outside:
+/// set it before each cycle. It is not checked here; a step reports a displacement or velocity that is not
+/// finite.
+///
+/// Displacement and velocity are two values, so that a conveyor (velocity, no displacement) is a shape too.
+/// Of a moving shape inside another the velocities add.
+template <class S>
+class moving {
+  static_assert(Shape<S>, "passive_haptics: moving needs a Shape (scene/shape.hpp).");
+
+ public:
+  static constexpr int dimension = S::dimension;  ///< d
+
+  /// The shape, at rest and where it is.
+  explicit moving(S shape) : shape_(std::move(shape)) {}
+
+  /// Displacement from where the shape was made [m], and velocity of its surface [m/s]; base frame.
+  void set_motion(const point<dimension>& displacement, const point<dimension>& velocity) {
+    set_displacement_ = displacement_ = displacement;
+    velocity_ = velocity;
+  }
+
+  /// Carries the shape on with its velocity for this time [s] from where set_motion put it.
+  void extrapolate(double seconds) { displacement_ = set_displacement_ + seconds * velocity_; }
+
+  /// Signed distance [m]; that of the shape and D subtractions.
+  double distance(const point<dimension>& x) const { return shape_.distance(x - displacement_); }
+
+  /// Gradient of the displaced shape.
+  point<dimension> gradient(const point<dimension>& x) const { return shape_.gradient(x - displacement_); }
+
+  /// Velocity of the surface [m/s].
+  point<dimension> velocity(const point<dimension>& x) const {
+    return velocity_ + surface_velocity(shape_, point<dimension>(x - displacement_));
+  }
+
+  /// Hessian of the displaced shape [1/m].
+  matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
+    requires CurvedShape<S>
+  {
+    return shape_.hessian(x - displacement_);
+  }
+  /// The carried shape, to move it within this one.
+  S& shape() { return shape_; }
+
+ private:
+  S shape_;
+  point<dimension> set_displacement_ = point<dimension>::Zero();
+  point<dimension> displacement_ = point<dimension>::Zero();  // in this cycle
+  point<dimension> velocity_ = point<dimension>::Zero();
+};
+
+/// moving(moving(s)) is carried twice, not a copy.
+template <class S>
+moving(moving<S>) -> moving<moving<S>>;
+
+}  // namespace passive_haptics

@@ -1,0 +1,73 @@
+/// @file
+/// A shape grown or shrunk.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/bounds/bounding_box.hpp>
+
+#include <utility>
+
+namespace passive_haptics {
+
+/// How much a wall grows.
+struct offset_parameters {
+  double growth = 0;  ///< The surface moves this far to the free side [m]; < 0 shrinks the wall.
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const offset_parameters& p) {
+  return detail::check_finite("growth of an offset [m]", p.growth);
+}
+
+/// distance(x) = S(x) - growth: for a tool of radius `growth`, or with edges rounded by it.
+///
+/// A grown wall is exact outside if S is. A shrunk one is the set of points deeper than -growth; its distance
+/// is exact inside, and outside a lower bound that is exact except beyond edges which S rounds.
+template <class S>
+class offset {
+  static_assert(Shape<S>, "passive_haptics: an offset needs a Shape (scene/shape.hpp).");
+
+ public:
+  static constexpr int dimension = S::dimension;  ///< d
+
+  /// Throws std::invalid_argument if growth [m] is not finite.
+  offset(S shape, double growth)
+      : shape_(std::move(shape)), growth_(require_valid(offset_parameters{growth}).growth) {}
+
+  /// Signed distance [m]; that of the shape and a subtraction.
+  double distance(const point<dimension>& x) const { return shape_.distance(x) - growth_; }
+
+  /// Gradient of the shape.
+  point<dimension> gradient(const point<dimension>& x) const { return shape_.gradient(x); }
+
+  /// The bounds of the shape, wider by the growth; those of a shrunk one are not narrower.
+  bounding_box<dimension> bounds() const
+    requires BoundedShape<S>
+  {
+    bounding_box<dimension> box = shape_.bounds();
+    const auto margin = point<dimension>::Constant(growth_ > 0 ? growth_ : 0);
+    return {box.lower - margin, box.upper + margin};
+  }
+
+  /// Velocity of the shape [m/s].
+  point<dimension> velocity(const point<dimension>& x) const
+    requires MovingShape<S>
+  {
+    return shape_.velocity(x);
+  }
+
+  /// Hessian of the shape [1/m].
+  matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
+    requires CurvedShape<S>
+  {
+    return shape_.hessian(x);
+  }
+  /// The shape before the offset, to move it.
+  S& shape() { return shape_; }
+
+ private:
+  S shape_;
+  double growth_;
+};
+
+}  // namespace passive_haptics

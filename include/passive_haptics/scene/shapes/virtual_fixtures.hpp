@@ -1,0 +1,34 @@
+/// @file
+/// Guidance along a line or in a plane as walls: what keeps a tool on a path by its geometry alone.
+///
+/// Reference: L. B. Rosenberg, Virtual fixtures: perceptual tools for telerobotic manipulation, IEEE VRAIS
+/// 1993, pp. 76-82. force/effects/guide.hpp has the same as a resistance without a wall.
+#pragma once
+
+#include <passive_haptics/scene/scene.hpp>
+#include <passive_haptics/scene/shapes/capsule.hpp>
+#include <passive_haptics/scene/shapes/complement.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+
+namespace passive_haptics {
+
+/// Free space within radius [m] of the segment between two points [m]: guidance along a line, with round
+/// ends.
+template <int D>
+complement<capsule<D>> tube(const point<D>& from, const point<D>& to, double radius) {
+  return complement<capsule<D>>(capsule<D>(from, to, radius));
+}
+
+/// Free space within half_width [m] of the plane through a point [m] with this normal: guidance in a plane
+/// (2-D: along a line without ends). Two walls, of which one at most is touched at a time; wall 0 is on the
+/// side of the normal. Stiffness in N/m.
+template <int D>
+scene<half_space<D>, half_space<D>> slot(const point<D>& centre, const point<D>& normal, double half_width,
+                                         double stiffness = 1e7) {
+  require_no_error(detail::check_not_negative("half_width of a slot [m]", half_width));
+  const point<D> n = normal.stableNormalized();
+  return scene<half_space<D>, half_space<D>>(wall(half_space<D>(centre + half_width * n, -n), stiffness),
+                                             wall(half_space<D>(centre - half_width * n, n), stiffness));
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,229 @@
+/// @file
+/// Exact skipping: which of many items must be looked at now, because the handle may have reached them.
+///
+/// An item at distance D cannot be touched before the handle has travelled D (distances are 1-Lipschitz). The
+/// idea of a list of neighbours that holds until one has moved too far is that of L. Verlet, Phys. Rev. 159
+/// (1967), 98-103.
+#pragma once
+
+#include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace passive_haptics {
+
+/// For one point that moves among the items of a tree, and others that lie in no tree (unbounded or moving
+/// ones).
+///
+/// Three bounds, each looked at only when the one before is used up:
+///   - clearance: the way that can be travelled until any item is due. Most cycles end here;
+///   - due: for each of the nearest items, the way at which it can be touched at the earliest;
+///   - reach: the distance of the nearest item that is not in the list. Most of it travelled, the next list
+///   is collected, a
+///     few nodes of the tree a cycle, so that no cycle pays for all.
+///
+/// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It collects a list
+/// at once, some ten to a hundred nodes, when the handle jumps or leaves the reach before the next list is
+/// complete; and it asks all items whose boxes hold the handle where they are more than Listed. No allocation
+/// after construction.
+template <int D, int Listed = 16>
+class neighbour_list {
+ public:
+  static constexpr int nodes_per_cycle = 8;  ///< Of the tree, while the next list is collected.
+
+  neighbour_list() = default;
+
+  /// other_count: items that lie in no tree, numbered -1, -2, ... when they are looked at. scale [m]: the
+  /// largest coordinate of the items, for the rounding of their distances.
+  neighbour_list(std::size_t other_count, double scale) : others_(other_count, 0.0), scale_(scale) {}
+
+  /// Calls look(item) for each item that the handle can have reached on its way to x: those and no others may
+  /// be touched. look returns the distance [m] that the handle may go from x without touching the item; 0 if
+  /// it touches it. x finite.
+  template <class Look>
+  void visit(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
+    if (!idle(x)) look_around(tree, x, look);
+  }
+
+  /// True if x is nearer than any item can be: nothing need be looked at. False where x is not finite.
+  bool idle(const point<D>& x) const { return (x - last_).squaredNorm() < squared_clearance_; }
+
+  /// An item that lies in no tree (0, 1, ... in their order) has moved by this distance [m].
+  void moved(std::size_t other, double distance) {
+    others_[other] -= distance;
+    first_other_ = std::min(first_other_, others_[other]);
+    const double left = std::sqrt(squared_clearance_) - distance;
+    squared_clearance_ = left > 0 ? left * left : 0;
+  }
+
+  /// Forgets where the handle was.
+  void reset() {
+    squared_clearance_ = 0;
+    travelled_ = 0;
+    near().size = 0;
+    near().reach = 0;
+    collecting_ = false;
+    std::fill(others_.begin(), others_.end(), 0.0);
+    first_other_ = 0;
+  }
+
+ private:
+  using search = typename bounding_volume_tree<D>::search;
+  static constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+  struct neighbour {
+    double due = 0;  // way at which it can be touched [m]; while it is collected, the distance of its box
+    int item = 0;
+    bool operator<(const neighbour& other) const { return due < other.due; }
+  };
+
+  // The nearest items seen from a centre; all others are beyond reach.
+  struct list {
+    point<D> centre = point<D>::Zero();
+    double reach = 0;  // [m]
+    int size = 0;
+    std::array<neighbour, static_cast<std::size_t>(Listed)> items{};
+
+    auto begin() { return items.begin(); }
+    auto end() { return items.begin() + size; }
+  };
+
+  static constexpr double start_early = 0.9;  // begin the next list when this part of the reach is used up
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  static constexpr double relative_rounding = 64 * epsilon;
+
+  list& near() { return lists_[static_cast<std::size_t>(current_)]; }
+  list& next() { return lists_[static_cast<std::size_t>(1 - current_)]; }
+
+  // Of a distance at x, beside its own share, and of the way [m]
+  double rounding(const point<D>& x) const {
+    return relative_rounding * (scale_ + x.cwiseAbs().maxCoeff() + travelled_);
+  }
+
+  template <class Look>
+  void look_around(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
+    const double step = (x - last_).norm();
+    if (step < unbounded)
+      travelled_ = (travelled_ + step) * (1 + 4 * epsilon);  // rather too far than too short
+    else reset();
+    last_ = x;
+    if (collecting_) collect(tree, nodes_per_cycle);
+    double from_centre = (x - near().centre).norm();
+    if (!(from_centre < near().reach)) {
+      start_collecting(tree, x);
+      collect(tree, std::numeric_limits<int>::max());
+      from_centre = 0;
+    } else if (!collecting_ && from_centre > start_early * near().reach) {
+      start_collecting(tree, x);
+    }
+
+    const double slack = rounding(x);
+    const auto next_due = [&](int item) {
+      const double distance = look(item);
+      return travelled_ + std::max(distance * (1 - relative_rounding) - slack, 0.0);
+    };
+    look_at_near(next_due);
+    look_at_others(next_due);
+    if (near().reach == 0) {  // more items about x than the list holds
+      tree.visit_within(squared_distance_from<D>(x), 0.0, [&](int item, double) { look(item); });
+    }
+    double clearance = std::min(near().size > 0 ? near().items[0].due : unbounded, first_other_) - travelled_;
+    // The next list in time; and while one is collected, every cycle takes its share
+    clearance = collecting_ ? 0 : std::min(clearance, start_early * near().reach - from_centre);
+    clearance = std::max(clearance - slack, 0.0);
+    squared_clearance_ = clearance * clearance;
+  }
+
+  // The list is in the order in which its items are due: those that are stand at its head.
+  template <class NextDue>
+  void look_at_near(const NextDue& next_due) {
+    auto& items = near().items;
+    const auto at = [&](int k) -> neighbour& { return items[static_cast<std::size_t>(k)]; };
+    int due = 0;
+    for (; due < near().size && at(due).due <= travelled_; ++due) at(due).due = next_due(at(due).item);
+    for (int k = due - 1; k >= 0; --k) {
+      const neighbour moved = at(k);
+      int to = k;
+      for (; to + 1 < near().size && at(to + 1).due < moved.due; ++to) at(to) = at(to + 1);
+      at(to) = moved;
+    }
+  }
+
+  template <class NextDue>
+  void look_at_others(const NextDue& next_due) {
+    if (first_other_ > travelled_) return;
+    first_other_ = unbounded;
+    for (std::size_t i = 0; i < others_.size(); ++i) {
+      if (others_[i] <= travelled_) others_[i] = next_due(-1 - static_cast<int>(i));
+      first_other_ = std::min(first_other_, others_[i]);
+    }
+  }
+
+  void start_collecting(const bounding_volume_tree<D>& tree, const point<D>& x) {
+    collecting_ = true;
+    next().centre = x;
+    next().size = 0;
+    // A list half full is found fastest: nothing has to give way
+    const double reach = (near().size < Listed / 2 ? 1.25 : 0.8) * near().reach;
+    squared_limit_ = reach > 0 ? reach * reach : unbounded;
+    started_at_ = travelled_;
+    search_ = tree.start();
+  }
+
+  // All boxes within reach; if they are more than can be listed, the nearest of them
+  PASSIVE_HAPTICS_FLATTEN void collect(const bounding_volume_tree<D>& tree, int budget) {
+    list& next = this->next();
+    tree.go_on(
+        search_, squared_distance_from<D>(next.centre), squared_limit_,
+        [&](int item, double squared_distance) {
+          const neighbour found{std::sqrt(squared_distance), item};
+          if (next.size < Listed) {
+            next.items[static_cast<std::size_t>(next.size++)] = found;
+            if (next.size < Listed) return;
+            std::make_heap(next.begin(), next.end());
+          } else {
+            std::pop_heap(next.begin(), next.end());
+            next.items.back() = found;
+            std::push_heap(next.begin(), next.end());
+          }
+          squared_limit_ = next.items[0].due * next.items[0].due;
+        },
+        budget);
+    if (search_.done()) change_lists();
+  }
+
+  void change_lists() {
+    collecting_ = false;
+    // The way starts anew with each list, so that it stays short and exact
+    for (double& due : others_) due -= started_at_;
+    first_other_ -= started_at_;
+    travelled_ -= started_at_;
+    next().reach = std::sqrt(squared_limit_);
+    if (next().reach == 0) next().size = 0;
+    current_ = 1 - current_;
+    const double slack = rounding(near().centre);
+    for (neighbour& n : near()) n.due -= slack;
+    std::sort(near().begin(), near().end());
+  }
+
+  point<D> last_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());
+  double squared_clearance_ = 0;  // of last_ [m^2]
+  double travelled_ = 0;          // way since the list was begun [m]
+  std::array<list, 2> lists_;
+  int current_ = 0;             // of lists_; the other is the next
+  std::vector<double> others_;  // when each is due [m]
+  double first_other_ = 0;      // the least of them
+  double scale_ = 0;
+  double squared_limit_ = 0;  // of the search for the next list [m^2]
+  search search_;
+  double started_at_ = 0;  // travelled_ when the next list was begun
+  bool collecting_ = false;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,133 @@
+/// @file
+/// A scene that a slow thread owns and a control loop reads.
+#pragma once
+
+#include <passive_haptics/core/status.hpp>
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/shape.hpp>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace passive_haptics {
+
+/// Hands scenes from one thread to one other, the latest of them, whole. Neither waits for the other, neither
+/// locks; the reader neither allocates nor frees: a scene that is no longer read is destroyed by the thread
+/// that publishes.
+///
+/// Four scenes are alive: one being written, one handed over, one being read and the one that was read before
+/// it, so that the new one can take over what it knew of the handle.
+template <class Scene>
+class scene_exchange {
+ public:
+  static_assert(std::atomic<unsigned>::is_always_lock_free);
+
+  /// With a first scene, as it was at a time [s] on the clock of the control loop's states.
+  scene_exchange(Scene first, double time) { slots_[reading_] = {std::move(first), time}; }
+  scene_exchange(const scene_exchange&) = delete;
+  scene_exchange& operator=(const scene_exchange&) = delete;
+
+  /// Hands over a scene as it is at this time [s]. To be called by one thread at a time; it may take as long
+  /// as it likes.
+  void publish(Scene scene, double time) {
+    slots_[writing_] = {std::move(scene), time};
+    writing_ = handed_over_.exchange(writing_ | fresh, std::memory_order_acq_rel) & ~fresh;
+  }
+
+  /// The scene that is being read; the control loop's alone.
+  Scene& scene() { return *slots_[reading_].scene; }
+  /// When it was as it says [s].
+  double time() const { return slots_[reading_].time; }
+
+  /// Turns to the latest scene, if there is a new one; by the control loop alone. Wait-free.
+  void update() noexcept {
+    if ((handed_over_.load(std::memory_order_relaxed) & fresh) == 0) return;
+    read_before_ = handed_over_.exchange(read_before_, std::memory_order_acq_rel) & ~fresh;
+    std::swap(reading_, read_before_);
+    if constexpr (requires(Scene& s) { s.remember(s); }) scene().remember(*slots_[read_before_].scene);
+  }
+
+ private:
+  struct slot {
+    std::optional<Scene> scene;
+    double time = 0;
+  };
+
+  static constexpr unsigned fresh = 4;  // flag beside the number of a slot: not read yet
+
+  std::array<slot, 4> slots_;
+  unsigned writing_ = 0;
+  std::atomic<unsigned> handed_over_ = 1;
+  unsigned reading_ = 2;
+  unsigned read_before_ = 3;
+};
+
+/// How a loop reads a scene of another thread.
+struct latest_scene_parameters {
+  /// A scene older than this is no longer displayed [s]; by default twice the period of the slowest scene of
+  /// section 5.2.
+  double stale_after = 0.1;
+  /// Whether moving walls go on with the velocities that they were published with.
+  bool extrapolate = false;
+};
+
+/// What is wrong with the parameters; empty if nothing.
+inline std::string validate(const latest_scene_parameters& p) {
+  return detail::check_positive("stale_after of a latest_scene [s]", p.stale_after);
+}
+
+/// The latest scene of an exchange, for a controller. A scene that is out of date is a fault,
+/// status::scene_stale: the brakes are released rather than hold the hand at a wall that may have gone.
+template <class Scene>
+class latest_scene {
+ public:
+  static constexpr int dimension = Scene::dimension;    ///< d
+  using contacts_type = typename Scene::contacts_type;  ///< As of the scene.
+
+  /// The exchange must live longer. Throws std::invalid_argument with the text of validate(p), or if walls
+  /// are to be extrapolated and the scene has no extrapolate(seconds).
+  explicit latest_scene(scene_exchange<Scene>& exchange, const latest_scene_parameters& p = {})
+      : exchange_(&exchange), parameters_(require_valid(p)) {
+    require_no_error(p.extrapolate && !can_extrapolate
+                         ? "extrapolate of a latest_scene = true, expected a scene with extrapolate(seconds)"
+                         : "");
+  }
+
+  /// The contacts at x [m] and a time [s] of the latest scene.
+  decltype(auto) touched_at(const point<dimension>& x, double time) {
+    exchange_->update();
+    age_ = time - exchange_->time();
+    if constexpr (can_extrapolate) {
+      if (parameters_.extrapolate && age_ <= parameters_.stale_after) exchange_->scene().extrapolate(age_);
+    }
+    return sense(exchange_->scene(), x);
+  }
+
+  /// Whether the scene of the latest cycle was new enough.
+  status state() const { return age_ <= parameters_.stale_after ? status::ok : status::scene_stale; }
+
+ private:
+  static constexpr bool can_extrapolate = requires(Scene& s) { s.extrapolate(0.0); };
+
+  scene_exchange<Scene>* exchange_;
+  latest_scene_parameters parameters_;
+  double age_ = 0;  // of the scene in the latest cycle [s]
+};
+
+/// The contacts of the latest scene.
+template <class Scene>
+decltype(auto) sense(latest_scene<Scene>& latest, const point<Scene::dimension>& x, double time) {
+  return latest.touched_at(x, time);
+}
+
+/// Why what a scene told cannot be displayed; status::ok if it can.
+template <class Scene>
+status scene_status(const latest_scene<Scene>& latest) {
+  return latest.state();
+}
+
+}  // namespace passive_haptics

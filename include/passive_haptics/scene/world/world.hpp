@@ -1,0 +1,199 @@
+/// @file
+/// A scene of many walls, made at run time.
+#pragma once
+
+#include <passive_haptics/scene/world/neighbour_list.hpp>
+#include <passive_haptics/scene/world/strongest_contacts.hpp>
+#include <passive_haptics/scene/world/world_walls.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace passive_haptics {
+
+/// Many walls, of which a cycle looks at those that the handle can have reached since it last looked: the
+/// contacts are those of a scan over all of them (neighbour_list.hpp). At most Capacity contacts, those of
+/// the largest forces.
+///
+/// The walls are shared by copies and never change; each copy has its own memory of the handle. Walls that
+/// stay where they are and have finite bounds lie in a tree; the others (unbounded, moving or followed ones,
+/// TrackedShape) are compared one by one in each cycle that is not skipped: keep them few. Cost: a comparison
+/// where nothing can have been reached; else neighbour_list.hpp. Construction O(n log n); it alone allocates.
+template <int D, int Capacity = D + 1>
+class world {
+ public:
+  static constexpr int dimension = D;           ///< d
+  using contacts_type = contacts<D, Capacity>;  ///< What sensing this world gives.
+
+  /// Throws std::invalid_argument with the text of validate(walls).
+  explicit world(world_walls<D> walls) : geometry_(std::make_shared<const geometry>(require_valid(walls))) {
+    near_ = neighbour_list<D>(geometry_->others.size(), geometry_->tree.scale());
+    motions_.resize(geometry_->walls.moving().size());
+    trackers_.resize(geometry_->trackers.back());
+    start_trackers();
+  }
+
+  /// The contacts at x [m], in the order of their walls; valid until the next call. A NaN or infinity in x
+  /// gives a contact with a NaN depth, which the step reports.
+  const contacts_type& touched_at(const point<D>& x) {
+    found_.clear();
+    if (!near_.idle(x)) {
+      if (!all_finite(x)) return undefined_contact();
+      near_.visit(geometry_->tree, x,
+                  [&](int item) { return item < 0 ? look_at_other(item, x) : look(item, x); });
+    }
+    previous_ = x;
+    return found_.in_order();
+  }
+
+  /// How many contacts at the latest x found no room.
+  int left_out() const { return found_.left_out(); }
+
+  /// Moves a wall that was added by add_moving: displacement from where it was made [m], velocity of its
+  /// surface [m/s]; base frame. Two values, as of `moving`. False, and nothing moved, if there is no such
+  /// wall or they are not finite.
+  bool set_motion(int number, const point<D>& displacement, const point<D>& velocity) {
+    const auto& moving = geometry_->walls.moving();
+    const auto found = std::lower_bound(moving.begin(), moving.end(), number);
+    if (found == moving.end() || *found != number || !all_finite(displacement, velocity)) return false;
+    const auto k = static_cast<std::size_t>(found - moving.begin());
+    move(k, {displacement, velocity, displacement});
+    return true;
+  }
+
+  /// Carries each moving wall on with its velocity for this time [s] from where set_motion put it.
+  void extrapolate(double seconds) {
+    for (std::size_t k = 0; k < motions_.size(); ++k) {
+      const motion& m = motions_[k];
+      const point<D> ahead = m.displacement + seconds * m.velocity;
+      if (all_finite(ahead)) move(k, {m.displacement, m.velocity, ahead});
+    }
+  }
+
+  /// Forgets the handle; for another handle, or after a fault.
+  void reset() {
+    near_.reset();
+    start_trackers();
+    previous_.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  /// Takes over what another world knows of the handle at the walls that both share (copies of one any_wall
+  /// under one number), so that it does not slip through them where a scene is exchanged. At other walls it
+  /// is seen for the first time.
+  void remember(const world& other) noexcept {
+    const geometry &mine = *geometry_, &others = *other.geometry_;
+    previous_ = other.previous_;
+    for (std::size_t k = 0; k < std::min(mine.others.size(), others.others.size()); ++k) {
+      const int number = mine.others[k];
+      if (number != others.others[k] || !mine.at(number).shares(others.at(number))) continue;
+      std::copy_n(other.trackers_.begin() + others.tracker_at(k), mine.tracker_at(k + 1) - mine.tracker_at(k),
+                  trackers_.begin() + mine.tracker_at(k));
+      if (k < std::min(motions_.size(), other.motions_.size())) motions_[k].seen = other.motions_[k].seen;
+    }
+  }
+
+  /// The walls.
+  const world_walls<D>& walls() const { return geometry_->walls; }
+
+ private:
+  // What never changes
+  struct geometry {
+    explicit geometry(world_walls<D> w) : walls(std::move(w)), others(walls.moving()) {
+      std::vector<bounding_box<D>> boxes;
+      for (int i = 0; i < static_cast<int>(walls.all().size()); ++i) {
+        if (std::binary_search(walls.moving().begin(), walls.moving().end(), i)) continue;
+        const any_wall<D>& wall = at(i);
+        if (wall.tracker_size() == 0 && all_finite(wall.bounds().lower, wall.bounds().upper)) {
+          boxes.push_back(wall.bounds());
+          in_tree.push_back(i);
+        } else {
+          others.push_back(i);
+        }
+      }
+      tree = bounding_volume_tree<D>(boxes);
+      for (const int i : others) {
+        const std::size_t units =
+            (at(i).tracker_size() + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
+        trackers.push_back(trackers.back() + units);
+      }
+    }
+
+    std::ptrdiff_t tracker_at(std::size_t other) const {
+      return static_cast<std::ptrdiff_t>(trackers[other]);
+    }
+    const any_wall<D>& at(int number) const { return walls.all()[static_cast<std::size_t>(number)]; }
+
+    world_walls<D> walls;
+    std::vector<int> in_tree;  // numbers of the walls in the tree
+    bounding_volume_tree<D> tree;
+    std::vector<int> others;  // numbers of those outside, the moving ones first
+    std::vector<std::size_t> trackers{
+        0};  // where the tracker of each of these begins, and the last ends [max_align_t]
+  };
+
+  struct motion {
+    point<D> displacement = point<D>::Zero();  // as set [m]
+    point<D> velocity = point<D>::Zero();      // [m/s]
+    point<D> now = point<D>::Zero();           // displacement in this cycle [m]
+    point<D> seen = point<D>::Zero();          // in the cycle that looked last [m]
+  };
+
+  void move(std::size_t k, motion m) {
+    m.seen = motions_[k].seen;
+    near_.moved(k, (m.now - motions_[k].now).norm());
+    motions_[k] = m;
+  }
+
+  void start_trackers() {
+    for (std::size_t k = 0; k < geometry_->others.size(); ++k)
+      geometry_->at(geometry_->others[k]).start_tracker(tracker(k));
+  }
+  void* tracker(std::size_t other) { return trackers_.data() + geometry_->trackers[other]; }
+
+  double look(int item, const point<D>& x) {
+    const int number = geometry_->in_tree[static_cast<std::size_t>(item)];
+    found_.from_wall(number, &x, nullptr);
+    return geometry_->at(number).look(x, x, nullptr, found_);
+  }
+
+  double look_at_other(int item, const point<D>& x) {
+    const auto k = static_cast<std::size_t>(-1 - item);
+    const int number = geometry_->others[k];
+    if (k >= motions_.size()) {
+      found_.from_wall(number, &x, nullptr);
+      return geometry_->at(number).look(previous_, x, tracker(k), found_);
+    }
+    motion& m = motions_[k];
+    found_.from_wall(number, &x, &m.velocity);
+    const double distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), found_);
+    m.seen = m.now;
+    return distance;
+  }
+
+  const contacts_type& undefined_contact() {
+    contact<D> c;
+    c.depth = std::numeric_limits<double>::quiet_NaN();
+    found_.from_wall(0, &c.position, nullptr);
+    found_.add(c);
+    return found_.in_order();
+  }
+
+  std::shared_ptr<const geometry> geometry_;
+  neighbour_list<D> near_;
+  point<D> previous_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());  // x of the cycle before
+  std::vector<motion> motions_;  // in the order of walls.moving()
+  std::vector<std::max_align_t> trackers_;
+  strongest_contacts<D, Capacity> found_;
+};
+
+/// The contacts of a world at x [m].
+template <int D, int Capacity>
+const contacts<D, Capacity>& sense(world<D, Capacity>& walls, const point<D>& x) {
+  return walls.touched_at(x);
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,60 @@
+/// @file
+/// The walls that a world is made of.
+#pragma once
+
+#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/scene/world/any_wall.hpp>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace passive_haptics {
+
+/// The walls of a world to be, numbered from 0 in the order in which they are added.
+template <int D>
+class world_walls {
+ public:
+  /// Adds a wall that stays where it is and returns its number.
+  int add(any_wall<D> w) {
+    walls_.push_back(std::move(w));
+    return static_cast<int>(walls_.size()) - 1;
+  }
+  /// The same of a shape that is to be wrapped.
+  template <class S>
+  int add(const wall<S>& w) {
+    return add(any_wall<D>(w));
+  }
+
+  /// Adds a wall that world::set_motion can move, and returns its number.
+  template <class S>
+  int add_moving(const wall<S>& w) {
+    moving_.push_back(add(w));
+    return moving_.back();
+  }
+
+  /// All walls, by their numbers.
+  const std::vector<any_wall<D>>& all() const { return walls_; }
+  /// The numbers of those that may move.
+  const std::vector<int>& moving() const { return moving_; }
+
+ private:
+  std::vector<any_wall<D>> walls_;
+  std::vector<int> moving_;
+};
+
+/// What is wrong with the walls; empty if nothing.
+template <int D>
+std::string validate(const world_walls<D>& walls) {
+  for (std::size_t i = 0; i < walls.all().size(); ++i) {
+    const bounding_box<D>& b = walls.all()[i].bounds();
+    if (!(b.lower.array() <= b.upper.array()).all())
+      return detail::indexed(
+          "bounds of wall ", i,
+          " of a world are not lower <= upper, expected a box of finite or infinite metres");
+  }
+  return {};
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,31 @@
+/// @file
+/// Percentiles of measured samples.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace passive_haptics::testing {
+
+/// The least sample that is no smaller than `share` of all of them (nearest rank): 0.5 is the median, 1 the
+/// largest, 0.999 needs a thousand samples to differ from it. Samples ascending, at least one; share in (0,
+/// 1].
+template <class T>
+T percentile(const std::vector<T>& ascending, double share) {
+  assert(!ascending.empty() && std::is_sorted(ascending.begin(), ascending.end()));
+  const double rank =
+      std::ceil(share * static_cast<double>(ascending.size()) * (1 - 1e-12));  // 0.999 * 1000 is 999
+  return ascending[std::clamp(static_cast<std::size_t>(rank), std::size_t{1}, ascending.size()) - 1];
+}
+
+/// Ascending copy.
+template <class T>
+std::vector<T> sorted(std::vector<T> samples) {
+  std::sort(samples.begin(), samples.end());
+  return samples;
+}
+
+}  // namespace passive_haptics::testing

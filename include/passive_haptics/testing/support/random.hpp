@@ -1,0 +1,97 @@
+/// @file
+/// Seeded random data for property suites.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/plant/random_numbers.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace passive_haptics::testing {
+
+/// A source of random numbers that gives the same ones on every platform for the same seed (the
+/// distributions of the standard library do not). Not for control loops.
+class random_source {
+ public:
+  /// Starts the sequence that belongs to `seed`.
+  explicit random_source(std::uint64_t seed) : bits_(seed) {}
+
+  /// Uniform in [low, high).
+  template <class T>
+  T uniform(T low, T high) {
+    const double unit = uniform_number(bits_);
+    return static_cast<T>(static_cast<double>(low) + unit * static_cast<double>(high - low));
+  }
+
+  /// Of either sign, the logarithm of its magnitude uniform between those of low and high (both > 0).
+  template <class T>
+  T wide(T low, T high) {
+    const T magnitude = positive(low, high);
+    return coin() ? magnitude : -magnitude;
+  }
+
+  /// Positive, its logarithm uniform between those of low and high (both > 0).
+  template <class T>
+  T positive(T low, T high) {
+    return static_cast<T>(
+        std::exp(uniform(std::log(static_cast<double>(low)), std::log(static_cast<double>(high)))));
+  }
+
+  /// Normal, mean 0 and standard deviation 1.
+  template <class T>
+  T normal() {
+    return static_cast<T>(normal_number(bits_));
+  }
+
+  /// True every other time.
+  bool coin() { return (bits_() & 1u) != 0; }
+
+  /// Entries uniform between those of low and high.
+  template <class T, int N>
+  vector<T, N> between(const vector<T, N>& low, const vector<T, N>& high) {
+    vector<T, N> x;
+    for (int i = 0; i < N; ++i) x[i] = uniform(low[i], high[i]);
+    return x;
+  }
+
+  /// Normal entries.
+  template <class T, int N>
+  vector<T, N> normal_vector() {
+    vector<T, N> x;
+    for (int i = 0; i < N; ++i) x[i] = normal<T>();
+    return x;
+  }
+
+  /// Unit vector, every direction alike.
+  template <class T, int N>
+  vector<T, N> direction() {
+    const vector<double, N> x = normal_vector<double, N>();
+    return as<T>(scaled(1 / norm(x), x));
+  }
+
+  /// Unit vectors at right angles, one a column, every choice of them alike (Gram and Schmidt, twice).
+  template <int N, int Count = N>
+  matrix<double, N, Count> orthogonal_directions() {
+    matrix<double, N, Count> all;
+    for (int i = 0; i < Count; ++i) {
+      vector<double, N> x = direction<double, N>();
+      for (int pass = 0; pass < 2; ++pass) {
+        for (int k = 0; k < i; ++k) {
+          double along = 0;
+          for (int r = 0; r < N; ++r) along += all(r, k) * x[r];
+          for (int r = 0; r < N; ++r) x[r] -= along * all(r, k);
+        }
+        x = scaled(1 / norm(x), x);
+      }
+      for (int r = 0; r < N; ++r) all(r, i) = x[r];
+    }
+    return all;
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+}  // namespace passive_haptics::testing

@@ -1,0 +1,158 @@
+/// @file
+/// The laws of the TrackedShape concept as a GoogleTest suite for any model; the case is that of
+/// shape_properties.hpp.
+#pragma once
+
+#include <passive_haptics/scene/world/tracked_shape.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace passive_haptics::testing {
+
+/// Suite of a tracked shape's laws; Case as in shape_properties.hpp.
+template <class Case>
+class tracked_shape_properties : public ::testing::Test {
+ protected:
+  using model = typename Case::shape;  ///< The shape.
+  static_assert(TrackedShape<model>,
+                "passive_haptics: tracked_shape_properties needs a model of TrackedShape "
+                "(scene/world/tracked_shape.hpp).");
+  static constexpr int d = model::dimension;  ///< Dimension.
+  static constexpr int cycle_count = 5000;    ///< Cycles that are tried.
+  static constexpr unsigned seed = 20040627;  ///< Of the way.
+  using memory = typename model::tracker;     ///< What is remembered.
+
+  /// One contact.
+  struct touch {
+    point<d> normal;  ///< As told.
+    double depth;     ///< As told [m].
+  };
+  /// What one call told.
+  struct answer {
+    std::vector<touch> felt;  ///< Contacts.
+    double may_go;            ///< How far the handle may go [m].
+  };
+
+  const model shape = Case::make();  ///< The shape under test.
+
+  /// One call.
+  answer follow(const point<d>& from, const point<d>& x, memory& t) const {
+    answer a;
+    a.may_go =
+        shape.follow(from, x, t, [&](const point<d>& n, double depth) { a.felt.push_back({n, depth}); });
+    return a;
+  }
+
+  /// visit(from, x, memory before) for each cycle of a random way of small steps and leaps within the box;
+  /// follows it.
+  template <class Visit>
+  void for_each_cycle(const Visit& visit) const {
+    random_source random(seed);
+    const auto anywhere = [&] { return random.template between<double, d>(Case::lower(), Case::upper()); };
+    memory t;
+    point<d> from = anywhere(), x = from;
+    for (int k = 0; k < cycle_count; ++k) {
+      if (::testing::Test::HasFatalFailure()) return;
+      SCOPED_TRACE(::testing::Message() << "seed " << seed << ", cycle " << k << ", x = " << x.transpose());
+      visit(from, x, t);
+      follow(from, x, t);
+      from = x;
+      const double size = (Case::upper() - Case::lower()).norm();
+      x = k % 50 == 0
+              ? anywhere()
+              : point<d>((x + random.positive(1e-6, 0.03) * size * random.template direction<double, d>())
+                             .cwiseMax(Case::lower())
+                             .cwiseMin(Case::upper()));
+    }
+  }
+};
+
+TYPED_TEST_SUITE_P(tracked_shape_properties);
+
+/// At most `dimension` contacts, each a unit vector and a depth > 0; where there is one, nothing may be
+/// skipped.
+TYPED_TEST_P(tracked_shape_properties, contacts_have_a_direction_and_a_depth) {
+  int touched = 0, free = 0;
+  this->for_each_cycle([&](const auto& from, const auto& x, auto t) {
+    const auto told = this->follow(from, x, t);
+    ASSERT_LE(told.felt.size(), static_cast<std::size_t>(this->d));
+    for (const auto& c : told.felt) {
+      ASSERT_NEAR(c.normal.norm(), 1, rounding_tolerance<double>(this->d));
+      ASSERT_GT(c.depth, 0);
+      ASSERT_TRUE(std::isfinite(c.depth));
+    }
+    ASSERT_GE(told.may_go, 0);
+    ASSERT_TRUE(told.felt.empty() || told.may_go == 0);
+    ++(told.felt.empty() ? free : touched);
+  });
+  EXPECT_GT(touched, 0);
+  EXPECT_GT(free, 0);
+}
+
+/// As far as it is said the handle may go any way and touches nothing; so outside of the bounds.
+TYPED_TEST_P(tracked_shape_properties, what_may_be_skipped_is_free) {
+  random_source random(this->seed);
+  int tried = 0;
+  this->for_each_cycle([&](const auto& from, const auto& x, auto t) {
+    const double may_go = this->follow(from, x, t).may_go;
+    if (!(may_go > 0)) return;
+    using at = point<TypeParam::shape::dimension>;
+    const at near = x + random.uniform(0.0, 1.0) * may_go *
+                            random.template direction<double, TypeParam::shape::dimension>();
+    ASSERT_TRUE(this->follow(x, near, t).felt.empty());
+    // along the outside of a face of the bounds
+    const auto bounds = this->shape.bounds();
+    const int axis = tried % this->d;
+    at start = bounds.lower, end = bounds.upper;
+    start[axis] = end[axis] = tried % 2 == 0 ? bounds.lower[axis] : bounds.upper[axis];
+    typename TypeParam::shape::tracker fresh;
+    this->follow(start, start, fresh);
+    ASSERT_TRUE(this->follow(start, end, fresh).felt.empty());
+    ++tried;
+  });
+  EXPECT_GT(tried, 0);
+}
+
+/// The same memory and places give the same answer and the same memory.
+TYPED_TEST_P(tracked_shape_properties, the_answer_depends_on_nothing_else) {
+  this->for_each_cycle([&](const auto& from, const auto& x, auto t) {
+    auto other = t;
+    for (int again = 0; again < 2; ++again) {
+      const auto one = this->follow(from, x, t), two = this->follow(from, x, other);
+      ASSERT_EQ(one.may_go, two.may_go);
+      ASSERT_EQ(one.felt.size(), two.felt.size());
+      for (std::size_t i = 0; i < one.felt.size(); ++i) {
+        ASSERT_EQ(one.felt[i].normal, two.felt[i].normal);
+        ASSERT_EQ(one.felt[i].depth, two.felt[i].depth);
+      }
+    }
+  });
+}
+
+/// NaN in x gives a NaN depth, and is forgotten.
+TYPED_TEST_P(tracked_shape_properties, no_number_is_no_place) {
+  this->for_each_cycle([&](const auto& from, const auto& x, auto t) {
+    auto unaware = t;
+    auto bad = x;
+    bad[this->d - 1] = std::numeric_limits<double>::quiet_NaN();
+    const auto nothing = this->follow(from, bad, t);
+    ASSERT_EQ(nothing.felt.size(), 1u);
+    ASSERT_TRUE(std::isnan(nothing.felt[0].depth));
+    ASSERT_EQ(nothing.may_go, 0);
+    const auto one = this->follow(from, x, t), two = this->follow(from, x, unaware);
+    ASSERT_EQ(one.may_go, two.may_go);
+    ASSERT_EQ(one.felt.size(), two.felt.size());
+    for (std::size_t i = 0; i < one.felt.size(); ++i) ASSERT_EQ(one.felt[i].depth, two.felt[i].depth);
+  });
+}
+
+REGISTER_TYPED_TEST_SUITE_P(tracked_shape_properties, contacts_have_a_direction_and_a_depth,
+                            what_may_be_skipped_is_free, the_answer_depends_on_nothing_else,
+                            no_number_is_no_place);
+
+}  // namespace passive_haptics::testing

@@ -1,0 +1,74 @@
+#include "../../docs/guide/your_port.hpp"
+#include "serial_peer.hpp"
+
+#include <passive_haptics/testing/brake_port_properties.hpp>
+#include <serial_port.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+// The firmware on a pseudo-terminal.
+struct at_a_serial_line {
+  using port = example::serial_port<2, 2>;
+  static constexpr double resolution = serial::current_unit;
+
+  static std::string missing() { return missing_pseudo_terminal(); }
+  port make() { return port({.device = peer.path()}); }
+  port make_releasing() { return port({.device = peer.path(), .release_only = true}); }
+  std::string open(port& p) { return peer.open(p); }
+  void live() {
+    peer.hear();
+    peer.tick();
+  }
+  std::array<double, 2> currents() {
+    return {serial::current_unit * peer.board.current(0), serial::current_unit * peer.board.current(1)};
+  }
+
+  serial_peer peer;
+};
+
+// A socket in place of the guide's board.
+struct at_a_socket {
+  using port = udp_board;
+  static constexpr double resolution = 1e-6;
+
+  at_a_socket() : listening(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0)) {
+    sockaddr_in at{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};
+    socklen_t size = sizeof at;
+    bind(listening, reinterpret_cast<sockaddr*>(&at), size);
+    getsockname(listening, reinterpret_cast<sockaddr*>(&at), &size);
+    number = ntohs(at.sin_port);
+  }
+  ~at_a_socket() { close(listening); }
+
+  port make() { return port(number); }
+  port make_releasing() { return make(); }
+  std::string open(port& p) { return p.open(); }
+  void live() {
+    sockaddr_in from{};
+    socklen_t size = sizeof from;
+    float amperes[2];
+    while (recvfrom(listening, amperes, sizeof amperes, 0, reinterpret_cast<sockaddr*>(&from), &size) ==
+           sizeof amperes) {
+      has = {amperes[0], amperes[1]};
+      host = from;
+    }
+    ++sample.sequence;
+    sendto(listening, &sample, sizeof sample, 0, reinterpret_cast<const sockaddr*>(&host), sizeof host);
+  }
+  std::array<double, 2> currents() { return has; }
+
+  int listening;
+  std::uint16_t number = 0;
+  sockaddr_in host{};
+  board_sample sample{};
+  std::array<double, 2> has{};
+};
+
+}  // namespace
+
+namespace passive_haptics::testing {
+INSTANTIATE_TYPED_TEST_SUITE_P(serial_port, brake_port_properties, at_a_serial_line);
+INSTANTIATE_TYPED_TEST_SUITE_P(udp_board, brake_port_properties, at_a_socket);
+}  // namespace passive_haptics::testing
