@@ -224,34 +224,34 @@ TEST(brake_calibration, names_what_is_wrong) {
     return validate(curves);
   };
   using curve = ph::brake_curve;
-  EXPECT_EQ(error_text([](curve&) {}), "");
-  EXPECT_EQ(error_text([](curve& p) { p.residual_torque = -1; }),
+  EXPECT_EQ(error([](curve&) {}), "");
+  EXPECT_EQ(error([](curve& p) { p.residual_torque = -1; }),
             "brakes[1].residual_torque [N m] = -1, expected a finite number >= 0");
-  EXPECT_EQ(error_text([](curve& p) { p.torque_per_ampere = 0; }),
+  EXPECT_EQ(error([](curve& p) { p.torque_per_ampere = 0; }),
             "brakes[1].torque_per_ampere [N m/A] = 0, expected a finite number > 0");
-  EXPECT_EQ(error_text([](curve& p) { p.current_limit = INFINITY; }),
+  EXPECT_EQ(error([](curve& p) { p.current_limit = INFINITY; }),
             "brakes[1].current_limit [A] = inf, expected a finite number > 0");
-  EXPECT_EQ(error_text([](curve& p) { p.hysteresis = NAN; }),
+  EXPECT_EQ(error([](curve& p) { p.hysteresis = NAN; }),
             "brakes[1].hysteresis [N m] = nan, expected a finite number >= 0");
-  EXPECT_EQ(error_text([](curve& p) { p.points = 1; }),
+  EXPECT_EQ(error([](curve& p) { p.points = 1; }),
             "brakes[1].points = 1, expected 0 for a straight line, or 2 to 16");
-  EXPECT_EQ(error_text([](curve& p) { p.points = 17; }),
+  EXPECT_EQ(error([](curve& p) { p.points = 17; }),
             "brakes[1].points = 17, expected 0 for a straight line, or 2 to 16");
-  EXPECT_EQ(error_text([](curve& p) { p.table[2].current = 0.5; }),
+  EXPECT_EQ(error([](curve& p) { p.table[2].current = 0.5; }),
             "brakes[1].table[2].current [A] = 0.5, expected more than in the point before it");
-  EXPECT_EQ(error_text([](curve& p) { p.table[2].torque = 0.4; }),
+  EXPECT_EQ(error([](curve& p) { p.table[2].torque = 0.4; }),
             "brakes[1].table[2].torque [N m] = 0.4, expected more than in the point before it");
-  EXPECT_EQ(error_text([](curve& p) { p.table[1].torque = NAN; }),
+  EXPECT_EQ(error([](curve& p) { p.table[1].torque = NAN; }),
             "brakes[1].table[1].torque [N m] = nan, expected a finite number");
-  EXPECT_EQ(error_text([](curve& p) { p.table[0].current = -1; }),
+  EXPECT_EQ(error([](curve& p) { p.table[0].current = -1; }),
             "brakes[1].table[0].current [A] = -1, expected 0");
-  EXPECT_EQ(error_text([](curve& p) { p.residual_torque = 0.1; }),
+  EXPECT_EQ(error([](curve& p) { p.residual_torque = 0.1; }),
             "brakes[1].table[0].torque [N m] = 0, expected the residual_torque");
-  EXPECT_EQ(error_text([](curve& p) { p.current_limit = 1.5; }),
+  EXPECT_EQ(error([](curve& p) { p.current_limit = 1.5; }),
             "brakes[1].current_limit [A] = 1.5, expected at most the last current of the table");
-  EXPECT_EQ(error_text([](curve& p) { p.highest_temperature = 290; }),
+  EXPECT_EQ(error([](curve& p) { p.highest_temperature = 290; }),
             "brakes[1].highest_temperature [K] = 290, expected at least reference_temperature");
-  EXPECT_EQ(error_text([](curve& p) { p.loss_per_kelvin = 0.02; }),
+  EXPECT_EQ(error([](curve& p) { p.loss_per_kelvin = 0.02; }),
             "brakes[1].loss_per_kelvin [1/K] = 0.02, expected less than 1 / (highest_temperature - "
             "reference_temperature)");
 }

@@ -167,12 +167,12 @@ TEST(device_calibration, names_what_is_wrong) {
     change(p);
     return validate(p);
   };
-  EXPECT_EQ(error_text([](parameters&) {}), "");
-  EXPECT_EQ(error_text([](parameters& p) { p.rates.window = 0; }),
+  EXPECT_EQ(error([](parameters&) {}), "");
+  EXPECT_EQ(error([](parameters& p) { p.rates.window = 0; }),
             "rates.window [periods] = 0, expected at least 1");
-  EXPECT_EQ(error_text([](parameters& p) { p.brakes[1].current_limit = 0; }),
+  EXPECT_EQ(error([](parameters& p) { p.brakes[1].current_limit = 0; }),
             "brakes[1].current_limit [A] = 0, expected a finite number > 0");
-  EXPECT_EQ(error_text([](parameters& p) { p.force.handle_mass = NAN; }),
+  EXPECT_EQ(error([](parameters& p) { p.force.handle_mass = NAN; }),
             "force.handle_mass [kg] = nan, expected a finite number >= 0");
   EXPECT_THROW(ph::device_calibration(slack_arm(), ph::device_calibration_parameters<slack_arm>()),
                std::invalid_argument);

@@ -85,11 +85,11 @@ TEST(encoder_calibration, names_what_is_wrong) {
     change(p);
     return validate(p);
   };
-  EXPECT_EQ(error_text([](parameters&) {}), "");
-  EXPECT_EQ(error_text([](parameters& p) { p.counts_per_turn[1] = 0; }),
+  EXPECT_EQ(error([](parameters&) {}), "");
+  EXPECT_EQ(error([](parameters& p) { p.counts_per_turn[1] = 0; }),
             "counts_per_turn[1] = 0, expected a finite number, not 0; negative if counts fall in the "
             "positive sense");
-  EXPECT_EQ(error_text([](parameters& p) { p.zero_count[0] = NAN; }),
+  EXPECT_EQ(error([](parameters& p) { p.zero_count[0] = NAN; }),
             "zero_count[0] = nan, expected a finite number");
 }
 

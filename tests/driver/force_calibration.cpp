@@ -139,16 +139,15 @@ TEST(force_calibration, names_what_is_wrong) {
     change(p);
     return validate(p);
   };
-  EXPECT_EQ(error_text([](parameters&) {}), "");
-  EXPECT_EQ(error_text([](parameters& p) { p.handle_mass = -1; }),
+  EXPECT_EQ(error([](parameters&) {}), "");
+  EXPECT_EQ(error([](parameters& p) { p.handle_mass = -1; }),
             "handle_mass [kg] = -1, expected a finite number >= 0");
-  EXPECT_EQ(error_text([](parameters& p) { p.tare[1] = NAN; }),
-            "tare[1] [N] = nan, expected a finite number");
-  EXPECT_EQ(error_text([](parameters& p) { p.gravity[0] = INFINITY; }),
+  EXPECT_EQ(error([](parameters& p) { p.tare[1] = NAN; }), "tare[1] [N] = nan, expected a finite number");
+  EXPECT_EQ(error([](parameters& p) { p.gravity[0] = INFINITY; }),
             "gravity[0] [m/s^2] = inf, expected a finite number");
-  EXPECT_EQ(error_text([](parameters& p) { p.newtons_per_unit(1, 2) = NAN; }),
+  EXPECT_EQ(error([](parameters& p) { p.newtons_per_unit(1, 2) = NAN; }),
             "newtons_per_unit(1, 2) [N] = nan, expected a finite number");
-  EXPECT_EQ(error_text([](parameters& p) { p.newtons_per_unit.row(1) = p.newtons_per_unit.row(0); }),
+  EXPECT_EQ(error([](parameters& p) { p.newtons_per_unit.row(1) = p.newtons_per_unit.row(0); }),
             "newtons_per_unit has dependent rows, expected one that tells each direction apart");
 }
 

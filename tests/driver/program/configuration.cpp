@@ -60,7 +60,7 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
            {"[loop]\nlock_memory = 1", "2: loop.lock_memory = 1, expected true or false"},
            {"[loop]\nperiod = 0", "2: [loop] period [s] = 0, expected 1e-6 to 1"},
            {"[loop]\npriority = 100", "2: [loop] priority = 100, expected 0 (none) to 99"},
-           {"[safety]\nbridge = nan", "2: [safety] hold_over [s] = nan, expected a finite number > 0"},
+           {"[safety]\nhold_over = nan", "2: [safety] hold_over [s] = nan, expected a finite number > 0"},
            {"[safety]\nat_release = \"off\"",
             "2: safety.at_release = 'off', expected one of \"zero\", \"ramp\", \"hold\""},
            {"[safety]\nsupervisor_timeout = 0.001",

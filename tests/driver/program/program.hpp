@@ -135,7 +135,7 @@ struct settings {
     std::ostringstream all;
     all << top << "\n[homing]\npose = [1.8812, -1.3055]\nduration = 0.1\ntolerance = 1e6\nlongest_gap = 5\n"
         << "[loop]\nmost_overruns = 1000000\nlongest_sleep = " << longest_sleep << "\nperiod = " << period
-        << "\n[safety]\nbridge = " << hold_over << "\nsupervisor_timeout = " << supervisor_timeout
+        << "\n[safety]\nhold_over = " << hold_over << "\nsupervisor_timeout = " << supervisor_timeout
         << "\n[simulation]\nhand_start = " << hand_start << "\n[sensor]\n"
         << sensor << "\n"
         << sections;
