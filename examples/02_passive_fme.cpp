@@ -58,14 +58,15 @@ int main(int argc, char** argv) {
   for (const force& Fd : {force(-0.5, 1), force(0.5, 1), force(0.5, -1), force(-1, -0.1)}) {
     const force n = Fd.normalized();
     const ph::brake_vector<device> t = ph::brake_torque(E, n);
-    const auto shown = ph::approximate(E, s, n, t, min_cosine);
+    const auto shown = ph::approximate(E, s, n, min_cosine);
     const force Fc = Fd.norm() * shown.force;
     const bool displayed = shown.display != ph::display_class::none;
     std::printf("  (%5.2f, %5.2f)   %-10s  %-12s  ", Fd[0], Fd[1],
-                to_string(ph::classify_power(n.dot(v), s, t)).data(), to_string(shown.display).data());
+                to_string(ph::classify_power(n.dot(v), ph::producible(s, t))).data(),
+                to_string(shown.display).data());
     if (displayed)
       std::printf("(%6.3f, %6.3f)  %8.2f\n", Fc[0], Fc[1],
-                  ph::degrees(std::acos(std::min(1.0, shown.cosine))));
+                  ph::degrees(std::acos(std::min(1.0, shown.cosine()))));
     else std::printf("%-16s  %8s\n", "-", "-");
     arrows << Fd[0] << ", " << Fd[1] << ", " << Fc[0] << ", " << Fc[1] << ", Fd" << ++arrow << "\n";
   }

@@ -9,13 +9,10 @@ using device = ph::tendon_two_link<double>;
 // A law of one's own: direct control that also eases the brakes while the handle moves in slowly.
 struct soft_landing {
   static constexpr bool needs_hand_force = true, gives_way = true;
-  static constexpr bool needs_dynamics = false, needs_brake_lag = false;
-  struct memory {};
   template <class T, int D>
-  T scale(const ph::contact_situation<T, D>& c, memory&) const noexcept {
+  T scale(const ph::contact_situation<T, D>& c) const noexcept {
     const T full = c.normal_velocity < T(-0.02) ? T(1) : T(0.5);  // faster than 2 cm/s
-    ph::direct_control::memory none;
-    return std::min(full, ph::direct_control().scale(c, none));
+    return std::min(full, ph::direct_control().scale(c));
   }
 };
 static_assert(ph::ControlLaw<soft_landing>);

@@ -5,8 +5,7 @@ namespace ph = passive_haptics;
 using table = ph::xy_table<double>;
 
 struct hold_all {
-  static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false,
-                        commands_torques = true;
+  static constexpr bool commands_torques = true;
   struct memory {};
   template <class M, class EMatrix, int D, int Capacity>
   ph::brake_vector<M> torque(const ph::brake_situation<M, EMatrix>& now, const ph::contacts<D, Capacity>&,

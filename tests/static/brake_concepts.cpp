@@ -58,8 +58,8 @@ static_assert(!ph::BrakesFor<misspelled, arm>);
 static_assert(!ph::BrakesFor<double, arm> && !ph::BrakesFor<ph::brakes_of<ph::two_link<float>>, arm>);
 
 // What a law says that it needs
-static_assert(!ph::needs_normal_velocity<ph::no_direct_control> &&
-              ph::needs_normal_velocity<ph::direct_control>);
+static_assert(!ph::needs_hand_force<ph::no_direct_control> && ph::needs_hand_force<ph::direct_control>);
+static_assert(!ph::needs_dynamics<ph::direct_control> && ph::needs_dynamics<ph::velocity_direct_control>);
 static_assert(ph::needs_torque_limit<ph::velocity_ratio_control> &&
               ph::needs_torque_limit<ph::single_degree_of_freedom_control> &&
               !ph::needs_torque_limit<ph::velocity_direct_control>);

@@ -82,53 +82,39 @@ static_assert(!ph::Shape<int> && !ph::Shape<ph::scene<ph::disc>>);
 // ---- control laws
 
 static_assert(ph::ControlLaw<ph::no_direct_control> && ph::ControlLaw<ph::direct_control>);
-static_assert(!ph::no_direct_control::needs_hand_force && ph::direct_control::needs_hand_force);
+static_assert(!ph::needs_hand_force<ph::no_direct_control> && ph::needs_hand_force<ph::direct_control>);
 static_assert(ph::TorqueLaw<ph::velocity_direct_control> && !ph::ScalingLaw<ph::velocity_direct_control>);
 static_assert(ph::ScalingLaw<ph::direct_control> && !ph::TorqueLaw<ph::direct_control>);
 static_assert(ph::TorqueLaw<ph::coercive_force_approximation> &&
-              !ph::coercive_force_approximation::needs_hand_force);
+              !ph::needs_hand_force<ph::coercive_force_approximation>);
 static_assert(ph::TorqueLaw<ph::single_degree_of_freedom_control> &&
               ph::TorqueLaw<ph::velocity_ratio_control>);
-static_assert(ph::TorqueLaw<ph::on_off_control> && !ph::on_off_control::needs_hand_force);
+static_assert(ph::TorqueLaw<ph::on_off_control> && !ph::needs_hand_force<ph::on_off_control>);
 
 struct complete_law {
-  static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;
-  struct memory {};
-  template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&, memory&) const noexcept;
-};
-static_assert(ph::ControlLaw<complete_law>);
-struct law_that_hides_its_needs {
-  static constexpr bool needs_hand_force = false, needs_dynamics = false;
-  struct memory {};
-  template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&, memory&) const noexcept;
-};
-struct law_without_memory {
-  static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;
   template <class T, int D>
   T scale(const ph::contact_situation<T, D>&) const noexcept;
 };
-struct law_that_may_throw : complete_law {
+static_assert(ph::ControlLaw<complete_law> && !ph::gives_way<complete_law>);
+static_assert(!ph::needs_hand_force<complete_law> && !ph::needs_brake_lag<complete_law>);
+struct law_that_may_throw {
   template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&, memory&) const;
+  T scale(const ph::contact_situation<T, D>&) const;
 };
-struct law_in_float : complete_law {
+struct law_in_float {
   template <class T, int D>
-  float scale(const ph::contact_situation<T, D>&, memory&) const noexcept;
+  float scale(const ph::contact_situation<T, D>&) const noexcept;
 };
-struct law_not_const : complete_law {
+struct law_not_const {
   template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&, memory&) noexcept;
+  T scale(const ph::contact_situation<T, D>&) noexcept;
 };
-struct law_with_memory_to_be_filled : complete_law {
+struct law_with_memory_to_be_filled {
+  static constexpr bool commands_torques = true;
   struct memory {
     explicit memory(int);
   };
-  template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&, memory&) const noexcept;
 };
-static_assert(!ph::ControlLaw<law_that_hides_its_needs> && !ph::ControlLaw<law_without_memory>);
 static_assert(!ph::ControlLaw<law_that_may_throw> && !ph::ControlLaw<law_in_float> &&
               !ph::ControlLaw<law_not_const>);
 static_assert(!ph::ControlLaw<law_with_memory_to_be_filled> && !ph::ControlLaw<int>);

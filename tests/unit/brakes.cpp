@@ -12,6 +12,16 @@ template <class T>
 struct brakes : ::testing::Test {};
 TYPED_TEST_SUITE(brakes, scalars);
 
+// What one brake makes of td; any rate but 0 is slip, any hand torque counts.
+template <class T>
+T torque_of_one(T td, T w, T th) {
+  using V = ph::vector<T, 1>;
+  ph::brake_parameters<T, 1> p;
+  p.rate_dead_band.setZero();
+  p.torque_dead_band.setZero();
+  return ph::passive_torque(V(td), V(w), V(th), p)[0];
+}
+
 // (3a): rows are sgn(w) = -1, 0, 1, columns sgn(td) = -1, 0, 1; entries the sign of the torque.
 constexpr int slip_table[3][3] = {{0, 0, 1}, {0, 0, 0}, {-1, 0, 0}};
 
@@ -22,7 +32,7 @@ TYPED_TEST(brakes, slipping_brake_follows_3a_for_all_signs) {
       for (const T rate : {T(0.01), T(1), T(300)}) {
         for (const T size : {T(0.2), T(7)}) {
           const T expected = static_cast<T>(slip_table[w + 1][td + 1]) * size;
-          EXPECT_EQ(ph::slip_torque(static_cast<T>(td) * size, static_cast<T>(w) * rate), expected)
+          EXPECT_EQ(torque_of_one(static_cast<T>(td) * size, static_cast<T>(w) * rate, T(0)), expected)
               << "w = " << w << " * " << rate << ", td = " << td << " * " << size;
         }
       }
@@ -38,7 +48,7 @@ TYPED_TEST(brakes, resting_brake_follows_3b_for_all_signs) {
       for (const auto& [hand, strength] : {std::pair{T(0.2), T(7)}, {T(7), T(0.2)}, {T(3), T(3)}}) {
         const bool holds = th * td < 0;
         const T expected = holds ? -static_cast<T>(th) * std::min(hand, strength) : T(0);
-        EXPECT_EQ(ph::stick_torque(static_cast<T>(td) * strength, static_cast<T>(th) * hand), expected)
+        EXPECT_EQ(torque_of_one(static_cast<T>(td) * strength, T(0), static_cast<T>(th) * hand), expected)
             << "th = " << th << " * " << hand << ", td = " << td << " * " << strength;
         // As printed, where the brake is strong enough
         EXPECT_TRUE(!holds || strength < hand || expected == -static_cast<T>(th) * hand);
@@ -122,12 +132,22 @@ TYPED_TEST(brakes, a_force_is_producible_if_no_brake_has_to_drive) {
 TYPED_TEST(brakes, power_class_asks_for_total_power_first) {
   using T = TypeParam;
   using V = ph::vector<T, 2>;
-  const V s(1, -1), easy(-1, 1), mixed(-1, -1);
-  EXPECT_EQ(ph::classify_power(T(-1), s, easy), ph::power_class::passive_1);
-  EXPECT_EQ(ph::classify_power(T(-1), s, mixed), ph::power_class::passive_2);
-  EXPECT_EQ(ph::classify_power(T(0), s, mixed), ph::power_class::passive_2);
-  EXPECT_EQ(ph::classify_power(T(1), s, easy), ph::power_class::active);
-  EXPECT_EQ(ph::classify_power(T(1), s, mixed), ph::power_class::active);
+  const V s(1, -1);
+  const bool easy = ph::producible(s, V(-1, 1)), mixed = ph::producible(s, V(-1, -1));
+  EXPECT_EQ(ph::classify_power(T(-1), easy), ph::power_class::passive_1);
+  EXPECT_EQ(ph::classify_power(T(-1), mixed), ph::power_class::passive_2);
+  EXPECT_EQ(ph::classify_power(T(0), mixed), ph::power_class::passive_2);
+  EXPECT_EQ(ph::classify_power(T(1), easy), ph::power_class::active);
+  EXPECT_EQ(ph::classify_power(T(1), mixed), ph::power_class::active);
+}
+
+TYPED_TEST(brakes, power_of_torques_is_that_of_their_force) {
+  using T = TypeParam;
+  using V = ph::vector<T, 2>;
+  const ph::matrix<T, 2, 2> E = ph::matrix_of<2, 2>(T(1), T(2), T(-3), T(0.5));
+  const V F(T(0.25), T(-4)), w(T(2), T(-1));
+  EXPECT_NEAR(ph::mechanical_power(ph::brake_torque(E, F), w), F.dot(V(E * w)),
+              64 * ph::rounding_tolerance<T>(2));
 }
 
 }  // namespace

@@ -58,8 +58,7 @@ constexpr double rounding = 1e-12;
 TEST(direct_control_dead_band, nulls_a_handle_that_sinks_slowly) {
   const V2 n(0, -1), hand(0, 1);  // presses with 1 N against 4 N
   const auto alpha = [&](const ph::direct_control& law, double outward) {
-    ph::direct_control::memory none;
-    return law.scale(ph::contact_situation<double, 2>{n, 4, outward, hand}, none);
+    return law.scale(ph::contact_situation<double, 2>{n, 4, outward, hand});
   };
   const ph::direct_control as_printed, early{.velocity_dead_band = 0.005};
   for (const double outward : {0.1, 0.006}) {

@@ -31,7 +31,7 @@ void expect_both_forms_agree(unsigned seed) {
     const Eigen::FullPivLU<ph::matrix<double, D, D>> lu(E.transpose());
     if (lu.rcond() < 1e-3) continue;
     const ph::matrix<double, D, D> G = lu.inverse();
-    const auto by_half_spaces = ph::approximate(E, s, n, ph::brake_torque(E, n), min_cosine);
+    const auto by_half_spaces = ph::approximate(E, s, n, min_cosine);
     const auto by_generators = ph::approximate_by_generators(G, s, n, min_cosine);
     ASSERT_EQ(by_half_spaces.display, by_generators.display);
     const double size = 1e-12 * (1 + by_half_spaces.force.norm());

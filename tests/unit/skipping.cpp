@@ -85,7 +85,7 @@ TEST_F(skipping, a_faulty_state_asks_nothing) {
 }
 
 TEST_F(skipping, free_space_needs_one_position_and_one_distance) {
-  EXPECT_TRUE(control(handle_at(0.2, {0.5, 0.5})).stages.empty());
+  EXPECT_EQ(control(handle_at(0.2, {0.5, 0.5})).wall, -1);
   EXPECT_EQ(count.position, 1);
   EXPECT_EQ(count.distance, 1);
   EXPECT_EQ(count.jacobian + count.transmission + count.gradient, 0);
@@ -101,39 +101,39 @@ TEST_F(skipping, a_contact_needs_each_quantity_once) {
   EXPECT_EQ(count.transmission, 1) << "for w";
 }
 
-TEST_F(skipping, an_exact_force_needs_no_projection_and_slipping_brakes_no_hand_torque) {
+TEST_F(skipping, an_exact_force_is_the_desired_one) {
   // Every brake turns against the torque that it is to give: w = -E^T n
   const ph::tendon_two_link<double> arm;
   const auto E = ph::brake_jacobian(arm, handle_at(0.23, {0, 0}).q);
   const auto result = control(handle_at(0.23, -20 * (E * E.transpose() * pair(0, -1))));
   ASSERT_EQ(result.display, ph::display_class::exact);
-  EXPECT_TRUE(result.stages.contains(ph::stage::jacobian) && result.stages.contains(ph::stage::signs) &&
-              result.stages.contains(ph::stage::law));
-  EXPECT_FALSE(result.stages.contains(ph::stage::projection));
-  EXPECT_FALSE(result.stages.contains(ph::stage::hand_torque));
+  EXPECT_EQ(result.control_force, result.desired_force);
 }
 
-TEST_F(skipping, an_approximate_force_needs_a_projection) {
-  const auto result = control(handle_at(0.23, {0.5, 0.1}));
-  ASSERT_EQ(result.display, ph::display_class::approximate);
-  EXPECT_TRUE(result.stages.contains(ph::stage::projection) && result.stages.contains(ph::stage::law));
-}
+// A law that counts how often it is asked.
+struct counting_law {
+  template <class T, int D>
+  T scale(const ph::contact_situation<T, D>&) const noexcept {
+    ++*asked;
+    return T(1);
+  }
+  int* asked;
+};
 
 TEST_F(skipping, where_nothing_can_be_displayed_no_law_is_asked) {
-  const auto result = control(handle_at(0.23, {0, -0.5}));
-  ASSERT_EQ(result.display, ph::display_class::none);
-  EXPECT_TRUE(result.stages.contains(ph::stage::projection));
-  EXPECT_FALSE(result.stages.contains(ph::stage::law));
-}
-
-TEST_F(skipping, brakes_at_rest_need_the_hands_torque) {
-  EXPECT_TRUE(control(handle_at(0.23, {0, 0})).stages.contains(ph::stage::hand_torque));
+  int asked = 0;
+  ph::controller counted(counting_arm{&count}, ph::brakes_of<counting_arm>(),
+                         ph::scene(ph::wall(counting_wall{&count}, 1e4)), counting_law{&asked});
+  ASSERT_EQ(counted(handle_at(0.23, {0, -0.5})).display, ph::display_class::none);
+  EXPECT_EQ(asked, 0);
+  ASSERT_EQ(counted(handle_at(0.23, {0.5, 0.1})).display, ph::display_class::approximate);
+  EXPECT_EQ(asked, 1);
 }
 
 TEST_F(skipping, a_wall_without_stiffness_needs_no_jacobian) {
   ph::controller soft(counting_arm{&count}, ph::brakes_of<counting_arm>(),
                       ph::scene(ph::wall(counting_wall{&count}, 0.0)), ph::direct_control{});
-  EXPECT_TRUE(soft(handle_at(0.23, {0, 0.5})).stages.empty());
+  EXPECT_EQ(soft(handle_at(0.23, {0, 0.5})).wall, -1);
   EXPECT_EQ(count.jacobian, 0);
 }
 

@@ -20,7 +20,7 @@ namespace {
 using pair = ph::vector<double, 2>;
 
 struct calls {
-  int position = 0, jacobian = 0, transmission = 0, distance = 0, gradient = 0, velocity = 0, scale = 0;
+  int position = 0, jacobian = 0, transmission = 0, distance = 0, gradient = 0, velocity = 0;
 };
 
 // ---- what counts
@@ -65,21 +65,6 @@ struct counting_conveyor : counting_plane {
     ++count->velocity;
     return {0, 0};
   }
-};
-
-// As no_direct_control and, with a normal velocity, as any law that says nothing of it.
-template <bool NeedsVelocity>
-struct counting_law {
-  static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;
-  static constexpr bool needs_normal_velocity = NeedsVelocity;
-  struct memory {};
-  template <class T, int D>
-  T scale(const ph::contact_situation<T, D>& c, memory&) const noexcept {
-    ++count->scale;
-    EXPECT_EQ(c.normal_velocity != T(0), NeedsVelocity);
-    return T(1);
-  }
-  calls* count;
 };
 
 // ---- brakes that tell only a part
@@ -130,7 +115,7 @@ TEST_F(static_skipping, free_space_needs_a_position_and_a_distance_of_each_wall)
       control_of(table, ph::unlimited_brakes(), ph::no_direct_control(), plane, counting_conveyor{plane});
   count = {};
   blind.q = {1, 1};
-  EXPECT_TRUE(control(blind).stages.empty());
+  EXPECT_EQ(control(blind).wall, -1);
   EXPECT_EQ(count.position, 1);
   EXPECT_EQ(count.distance, 2);
   EXPECT_EQ(count.gradient + count.velocity + count.jacobian, 0);
@@ -147,7 +132,6 @@ TEST_F(static_skipping, dead_bands_alone_find_brakes_at_rest) {
   auto control = control_of(table, dead_bands_alone(), ph::no_direct_control(), plane);
   const auto result = control(blind);
   EXPECT_EQ(result.signs, pair(-1, 0));
-  EXPECT_FALSE(result.stages.contains(ph::stage::hand_torque)) << "a state without a hand force";
   EXPECT_EQ(result.torque[1], 0);
   EXPECT_GT(result.capacity[1], 0);
   EXPECT_FALSE(result.saturated);
@@ -156,23 +140,12 @@ TEST_F(static_skipping, dead_bands_alone_find_brakes_at_rest) {
 TEST_F(static_skipping, the_hands_torque_needs_a_hand_force_and_a_dead_band) {
   auto sticking = control_of(table, dead_bands_alone(), ph::no_direct_control(), plane);
   const auto held = sticking(sensed);
-  EXPECT_TRUE(held.stages.contains(ph::stage::hand_torque));
   EXPECT_EQ(held.signs, pair(-1, -1));
   EXPECT_EQ(held.torque[1], 2) << "no more than the hand pushes";
   auto slipping = control_of(table, ph::unlimited_brakes(), ph::no_direct_control(), plane);
   sensed.qd[1] = 0;
   const auto free = slipping(sensed);
-  EXPECT_FALSE(free.stages.contains(ph::stage::hand_torque));
   EXPECT_EQ(free.signs, pair(-1, 0)) << "whoever pushes";
-}
-
-TEST_F(static_skipping, a_law_that_needs_no_normal_velocity_is_told_none) {
-  auto asks = control_of(table, ph::unlimited_brakes(), counting_law<true>{&count}, plane);
-  auto asks_not = control_of(table, ph::unlimited_brakes(), counting_law<false>{&count}, plane);
-  const auto a = asks(blind), b = asks_not(blind);
-  EXPECT_EQ(count.scale, 2);
-  EXPECT_EQ(a.capacity, b.capacity);
-  EXPECT_EQ(a.power, b.power);
 }
 
 TEST_F(static_skipping, a_second_wall_costs_its_distance_alone) {
@@ -296,9 +269,6 @@ TEST(fixed_walls, are_moving_walls_at_rest) {
   const ph::half_space<2> plane({0.25, 0}, {-0.6, 0.8});
   const auto fixed = ph::scene(ph::wall(plane, 1e4));
   const auto moving = ph::scene(ph::wall(ph::moving(plane), 1e4));
-  static_assert(!ph::walls_may_move<ph::scene<ph::half_space<2>>> &&
-                !ph::walls_may_move<ph::held_scene<ph::scene<ph::half_space<2>>>>);
-  static_assert(ph::walls_may_move<ph::scene<ph::half_space<2>, ph::moving<ph::half_space<2>>>>);
   ph::controller a(M(), ph::brakes_of<M>(), fixed, ph::direct_control());
   ph::controller b(M(), ph::brakes_of<M>(), moving, ph::direct_control());
   ph::testing::random_source random(3);
@@ -357,7 +327,7 @@ TEST(brakes_that_tell_a_part, are_checked_for_what_they_tell) {
             pair(0, 1));
 }
 
-TEST(an_angle_that_is_not_finite, is_a_fault_where_it_is_read) {
+TEST(an_angle_that_is_not_finite, is_a_fault_in_contact_and_in_free_space) {
   using M = ph::xy_table<double>;
   const double inf = std::numeric_limits<double>::infinity();
   for (const double bad : {inf, -inf, std::numeric_limits<double>::quiet_NaN()}) {
@@ -366,10 +336,12 @@ TEST(an_angle_that_is_not_finite, is_a_fault_where_it_is_read) {
     ph::controller control(M(), ph::unlimited_brakes(),
                            ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0.6, 0.8}), 1e3)),
                            ph::no_direct_control(), options);
-    const ph::sensorless_device_state<M> needs_it{0, {-1, -1}, {-1, 1}}, exact{0, {-1, -1}, {-1, -1}};
-    EXPECT_EQ(control(needs_it).outcome, ph::status::parameters_invalid) << bad;
-    EXPECT_TRUE(control.command(needs_it).capacity.isZero(0)) << bad;
-    EXPECT_EQ(control(exact).outcome, ph::status::ok) << bad;
+    const ph::sensorless_device_state<M> pressed{0, {-1, -1}, {-1, 1}}, free{0, {1, 1}, {-1, -1}};
+    for (const auto& state : {pressed, free}) {
+      EXPECT_EQ(control(state).outcome, ph::status::parameters_invalid) << bad;
+      EXPECT_EQ(control.command(state).outcome, ph::status::parameters_invalid) << bad;
+      EXPECT_TRUE(control.command(state).capacity.isZero(0)) << bad;
+    }
   }
 }
 

@@ -1,6 +1,8 @@
 // One control cycle: what it decides, and what it refuses.
 #include "support.hpp"
 
+#include <passive_haptics/control/laws/torque_law.hpp>
+
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
@@ -33,7 +35,6 @@ TYPED_TEST(control_step, in_free_space_releases_the_brakes_and_asks_for_nothing)
   const auto result =
       step_once<ph::direct_control>(M(), ph::brakes_of<M>(), state_of<M>({0, 0}, {1, 1}, {1, 1}));
   EXPECT_EQ(result.outcome, ph::status::ok);
-  EXPECT_TRUE(result.stages.empty());
   EXPECT_EQ(result.wall, -1);
   EXPECT_EQ(result.power, ph::power_class::none);
   EXPECT_EQ(result.display, ph::display_class::exact);
@@ -64,7 +65,6 @@ TYPED_TEST(control_step, leaving_along_an_axis_of_the_table_displays_nothing) {
   EXPECT_EQ(result.display, ph::display_class::none);
   EXPECT_EQ(result.power, ph::power_class::active);
   EXPECT_TRUE(result.capacity.isZero(0));
-  EXPECT_TRUE(result.stages.contains(ph::stage::projection) && !result.stages.contains(ph::stage::law));
 }
 
 TYPED_TEST(control_step, at_rest_the_hand_decides_and_the_brake_holds_no_more_than_it_pushes) {
@@ -73,7 +73,6 @@ TYPED_TEST(control_step, at_rest_the_hand_decides_and_the_brake_holds_no_more_th
   EXPECT_EQ(pressed.signs, (ph::vector<T, 2>(0, -1)));
   expect_near(pressed.capacity, ph::vector<T, 2>(0, 10), 10);
   EXPECT_EQ(pressed.torque, (ph::vector<T, 2>(0, 3)));
-  EXPECT_TRUE(pressed.stages.contains(ph::stage::hand_torque));
   const auto pulled = on_the_floor<ph::no_direct_control, T>(0, 0, {0, 3});
   EXPECT_EQ(pulled.display, ph::display_class::none);
   EXPECT_TRUE(pulled.capacity.isZero(0));
@@ -154,15 +153,12 @@ TYPED_TEST(control_step, runs_without_a_force_sensor_where_the_law_needs_none) {
   const auto resting = control(ph::sensorless_device_state<M>{0.0, {0, T(-1e-4)}, {0, 0}});
   EXPECT_TRUE(resting.signs.isZero(0) && resting.torque.isZero(0));
   expect_near(resting.capacity, ph::vector<T, 2>(0, T(0.1)), 1);
-  EXPECT_FALSE(resting.stages.contains(ph::stage::hand_torque));
 }
 
 // A law that answers nonsense is stopped.
 struct nonsense {
-  static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;
-  struct memory {};
   template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&, memory&) const noexcept {
+  T scale(const ph::contact_situation<T, D>&) const noexcept {
     return static_cast<T>(value);
   }
   double value = 0;
@@ -183,27 +179,79 @@ TYPED_TEST(control_step, a_scale_outside_zero_and_one_is_a_fault) {
   for (const double good : {0.0, 0.5, 1.0}) EXPECT_EQ(run(good).outcome, ph::status::ok) << good;
 }
 
-// A law may remember; reset() forgets.
+// A TorqueLaw may remember; reset() forgets. It opposes with one N m more each time, and fails before time 0.
 struct counting_law {
-  static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;
+  static constexpr bool commands_torques = true;
   struct memory {
     int calls = 0;
+    int released = 0;
   };
-  template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&, memory& m) const noexcept {
-    return T(1) / static_cast<T>(++m.calls);
+  template <class M, class EMatrix, int D, int N, class B>
+  ph::brake_vector<M> torque(const ph::brake_situation<M, EMatrix, B>& now, const ph::contacts<D, N>&,
+                             memory& m) const noexcept {
+    ++m.calls;
+    const bool fails = now.time < 0;
+    return -now.s * (fails ? std::numeric_limits<typename M::scalar>::quiet_NaN()
+                           : static_cast<typename M::scalar>(m.calls));
   }
+  void released(memory& m, double) const noexcept { ++m.released; }
 };
 
-TYPED_TEST(control_step, a_law_keeps_its_memory_from_cycle_to_cycle_until_reset) {
+template <class T>
+struct law_memory : ::testing::Test {
+  using M = ph::xy_table<T>;
+  ph::contacts<2, 1> touched;
+  ph::step_memory<counting_law> memory;
+  void SetUp() override { touched.push_back({.normal = {0, 1}, .depth = 1e-3, .stiffness = 1e3}); }
+  auto run(double time, const ph::contacts<2, 1>& walls) {
+    ph::brakes_of<M> strong;
+    strong.torque_limit.setConstant(100);
+    auto state = state_of<M>({0, 0}, {0, -1});
+    state.time = time;
+    return ph::step(M(), strong, walls, counting_law{}, state, memory);
+  }
+};
+TYPED_TEST_SUITE(law_memory, scalars);
+
+TYPED_TEST(law_memory, goes_from_cycle_to_cycle) {
+  EXPECT_EQ(this->run(1, this->touched).capacity[1], 1);
+  EXPECT_EQ(this->run(2, this->touched).capacity[1], 2);
+  this->memory = {};
+  EXPECT_EQ(this->run(3, this->touched).capacity[1], 1);
+}
+
+TYPED_TEST(law_memory, is_kept_only_by_a_cycle_that_ends_well) {
+  this->run(1, this->touched);
+  EXPECT_EQ(this->run(-1, this->touched).outcome, ph::status::result_not_finite);
+  EXPECT_EQ(this->memory.law.calls, 1);
+  EXPECT_EQ(this->memory.law.released, 1);
+  auto spoiled = this->touched;
+  spoiled.begin()->normal[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(this->run(2, spoiled).outcome, ph::status::contact_not_finite);
+  EXPECT_EQ(this->memory.law.calls, 1);
+  EXPECT_EQ(this->memory.law.released, 2);
+  EXPECT_EQ(this->run(3, this->touched).capacity[1], 2);
+}
+
+TYPED_TEST(law_memory, is_told_of_free_space) {
+  this->run(1, this->touched);
+  EXPECT_EQ(this->run(2, {}).outcome, ph::status::ok);
+  EXPECT_EQ(this->memory.law.calls, 1);
+  EXPECT_EQ(this->memory.law.released, 1);
+}
+
+TYPED_TEST(control_step, a_law_keeps_its_memory_until_reset) {
   using T = TypeParam;
   using M = typename TestFixture::table_type;
-  ph::controller control(M(), {}, ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}))), counting_law{});
   const auto state = state_of<M>({0, T(-1e-4)}, {0, -1});
-  EXPECT_EQ(control(state).alpha, T(1));
-  EXPECT_EQ(control(state).alpha, T(0.5));
-  control.reset();
-  EXPECT_EQ(control(state).alpha, T(1));
+  ph::brakes_of<M> strong;
+  strong.torque_limit.setConstant(100);
+  ph::controller strongly(M(), strong, ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}))),
+                          counting_law{});
+  EXPECT_EQ(strongly(state).capacity[1], T(1));
+  EXPECT_EQ(strongly(state).capacity[1], T(2));
+  strongly.reset();
+  EXPECT_EQ(strongly(state).capacity[1], T(1));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 /// @file
-/// What a control cycle has found out about the brakes when it turns to the contacts.
+/// The device at one instant: what a control cycle knows before it turns to the walls.
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>
@@ -8,8 +8,8 @@
 
 namespace passive_haptics {
 
-/// The device at one instant; E from brake_jacobian. Lives no longer than the values that it refers to. A
-/// TorqueLaw that takes any B also runs on brakes that lack members (brake/brake_concepts.hpp).
+/// The device at one instant; E from brake_jacobian. Lives no longer than the values that it refers to. A law
+/// that takes any B also runs on brakes that lack members (brake/brake_concepts.hpp).
 template <class M, class EMatrix, class B = brakes_of<M>>
 struct brake_situation {
   const M& mechanism;                 ///< The mechanism,
@@ -20,8 +20,9 @@ struct brake_situation {
   const point<M::task_dimension>& x;  ///< the end effector [m].
   const EMatrix& E;                   ///< E = J T^+.
   const brake_vector<M>& w;           ///< Rates of the brakes [rad/s or m/s].
+  const task_vector<M>& v;            ///< Velocity of the end effector [m/s], E w.
   const brake_vector<M>& s;           ///< Signs of the brakes.
-  const task_vector<M>& hand_force;   ///< Fh [N]; zero for laws that do not need it.
+  const task_vector<M>& hand_force;   ///< Fh [N]; zero where the state has none.
 };
 
 }  // namespace passive_haptics

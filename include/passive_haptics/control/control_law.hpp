@@ -8,83 +8,75 @@
 
 namespace passive_haptics {
 
-/// What a law sees of the governing contact.
+/// What a law sees of one contact.
 template <class T, int D>
 struct contact_situation {
-  const vector<T, D>& normal;  ///< n = Fd / |Fd|, unit, out of the wall.
-  T desired_magnitude;         ///< |Fd| [N], > 0.
-  T normal_velocity;  ///< n . (v - v_wall) [m/s], > 0 where the handle leaves; 0 for laws that do not need
-                      ///< it.
-  const vector<T, D>& hand_force;  ///< Fh [N]; zero for laws that do not need it.
+  const vector<T, D>& normal;      ///< n = Fd / |Fd|, unit, out of the wall.
+  T desired_magnitude;             ///< |Fd| [N], > 0.
+  T normal_velocity;               ///< n . (v - v_wall) [m/s], > 0 where the handle leaves.
+  const vector<T, D>& hand_force;  ///< Fh [N]; zero where the state has none.
+};
+
+/// A law that scales the approximated force. Minimal complete definition:
+///   - `T scale(const contact_situation<T, d>&) const noexcept`: alpha in [0, 1], Fc' = alpha Fc.
+///
+/// Optional, false where it is not named:
+///   - `static constexpr bool needs_hand_force`: the state must have a hand force, so the device a sensor;
+///   - `static constexpr bool gives_way`: the force of a contact being left is scaled so that nothing remains
+///     normal to the wall. Of several contacts these are then met before the others.
+template <class L>
+concept ScalingLaw = requires(const L law, const contact_situation<double, 2> situation) {
+  { law.scale(situation) } noexcept -> std::same_as<double>;
 };
 
 namespace detail {
 template <class L>
-concept states_its_needs = requires {
-  { L::needs_hand_force } -> std::convertible_to<bool>;
-  { L::needs_dynamics } -> std::convertible_to<bool>;
-  { L::needs_brake_lag } -> std::convertible_to<bool>;
-  typename L::memory;
-  requires std::default_initializable<typename L::memory>;
+struct memory_of {
+  struct type {};
 };
-
-// torque() is a template over mechanisms: that it is there can be asked only of one of them.
 template <class L>
-concept commands_torques = requires { requires L::commands_torques; };
+  requires requires { typename L::memory; }
+struct memory_of<L> {
+  using type = typename L::memory;
+};
 }  // namespace detail
 
-/// A law that scales the approximated force, beside the needs of ControlLaw:
-///   - `T scale(const contact_situation<T, d>&, memory&) const noexcept`: alpha in [0, 1], Fc' = alpha Fc
-///   (7).
-///
-/// Optional:
-///   - `static constexpr bool gives_way`, true if it scales the force of a contact being left so that nothing
-///   remains
-///     normal; of several contacts these are then met before the others. Without it, false;
-///   - `static constexpr bool needs_normal_velocity`, false if it does not read that. Without it, true.
+/// What a law remembers from cycle to cycle: its memory, or nothing.
 template <class L>
-concept ScalingLaw =
-    detail::states_its_needs<L> &&
-    requires(const L law, const contact_situation<double, 2> situation, typename L::memory memory) {
-      { law.scale(situation, memory) } noexcept -> std::same_as<double>;
-    };
+using law_memory = typename detail::memory_of<L>::type;
 
-/// A law that commands the brakes itself, beside the needs of ControlLaw:
+/// A law that commands the brakes itself. Minimal complete definition:
 ///   - `static constexpr bool commands_torques = true`;
-///   - `brake_vector<M> torque(const brake_situation<M, E>&, const contacts<d, N>&, memory&) const noexcept`,
-///   a
+///   - `brake_vector<M> torque(const brake_situation<M, E, B>&, const contacts<d, N>&) const noexcept`, a
 ///     template over mechanisms: the torques [N m] that the brakes shall make, at least one wall being
-///     touched. The step cuts them to the limits; a torque that does not oppose its brake (s_i t_i > 0)
-///     releases it.
+///     touched. The cycle cuts them to the limits; a torque that does not oppose its brake releases it.
 ///
-/// Optional:
+/// Its header includes control/laws/torque_law.hpp. Optional:
+///   - `struct memory`, default-constructible: what it remembers from cycle to cycle. torque() then takes a
+///     `memory&` as well. What a cycle leaves in it is kept only if the cycle ends well;
 ///   - `void released(memory&, double time) const noexcept`, called in each cycle that commands nothing (free
-///   space,
-///     faults), so that the law knows what its brakes were told;
-///   - `static constexpr bool needs_torque_limit`, true if it reads the brakes' limits, as one that locks
-///   brakes does.
-///     Without it, false.
+///     space, faults), so that the law knows what its brakes were told;
+///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag, needs_torque_limit`: what it
+///     reads of the state, the mechanism and the brakes. False where they are not named.
 template <class L>
-concept TorqueLaw = detail::states_its_needs<L> && detail::commands_torques<L>;
+concept TorqueLaw = requires { requires L::commands_torques; } && std::default_initializable<law_memory<L>>;
 
 /// A control law.
-///
-/// Minimal complete definition, beside that of a ScalingLaw or a TorqueLaw:
-///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag`: what it reads. A law that
-///   needs
-///     no hand force runs on a device without a force sensor;
-///   - `struct memory`: what it remembers from cycle to cycle, default-constructible (may be empty).
 template <class L>
 concept ControlLaw = ScalingLaw<L> || TorqueLaw<L>;
 
 /// Whether a law gives way to a hand that leaves a wall.
 template <class L>
 inline constexpr bool gives_way = requires { requires L::gives_way; };
-
-/// Whether a law reads the normal velocity of a contact: unless it says that it does not.
+/// Whether a law reads the hand force.
 template <class L>
-inline constexpr bool needs_normal_velocity = !requires { requires !L::needs_normal_velocity; };
-
+inline constexpr bool needs_hand_force = requires { requires L::needs_hand_force; };
+/// Whether a law reads the mechanism's inertia.
+template <class L>
+inline constexpr bool needs_dynamics = requires { requires L::needs_dynamics; };
+/// Whether a law reads the brakes' time constants.
+template <class L>
+inline constexpr bool needs_brake_lag = requires { requires L::needs_brake_lag; };
 /// Whether a law reads the torque limits, so that brakes without any are none for it.
 template <class L>
 inline constexpr bool needs_torque_limit = requires { requires L::needs_torque_limit; };

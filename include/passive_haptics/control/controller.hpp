@@ -6,7 +6,6 @@
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/scene/scene.hpp>
 
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -57,26 +56,20 @@ class controller {
         scene_(std::move(scene)),
         law_(detail::require_valid_law(std::move(law))),
         options_(options),
-        reduction_(mechanism_),
-        parameters_(check_parameters<L>(brakes_, options_)) {
-    if (parameters_ != status::ok) options_.min_cosine = std::numeric_limits<typename M::scalar>::quiet_NaN();
-  }
+        brake_jacobian_(mechanism_),
+        parameters_(check_parameters<L>(brakes_, options_)) {}
 
-  /// One control cycle; see step(). A state that is not finite is not shown to the scene, nor is a position,
-  /// unless the Jacobian is constant: then a finite q gives a finite position.
+  /// One control cycle; see step(). A state that is not finite is not shown to the scene, nor is a position
+  /// that a scene could remember.
   template <class State>
   PASSIVE_HAPTICS_FLATTEN result_type operator()(const State& state) noexcept {
-    result_type result;
-    cycle<true>(state, result);
-    return result;
+    return run<result_type>(state);
   }
 
   /// The same cycle for a loop that only drives its brakes: what its account would cost is not computed.
   template <class State>
   PASSIVE_HAPTICS_FLATTEN brake_command<M> command(const State& state) noexcept {
-    result_type result;
-    cycle<false>(state, result);
-    return {result.capacity, result.outcome};
+    return run<brake_command<M>>(state);
   }
 
   /// Forgets the motion so far.
@@ -90,42 +83,11 @@ class controller {
   const B& brakes() const { return brakes_; }
 
  private:
-  template <bool Account, class State>
-  void cycle(const State& state, result_type& result) noexcept {
+  template <class Answer, class State>
+  Answer run(const State& state) noexcept {
     static_assert(detail::step_requirements<M, typename S::contacts_type, L, State, B>::met);
-    status outcome = check_state<M>(state);
-    if (outcome == status::ok) outcome = sense_and_step<Account>(state, result);
-    if (outcome == status::ok) return;
-    release(result, outcome);
-    detail::tell_released(law_, memory_.law, state.time);
-  }
-
-  template <bool Account, class State>
-  status sense_and_step(const State& state, result_type& result) noexcept {
-    constexpr step_knowledge known{walls_may_move<S>, Account};
-    const auto at = pose(mechanism_, state.q);
-    const point<M::task_dimension> x = as<double>(mechanism_.position(at));
-    // A constant Jacobian: finite q gives a finite position
-    if constexpr (!detail::jacobian_is_constant<M>)
-      if (!all_finite(x)) return status::pose_undefined;
-    const auto& touched = sensed_at(x, state.time);
-    if constexpr (requires { scene_status(scene_); }) {
-      if (scene_status(scene_) != status::ok) return scene_status(scene_);
-    }
-    if (touched.empty()) {
-      detail::tell_released(law_, memory_.law, state.time);
-      return status::ok;
-    }
-    // Brakes without a member can have no invalid one: the angle is looked at where it is read
-    if constexpr (!std::is_empty_v<B>)
-      if (parameters_ != status::ok) return parameters_;
-    return detail::step_in_contact<known>(mechanism_, at, x, reduction_, brakes_, touched, law_, state,
-                                          memory_, options_, result);
-  }
-
-  decltype(auto) sensed_at(const point<M::task_dimension>& x, double time) {
-    if constexpr (requires { sense(scene_, x, time); }) return sense(scene_, x, time);
-    else return sense(scene_, x);
+    const cycle_parts<M, B, L> with{mechanism_, brakes_, law_, brake_jacobian_, options_};
+    return run_cycle<Answer>(with, parameters_, scene_, state, memory_);
   }
 
   M mechanism_;
@@ -133,7 +95,7 @@ class controller {
   S scene_;
   L law_;
   options_type options_;
-  brake_jacobian_evaluator<M> reduction_;
+  brake_jacobian_evaluator<M> brake_jacobian_;
   status parameters_;  // of brakes_ and options_, which do not change
   step_memory<L> memory_;
 };

@@ -1,5 +1,5 @@
 /// @file
-/// The paper's two ways to control: with and without direct control.
+/// The paper's two ways to control: with and without direct control (section 4).
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>
@@ -11,42 +11,53 @@ namespace passive_haptics {
 
 /// The approximated force as it is, alpha = 1: what makes the hand bounce off a wall (section 3).
 struct no_direct_control {
-  static constexpr bool needs_hand_force = false;       ///< Runs without a force sensor.
-  static constexpr bool gives_way = false;              ///< Displays all that is desired.
-  static constexpr bool needs_dynamics = false;         ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;        ///< Knows no lag.
-  static constexpr bool needs_normal_velocity = false;  ///< Does the same whichever way the handle moves.
-  struct memory {};                                     ///< None.
-
   /// alpha = 1.
   template <class T, int D>
-  T scale(const contact_situation<T, D>&, memory&) const noexcept {
+  T scale(const contact_situation<T, D>&) const noexcept {
     return T(1);
   }
 };
 
-/// Direct control (7)-(12): where the handle moves outward, the brakes are scaled so that nothing of the
-/// resultant force Fr = Fh + alpha Fc is left normal to the wall.
+/// Direct control: where the handle moves outward, the brakes are scaled so that nothing of the resultant
+/// force is left normal to the wall. The resultant is
 ///
-/// Since Fc . Fd = |Fd|^2 after the approximation, (12) reads alpha = -Fh . n / |Fd|, limited to [0, 1].
+///     Fr = Frn + Frt = Fh + alpha Fc,
+/// @equation{7}
+/// and its normal component has the size
+///
+///     |Frn| = |Fr| cos(lambda),
+/// @equation{8}
+/// where lambda is the angle between Fr and Fd, so
+///
+///     cos(lambda) = Fr . Fd / (|Fr| |Fd|).
+/// @equation{9}
+/// Together
+///
+///     |Frn| = |Fh + alpha Fc| (Fh + alpha Fc) . Fd / (|Fr| |Fd|),
+/// @equation{10}
+/// which vanishes where
+///
+///     (Fh + alpha Fc) . Fd = 0.
+/// @equation{11}
+///
+/// After the approximation Fc . Fd = |Fd|^2. So with n = Fd / |Fd| alpha = -Fh . n / |Fd|, and nothing small
+/// is divided by. It is limited to [0, 1]: a hand that pulls away needs no force, and a brake gives no more
+/// than what is desired.
 ///
 /// With a dead band the normal force is nulled before the handle moves out, which holds off part of the
-/// brakes' lag; it then sinks at up to v_dead. Of several contacts only those that are being left (n . v > 0)
-/// come first.
+/// brakes' lag. The handle then sinks at up to v_dead. Of several contacts those being left come first.
 struct direct_control {
   static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
   static constexpr bool gives_way = true;         ///< Leaves nothing normal where the handle moves out.
-  static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;  ///< Knows no lag.
-  struct memory {};                               ///< None.
 
-  double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is (12) as printed.
+  double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is the law as printed.
 
-  /// alpha = clamp(-Fh . n / |Fd|, 0, 1) if n . v > -v_dead, else 1 (step 2 of section 4).
+  /// alpha = -Fh . Fd / (Fc . Fd) in [0, 1] if n . v > -v_dead, else 1 (step 2 of section 4).
+  /// @equation{12}
   template <class T, int D>
-  T scale(const contact_situation<T, D>& c, memory&) const noexcept {
+  T scale(const contact_situation<T, D>& c) const noexcept {
     if (!(c.normal_velocity > -static_cast<T>(velocity_dead_band))) return T(1);
-    const T pressing = -dot(c.hand_force, c.normal);
+    const T pressing = -c.hand_force.dot(c.normal);
     if (!(pressing > T(0))) return T(0);
     return pressing < c.desired_magnitude ? pressing / c.desired_magnitude : T(1);
   }

@@ -4,9 +4,6 @@
 
 #include <passive_haptics/core/matrix.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace passive_haptics {
 
 /// What gives way where a brake cannot follow.
@@ -19,25 +16,20 @@ enum class saturation {
 template <class T, int Brakes>
 struct saturated_torque {
   vector<T, Brakes> torque;  ///< [N m], |t_i| <= limit_i exactly.
-  bool limited;              ///< True if some limit was reached.
+  bool limited;              ///< True if some torque was over its limit.
 };
 
-/// scale * t within limits [N m] >= 0; t [N m per N] and scale >= 0 [N] finite, their product may overflow.
+/// Torques t [N m], finite, within limits [N m] >= 0. It may stand before or after a law's alpha: cut to what
+/// the brakes can make and then scaled, or scaled and then cut.
 template <class T, int Brakes>
-saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, T scale, const vector<T, Brakes>& limit,
+saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<T, Brakes>& limit,
                                      saturation policy) {
-  const auto exceeds = [&](int i) { return std::abs(t[i]) * scale > limit[i]; };
-  T factor = scale;
-  if (policy == saturation::keep_direction) {
-    unrolled<Brakes>([&](auto i) {
-      if (exceeds(i)) factor = std::min(factor, limit[i] / std::abs(t[i]));
-    });
-  }
-  saturated_torque<T, Brakes> result{{}, false};
-  unrolled<Brakes>([&](auto i) { result.limited |= exceeds(i); });
-  unrolled<Brakes>(
-      [&](auto i) { result.torque[i] = std::copysign(std::min(std::abs(factor * t[i]), limit[i]), t[i]); });
-  return result;
+  const auto size = t.array().abs();
+  const auto is_over = (size > limit.array());
+  if (!is_over.any()) return {t, false};
+  const T factor =
+      policy == saturation::clamp_each ? T(1) : is_over.select(limit.array() / size, T(1)).minCoeff();
+  return {(factor * t.array()).max(-limit.array()).min(limit.array()), true};
 }
 
 }  // namespace passive_haptics

@@ -1,89 +1,190 @@
 /// @file
-/// Several touched walls at once: the law's share of each, met in order of priority within the torque limits.
+/// Several touched walls at once: the stages of a cycle that differ. Each wall keeps its own Fd and alpha,
+/// and one set of torques meets them in order of priority (force/torques/contact_forces.hpp).
 #pragma once
 
-#include <passive_haptics/control/one_contact.hpp>
+#include <passive_haptics/control/account.hpp>
 #include <passive_haptics/force/torques/contact_forces.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
 namespace passive_haptics {
+
+/// The one wall of a scene of several that is touched: it is displayed as if there were no other.
+template <int D>
+struct only_contact {
+  static constexpr int capacity = 1;  ///< Walls.
+  const contact<D>& wall;             ///< It.
+
+  constexpr int size() const { return 1; }                            ///< 1
+  constexpr bool empty() const { return false; }                      ///< false
+  constexpr const contact<D>& operator[](int) const { return wall; }  ///< The wall.
+};
+
+/// Whether a cycle under law L looks for walls that are touched alone.
+template <class L, class Walls>
+inline constexpr bool is_simpler_alone = ScalingLaw<L> && (Walls::capacity > 1);
+
+/// Fd of the wall.
+template <class M, class B, ScalingLaw L, int D>
+auto desired(const cycle_parts<M, B, L>&, const only_contact<D>& touched) {
+  return force_of<typename M::scalar>(touched.wall);
+}
+
+/// Fd of each touched wall.
+template <class T, int D, int Capacity>
+struct desired_forces {
+  const contacts<D, Capacity>& touched;  ///< The walls.
+  int governing;                         ///< Wall that asks for the largest force; -1 if there is none.
+
+  /// Number of walls.
+  int size() const { return touched.size(); }
+  /// Of contact j.
+  desired_force<T, D> operator[](int j) const { return force_of<T>(touched[j]); }
+};
+
+/// alpha of each touched wall, and whether it is met before the others.
+template <class T, int Capacity>
+struct contact_scales {
+  vector<T, Capacity> alpha = vector<T, Capacity>::Ones();       ///< Of contact j.
+  std::array<bool, static_cast<std::size_t>(Capacity)> first{};  ///< It is being left, and the law gives way.
+};
+
+/// What can be displayed of several forces. It depends on each one's alpha, so it is found in alpha * Fc.
+template <class M, class Box, class Forces>
+struct displayable_forces {
+  const Forces& Fd;                                                      ///< The desired forces.
+  force_map<typename M::scalar, M::task_dimension, M::brake_count> map;  ///< F = G t.
+  Box box;  ///< Torques that the brakes can make.
+};
+
+/// True if one of the walls asks for a force.
+template <class T, int D, int Capacity>
+bool asks(const desired_forces<T, D, Capacity>& Fd) {
+  return Fd.governing >= 0 && asks(Fd[Fd.governing]);
+}
+
+/// Fd of each wall.
+template <class M, class B, ScalingLaw L, int D, int N>
+  requires(N > 1)
+auto desired(const cycle_parts<M, B, L>&, const contacts<D, N>& touched) {
+  return desired_forces<typename M::scalar, D, N>{touched, governing_contact(touched)};
+}
 
 /// F = G t in the form that fits the mechanism.
 template <class M, class EMatrix, class B>
 auto force_map_of(const brake_situation<M, EMatrix, B>& now) {
   using T = typename M::scalar;
   using map = force_map<T, M::task_dimension, M::brake_count>;
-  if constexpr (detail::has_inertial_forces<M>) {
-    return map{inertial_force_generators(now.mechanism, now.q), {}, false};
-  } else if constexpr (M::brake_count > M::dof) {
-    return map{force_generators(now.mechanism, now.q), {}, false};
-  } else {
-    return invert_brake_jacobian(matrix<T, M::task_dimension, M::brake_count>(now.E));
-  }
+  if constexpr (detail::displays_by_generators<M>)
+    return map{detail::generators(now.mechanism, now.q), {}, false};
+  else return invert_brake_jacobian(matrix<T, M::task_dimension, M::brake_count>(now.E));
 }
 
-/// Torques td [N m] commanded for several contacts (force/torques/contact_forces.hpp), with a_j = alpha_j k_j
-/// depth_j. Contacts being left under a law that gives way come first. Notes each contact's report in
-/// `result`; its classes and scale are those of the contact that asks for the largest force, display is exact
-/// where all that is wanted is met.
-template <step_knowledge Known = step_knowledge{}, class M, class EMatrix, class Contacts, class L, class B>
-brake_vector<M> display_several(const brake_situation<M, EMatrix, B>& now, const Contacts& touched,
-                                const L& law, typename L::memory& memory,
-                                step_result_of_contacts<M, Contacts::capacity>& result) {
-  using T = typename M::scalar;
-  constexpr int D = M::task_dimension;
-  result.outcome = check_contacts<T>(touched);
-  if (result.outcome == status::ok && !all_finite(now.E, now.w)) result.outcome = status::pose_undefined;
-  if (result.outcome != status::ok) return brake_vector<M>::Zero();
+/// What is needed to find Fc of several walls.
+template <class M, class B, ScalingLaw L, class Now, class T, int D, int N>
+auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_forces<T, D, N>& Fd,
+               const auto& /*touched*/, step_memory<L>&) {
+  using box = torque_box<T, M::brake_count>;
+  return displayable_forces<M, box, desired_forces<T, D, N>>{
+      Fd, force_map_of(now), torques_within(now.s, torque_limits_of<T, M::brake_count>(with.brakes))};
+}
 
-  std::array<contact_demand<T, D>, static_cast<std::size_t>(Contacts::capacity)> demands;
-  const int governing = governing_contact(touched);
-  T outward_power = T(0);
-  T largest = T(0);
-  for (int j = 0; j < touched.size(); ++j) {
-    const auto [n, magnitude] = force_of<T>(touched[j]);
-    const T outward = brake_torque(now.E, n).dot(now.w);
-    T leaving = outward;
-    if constexpr (Known.walls_move) leaving -= n.dot(touched[j].wall_velocity.template cast<T>());
-    const bool pressed = magnitude > T(0);
-    const T alpha =
-        pressed ? law.scale(contact_situation<T, D>{n, magnitude, leaving, now.hand_force}, memory) : T(1);
-    if (!(alpha >= T(0) && alpha <= T(1))) result.outcome = status::scale_out_of_range;
-    if (j == governing) {
-      result.alpha = alpha;
-      outward_power = outward;
-    }
-    const T force = pressed ? alpha * magnitude : T(0);
-    demands[static_cast<std::size_t>(j)] = {n, force, gives_way<L> && leaving > T(0)};
-    largest = std::max(largest, force);
+/// alpha of each wall.
+template <class M, class B, ScalingLaw L, class Now, class Box, class T, int D, int N>
+auto scale(const cycle_parts<M, B, L>& with, const Now& now, const desired_forces<T, D, N>& Fd,
+           const displayable_forces<M, Box, desired_forces<T, D, N>>&) {
+  contact_scales<T, N> all;
+  for (int j = 0; j < Fd.size(); ++j) {
+    const auto one = Fd[j];
+    const T leaving = outward(one, now.v);
+    all.first[static_cast<std::size_t>(j)] = gives_way<L> && leaving > T(0);
+    if (asks(one))
+      all.alpha[j] =
+          with.law.scale(contact_situation<T, D>{one.direction, one.magnitude, leaving, now.hand_force});
   }
-  result.stages.add(stage::law);
+  return all;
+}
 
-  const auto map = force_map_of(now);
-  if (!all_finite(map.G)) result.outcome = status::pose_undefined;
-  if (result.outcome != status::ok) return brake_vector<M>::Zero();
-  const auto answer = contact_forces<T, D, M::brake_count, Contacts::capacity>(
-      map, torques_within(now.s, torque_limits_of<T, M::brake_count>(now.brakes)), demands, touched.size());
-  result.stages.add(stage::projection);
-
-  bool met = true;
-  result.contact_count = touched.size();
-  for (int j = 0; j < touched.size(); ++j) {
+/// Fc' = alpha Fc, the force that meets alpha_j Fd_j in order of priority, within the limits.
+template <class M, class Box, class T, int D, int N>
+auto operator*(const contact_scales<T, N>& scales,
+               const displayable_forces<M, Box, desired_forces<T, D, N>>& Fc) {
+  std::array<contact_demand<T, D>, static_cast<std::size_t>(N)> demands;
+  for (int j = 0; j < Fc.Fd.size(); ++j) {
     const auto k = static_cast<std::size_t>(j);
-    const T missing = std::abs(demands[k].force - answer.displayed[k]);
-    met = met && missing <= rounding_tolerance<T>(M::brake_count + Contacts::capacity) * largest;
-    result.contacts[k] = {touched[j].wall, demands[k].force, answer.displayed[k], demands[k].first};
+    const T wanted = asks(Fc.Fd[j]) ? scales.alpha[j] * Fc.Fd[j].magnitude : T(0);
+    demands[k] = {Fc.Fd[j].direction, wanted, scales.first[k]};
   }
-  const T size = answer.force.norm();
-  result.display =
-      met ? display_class::exact : (size > T(0) ? display_class::approximate : display_class::none);
-  result.power = classify_power(outward_power, met);
-  const T along = result.desired_force.normalized().dot(answer.force);
-  result.approximation_cosine = size > T(0) ? along / size : T(met ? 1 : 0);
-  result.control_force = answer.force;
-  result.cone_coefficients = answer.torque;
-  if constexpr (LimitedBrakes<B, T, M::brake_count>)
-    result.saturated = (answer.torque.cwiseAbs().array() >= now.brakes.torque_limit.array()).any();
-  return answer.torque;
+  const auto answer = contact_forces<T, D, M::brake_count, N>(Fc.map, Fc.box, demands, Fc.Fd.size());
+  return approximated_force<T, D, M::brake_count>{display_class::approximate, answer.force, answer.torque,
+                                                  T(0)};
+}
+
+namespace detail {
+
+// Fc of several walls before alpha and limits; exact where each gets all that it asks for.
+template <class M, class Box, class T, int D, int N, class Now>
+auto unscaled(const Now& now, displayable_forces<M, Box, desired_forces<T, D, N>> Fc) {
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  Fc.box = torques_within(now.s, brake_vector<M>(brake_vector<M>::Constant(infinity)));
+  approximated_force<T, D, M::brake_count> F = contact_scales<T, N>() * Fc;
+  const T size = F.force.norm(), largest = Fc.Fd[Fc.Fd.governing].magnitude;
+  const T tolerance = rounding_tolerance<T>(M::brake_count + N) * largest;
+  bool met = true;
+  for (int j = 0; j < Fc.Fd.size(); ++j) {
+    const T wanted = asks(Fc.Fd[j]) ? Fc.Fd[j].magnitude : T(0);
+    met = met && std::abs(wanted - Fc.Fd[j].direction.dot(F.force)) <= tolerance;
+  }
+  if (met) F.display = display_class::exact;
+  else if (!(size > T(0))) F.display = display_class::none;
+  const T cosine = size > T(0) ? Fc.Fd[Fc.Fd.governing].direction.dot(F.force) / size : T(met ? 1 : 0);
+  F.cosine_squared = cosine * cosine;
+  return F;
+}
+
+}  // namespace detail
+
+/// The account of several walls. Its classes and alpha are those of the wall that asks for most, display is
+/// exact where each wall gets all that it asks for, and each has a report.
+template <class Answer, class M, class B, class L, class Now, int D, int N, class T, class Forces,
+          class Force>
+Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<D, N>& touched,
+               const desired_forces<T, D, N>& Fd, const Forces& Fc, const contact_scales<T, N>& scales,
+               const Force& Fc_scaled, const saturated_torque<T, M::brake_count>& td,
+               const brake_vector<M>& t, step_memory<L>& memory) {
+  T leaving = T(0), magnitude = T(0);
+  for (int j = 0; j < Fd.size(); ++j) {
+    leaving += outward(Fd[j], now.v);
+    magnitude += Fd[j].magnitude;
+  }
+  const bool are_shares = (scales.alpha.array() >= T(0) && scales.alpha.array() <= T(1)).all();
+  status outcome = check_command<T>(touched, leaving, are_shares, magnitude);
+  if (outcome == status::ok && !all_finite(Fc.map.G)) outcome = status::pose_undefined;
+  if (outcome != status::ok) return released<Answer>(outcome);
+
+  const auto summary = [&](const Force& F) {
+    const int j = Fd.governing;
+    return account<Answer>(with, now, touched, Fd[j], F, scales.alpha[j], Fc_scaled, td, t, memory);
+  };
+  if constexpr (!requires(Answer answer) { answer.contacts; }) {
+    return summary(Fc_scaled);
+  } else {
+    Answer answer = summary(detail::unscaled(now, Fc));
+    if (answer.outcome != status::ok) return answer;
+    answer.saturated =
+        (td.torque.array().abs() >= torque_limits_of<T, M::brake_count>(now.brakes).array()).any();
+    answer.contact_count = Fd.size();
+    for (int j = 0; j < Fd.size(); ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      const T wanted = asks(Fd[j]) ? scales.alpha[j] * Fd[j].magnitude : T(0);
+      answer.contacts[k] = {touched[j].wall, wanted, Fd[j].direction.dot(Fc_scaled.force), scales.first[k]};
+    }
+    return answer;
+  }
 }
 
 }  // namespace passive_haptics

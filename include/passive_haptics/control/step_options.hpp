@@ -4,7 +4,6 @@
 
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/saturation.hpp>
-#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/force/approximation.hpp>
 
 #include <cmath>
@@ -29,7 +28,7 @@ struct step_options {
 template <class L>
 struct step_memory {
   static_assert(ControlLaw<L>, "passive_haptics: the law must model ControlLaw (control/control_law.hpp).");
-  [[no_unique_address]] typename L::memory law = {};  ///< The law's own part.
+  [[no_unique_address]] law_memory<L> law = {};  ///< The law's own part.
   half_space_set active = 0;  ///< Brakes that the last approximation released: a warm start.
 };
 

@@ -13,29 +13,6 @@
 
 namespace passive_haptics {
 
-/// Stages of a step that may be skipped, in their order.
-enum class stage : unsigned {
-  jacobian = 1u << 0,     ///< J and T were evaluated.
-  signs = 1u << 1,        ///< The brakes' signs were found.
-  hand_torque = 1u << 2,  ///< The hand's torque on brakes at rest was evaluated.
-  projection = 1u << 3,   ///< The nearest force was computed.
-  law = 1u << 4,          ///< The law scaled the force.
-};
-
-/// Stages that ran.
-class stage_set {
- public:
-  /// Notes that s ran.
-  constexpr void add(stage s) { bits_ |= static_cast<unsigned>(s); }
-  /// True if s ran.
-  constexpr bool contains(stage s) const { return (bits_ & static_cast<unsigned>(s)) != 0; }
-  /// True if none ran.
-  constexpr bool empty() const { return bits_ == 0; }
-
- private:
-  unsigned bits_ = 0;
-};
-
 /// What became of one of several contacts.
 template <class T>
 struct contact_report {
@@ -66,19 +43,21 @@ struct step_result {
   brake_vector<M> torque = brake_vector<M>::Zero();
   status outcome = status::ok;  ///< ok, or why the brakes were released.
 
-  power_class power = power_class::none;         ///< Of the desired force and the device's own velocity.
-  display_class display = display_class::exact;  ///< No desired force is displayed exactly, by no torque.
-  bool saturated = false;                        ///< A torque limit was reached.
-  int wall = -1;                                 ///< Wall that asks for the force; -1 in free space.
-  scalar alpha = scalar(1);                      ///< Scale factor of the law (12).
-  scalar approximation_cosine = scalar(1);       ///< cos(gamma); 0 where nothing is displayed.
+  power_class power = power_class::none;  ///< Of the desired force and the device's own velocity.
+  /// How Fd is displayed before alpha and limits. No desired force is displayed exactly, by no torque. Under
+  /// a TorqueLaw: exact where its torques make Fd, approximate where they make a force with a component along
+  /// it.
+  display_class display = display_class::exact;
+  bool saturated = false;                                 ///< A torque limit was reached.
+  int wall = -1;                                          ///< Wall that asks for the force; -1 in free space.
+  scalar alpha = scalar(1);                               ///< Scale factor of the law (12).
+  scalar approximation_cosine = scalar(1);                ///< cos(gamma); 0 where nothing is displayed.
   task_vector<M> desired_force = task_vector<M>::Zero();  ///< Fd [N], base frame.
   task_vector<M> control_force = task_vector<M>::Zero();  ///< Fc [N], base frame, before alpha and limits.
   /// Brake torques that make Fc [N m], before alpha and limits: its coefficients on the reference forces,
   /// Fc = sum_i c_i R_i+; those of a brake with sign s_i fulfil s_i c_i <= 0.
   brake_vector<M> cone_coefficients = brake_vector<M>::Zero();
   brake_vector<M> signs = brake_vector<M>::Zero();  ///< s: -1, 0 or 1 for each brake.
-  stage_set stages;                                 ///< What ran; the rest was not needed.
 
   /// gamma, the angle between Fd and Fc [rad]; pi/2 where nothing is displayed.
   scalar approximation_angle() const {
@@ -99,12 +78,15 @@ template <class M, class Contacts>
 using step_result_for = std::conditional_t<(Contacts::capacity > 1),
                                            step_result_of_contacts<M, Contacts::capacity>, step_result<M>>;
 
-/// Makes a result that of a cycle which ends with a fault: all brakes released, and why.
-template <class Result>
-void release(Result& result, status reason) {
-  result = Result();
-  result.display = display_class::none;
-  result.outcome = reason;
+/// All brakes released, and why: in free space (ok), or for a fault. A step_result or a brake_command.
+template <class Answer>
+Answer released(status outcome) {
+  Answer answer;
+  answer.capacity.setZero();
+  answer.outcome = outcome;
+  if constexpr (requires { answer.display; })
+    if (outcome != status::ok) answer.display = display_class::none;
+  return answer;
 }
 
 }  // namespace passive_haptics

@@ -8,6 +8,7 @@
 #include <passive_haptics/force/nearest_force.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,121 +31,93 @@ std::string validate(const approximation_parameters<T>& p) {
              : detail::error_text("max_approximation_angle [rad]", angle, "an angle between 0 and pi/2");
 }
 
-/// What brakes can display of a unit desired force n.
+/// A force that brakes can display and the torques that make it.
 template <class T, int D, int Brakes>
 struct approximated_force {
-  display_class display = display_class::none;           ///< How n is displayed.
-  vector<T, D> force = vector<T, D>::Zero();             ///< Fc / |Fd|; Fc . n = |Fd|. Zero if none.
-  vector<T, Brakes> torque = vector<T, Brakes>::Zero();  ///< E^T Fc / |Fd| [N m per N]; s_i t_i <= 0 exactly.
-  T cosine = T(0);                                       ///< cos(gamma) = |Fp| / |Fd|; 1 if exact.
+  display_class display = display_class::none;           ///< How the desired force is displayed.
+  vector<T, D> force = vector<T, D>::Zero();             ///< Fc [N]; Fc . n = |Fd|. Zero if none.
+  vector<T, Brakes> torque = vector<T, Brakes>::Zero();  ///< t = E^T Fc [N m]; s_i t_i <= 0 exactly.
+  T cosine_squared = T(0);  ///< cos^2(gamma) = (Fd / Fc)^2; 1 if exact, 0 if none.
+
+  /// cos(gamma), of the angle between desired and displayed force.
+  T cosine() const { return std::sqrt(cosine_squared); }
 };
 
-/// Fc for a unit desired force n (base frame), its torques t = E^T n already known, and signs s.
+/// a F: the force a Fc has the torques a t, as t = E^T F. The angle stays.
+template <class T, int D, int Brakes>
+approximated_force<T, D, Brakes> operator*(T a, const approximated_force<T, D, Brakes>& F) {
+  return {F.display, a * F.force, a * F.torque, F.cosine_squared};
+}
+
+/// Fc for a unit desired force n (base frame) and brakes of signs s, in half-space form.
 ///
-/// Exact (Fc = n) where all s_i t_i <= 0. Else Fc = Fp / |Fp|^2 with Fp the nearest displayable force, "so
-/// that its component in the normal direction becomes Fd" (section 4); cos(gamma) = |Fp|. None where |Fp| is
-/// of rounding size or gamma is over the limit. Feasible to rounding: Fp = Fc cos^2(gamma), not Fc itself.
-/// active: brakes to begin with, left with those that the answer releases; the answer does not depend on
-/// them. WithCosine: without it the cosine of an approximate force is left out, and with it a square root.
-template <bool WithCosine = true, class EMatrix, class T, int D, int Brakes>
+/// Exact (Fc = n) where all s_i t_i <= 0 for t = E^T n. Else Fc = Fp / |Fp|^2 with Fp the nearest displayable
+/// force, "so that its component in the normal direction becomes Fd" (section 4); cos(gamma) = |Fp|. None
+/// where |Fp| is of rounding size or gamma is over the limit. Feasible to rounding is Fp = Fc cos^2(gamma),
+/// not Fc itself.
+///
+/// active: brakes to begin with, left with those that the answer releases. The answer does not depend on
+/// them. Cost: nearest_force, but nothing where the force is exact.
+template <class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
-                                             const vector<T, D>& n, const vector<T, Brakes>& t, T min_cosine,
-                                             half_space_set& active) {
-  if (producible(s, t)) return {display_class::exact, as<T>(n), as<T>(t), T(1)};
-  approximated_force<T, D, Brakes> result;
+                                             const vector<T, D>& n, T min_cosine, half_space_set& active) {
+  const vector<T, Brakes> t = brake_torque(E, n);
+  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
   const auto nearest = nearest_force(E, s, n, active);
   active = nearest.active;
   const vector<T, D>& Fp = nearest.force;
-  const T square = dot(Fp, Fp), least = std::max(min_cosine, rounding_tolerance<T>(D));
-  if (!(square >= least * least)) return result;
+  const T square = Fp.squaredNorm(), least = std::max(min_cosine, rounding_tolerance<T>(D));
+  if (!(square >= least * least)) return {};
 
-  result.display = display_class::approximate;
-  if constexpr (WithCosine) result.cosine = std::sqrt(square);
-  result.force = scaled(T(1) / square, Fp);
-  const vector<T, Brakes> tc = brake_torque(E, result.force);
+  const vector<T, D> Fc = Fp / square;
+  vector<T, Brakes> tc = brake_torque(E, Fc);
   // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0
-  unrolled<Brakes>(
-      [&](auto i) { result.torque[i] = (active >> i & 1u) != 0 || s[i] * tc[i] > T(0) ? T(0) : tc[i]; });
-  return result;
+  unrolled<Brakes>([&](auto i) {
+    if ((active >> i & 1u) != 0 || s[i] * tc[i] > T(0)) tc[i] = T(0);
+  });
+  return {display_class::approximate, Fc, tc, square};
 }
 
-/// The same for two brakes in the plane: what is nearest lies on an edge r of the cone, so Fc = r / (r . n).
-template <bool WithCosine = true, class T>
+/// The same for two brakes in the plane: the nearest force lies along a reference force r (Fig. 3), so
+/// Fc = r / (r . n).
+template <class T>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
-                                        const vector<T, 2>& n, const vector<T, 2>& t, T min_cosine,
-                                        half_space_set& active) {
-  if (producible(s, t)) return {display_class::exact, as<T>(n), as<T>(t), T(1)};
-  const vector<T, 2> square = detail::column_squares(E);
-  const T area = s[0] * s[1] * detail::area_between(E, square);
-  if (area == T(0)) return approximate<WithCosine, matrix<T, 2, 2>>(E, s, n, t, min_cosine, active);
-  const auto edge = detail::nearest_edge(E, s, n, square, area);
+                                        const vector<T, 2>& n, T min_cosine, half_space_set& active) {
+  const vector<T, 2> t = brake_torque(E, n);
+  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
+  const vector<T, 2> square = column_squares(E);
+  const T area = s[0] * s[1] * area_between(E, square);
+  if (area == T(0)) return approximate<matrix<T, 2, 2>>(E, s, n, min_cosine, active);
+  const plane_edge<T> r = nearest_edge(E, s, n, square, area);
   const T least = std::max(min_cosine, rounding_tolerance<T>(2));
-  approximated_force<T, 2, 2> result;
-  if (edge.held < 0 || !(edge.along * edge.along >= least * least * edge.square)) return result;
+  if (r.held < 0 || !(r.along * r.along >= least * least * r.square)) return {};
 
-  active = 1u << edge.held;
-  const T scale = T(1) / edge.along;
-  result.display = display_class::approximate;
-  if constexpr (WithCosine) result.cosine = edge.along / std::sqrt(edge.square);
-  unrolled<2>([&](auto i) {
-    result.force[i] = scale * edge.direction[i];
-    result.torque[i] = i == edge.held ? T(0) : -s[i] * std::abs(area) * scale;  // E_i . r is the area
-  });
-  return result;
+  active = 1u << r.held;
+  const T scale = T(1) / r.along;
+  vector<T, 2> tc;  // E_i . r is the area; the brake that is held back makes nothing
+  unrolled<2>([&](auto i) { tc[i] = i == r.held ? T(0) : -s[i] * std::abs(area) * scale; });
+  return {display_class::approximate, scale * r.direction, tc, r.along * r.along / r.square};
 }
 
-namespace detail {
-
-// For a diagonal E each axis is alone and nothing is solved. drives(i): whether brake i would have to, s_i
-// t_i > 0.
-template <bool WithCosine, class T, int D, class Drives>
-approximated_force<T, D, D> approximate_axes(const vector<T, D>& n, const vector<T, D>& t, T min_cosine,
-                                             const Drives& drives) {
-  approximated_force<T, D, D> result;
-  bool exact = true;
-  unrolled<D>([&](auto i) {
-    const bool released = drives(i);
-    exact &= !released;
-    result.force[i] = released ? T(0) : n[i];
-    result.torque[i] = released ? T(0) : t[i];
-  });
-  if (exact) {
-    result.display = display_class::exact;
-    result.cosine = T(1);
-    return result;
-  }
-  const T square = dot(result.force, result.force);
-  // No rounding of a sum is in the square: what is not zero is meant
-  const bool displayed = square > T(0) && square >= min_cosine * min_cosine;
-  if (displayed) {
-    result.display = display_class::approximate;
-    if constexpr (WithCosine) result.cosine = std::sqrt(square);
-  }
-  const T scale = displayed ? T(1) / square : T(0);
-  unrolled<D>([&](auto i) {
-    result.force[i] *= scale;
-    result.torque[i] *= scale;
-  });
-  return result;
-}
-
-}  // namespace detail
-
-/// The same for a diagonal E: each axis alone. Nothing is solved, so there is nothing to begin with.
-template <bool WithCosine = true, class T, int D>
-approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>&, const vector<T, D>& s,
-                                        const vector<T, D>& n, const vector<T, D>& t, T min_cosine,
-                                        half_space_set&) {
-  return detail::approximate_axes<WithCosine>(n, t, min_cosine, [&](int i) { return s[i] * t[i] > T(0); });
+/// The same for a diagonal E: each axis alone.
+template <class T, int D>
+approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
+                                        const vector<T, D>& n, T min_cosine, half_space_set&) {
+  const vector<T, D> t = brake_torque(E, n);
+  const auto drives = s.array() * t.array() > T(0);
+  if (!drives.any()) return {display_class::exact, n, t, T(1)};
+  const vector<T, D> Fp = drives.select(T(0), n), tp = drives.select(T(0), t);
+  const T square = Fp.squaredNorm();
+  if (!(square > T(0) && square >= min_cosine * min_cosine)) return {};
+  return {display_class::approximate, Fp / square, tp / square, square};
 }
 
 /// The same from nothing.
 template <class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
-                                             const vector<T, D>& n, const vector<T, Brakes>& t,
-                                             T min_cosine) {
+                                             const vector<T, D>& n, T min_cosine) {
   half_space_set active = 0;
-  return approximate(E, s, n, t, min_cosine, active);
+  return approximate(E, s, n, min_cosine, active);
 }
 
 /// The same in generator form, F = G t, for redundant brakes and for devices with self-motion: exact where n
@@ -155,14 +128,13 @@ approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Br
                                                            T min_cosine) {
   const vector<T, Brakes> unlimited = vector<T, Brakes>::Constant(std::numeric_limits<T>::infinity());
   const auto nearest = nearest_torque(G, torques_within(s, unlimited), n);
-  const T cosine = nearest.force.norm();
+  const T cosine = nearest.force.norm(), square = cosine * cosine;
   if (!(cosine > rounding_tolerance<T>(D) && cosine >= min_cosine)) return {};
   // What is left of n, against the size of the terms that were added up
   const T rounding =
       rounding_tolerance<T>(D + Brakes) * (T(1) + (G.cwiseAbs() * nearest.torque.cwiseAbs()).norm());
   if ((n - nearest.force).norm() <= rounding) return {display_class::exact, n, nearest.torque, T(1)};
-  const T scale = T(1) / (cosine * cosine);
-  return {display_class::approximate, scale * nearest.force, scale * nearest.torque, cosine};
+  return {display_class::approximate, nearest.force / square, nearest.torque / square, square};
 }
 
 }  // namespace passive_haptics

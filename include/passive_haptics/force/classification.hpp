@@ -48,6 +48,11 @@ constexpr std::string_view to_string(display_class c) {
   return "unknown display class";
 }
 
+/// True where some force is displayed.
+constexpr bool is_displayed(display_class c) {
+  return c == display_class::exact || c == display_class::approximate;
+}
+
 /// True if every brake alone can produce its part: s_i t_i <= 0 for torques t = E^T F. Then F is in the cone.
 template <class T, int Brakes>
 bool producible(const vector<T, Brakes>& s, const vector<T, Brakes>& t) {
@@ -56,22 +61,20 @@ bool producible(const vector<T, Brakes>& s, const vector<T, Brakes>& t) {
   return all;
 }
 
-/// True where some force is displayed.
-constexpr bool is_displayed(display_class c) {
-  return c == display_class::exact || c == display_class::approximate;
+/// Power [W] that torques t [N m] give to axes with rates w [rad/s]: the sum of t_i w_i. By virtual work it
+/// is F . v of the force that they make.
+/// @equation{1}
+template <class T, int N>
+T mechanical_power(const vector<T, N>& t, const vector<T, N>& w) {
+  return t.dot(w);
 }
 
-/// Power class from the sign of n . v and whether every brake alone is passive.
+/// Power class from the power of the desired force, of which the sign matters, and whether every brake alone
+/// is passive.
 template <class T>
 power_class classify_power(T power, bool producible_alone) {
   if (power > T(0)) return power_class::active;
   return producible_alone ? power_class::passive_1 : power_class::passive_2;
-}
-
-/// Power class from the power of a unit desired force, n . v, the signs s and its torques t = E^T n.
-template <class T, int Brakes>
-power_class classify_power(T power, const vector<T, Brakes>& s, const vector<T, Brakes>& t) {
-  return classify_power(power, producible(s, t));
 }
 
 }  // namespace passive_haptics

@@ -2,24 +2,39 @@
 /// The force a wall asks for.
 #pragma once
 
+#include <passive_haptics/core/status.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
 #include <cmath>
 
 namespace passive_haptics {
 
-/// Fd = magnitude * direction, kept apart: a wall of 1e7 N/m asks for 5e4 N where 2 N are displayed, so
-/// everything but the magnitude is computed for a unit force.
+/// Fd = magnitude * direction. They are kept apart: a wall of 1e7 N/m asks for 5e4 N where 2 N are displayed,
+/// so everything but the magnitude is computed for a unit force.
 template <class T, int D>
 struct desired_force {
-  vector<T, D> direction;  ///< n = Fd / |Fd|.
-  T magnitude;             ///< |Fd| [N].
+  vector<T, D> direction;      ///< n = Fd / |Fd|.
+  T magnitude;                 ///< |Fd| [N].
+  vector<T, D> wall_velocity;  ///< Of the surface that asks for it [m/s].
 };
 
 /// Fd = k depth n of a frictionless elastic wall (section 5.1), base frame.
 template <class T, int D>
 desired_force<T, D> force_of(const contact<D>& c) {
-  return {as<T>(c.normal), static_cast<T>(c.stiffness * c.depth)};
+  return {as<T>(c.normal), static_cast<T>(c.stiffness * c.depth), as<T>(c.wall_velocity)};
+}
+
+/// True if there is a force: its magnitude is > 0, so not NaN.
+template <class T, int D>
+bool asks(const desired_force<T, D>& Fd) {
+  return Fd.magnitude > T(0);
+}
+
+/// n . (v - v_wall) [m/s] of a handle with velocity v: > 0 where it leaves the wall. Of a wall at rest it has
+/// the sign of Fd . v.
+template <class T, int D>
+T outward(const desired_force<T, D>& Fd, const vector<T, D>& v) {
+  return Fd.direction.dot(v - Fd.wall_velocity);
 }
 
 /// Index of the contact that asks for the largest force; -1 if there is none. A force that is not finite
@@ -40,18 +55,14 @@ int governing_contact(const contacts<D, Capacity>& touched) {
   return governing;
 }
 
-/// The contact that asks for a force F [N], base frame: how an effect (force/effects) joins the walls of a
-/// step. An effect that resists motion has F . v <= 0, so no law ever scales it.
-template <class T, int D>
-contact<D> contact_asking_for(const vector<T, D>& F) {
-  const point<D> force = F.template cast<double>();
-  const double magnitude = force.stableNorm();
-  contact<D> c;
-  if (magnitude > 0) c.normal = force / magnitude;
-  c.depth = magnitude;  // [m], with 1 N/m
-  c.stiffness = 1;
-  c.wall = -1;
-  return c;
+/// Whether NaN or infinity stands in one of these contacts, or a force overflows T.
+template <class T, class Contacts>
+status check_contacts(const Contacts& touched) {
+  for (int j = 0; j < touched.size(); ++j) {
+    const auto [n, magnitude, velocity] = force_of<T>(touched[j]);
+    if (!all_finite(magnitude, n, velocity)) return status::contact_not_finite;
+  }
+  return status::ok;
 }
 
 }  // namespace passive_haptics

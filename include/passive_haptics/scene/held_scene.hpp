@@ -52,10 +52,6 @@ class held_scene {
   contacts_type contacts_{};
 };
 
-/// As of the scene that is held.
-template <class Scene>
-inline constexpr bool walls_may_move<held_scene<Scene>> = walls_may_move<Scene>;
-
 /// The contacts of the latest sample at or before time [s].
 template <class Scene>
 const typename Scene::contacts_type& sense(held_scene<Scene>& held, const point<Scene::dimension>& x,

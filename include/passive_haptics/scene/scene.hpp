@@ -89,14 +89,6 @@ void describe(const wall<S>& w, const point<S::dimension>& x, double distance, c
   c.curvature = surface_curvature(w.shape, x);
 }
 
-/// Whether sensing an S can give a wall_velocity other than zero; known to be false for scenes of fixed
-/// shapes.
-template <class S>
-inline constexpr bool walls_may_move = true;
-/// The same of a scene known to the compiler: true if one of its shapes moves.
-template <class... Shapes>
-inline constexpr bool walls_may_move<scene<Shapes...>> = (MovingShape<Shapes> || ...);
-
 /// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a
 /// contact with a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for each
 /// contact.

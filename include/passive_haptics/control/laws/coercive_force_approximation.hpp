@@ -7,6 +7,7 @@
 #include <passive_haptics/control/brake_situation.hpp>
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/laws/intended_rates.hpp>
+#include <passive_haptics/control/laws/torque_law.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 
 #include <algorithm>
@@ -31,17 +32,12 @@ namespace passive_haptics {
 /// judged alone, which makes it the same in any dimension; the rates are those of the device, also at moving
 /// walls.
 struct coercive_force_approximation {
-  static constexpr bool needs_hand_force =
-      false;  ///< Runs without a force sensor; with one, brakes at rest have signs.
-  static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;  ///< Knows no lag.
   static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
-  struct memory {};                               ///< None.
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
-  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
-                         memory&) const noexcept {
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now,
+                         const contacts<D, Capacity>& touched) const noexcept {
     using T = typename M::scalar;
     static_assert(M::brake_count == M::dof,
                   "passive_haptics: coercive_force_approximation needs brake_count == dof.");

@@ -3,8 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/laws/contact_memory.hpp>
-#include <passive_haptics/control/one_contact.hpp>
-#include <passive_haptics/control/several_contacts.hpp>
+#include <passive_haptics/control/laws/torque_law.hpp>
 #include <passive_haptics/core/validate.hpp>
 
 #include <array>
@@ -42,10 +41,6 @@ inline std::string validate(const on_off_parameters& p) {
 /// Reference: Tsypkin, Relay control systems, Cambridge University Press, 1984 (the switching line).
 /// Assumed: all of its use on brakes; the paper names no such rival.
 struct on_off_control {
-  static constexpr bool needs_hand_force =
-      false;  ///< Runs without a force sensor; with one, brakes at rest have signs.
-  static constexpr bool needs_dynamics = false;   ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;  ///< Knows no lag; tau is a constant of the law.
   static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
 
   /// Of one wall.
@@ -68,12 +63,10 @@ struct on_off_control {
     int count = 0;
     remembered.walls.begin_cycle();
     for (const auto& c : touched) {
-      const auto [n, magnitude] = force_of<T>(c);
-      const double outward =
-          static_cast<double>(dot(brake_torque(now.E, n), now.w)) - c.normal.dot(c.wall_velocity);
+      const auto Fd = force_of<T>(c);
       relay& wall = remembered.walls.of(c.wall);
-      wall.on = switched(wall.on, c.depth, outward);
-      if (wall.on) demands[static_cast<std::size_t>(count++)] = {n, magnitude, false};
+      wall.on = switched(wall.on, c.depth, static_cast<double>(outward(Fd, now.v)));
+      if (wall.on) demands[static_cast<std::size_t>(count++)] = {Fd.direction, Fd.magnitude, false};
     }
     if (count == 0) return brake_vector<M>::Zero();
     const auto limits = torque_limits_of<T, M::brake_count>(now.brakes);
@@ -83,16 +76,26 @@ struct on_off_control {
                                                             count)
           .torque;
     }
-    half_space_set active = 0;
-    const task_vector<M>& n = demands[0].normal;
-    const auto Fc = approximate_with(now, n, brake_torque(now.E, n), step_options<T>().min_cosine, active);
-    return saturate(Fc.torque, demands[0].force, limits, saturation::keep_direction).torque;
+    return saturate(approximated(now, demands[0]), limits, saturation::keep_direction).torque;
   }
 
   /// Free space or a fault: all relays are off.
   void released(memory& remembered, double) const noexcept { remembered.walls.clear(); }
 
  private:
+  // Torques [N m] of the nearest force
+  template <class M, class EMatrix, class B, class T, int D>
+  static brake_vector<M> approximated(const brake_situation<M, EMatrix, B>& now,
+                                      const contact_demand<T, D>& wanted) {
+    const T min_cosine = step_options<T>().min_cosine;
+    if constexpr (detail::displays_by_generators<M>) {
+      const auto G = detail::generators(now.mechanism, now.q);
+      return wanted.force * approximate_by_generators(G, now.s, wanted.normal, min_cosine).torque;
+    } else {
+      return wanted.force * approximate(now.E, now.s, wanted.normal, min_cosine).torque;
+    }
+  }
+
   bool switched(bool on, double depth, double outward) const {
     const double sigma = depth - parameters.reference_depth - parameters.lead * outward;
     if (sigma > parameters.hysteresis) return true;

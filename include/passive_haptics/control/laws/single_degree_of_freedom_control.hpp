@@ -5,6 +5,7 @@
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/intended_rates.hpp>
+#include <passive_haptics/control/laws/torque_law.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 
@@ -44,8 +45,6 @@ inline std::string validate(const single_degree_of_freedom_parameters& p) {
 /// a locked brake is told its torque limit.
 struct single_degree_of_freedom_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
-  static constexpr bool needs_dynamics = false;     ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;    ///< Knows no lag.
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
   static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
 

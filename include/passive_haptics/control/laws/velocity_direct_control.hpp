@@ -6,6 +6,7 @@
 #include <passive_haptics/control/laws/acceleration_display.hpp>
 #include <passive_haptics/control/laws/brake_lag.hpp>
 #include <passive_haptics/control/laws/contact_memory.hpp>
+#include <passive_haptics/control/laws/torque_law.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
@@ -85,7 +86,7 @@ class velocity_direct_control {
   brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
-    const point<D> v = as<double>(product(matrix<T, D, M::brake_count>(now.E), now.w));
+    const point<D> v = as<double>(now.v);
     wanted_accelerations<T, D, Capacity> wanted;
     remembered.walls.begin_cycle();
     for (const auto& c : touched) {

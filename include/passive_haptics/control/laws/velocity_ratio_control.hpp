@@ -5,6 +5,7 @@
 
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/laws/intended_rates.hpp>
+#include <passive_haptics/control/laws/torque_law.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/force/desired_force.hpp>
@@ -52,18 +53,15 @@ inline std::string validate(const velocity_ratio_parameters& p) {
 /// the share (so that it has no unit and holds at rest), E^+ for more joints than task dimensions.
 struct velocity_ratio_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
-  static constexpr bool needs_dynamics = false;     ///< Knows no inertia.
-  static constexpr bool needs_brake_lag = false;    ///< Knows no lag.
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
   static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
-  struct memory {};                                 ///< None.
 
   velocity_ratio_parameters parameters = {};  ///< The constants.
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
-  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
-                         memory&) const noexcept {
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now,
+                         const contacts<D, Capacity>& touched) const noexcept {
     using T = typename M::scalar;
     static_assert(M::brake_count == M::dof,
                   "passive_haptics: velocity_ratio_control needs brake_count == dof.");

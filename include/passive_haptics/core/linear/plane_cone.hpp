@@ -20,6 +20,54 @@ struct half_space_projection {
   half_space_set active;  ///< Those that hold p back, b_j . p = 0: a good start for a neighbouring problem.
 };
 
+/// True if vectors a and b, area = a x b, are parallel to rounding: then the foot on one edge lies on the
+/// other, whatever its product says.
+template <class T>
+bool are_parallel(T area, T a_square, T b_square) {
+  return !(area * area > rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * a_square * b_square);
+}
+
+/// The edge of two half-spaces on which the nearest point to an f outside of them lies.
+template <class T>
+struct plane_edge {
+  int held;                ///< Its half-space; -1: neither edge but the apex is nearest.
+  vector<T, 2> direction;  ///< r, along the edge into the other half-space, as long as b_held.
+  T square;                ///< |r|^2
+  T along;                 ///< r . f > 0
+};
+
+/// Two half-spaces s_j e_j that are not parallel have two edges: the answer lies on that which f points along
+/// more. square: |e_0|^2 and |e_1|^2; area: s_0 e_0 x s_1 e_1; s_j = -1 or 1.
+template <class T>
+plane_edge<T> nearest_edge(const matrix<T, 2, 2>& e, const vector<T, 2>& s, const vector<T, 2>& f,
+                           const vector<T, 2>& square, T area) {
+  const T side = std::copysign(T(1), area), turn_0 = side * s[0], turn_1 = -side * s[1];
+  const T along_0 = turn_0 * (e(1, 0) * f[0] - e(0, 0) * f[1]);
+  const T along_1 = turn_1 * (e(1, 1) * f[0] - e(0, 1) * f[1]);
+  const bool first =
+      along_0 > T(0) && (!(along_1 > T(0)) || along_0 * along_0 * square[1] >= along_1 * along_1 * square[0]);
+  const T turn = first ? turn_0 : turn_1, x = first ? e(0, 0) : e(0, 1), y = first ? e(1, 0) : e(1, 1);
+  return {first ? 0 : (along_1 > T(0) ? 1 : -1),
+          {turn * y, -turn * x},
+          first ? square[0] : square[1],
+          first ? along_0 : along_1};
+}
+
+/// |b_j|^2 of all columns.
+template <class T, int Columns>
+vector<T, Columns> column_squares(const matrix<T, 2, Columns>& B) {
+  vector<T, Columns> square;
+  unrolled<Columns>([&](auto j) { square[j] = B(0, j) * B(0, j) + B(1, j) * B(1, j); });
+  return square;
+}
+
+/// b_0 x b_1; 0 where they are parallel to rounding.
+template <class T>
+T area_between(const matrix<T, 2, 2>& B, const vector<T, 2>& square) {
+  const T area = B(0, 0) * B(1, 1) - B(1, 0) * B(0, 1);
+  return are_parallel(area, square[0], square[1]) ? T(0) : area;
+}
+
 namespace detail {
 
 /// True if p with b . p = product lies beyond the half-space of b by more than rounding. A looser test would
@@ -70,13 +118,6 @@ void split_between_two(const matrix<T, 2, Columns>& B, const vector<T, 2>& f,
   }
 }
 
-/// True if vectors a and b, area = a x b, are parallel to rounding: then the foot on one edge lies on the
-/// other, whatever its product says.
-template <class T>
-bool are_parallel(T area, T a_square, T b_square) {
-  return !(area * area > rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * a_square * b_square);
-}
-
 /// In the plane the answer is f, its foot on one edge, or the apex. Any edge may be the one.
 template <class T, int Columns>
 half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Columns>& B,
@@ -108,47 +149,6 @@ half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Col
   result.point.setZero();
   split_between_two(B, f, square, result);
   return result;
-}
-
-/// The edge of two half-spaces on which the nearest point to an f outside of them lies.
-template <class T>
-struct plane_edge {
-  int held;                ///< Its half-space; -1: neither edge but the apex is nearest.
-  vector<T, 2> direction;  ///< r, along the edge into the other half-space, as long as b_held.
-  T square;                ///< |r|^2
-  T along;                 ///< r . f > 0
-};
-
-/// Two half-spaces s_j e_j that are not parallel have two edges: the answer lies on that which f points along
-/// more. square: |e_0|^2 and |e_1|^2; area: s_0 e_0 x s_1 e_1; s_j = -1 or 1.
-template <class T>
-plane_edge<T> nearest_edge(const matrix<T, 2, 2>& e, const vector<T, 2>& s, const vector<T, 2>& f,
-                           const vector<T, 2>& square, T area) {
-  const T side = std::copysign(T(1), area), turn_0 = side * s[0], turn_1 = -side * s[1];
-  const T along_0 = turn_0 * (e(1, 0) * f[0] - e(0, 0) * f[1]);
-  const T along_1 = turn_1 * (e(1, 1) * f[0] - e(0, 1) * f[1]);
-  const bool first =
-      along_0 > T(0) && (!(along_1 > T(0)) || along_0 * along_0 * square[1] >= along_1 * along_1 * square[0]);
-  const T turn = first ? turn_0 : turn_1, x = first ? e(0, 0) : e(0, 1), y = first ? e(1, 0) : e(1, 1);
-  return {first ? 0 : (along_1 > T(0) ? 1 : -1),
-          {turn * y, -turn * x},
-          first ? square[0] : square[1],
-          first ? along_0 : along_1};
-}
-
-/// |b_j|^2 of all columns.
-template <class T, int Columns>
-vector<T, Columns> column_squares(const matrix<T, 2, Columns>& B) {
-  vector<T, Columns> square;
-  unrolled<Columns>([&](auto j) { square[j] = B(0, j) * B(0, j) + B(1, j) * B(1, j); });
-  return square;
-}
-
-/// b_0 x b_1; 0 where they are parallel to rounding.
-template <class T>
-T area_between(const matrix<T, 2, 2>& B, const vector<T, 2>& square) {
-  const T area = B(0, 0) * B(1, 1) - B(1, 0) * B(0, 1);
-  return are_parallel(area, square[0], square[1]) ? T(0) : area;
 }
 
 /// The nearest point of a cone in the plane.

@@ -1,0 +1,106 @@
+/// @file
+/// The stages of a cycle under a TorqueLaw: what the law wants, made what the brakes can do.
+#pragma once
+
+#include <passive_haptics/control/several_contacts.hpp>
+
+namespace passive_haptics {
+
+namespace detail {
+// Stands for a law that scales nothing.
+struct no_law {
+  template <class T, int D>
+  T scale(const contact_situation<T, D>&) const noexcept {
+    return T(1);
+  }
+};
+}  // namespace detail
+
+/// Fd of the wall that asks for most. A TorqueLaw sees all walls by itself.
+template <class M, class B, TorqueLaw L, int D, int N>
+  requires(N > 1)
+auto desired(const cycle_parts<M, B, L>&, const contacts<D, N>& touched) {
+  using T = typename M::scalar;
+  if (touched.empty()) return desired_force<T, D>{vector<T, D>::Zero(), T(0), vector<T, D>::Zero()};
+  return force_of<T>(touched[governing_contact(touched)]);
+}
+
+/// A force that a TorqueLaw commands, and what the law will remember if the cycle ends well.
+template <class T, int D, int Brakes, class Memory>
+struct commanded_force : approximated_force<T, D, Brakes> {
+  [[no_unique_address]] Memory memory;  ///< The law's.
+};
+
+/// The torques that the law wants. A brake that would have to drive is released.
+template <class M, class B, TorqueLaw L, class Now, class T, int D>
+auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>&,
+               const auto& touched, step_memory<L>& memory) {
+  commanded_force<T, D, M::brake_count, law_memory<L>> Fc{{display_class::exact}, memory.law};
+  brake_vector<M> wanted;
+  if constexpr (requires { typename L::memory; }) {
+    static_assert(
+        requires { with.law.torque(now, touched, Fc.memory); },
+        "passive_haptics: torque() of this law takes brakes_of<M> alone; let it take a brake_situation<M, "
+        "E, B> of any brakes B, or give the step brakes_of<M>.");
+    wanted = with.law.torque(now, touched, Fc.memory);
+  } else {
+    wanted = with.law.torque(now, touched);
+  }
+  Fc.torque = (now.s.array() * wanted.array() > T(0)).select(T(0), wanted);
+  return Fc;
+}
+
+/// The law has scaled its torques itself.
+template <class M, class B, TorqueLaw L, class Now, class T, int D, int Brakes>
+T scale(const cycle_parts<M, B, L>&, const Now&, const desired_force<T, D>&,
+        const approximated_force<T, D, Brakes>&) {
+  return T(1);
+}
+
+/// Each torque within its limit: the law has chosen each.
+template <class M, class B, TorqueLaw L, class T, int Brakes>
+saturated_torque<T, Brakes> limited(const cycle_parts<M, B, L>& with, const vector<T, Brakes>& t) {
+  if constexpr (LimitedBrakes<B, T, Brakes>)
+    return saturate(t, with.brakes.torque_limit, saturation::clamp_each);
+  else return {t, false};
+}
+
+/// The account: of the force F = G t that the law's torques make before the limits. At a singular pose that
+/// is the part of it that the pose can tell. Display is exact where F is Fd, approximate where it has a
+/// component along Fd.
+template <class Answer, class M, class B, TorqueLaw L, class Now, int D, int N, class T, int Brakes,
+          class Memory>
+Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<D, N>& touched,
+               const desired_force<T, D>& Fd, commanded_force<T, D, Brakes, Memory> Fc, T alpha,
+               const approximated_force<T, D, Brakes>& Fc_scaled, const saturated_torque<T, Brakes>& td,
+               const brake_vector<M>& t, step_memory<L>& memory) {
+  using detail::no_law;
+  constexpr no_law none;
+  const cycle_parts<M, B, no_law> as_scaled{with.mechanism, with.brakes, none, with.brake_jacobian,
+                                            with.options};
+  step_memory<no_law> nothing;
+  bool could = false;
+  if constexpr (requires(Answer answer) { answer.torque; }) {
+    could = displayed(as_scaled, now, Fd, touched, nothing).display == display_class::exact;
+    Fc.force = force_map_of(now).G * Fc.torque;
+    const T along = Fd.direction.dot(Fc.force), size = Fc.force.norm();
+    const T off = (Fc.force - Fd.magnitude * Fd.direction).norm();
+    Fc.display = off <= rounding_tolerance<T>(D + Brakes) * Fd.magnitude ? display_class::exact
+                 : along > T(0)                                          ? display_class::approximate
+                                                                         : display_class::none;
+    Fc.cosine_squared = along > T(0) ? (along / size) * (along / size) : T(0);
+  }
+  Answer answer = check_contacts<T>(touched) == status::ok
+                      ? account<Answer>(as_scaled, now, touched, Fd, approximated_force<T, D, Brakes>(Fc),
+                                        alpha, Fc_scaled, td, t, nothing)
+                      : released<Answer>(status::contact_not_finite);
+  if (answer.outcome != status::ok) {
+    tell_released(with.law, now.time, memory);
+    return answer;
+  }
+  memory.law = Fc.memory;
+  if constexpr (requires { answer.power; }) answer.power = classify_power(Fd.direction.dot(now.v), could);
+  return answer;
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,104 @@
+/// @file
+/// The stages of a control cycle that depend on the device and the law; cycle.hpp chains them.
+#pragma once
+
+#include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/control/brake_situation.hpp>
+#include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/control/step_options.hpp>
+#include <passive_haptics/force/approximation.hpp>
+#include <passive_haptics/force/desired_force.hpp>
+#include <passive_haptics/mechanism/inertial.hpp>
+
+namespace passive_haptics {
+
+/// What a cycle works with, all but the scene, the state and the memory. A controller owns it, step() is
+/// given it.
+template <class M, class B, class L>
+struct cycle_parts {
+  const M& mechanism;                                 ///< The mechanism.
+  const B& brakes;                                    ///< Its brakes.
+  const L& law;                                       ///< The control law.
+  const brake_jacobian_evaluator<M>& brake_jacobian;  ///< Of the mechanism.
+  const step_options<typename M::scalar>& options;    ///< Options.
+};
+
+/// The walls touched at x [m]: of a scene, or given as they are.
+template <class S, int D>
+decltype(auto) walls_at(S& scene, const point<D>& x, double time) {
+  if constexpr (requires { sense(scene, x, time); }) return sense(scene, x, time);
+  else if constexpr (requires { sense(scene, x); }) return sense(scene, x);
+  else return (scene);
+}
+
+/// Fh [N]; zero where the state has none.
+template <class M, class State>
+task_vector<M> hand_force(const State& state) {
+  if constexpr (HandForceState<State, M>) return state.hand_force;
+  else return task_vector<M>::Zero();
+}
+
+/// The hand's torque on the brakes' axes, E^T Fh [N m]; zero where nobody measures the hand, or no brake is
+/// ever at rest.
+template <class M, class B, class State, class EMatrix>
+brake_vector<M> hand_torque(const State& state, const EMatrix& E) {
+  if constexpr (HandForceState<State, M> && StickingBrakes<B, typename M::scalar, M::brake_count>)
+    return brake_torque(E, state.hand_force);
+  else return brake_vector<M>::Zero();
+}
+
+/// Fd: what the wall asks for; no force in free space.
+template <class M, class B, class L, int D, int N>
+  requires(N <= 1)
+auto desired(const cycle_parts<M, B, L>&, const contacts<D, N>& touched) {
+  using T = typename M::scalar;
+  if (touched.empty()) return desired_force<T, D>{vector<T, D>::Zero(), T(0), vector<T, D>::Zero()};
+  return force_of<T>(touched[0]);
+}
+
+namespace detail {
+// Whether the forces of a device are told by generators, F = G t: its cone has no half-spaces.
+template <class M>
+concept displays_by_generators = has_inertial_forces<M> || (M::brake_count > M::dof);
+
+// G in F = G t of such a device.
+template <displays_by_generators M>
+auto generators(const M& mechanism, const joint_vector<M>& q) {
+  if constexpr (has_inertial_forces<M>) return inertial_force_generators(mechanism, q);
+  else return force_generators(mechanism, q);
+}
+}  // namespace detail
+
+/// Fc (step 1 of section 4): Fd itself, or the nearest force that the brakes can make with Fc . n = |Fd|.
+template <class M, class B, ScalingLaw L, class Now, class T, int D>
+auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>& Fd,
+               const auto& /*touched*/, step_memory<L>& memory) {
+  return Fd.magnitude * approximate(now.E, now.s, Fd.direction, with.options.min_cosine, memory.active);
+}
+
+/// The same in generator form: redundant brakes and inertial forces.
+template <detail::displays_by_generators M, class B, ScalingLaw L, class Now, class T, int D>
+auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>& Fd,
+               const auto& /*touched*/, step_memory<L>&) {
+  const auto G = detail::generators(now.mechanism, now.q);
+  return Fd.magnitude * approximate_by_generators(G, now.s, Fd.direction, with.options.min_cosine);
+}
+
+/// alpha (step 2); 1 where there is nothing to scale.
+template <class M, class B, ScalingLaw L, class Now, class T, int D, int Brakes>
+T scale(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>& Fd,
+        const approximated_force<T, D, Brakes>& Fc) {
+  if (!is_displayed(Fc.display)) return T(1);
+  const T leaving = outward(Fd, now.v);
+  return with.law.scale(contact_situation<T, D>{Fd.direction, Fd.magnitude, leaving, now.hand_force});
+}
+
+/// Torques within the brakes' limits, by the policy of the options.
+template <class M, class B, ScalingLaw L, class T, int Brakes>
+saturated_torque<T, Brakes> limited(const cycle_parts<M, B, L>& with, const vector<T, Brakes>& t) {
+  if constexpr (LimitedBrakes<B, T, Brakes>)
+    return saturate(t, with.brakes.torque_limit, with.options.limits);
+  else return {t, false};
+}
+
+}  // namespace passive_haptics
