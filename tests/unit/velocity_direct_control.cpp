@@ -94,6 +94,72 @@ TEST(velocity_direct_control, keeps_the_depth_of_landing_until_the_wall_is_left)
   EXPECT_NEAR(at(-1e-3, 0), 10, 1e-9) << "lands anew";
 }
 
+// Landed less deep than it shall rest, it is let sink on; deeper, it is held there. Neither way faster than
+// v_max.
+TEST(velocity_direct_control, rests_at_the_rest_depth_or_where_it_landed_deeper) {
+  const constants p;
+  constexpr double push = 100;  // [N], more than any part of the law takes off
+  for (const double landed : {0.1e-3, 0.5e-3, 0.9e-3, 1.5e-3, 3e-3}) {
+    for (const double depth : {0.1e-3, 0.4e-3, 1e-3, 2e-3, 4e-3}) {
+      const law control(p);
+      ph::step_memory<law> memory;
+      const auto braked_at = [&](double d) {
+        ph::contacts<2, 1> touched;
+        touched.push_back(floor_at(0, -d));
+        return ph::step(table(), without_lag(), touched, control,
+                        state_of<table>({0, -d}, {0, 0}, {0, -push}), memory)
+            .capacity[1];
+      };
+      braked_at(landed);
+      const double rest = std::max(landed, p.rest_depth);
+      const double wanted = std::clamp(p.depth_gain * (depth - rest), -p.velocity_limit, p.velocity_limit);
+      const double expected = std::clamp(push + slide_mass() * wanted / p.velocity_lag, 0.0, 100.0);
+      EXPECT_NEAR(braked_at(depth), expected, 1e-9) << "landed at " << landed << ", now at " << depth;
+    }
+  }
+}
+
+// Faster than the landing velocity it has not landed, and its depth is not kept.
+TEST(velocity_direct_control, lands_where_it_sinks_slower_than_the_landing_velocity) {
+  const constants p;
+  const law control(p);
+  for (const double share : {0.5, 0.99, 1.01, 2.0}) {
+    ph::step_memory<law> memory;
+    const auto braked_at = [&](double d, double v) {
+      ph::contacts<2, 1> touched;
+      touched.push_back(floor_at(0, -d));
+      return ph::step(table(), without_lag(), touched, control, state_of<table>({0, -d}, {0, v}, {0, -10}),
+                      memory)
+          .capacity[1];
+    };
+    braked_at(2e-3, -share * p.landing_velocity);
+    const double rest = share < 1 ? 2e-3 : 3e-3;
+    const double wanted = std::min(p.depth_gain * (3e-3 - rest), p.velocity_limit);
+    EXPECT_NEAR(braked_at(3e-3, 0), 10 + slide_mass() * wanted / p.velocity_lag, 1e-9) << share;
+  }
+}
+
+// A wall that moves is met as by a handle that moves the other way; one sensed elsewhere, as where the handle
+// is.
+TEST(velocity_direct_control, sees_the_wall_from_where_the_handle_is_and_how_it_moves) {
+  const auto braked = [&](double v, double wall_v, double sensed_higher) {
+    ph::contacts<2, 1> touched;
+    auto floor = floor_at(0, -2e-3 + sensed_higher);
+    floor.wall_velocity = {5, wall_v};
+    touched.push_back(floor);
+    ph::step_memory<law> memory;
+    return ph::step(table(), without_lag(), touched, law(), state_of<table>({0, -2e-3}, {0, v}, {0, -2}),
+                    memory)
+        .capacity[1];
+  };
+  const double as_it_is = braked(-0.1, 0, 0);
+  EXPECT_GT(as_it_is, 2);
+  EXPECT_NEAR(braked(-0.06, 0.04, 0), as_it_is, 1e-9);
+  EXPECT_NEAR(braked(-0.14, -0.04, 0), as_it_is, 1e-9);
+  for (const double higher : {-1.5e-3, 1e-3}) EXPECT_NEAR(braked(-0.1, 0, higher), as_it_is, 1e-9);
+  EXPECT_NEAR(braked(-0.011, 0, 1.9e-3), braked(-0.011, 0, 0), 1e-9);
+}
+
 TEST(velocity_direct_control, with_a_margin_depth_counts_from_the_shapes_own_surface) {
   constants p;
   p.margin = 0.005;

@@ -122,6 +122,9 @@ class side_of_a_sheet {
   double height_ = std::numeric_limits<double>::quiet_NaN();
 };
 
+// Of sheet i [N/m]
+double stiffness_of(int i) { return 100.0 + i; }
+
 // Sheets that move, or stay and are followed, and a handle that jumps from side to side of each. `cycle`
 // moves the sheets and senses at x; `reset` forgets the handle.
 template <int D, class Cycle, class Reset>
@@ -145,6 +148,7 @@ void expect_sides_are_kept(const Cycle& cycle, const Reset& reset) {
     ph::point<D> x = random.direction<double, D>();
     x[D - 1] = random.wide(1e-3, 0.3) + (about < moving ? displacement[about][D - 1] : 0.0);
     const auto& touched = cycle(k, displacement, x);
+    for (const auto& c : touched) ASSERT_EQ(c.stiffness, stiffness_of(c.wall));
     for (int i = 0; i < all; ++i) {
       const double height = x[D - 1] - (i < moving ? displacement[i][D - 1] : 0.0);
       sides[i].go(height);
@@ -163,8 +167,8 @@ void expect_sides_are_kept(const Cycle& cycle, const Reset& reset) {
 template <int D>
 ph::world_walls<D> three_sheets() {
   ph::world_walls<D> walls;
-  for (int i = 0; i < 2; ++i) walls.add_moving(ph::wall(sheet<D>()));
-  walls.add(ph::wall(sheet<D>()));
+  for (int i = 0; i < 2; ++i) walls.add_moving(ph::wall(sheet<D>(), stiffness_of(i)));
+  walls.add(ph::wall(sheet<D>(), stiffness_of(2)));
   return walls;
 }
 
@@ -192,6 +196,31 @@ TYPED_TEST(the_memory_of_a_world, is_handed_on_where_scenes_are_exchanged) {
     return ph::sense(latest, x, k);
   };
   expect_sides_are_kept<D>(cycle, [&] { exchange.scene().reset(); });
+}
+
+// Of walls that ask for the same, those of lower numbers are kept; of one wall's contacts the deepest comes
+// first.
+TYPED_TEST(the_memory_of_a_world, keeps_the_first_of_equals_whatever_the_order) {
+  constexpr int D = TestFixture::dimension;
+  for (const bool backwards : {false, true}) {
+    ph::strongest_contacts<D, 2> found;
+    const ph::point<D> x = ph::point<D>::Ones(), velocity = ph::point<D>::Unit(0);
+    for (int k = 0; k < 4; ++k) {
+      const int number = backwards ? 3 - k : k;
+      found.from_wall(number, &x, &velocity);
+      found.add({.depth = 0.1, .stiffness = 10, .wall_velocity = 2 * ph::point<D>::Unit(1)});
+    }
+    const auto& kept = found.in_order();
+    EXPECT_EQ(kept[0].wall, 0);
+    EXPECT_EQ(kept[1].wall, 1);
+    EXPECT_EQ(found.left_out(), 2);
+    EXPECT_EQ(kept[0].wall_velocity, (ph::point<D>(ph::point<D>::Unit(0) + 2 * ph::point<D>::Unit(1))))
+        << "that of the wall, and that of its shape";
+    found.clear();
+    found.from_wall(7, &x, nullptr);
+    for (const double depth : {0.1, 0.3}) found.add({.depth = depth, .stiffness = 10});
+    EXPECT_EQ(found.in_order()[0].depth, 0.3);
+  }
 }
 
 }  // namespace

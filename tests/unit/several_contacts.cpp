@@ -1,0 +1,144 @@
+// Several walls at once in a whole step: what the law wants of each, and what is reported of it.
+#include "support.hpp"
+
+#include <passive_haptics/control/laws/coercive_force_approximation.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+constexpr unsigned seed = 20040627;
+
+template <class T>
+struct several_contacts : ::testing::Test {};
+TYPED_TEST_SUITE(several_contacts, scalars);
+
+// (12) for each wall by its own relative velocity; a wall that asks for nothing wants nothing.
+TYPED_TEST(several_contacts, each_want_what_the_law_says_of_them) {
+  using T = TypeParam;
+  using M = ph::tendon_two_link<T>;
+  ph::testing::random_source random(seed);
+  const M arm;
+  int left = 0, pressed = 0, kept = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const auto state = state_of<M>({random.uniform(T(-3), T(3)), random.uniform(T(0.3), T(2.8))},
+                                   {random.wide(T(0.1), T(3)), random.wide(T(0.1), T(3))},
+                                   ph::vector<T, 2>(T(5) * random.direction<T, 2>()));
+    ph::contact<2> walls[2];
+    for (int j = 0; j < 2; ++j) {
+      walls[j] = asking_for<2>(random.positive(1.0, 20.0) * random.direction<double, 2>());
+      walls[j].wall_velocity = random.positive(0.1, 1.0) * random.direction<double, 2>();
+      walls[j].wall = 3 + j;
+    }
+    if (k % 5 == 0) walls[k % 2].depth *= -1;
+    const auto step = [&]<class L>(const L& law) {
+      ph::contacts<2, 2> touched;
+      for (const auto& wall : walls) touched.push_back(wall);
+      ph::step_memory<L> memory;
+      return ph::step(arm, ph::brakes_of<M>(), touched, law, state, memory);
+    };
+    const auto direct = step(ph::direct_control{}), plain = step(ph::no_direct_control{});
+    ASSERT_EQ(direct.outcome, ph::status::ok);
+    ASSERT_EQ(direct.contact_count, 2);
+    const ph::point<2> v = (ph::jacobian(arm, state.q) * state.qd).template cast<double>();
+    const ph::point<2> hand = state.hand_force.template cast<double>();
+    for (int j = 0; j < 2; ++j) {
+      const double force = walls[j].stiffness * walls[j].depth, pressing = -walls[j].normal.dot(hand);
+      const bool leaves = walls[j].normal.dot(v - walls[j].wall_velocity) > 0;
+      const double given = leaves ? std::clamp(pressing, 0.0, force > 0 ? force : 0.0) : std::max(force, 0.0);
+      const auto& report = direct.contacts[static_cast<std::size_t>(j)];
+      const auto& other = plain.contacts[static_cast<std::size_t>(j)];
+      EXPECT_NEAR(report.wanted, given, 1e-5) << "seed " << seed << ", trial " << k;
+      EXPECT_NEAR(other.wanted, std::max(force, 0.0), 1e-5) << "seed " << seed << ", trial " << k;
+      EXPECT_EQ(report.first, leaves) << "seed " << seed << ", trial " << k;
+      EXPECT_FALSE(other.first) << "this law never gives way";
+      EXPECT_EQ(report.wall, 3 + j);
+      left += leaves;
+      pressed += !leaves;
+      kept += leaves && given > 0;
+    }
+  }
+  EXPECT_GT(left, 300);
+  EXPECT_GT(pressed, 300);
+  EXPECT_GT(kept, 100);
+}
+
+// The limits hold, and that one is reached is said.
+TYPED_TEST(several_contacts, stay_within_the_limits_and_say_where_they_end) {
+  using T = TypeParam;
+  using M = ph::xy_table<T>;
+  ph::brakes_of<M> brakes;
+  brakes.torque_limit = {T(5), T(5)};
+  const auto state = state_of<M>({0, 0}, {-1, -1});
+  const auto step = [&](double x, double y) {
+    return step_once<ph::no_direct_control>(M(), brakes, state, asking_for<2>({x, 0}), asking_for<2>({0, y}));
+  };
+  EXPECT_FALSE(step(4, 3).saturated);
+  expect_near(step(4, 3).capacity, ph::vector<T, 2>(4, 3), 5);
+  for (const auto& result : {step(7, 3), step(3, 7), step(7, 7)}) {
+    EXPECT_TRUE(result.saturated);
+    EXPECT_TRUE((result.capacity.array() <= brakes.torque_limit.array()).all());
+  }
+}
+
+// A law that answers what it was made with.
+struct scale_of {
+  static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;
+  struct memory {};
+  double value = 0;
+  template <class T, int D>
+  T scale(const ph::contact_situation<T, D>&, memory&) const noexcept {
+    return static_cast<T>(value);
+  }
+};
+
+TYPED_TEST(several_contacts, release_the_brakes_where_a_scale_is_outside_zero_and_one) {
+  using M = ph::xy_table<TypeParam>;
+  ph::contacts<2, 2> touched;
+  touched.push_back(asking_for<2>({1, 0}));
+  touched.push_back(asking_for<2>({0, 2}));
+  for (const double value : {-0.1, 1.001, std::numeric_limits<double>::quiet_NaN(), 0.5}) {
+    ph::step_memory<scale_of> memory;
+    const auto result =
+        ph::step(M(), ph::brakes_of<M>(), touched, scale_of{value}, state_of<M>({0, 0}, {-1, -1}), memory);
+    EXPECT_EQ(result.outcome, value == 0.5 ? ph::status::ok : ph::status::scale_out_of_range) << value;
+    EXPECT_EQ(result.capacity.isZero(0), value != 0.5) << value;
+  }
+}
+
+// x = 1 / q: no Jacobian at 0.
+template <class T>
+struct hyperbola {
+  using scalar = T;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
+  ph::vector<T, 2> position(const ph::vector<T, 2>& q) const { return q.cwiseInverse(); }
+  ph::diagonal_matrix<T, 2> jacobian(const ph::vector<T, 2>& q) const {
+    return ph::diagonal_matrix<T, 2>(-q.cwiseInverse().cwiseAbs2());
+  }
+};
+
+// A pose without a Jacobian, and a rate that overflows on its way to the brakes: by the law of torques, too.
+TYPED_TEST(several_contacts, release_the_brakes_where_pose_or_rates_are_undefined) {
+  using T = TypeParam;
+  using arm = ph::tendon_two_link<T>;
+  const T most = std::numeric_limits<T>::max();  // w2 = qd1 + qd2 / 0.4
+  const auto expect_none = [](const auto& result) {
+    EXPECT_EQ(result.outcome, ph::status::pose_undefined);
+    EXPECT_TRUE(result.capacity.isZero(0) && result.torque.isZero(0));
+  };
+  const auto a = asking_for<2>({1, 0}), b = asking_for<2>({0, 2});
+  const auto nowhere = state_of<hyperbola<T>>({0, 1}, {1, 1});
+  const auto too_fast = state_of<arm>({2, -1}, {0, most});
+  expect_none(step_once<ph::no_direct_control>(hyperbola<T>(), {}, nowhere, a, b));
+  expect_none(step_once<ph::coercive_force_approximation>(hyperbola<T>(), {}, nowhere, a));
+  expect_none(step_once<ph::coercive_force_approximation>(hyperbola<T>(), {}, nowhere, a, b));
+  expect_none(step_once<ph::no_direct_control>(arm(), {}, too_fast, a, b));
+  expect_none(step_once<ph::coercive_force_approximation>(arm(), {}, too_fast, b));
+}
+
+}  // namespace
