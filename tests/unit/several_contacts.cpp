@@ -88,11 +88,9 @@ TYPED_TEST(several_contacts, stay_within_the_limits_and_say_where_they_end) {
 
 // A law that answers what it was made with.
 struct scale_of {
-  static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;
-  struct memory {};
   double value = 0;
   template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&, memory&) const noexcept {
+  T scale(const ph::contact_situation<T, D>&) const noexcept {
     return static_cast<T>(value);
   }
 };

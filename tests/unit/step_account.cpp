@@ -2,6 +2,8 @@
 // fault.
 #include "support.hpp"
 
+#include <passive_haptics/control/laws/torque_law.hpp>
+
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
@@ -16,14 +18,14 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double never = -1;
 
-// Displays all; notes when it was last released, for all who can see.
+// Holds every brake; notes when it was last released, for all who can see.
 struct noting_law {
-  static constexpr bool needs_hand_force = false, needs_dynamics = false, needs_brake_lag = false;
+  static constexpr bool commands_torques = true;
   struct memory {};
   double* latest = nullptr;
-  template <class T, int D>
-  T scale(const ph::contact_situation<T, D>&, memory&) const noexcept {
-    return T(1);
+  template <class Situation, class Contacts>
+  auto torque(const Situation& now, const Contacts&, memory&) const noexcept {
+    return (-now.s).eval();
   }
   void released(memory&, double time) const noexcept { *latest = time; }
 };

@@ -120,7 +120,7 @@ TYPED_TEST(a_step_under, refuses_brakes_and_options_that_are_none) {
       EXPECT_EQ(outcome([&](auto& in) { in.brakes.torque_dead_band[i] = bad; }),
                 ph::status::parameters_invalid)
           << bad;
-      if (TypeParam::needs_brake_lag && !(bad < 0)) {
+      if (ph::needs_brake_lag<TypeParam> && !(bad < 0)) {
         EXPECT_EQ(outcome([&](auto& in) { in.brakes.time_constant[i] = bad; }),
                   ph::status::parameters_invalid)
             << bad;

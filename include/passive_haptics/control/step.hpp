@@ -12,8 +12,9 @@ template <class M, class L, class B>
 struct law_brake_requirements {
   static_assert(ControlLaw<L>, "passive_haptics: the law must model ControlLaw (control/control_law.hpp).");
   static_assert(
-      requires(const cycle_parts<M, B, L>& with, const brake_vector<M>& t) { limited(with, t); },
-      "passive_haptics: a TorqueLaw needs <passive_haptics/control/laws/torque_law.hpp>.");
+      !TorqueLaw<L> || requires(const cycle_parts<M, B, L>& with, const brake_vector<M>& t) {
+        limited(with, t);
+      }, "passive_haptics: a TorqueLaw needs <passive_haptics/control/laws/torque_law.hpp>.");
   static_assert(brake_requirements<B, M>::met);
   static_assert(!needs_brake_lag<L> || names_time_constant<B>,
                 "passive_haptics: this law needs the brakes' lag: give the brakes a time_constant "

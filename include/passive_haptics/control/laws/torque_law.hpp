@@ -46,7 +46,8 @@ auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_f
   } else {
     wanted = with.law.torque(now, touched);
   }
-  Fc.torque = (now.s.array() * wanted.array() > T(0)).select(T(0), wanted);
+  if (all_finite(wanted)) Fc.torque = (now.s.array() * wanted.array() > T(0)).select(T(0), wanted);
+  else Fc.torque = wanted;  // a fault of the law, also where it would be released
   return Fc;
 }
 
