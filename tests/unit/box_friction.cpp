@@ -1,6 +1,6 @@
 // Friction of several brakes at once, against every combination of stick and slip.
+#include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/plant/box_friction.hpp>
-#include <passive_haptics/plant/first_order_lag.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>

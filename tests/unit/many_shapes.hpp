@@ -74,7 +74,7 @@ ph::contacts<D, Capacity> scan(const shapes<D>& all, const ph::point<D>& x) {
     if (!(distance >= 0)) {
       ph::contact<D> c;
       ph::describe(ph::wall(shape), x, distance, c);
-      found.from_wall(number, &x, nullptr);
+      c.wall = number;
       found.add(c);
     }
     ++number;

@@ -40,6 +40,11 @@ TYPED_TEST(passive_fme, reference_forces_are_made_by_one_brake_alone) {
   using T = TypeParam;
   expect_near(ph::matrix<T, 2, 2>(this->E.transpose() * this->G),
               ph::matrix<T, 2, 2>(ph::matrix<T, 2, 2>::Identity()), this->E.norm() * this->G.norm());
+  const auto reference = ph::reference_forces(this->arm, this->q);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(reference.positive(i), this->G.col(i)) << "R_" << i + 1 << "+";
+    EXPECT_EQ(reference.negative(i), -this->G.col(i)) << "R_" << i + 1 << "-";
+  }
 }
 
 TYPED_TEST(passive_fme, exactly_one_region_holds_a_generic_force) {

@@ -1,12 +1,12 @@
 // Direct control at the level of velocities, and what it is made of.
 #include "support.hpp"
 
+#include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
-#include <passive_haptics/plant/first_order_lag.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

@@ -52,7 +52,6 @@ class brake_jacobian_evaluator {
                    diagonal_T = ExactDiagonal<Inverse, T, M::dof>;
     if constexpr (diagonal_J && diagonal_T)
       return diagonal_matrix<T, M::dof>(J.diagonal().cwiseProduct(inverse.diagonal()));
-    else if constexpr (!diagonal_J && !diagonal_T) return product(J, inverse);
     else return dense(J * inverse);
   }
 
@@ -75,17 +74,17 @@ auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
 }
 
 /// Brake torques t = E^T F [N m] that balance the force F [N] at the end effector.
+///
+/// @equation{2}
 template <class T, int D, int Brakes>
 vector<T, Brakes> brake_torque(const matrix<T, D, Brakes>& E, const vector<T, D>& F) {
-  return transposed_product(E, F);
+  return E.transpose() * F;
 }
 
 /// The same for a diagonal E.
 template <class T, int D>
 vector<T, D> brake_torque(const diagonal_matrix<T, D>& E, const vector<T, D>& F) {
-  vector<T, D> t;
-  unrolled<D>([&](auto i) { t[i] = E.diagonal()[i] * F[i]; });
-  return t;
+  return E * F;
 }
 
 }  // namespace passive_haptics

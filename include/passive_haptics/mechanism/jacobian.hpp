@@ -74,15 +74,24 @@ auto transmission(const M& mechanism, const joint_vector<M>& q) {
   else return mechanism.transmission(q);
 }
 
+/// T^T (n x m), which makes joint torques of brake torques; the identity for a mechanism that names no
+/// transmission.
+template <class M>
+matrix<typename M::scalar, M::dof, M::brake_count> transposed_transmission(const M& mechanism,
+                                                                           const joint_vector<M>& q) {
+  using T = typename M::scalar;
+  if constexpr (detail::has_exact_transmission<M>)
+    return transposed(matrix<T, M::brake_count, M::dof>(transmission(mechanism, q)));
+  else return matrix<T, M::dof, M::brake_count>::Identity();
+}
+
 /// Rates of the brakes' axes, w = T qd [rad/s or m/s].
 template <class M>
 brake_vector<M> brake_rates(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
   if constexpr (!detail::has_exact_transmission<M>) {
     return as<typename M::scalar>(qd);  // entry by entry: a packet would go through memory
   } else {
-    const auto A = transmission(mechanism, q);
-    if constexpr (ExactDiagonal<decltype(A), typename M::scalar, M::dof>) return A * qd;
-    else return product(A, qd);
+    return transmission(mechanism, q) * qd;
   }
 }
 

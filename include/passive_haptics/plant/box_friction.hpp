@@ -24,9 +24,8 @@ namespace detail {
 
 // p, brought within the box |p_i| <= limit_i
 template <class T, int Brakes>
-vector<T, Brakes> within(vector<T, Brakes> p, const vector<T, Brakes>& limit) {
-  for (int i = 0; i < Brakes; ++i) p[i] = std::max(std::min(p[i], limit[i]), -limit[i]);
-  return p;
+vector<T, Brakes> within(const vector<T, Brakes>& p, const vector<T, Brakes>& limit) {
+  return p.cwiseMin(limit).cwiseMax(-limit);
 }
 
 }  // namespace detail
@@ -68,7 +67,7 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
       if (modes[at(i)] != mode::stick || !(limit[i] > T(0))) rhs[i] = p[i];
     }
     p = cholesky<T, Brakes>(K).solve(rhs);
-    w = w0 + product(A, p);
+    w = w0 + A * p;
 
     int violating = -1;
     for (int i = 0; i < Brakes && violating < 0; ++i) {
@@ -101,23 +100,16 @@ template <class T, int Brakes>
 friction_impulses<T, Brakes> solve_redundant_box_friction(const matrix<T, Brakes, Brakes>& A,
                                                           const vector<T, Brakes>& w0,
                                                           const vector<T, Brakes>& limit) {
-  T trace = T(0);
-  for (int i = 0; i < Brakes; ++i) trace += A(i, i);
-  const T eps = std::sqrt(std::numeric_limits<T>::epsilon()) * trace / T(Brakes);
-  matrix<T, Brakes, Brakes> regular = A;
-  for (int i = 0; i < Brakes; ++i) regular(i, i) += eps;
+  const T eps = std::sqrt(std::numeric_limits<T>::epsilon()) * A.trace() / T(Brakes);
+  const matrix<T, Brakes, Brakes> regular = A + eps * matrix<T, Brakes, Brakes>::Identity();
   friction_impulses<T, Brakes> result{vector<T, Brakes>::Zero(), {}, false};
   constexpr int most_rounds = 30;
   for (int round = 0; round < most_rounds; ++round) {
     const vector<T, Brakes> before = result.impulse;
-    vector<T, Brakes> w = w0;
-    add_scaled(w, -eps, before);
-    result = solve_box_friction<T, Brakes>(regular, w, limit);
+    result = solve_box_friction<T, Brakes>(regular, w0 - eps * before, limit);
     if (!result.solved) return result;
-    vector<T, Brakes> step = result.impulse;
-    add_scaled(step, T(-1), before);
-    if (eps * norm(step) <= std::numeric_limits<T>::epsilon() * (norm(w0) + norm(A) * norm(result.impulse)))
-      return result;
+    const T scale = w0.norm() + A.norm() * result.impulse.norm();
+    if (eps * (result.impulse - before).norm() <= std::numeric_limits<T>::epsilon() * scale) return result;
   }
   result.solved = false;
   return result;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <passive_haptics/brake/measurement/encoder_axes.hpp>
+#include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/core/validate.hpp>
-#include <passive_haptics/plant/first_order_lag.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -36,9 +36,7 @@ class encoder {
   encoder(const encoder_parameters& p, double period)
       : resolution_(static_cast<T>(require_valid(p).resolution)),
         period_(static_cast<T>(period)),
-        share_(p.rate_corner > 0
-                   ? -std::expm1(-period_ / low_pass_time_constant(static_cast<T>(p.rate_corner)))
-                   : T(1)) {
+        share_(lag_share(period_, low_pass_time_constant(static_cast<T>(p.rate_corner)))) {
     require_no_error(detail::check_positive("period [s]", period));
   }
 
@@ -49,8 +47,7 @@ class encoder {
       rate_ = rate;
       return;
     }
-    vector<T, N> count;
-    for (int i = 0; i < N; ++i) count[i] = std::floor(position[i] / resolution_);
+    const vector<T, N> count = (position / resolution_).array().floor();
     if (first_) rate_ = rate;
     // Differences of counts are exact, those of positions are not
     else rate_ += share_ * ((count - count_) * (resolution_ / period_) - rate_);

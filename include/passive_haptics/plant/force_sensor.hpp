@@ -2,8 +2,8 @@
 /// A force sensor at the handle: a low-pass and noise.
 #pragma once
 
+#include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/core/validate.hpp>
-#include <passive_haptics/plant/first_order_lag.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 
 #include <cstdint>
@@ -31,8 +31,7 @@ class force_sensor {
  public:
   /// Throws std::invalid_argument with the text of validate(p).
   explicit force_sensor(const force_sensor_parameters& p = {})
-      : low_pass_(vector<T, D>::Constant(
-            require_valid(p).corner > 0 ? low_pass_time_constant(static_cast<T>(p.corner)) : T(0))),
+      : low_pass_(vector<T, D>::Constant(low_pass_time_constant(static_cast<T>(require_valid(p).corner)))),
         noise_(p.noise),
         bits_(p.seed) {}
 

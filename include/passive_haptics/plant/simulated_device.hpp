@@ -2,18 +2,17 @@
 /// A device without hardware: a mechanism with inertia, real brakes and a hand's mass on its handle.
 #pragma once
 
-#include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
-#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
+#include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
+#include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/plant/box_friction.hpp>
 #include <passive_haptics/plant/energy_balance.hpp>
-#include <passive_haptics/plant/first_order_lag.hpp>
 #include <passive_haptics/plant/simulated_brakes.hpp>
 
 #include <algorithm>
 #include <concepts>
-#include <limits>
 #include <utility>
 
 namespace passive_haptics {
@@ -65,32 +64,31 @@ class simulated_device {
   /// One time step dt [s] under commanded capacities [N m] and the force [N] that the hand's muscles exert.
   void advance(scalar dt, const brake_vector<M>& capacity, const task_vector<M>& muscle_force) {
     const task_vector<M> drift = mechanism_.bias_acceleration(q_, qd_);
-    const task_vector<M> handle_force = muscle_force - scaled(hand_mass_, drift);
-    const joint_vector<M> drive = transposed_product(J_, handle_force) - mechanism_.bias_torque(q_, qd_);
-    const matrix<scalar, M::dof, M::brake_count> Tt = transposed_transmission();
+    const task_vector<M> handle_force = muscle_force - hand_mass_ * drift;
+    const joint_vector<M> drive = J_.transpose() * handle_force - mechanism_.bias_torque(q_, qd_);
+    const matrix<scalar, M::dof, M::brake_count> Tt = transposed_transmission(mechanism_, q_);
     const matrix<scalar, M::brake_count, M::dof> T = transposed(Tt);
     matrix<scalar, M::brake_count, M::dof> drag = T;
     for (int i = 0; i < M::brake_count; ++i) drag.row(i) *= dt * brakes_.viscous_drag[i];
-    const cholesky<scalar, M::dof> inverse_mass(mass_ + product(Tt, drag));
+    const cholesky<scalar, M::dof> inverse_mass(mass_ + Tt * drag);
 
-    const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(product(mass_, qd_) + scaled(dt, drive)));
-    const matrix<scalar, M::brake_count, M::brake_count> A = product(T, inverse_mass.solve(Tt));
+    const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(mass_ * qd_ + dt * drive));
+    const matrix<scalar, M::brake_count, M::brake_count> A = T * inverse_mass.solve(Tt);
     const brake_vector<M> commanded = strength_.advance(dt, brakes_.strength(capacity));
-    const brake_vector<M> limit = scaled(dt, brake_vector<M>(commanded + brakes_.residual_torque));
-    const brake_vector<M> impulse = friction(A, product(T, free), limit);
+    const brake_vector<M> limit = dt * (commanded + brakes_.residual_torque);
+    const brake_vector<M> impulse = friction(A, T * free, limit);
 
-    const joint_vector<M> next = free + inverse_mass.solve(product(Tt, impulse));
-    const joint_vector<M> change = next - qd_;
-    sensed_force_ = handle_force - scaled(hand_mass_ / dt, product(J_, change));
-    brake_torque_ = scaled(scalar(1) / dt, impulse);
-    const brake_vector<M> rates = product(T, next);
+    const joint_vector<M> next = free + inverse_mass.solve(joint_vector<M>(Tt * impulse));
+    sensed_force_ = handle_force - hand_mass_ / dt * (J_ * (next - qd_));
+    brake_torque_ = scalar(1) / dt * impulse;
+    const brake_vector<M> rates = T * next;
 
     // Work at the mid-point rate: see energy_balance
-    const joint_vector<M> middle = scaled(scalar(1) / scalar(2), joint_vector<M>(qd_ + next));
-    const brake_vector<M> middle_rates = product(T, middle);
+    const joint_vector<M> middle = (qd_ + next) / scalar(2);
+    const brake_vector<M> middle_rates = T * middle;
     const joint_vector<M> gravity = mechanism_.bias_torque(q_, joint_vector<M>::Zero());
-    books_.hand += as_double(dt * dot(muscle_force, product(J_, middle)));
-    books_.gravity -= as_double(dt * dot(gravity, middle));
+    books_.hand += as_double(dt * muscle_force.dot(J_ * middle));
+    books_.gravity -= as_double(dt * gravity.dot(middle));
     for (int i = 0; i < M::brake_count; ++i) {
       books_.drag += as_double(dt * rates[i] * brakes_.viscous_drag[i] * middle_rates[i]);
       const double dissipated = -as_double(impulse[i] * middle_rates[i]);
@@ -102,7 +100,7 @@ class simulated_device {
     }
 
     qd_ = next;
-    q_ += scaled(dt, qd_);
+    q_ += dt * qd_;
     measure_pose();
     books_.kinetic = kinetic_energy();
   }
@@ -130,18 +128,12 @@ class simulated_device {
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
 
-  /// The force at the handle that does to it what brake_torque() does [N], here and now: J^-T T^T t for n =
-  /// d, else (J M^-1 J^T)^-1 J M^-1 T^T t (the dynamically consistent inverse, Khatib 1987). Not finite where
-  /// J has not full row rank.
+  /// The force at the handle that does to it what brake_torque() does [N], here and now, by the dynamically
+  /// consistent inverse. Not finite where J has not full row rank.
   task_vector<M> brake_force() const {
-    const joint_vector<M> torque = transposed_transmission() * brake_torque_;
-    // M = L L^T: a least-squares solution of L^-1 J^T F = L^-1 T^T t. The hand's mass changes nothing, so it
-    // may stay in M.
-    const cholesky<scalar, M::dof> mass(mass_);
-    const matrix<scalar, M::dof, M::task_dimension> A = mass.half_solve(transposed(J_));
-    const orthogonal_decomposition<scalar, M::dof, M::task_dimension> decomposition(A, scalar(0));
-    if (decomposition.rank() == M::task_dimension) return decomposition.solve(mass.half_solve(torque));
-    return task_vector<M>::Constant(std::numeric_limits<scalar>::quiet_NaN());
+    // The hand's mass changes nothing, so it may stay in M
+    return dynamically_consistent_inverse<scalar, M::dof, M::task_dimension>(J_, mass_).forces(
+        joint_vector<M>(transposed_transmission(mechanism_, q_) * brake_torque_));
   }
 
  private:
@@ -152,18 +144,10 @@ class simulated_device {
 
   void measure_pose() {
     J_ = task_matrix(jacobian(mechanism_, q_));
-    task_matrix momentum = J_;
-    momentum *= hand_mass_;
-    mass_ = mechanism_.mass_matrix(q_) + product(transposed(J_), momentum);
+    mass_ = mechanism_.mass_matrix(q_) + hand_mass_ * J_.transpose() * J_;
   }
 
-  double kinetic_energy() const { return as_double(dot(qd_, product(mass_, qd_))) / 2; }
-
-  matrix<scalar, M::dof, M::brake_count> transposed_transmission() const {
-    using wide = matrix<scalar, M::brake_count, M::dof>;
-    if constexpr (detail::has_exact_transmission<M>) return transposed(wide(transmission(mechanism_, q_)));
-    else return matrix<scalar, M::dof, M::brake_count>::Identity();
-  }
+  double kinetic_energy() const { return as_double(qd_.dot(mass_ * qd_)) / 2; }
 
   static brake_vector<M> friction(const matrix<scalar, M::brake_count, M::brake_count>& A,
                                   const brake_vector<M>& w0, const brake_vector<M>& limit) {

@@ -4,7 +4,6 @@
 
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/contacts.hpp>
-#include <passive_haptics/scene/world/tracked_shape.hpp>
 
 #include <boost/hana/at.hpp>
 #include <boost/hana/for_each.hpp>
@@ -14,10 +13,16 @@
 
 namespace passive_haptics {
 
-/// A shape that resists with F = stiffness * depth along its gradient; frictionless.
+namespace detail {
+template <class S>
+concept names_tracker = requires { typename S::tracker; };
+}  // namespace detail
+
+/// A shape that resists with F = stiffness * depth along its gradient; frictionless. One with a tracker is
+/// for a world (scene/world/tracked_shape.hpp).
 template <class S>
 struct wall {
-  static_assert(Shape<S> || TrackedShape<S>,
+  static_assert(Shape<S> || detail::names_tracker<S>,
                 "passive_haptics: a wall needs a Shape: `static constexpr int dimension`, "
                 "`double distance(x) const`, `point<dimension> gradient(x) const`.");
   /// Throws std::invalid_argument if the stiffness [N/m] is negative or not finite; section 5.1: 1e7 N/m.

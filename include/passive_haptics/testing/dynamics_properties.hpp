@@ -5,6 +5,7 @@
 /// `static constexpr bool has_gravity = true;`.
 #pragma once
 
+#include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/testing/support/derivative.hpp>
@@ -64,28 +65,16 @@ class dynamics_properties : public ::testing::Test {
     return number(64) * difference_accuracy<number>() * difference_step<number>() / step();
   }
 
-  /// q + s qd.
-  static joint_vector<model> along(joint_vector<model> q, number s, const joint_vector<model>& qd) {
-    add_scaled(q, s, qd);
-    return q;
-  }
-
   /// J as a dense matrix.
   static matrix<number, model::task_dimension, model::dof> dense_jacobian(const model& mechanism,
                                                                           const joint_vector<model>& q) {
     return matrix<number, model::task_dimension, model::dof>(jacobian(mechanism, q));
   }
 
-  /// M as a value.
-  static matrix<number, model::dof, model::dof> mass_matrix(const model& mechanism,
-                                                            const joint_vector<model>& q) {
-    return mechanism.mass_matrix(q);
-  }
-
   /// qd . M qd.
   static number twice_energy(const model& mechanism, const joint_vector<model>& q,
                              const joint_vector<model>& qd) {
-    return dot(qd, product(mass_matrix(mechanism, q), qd));
+    return qd.dot(mechanism.mass_matrix(q) * qd);
   }
 };
 
@@ -99,9 +88,9 @@ TYPED_TEST_P(dynamics_properties, mass_matrix_is_symmetric_positive_definite) {
   for (const auto& [q, qd] : this->motions()) {
     SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
     const matrix<T, M::dof, M::dof> mass = mechanism.mass_matrix(q);
-    ASSERT_LE(norm(difference(mass, transposed(mass))), rounding_tolerance<T>(1) * norm(mass));
-    ASSERT_TRUE(is_positive_definite(small_matrix(mass))) << mass;
-    ASSERT_GT(dot(qd, product(mass, qd)), T(0));
+    ASSERT_LE((mass - mass.transpose()).norm(), rounding_tolerance<T>(1) * mass.norm());
+    ASSERT_TRUE((cholesky<T, M::dof>(mass).is_positive_definite())) << mass;
+    ASSERT_GT(qd.dot(mass * qd), T(0));
   }
 }
 
@@ -114,13 +103,13 @@ TYPED_TEST_P(dynamics_properties, bias_acceleration_is_the_change_of_the_jacobia
     const joint_vector<M> q = q0, qd = rate;
     SCOPED_TRACE(::testing::Message()
                  << "seed " << this->seed << ", q = " << in_a_row(q) << ", qd = " << in_a_row(qd));
-    const auto velocity = [&](T s) {
-      return product(this->dense_jacobian(mechanism, this->along(q, s, qd)), qd);
+    const auto velocity = [&](T s) -> task_vector<M> {
+      return this->dense_jacobian(mechanism, q + s * qd) * qd;
     };
     const task_vector<M> expected = central_difference(velocity, this->step());
-    const T size = norm(this->dense_jacobian(mechanism, q));
+    const T size = this->dense_jacobian(mechanism, q).norm();
     const task_vector<M> given = mechanism.bias_acceleration(q, qd);
-    ASSERT_LE(norm(difference(given, expected)), this->accuracy() * size)
+    ASSERT_LE((given - expected).norm(), this->accuracy() * size)
         << "bias_acceleration " << in_a_row(given) << ", differences give " << in_a_row(expected);
     ASSERT_EQ(largest_entry(task_vector<M>(mechanism.bias_acceleration(q, joint_vector<M>::Zero()))), T(0));
   }
@@ -138,11 +127,9 @@ TYPED_TEST_P(dynamics_properties, bias_torque_keeps_the_kinetic_energy) {
                  << "seed " << this->seed << ", q = " << in_a_row(q) << ", qd = " << in_a_row(qd));
     const joint_vector<M> at_rest = mechanism.bias_torque(q, joint_vector<M>::Zero());
     const joint_vector<M> motion_torque = mechanism.bias_torque(q, qd) - at_rest;
-    const auto along_the_motion = [&](T s) {
-      return this->twice_energy(mechanism, this->along(q, s, qd), qd);
-    };
+    const auto along_the_motion = [&](T s) { return this->twice_energy(mechanism, q + s * qd, qd); };
     const T growth = central_difference(along_the_motion, this->step()) / T(2);
-    ASSERT_NEAR(growth, dot(qd, motion_torque), this->accuracy() * norm(this->mass_matrix(mechanism, q)));
+    ASSERT_NEAR(growth, qd.dot(motion_torque), this->accuracy() * mechanism.mass_matrix(q).norm());
     ASSERT_TRUE(TestFixture::has_gravity() || largest_entry(at_rest) == T(0)) << in_a_row(at_rest);
   }
 }
@@ -156,20 +143,16 @@ TYPED_TEST_P(dynamics_properties, bias_torque_follows_from_the_mass_matrix) {
     const joint_vector<M> q = q0, qd = rate;
     SCOPED_TRACE(::testing::Message()
                  << "seed " << this->seed << ", q = " << in_a_row(q) << ", qd = " << in_a_row(qd));
-    const auto momentum = [&](T s) {
-      return product(this->mass_matrix(mechanism, this->along(q, s, qd)), qd);
-    };
+    const auto momentum = [&](T s) -> joint_vector<M> { return mechanism.mass_matrix(q + s * qd) * qd; };
     joint_vector<M> expected = central_difference(momentum, this->step());
     for (int i = 0; i < M::dof; ++i) {
       const joint_vector<M> axis = joint_vector<M>::Unit(i);
-      const auto along_the_motion = [&](T s) {
-        return this->twice_energy(mechanism, this->along(q, s, axis), qd);
-      };
+      const auto along_the_motion = [&](T s) { return this->twice_energy(mechanism, q + s * axis, qd); };
       expected[i] -= central_difference(along_the_motion, this->step()) / T(2);
     }
     const joint_vector<M> c =
         mechanism.bias_torque(q, qd) - mechanism.bias_torque(q, joint_vector<M>::Zero());
-    ASSERT_LE(norm(difference(c, expected)), this->accuracy() * norm(this->mass_matrix(mechanism, q)))
+    ASSERT_LE((c - expected).norm(), this->accuracy() * mechanism.mass_matrix(q).norm())
         << "c = " << in_a_row(c) << ", M gives " << in_a_row(expected);
   }
 }

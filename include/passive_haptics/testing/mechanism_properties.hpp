@@ -149,7 +149,7 @@ TYPED_TEST_P(mechanism_properties, jacobian_is_the_derivative_of_position) {
       const P resolved = P(16) * difference_accuracy<P>() * difference_step<P>() / this->step(i);
       const vector<P, M::task_dimension> expected = this->difference_jacobian(mechanism, q).col(i);
       const task_vector<M> column = J.col(i);
-      ASSERT_LE(largest_entry(difference(as<P>(column), expected)), (rounding + resolved) * size)
+      ASSERT_LE(largest_entry(as<P>(column) - expected), (rounding + resolved) * size)
           << "column " << i << ": " << in_a_row(column) << ", differences give " << in_a_row(expected);
     }
     ASSERT_EQ(this->dense_jacobian(mechanism, q), J);
@@ -168,7 +168,7 @@ TYPED_TEST_P(mechanism_properties, given_and_automatic_jacobian_agree) {
     const auto J = this->dense_jacobian(mechanism, q);
     if constexpr (detail::differentiates_itself<M>) {
       const T tolerance = this->rounding_at(q, size);
-      ASSERT_LE(largest_entry(difference(J, automatic_jacobian(mechanism, q))), tolerance);
+      ASSERT_LE(largest_entry(J - automatic_jacobian(mechanism, q)), tolerance);
     } else if constexpr (detail::jacobian_is_constant<M>) {
       ASSERT_EQ(J, (matrix<T, M::task_dimension, M::dof>(mechanism.jacobian())));
     } else {
@@ -188,9 +188,9 @@ TYPED_TEST_P(mechanism_properties, pose_has_the_position_and_jacobian_of_q) {
     const auto at = pose(mechanism, q);
     const T tolerance = this->rounding_at(q, size);
     const task_vector<M> x = mechanism.position(at), expected = mechanism.position(q);
-    ASSERT_LE(largest_entry(difference(x, expected)), tolerance);
+    ASSERT_LE(largest_entry(x - expected), tolerance);
     const matrix<T, M::task_dimension, M::dof> J(jacobian(mechanism, at));
-    ASSERT_LE(largest_entry(difference(J, this->dense_jacobian(mechanism, q))), tolerance);
+    ASSERT_LE(largest_entry(J - this->dense_jacobian(mechanism, q)), tolerance);
   }
 }
 
@@ -208,8 +208,7 @@ TYPED_TEST_P(mechanism_properties, brake_jacobian_maps_brake_rates_to_velocity) 
     const T condition = this->transmission_condition(mechanism, q);
     ASSERT_TRUE(std::isfinite(condition)) << "the transmission has not full column rank";
     const auto J = this->dense_jacobian(mechanism, q);
-    ASSERT_LE(norm(difference(product(E, w), product(J, qd))),
-              rounding_tolerance<T>(4 * M::dof) * condition * norm(J) * norm(qd));
+    ASSERT_LE((E * w - J * qd).norm(), rounding_tolerance<T>(4 * M::dof) * condition * J.norm() * qd.norm());
   }
 }
 
@@ -227,8 +226,8 @@ TYPED_TEST_P(mechanism_properties, brake_torques_do_the_work_of_the_force) {
     const brake_vector<M> t = brake_torque(brake_jacobian(mechanism, q), F);
     const auto J = this->dense_jacobian(mechanism, q);
     const T condition = this->transmission_condition(mechanism, q);
-    ASSERT_NEAR(dot(t, w), dot(F, product(J, qd)),
-                rounding_tolerance<T>(4 * M::dof) * condition * norm(F) * norm(J) * norm(qd));
+    ASSERT_NEAR(t.dot(w), F.dot(J * qd),
+                rounding_tolerance<T>(4 * M::dof) * condition * F.norm() * J.norm() * qd.norm());
   }
 }
 

@@ -5,9 +5,10 @@
 
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/control/brake_situation.hpp>
-#include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/force/torques/contact_forces.hpp>
+#include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
+#include <passive_haptics/mechanism/jacobian.hpp>
 
 #include <array>
 #include <cmath>
@@ -23,7 +24,9 @@ struct acceleration_map {
   matrix<T, D, Brakes> G;         ///< J M^-1 T^T [m/s^2 per N m]
   vector<T, Brakes> brakes_free;  ///< T M^-1 (J^T Fh - c) [rad/s^2]; Td qd is left out.
   matrix<T, Brakes, Brakes> A;    ///< T M^-1 T^T [rad/s^2 per N m]
-  matrix<T, D, D> mobility;       ///< J M^-1 J^T [1/kg]
+  /// The forces at the end effector that accelerate it as unit torques do [N per N m]; G itself at a singular
+  /// pose.
+  matrix<T, D, Brakes> forces;
 
   /// Torque [N m] that keeps brake i from accelerating while the others make t.
   T holding_torque(int i, const vector<T, Brakes>& t) const {
@@ -33,17 +36,21 @@ struct acceleration_map {
   /// The map of the device with brake i held, whatever torque that takes; t_i has no effect any more.
   acceleration_map held(int i) const {
     acceleration_map map = *this;
-    const vector<T, Brakes> row = A.row(i) / A(i, i);
-    map.free -= G.col(i) * (brakes_free[i] / A(i, i));
-    map.G -= G.col(i) * transposed(row);
-    map.brakes_free -= A.col(i) * (brakes_free[i] / A(i, i));
-    map.A -= A.col(i) * transposed(row);
+    const matrix<T, 1, Brakes> row = A.row(i) / A(i, i);
+    const T alone = brakes_free[i] / A(i, i);
+    map.free -= G.col(i) * alone;
+    map.G -= G.col(i) * row;
+    map.forces -= forces.col(i) * row;
+    map.brakes_free -= A.col(i) * alone;
+    map.A -= A.col(i) * row;
     map.G.col(i).setZero();
+    map.forces.col(i).setZero();
     return map;
   }
 };
 
-/// The acceleration map of a mechanism with inertia, the hand doing Fh to it. Cost: a Cholesky of n x n.
+/// The acceleration map of a mechanism with inertia, the hand doing Fh to it. Cost: two Choleskys of n x n
+/// and an orthogonal decomposition of n x d.
 template <class M, class EMatrix, class B>
 auto accelerations(const brake_situation<M, EMatrix, B>& now) {
   static_assert(Dynamics<M>,
@@ -51,29 +58,20 @@ auto accelerations(const brake_situation<M, EMatrix, B>& now) {
   using T = typename M::scalar;
   constexpr int n = M::dof, d = M::task_dimension, m = M::brake_count;
   const matrix<T, d, n> J(jacobian(now.mechanism, now.q));
-  matrix<T, n, m> Tt = matrix<T, n, m>::Identity();
-  if constexpr (detail::has_exact_transmission<M>)
-    Tt = transposed(matrix<T, m, n>(transmission(now.mechanism, now.q)));
-  const cholesky<T, n> mass(now.mechanism.mass_matrix(now.q));
-  const joint_vector<M> torque =
-      transposed_product(J, now.hand_force) - now.mechanism.bias_torque(now.q, now.qd);
+  const matrix<T, n, m> Tt = transposed_transmission(now.mechanism, now.q);
+  const matrix<T, n, n> inertia = now.mechanism.mass_matrix(now.q);
+  const cholesky<T, n> mass(inertia);
+  const joint_vector<M> torque = J.transpose() * now.hand_force - now.mechanism.bias_torque(now.q, now.qd);
   const joint_vector<M> qdd = mass.solve(torque);
   const matrix<T, n, m> per_torque = mass.solve(Tt);
   acceleration_map<T, d, m> map;
-  map.free = product(J, qdd) + now.mechanism.bias_acceleration(now.q, now.qd);
-  map.G = product(J, per_torque);
-  map.brakes_free = transposed_product(Tt, qdd);
-  map.A = product(transposed(Tt), per_torque);
-  map.mobility = product(J, mass.solve(transposed(J)));
+  map.free = J * qdd + now.mechanism.bias_acceleration(now.q, now.qd);
+  map.G = J * per_torque;
+  map.brakes_free = Tt.transpose() * qdd;
+  map.A = Tt.transpose() * per_torque;
+  map.forces = dynamically_consistent_inverse<T, n, d>(J, inertia).forces(Tt);
+  if (!all_finite(map.forces)) map.forces = map.G;
   return map;
-}
-
-/// mobility^-1 G [N per N m]: the forces at the end effector that accelerate it as brake torques do; G itself
-/// at a singular pose.
-template <class T, int D, int Brakes>
-matrix<T, D, Brakes> equivalent_forces(const acceleration_map<T, D, Brakes>& map) {
-  const matrix<T, D, Brakes> forces = cholesky<T, D>(map.mobility).solve(map.G);
-  return all_finite(forces) ? forces : map.G;
 }
 
 /// Normal accelerations that walls want of the end effector, at least.
@@ -92,12 +90,12 @@ class wanted_accelerations {
     int count = 0;
     for (int j = 0; j < count_; ++j) {
       const auto& [n, least] = walls_[static_cast<std::size_t>(j)];
-      const T missing = least - dot(n, map.free);
+      const T missing = least - n.dot(map.free);
       if (missing > T(0)) demands[static_cast<std::size_t>(count++)] = {n, missing, false};
     }
     if (count == 0) return vector<T, Brakes>::Zero();
     const force_map<T, D, Brakes> G{map.G, {}, false};
-    return contact_forces<T, D, Brakes, Capacity>(G, box, demands, count, equivalent_forces(map)).torque;
+    return contact_forces<T, D, Brakes, Capacity>(G, box, demands, count, map.forces).torque;
   }
 
  private:

@@ -2,11 +2,10 @@
 /// A model of the brakes' first-order lag, and its inversion over a short horizon.
 #pragma once
 
-#include <passive_haptics/mechanism/mechanism.hpp>
+#include <passive_haptics/brake/models/first_order_lag.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -23,13 +22,11 @@ class brake_lag_model {
   void advance(double time, const vector<T, Brakes>& time_constant) {
     static_assert(Brakes <= static_cast<int>(most),
                   "passive_haptics: brake_lag_model is for at most 12 brakes.");
-    const double dt = time - time_;
+    const double dt = time < time_ ? 0.0 : time - time_;
     time_ = time;
     unrolled<Brakes>([&](auto i) {
       const auto k = static_cast<std::size_t>(i);
-      const double lag = static_cast<double>(time_constant[i]);
-      if (!(lag > 0) || !(dt < std::numeric_limits<double>::infinity())) torque_[k] = command_[k];
-      else if (dt > 0) torque_[k] -= std::expm1(-dt / lag) * (command_[k] - torque_[k]);
+      torque_[k] = lagged(torque_[k], command_[k], dt, static_cast<double>(time_constant[i]));
     });
   }
 
@@ -41,7 +38,7 @@ class brake_lag_model {
     const auto k = static_cast<std::size_t>(brake);
     const double lag = static_cast<double>(time_constant);
     double u = static_cast<double>(wanted);
-    if (lag > 0 && horizon > 0) u = torque_[k] - (u - torque_[k]) / std::expm1(-horizon / lag);
+    if (lag > 0 && horizon > 0) u = torque_[k] + (u - torque_[k]) / lag_share(horizon, lag);
     command_[k] = std::clamp(u, 0.0, static_cast<double>(limit));
     return static_cast<T>(command_[k]);
   }

@@ -89,15 +89,14 @@ struct single_degree_of_freedom_control {
   template <class M, class EMatrix, int D, class B>
   static brake_vector<M> slopes(const brake_situation<M, EMatrix, B>& now, const contact<D>& c) {
     using T = typename M::scalar;
-    const matrix<T, D, M::brake_count> E(now.E);
     const brake_vector<M> w = intended_rates(now);
     brake_vector<M> slope;
     unrolled<M::brake_count>([&](auto i) {
       brake_vector<M> others = w;
       others[i] = T(0);
-      const vector<T, D> v = product(E, others) - as<T>(c.wall_velocity);
+      const vector<T, D> v = now.E * others - as<T>(c.wall_velocity);
       const T speed = v.stableNorm();
-      slope[i] = speed > T(0) ? dot(as<T>(c.normal), v) / speed : T(0);
+      slope[i] = speed > T(0) ? as<T>(c.normal).dot(v) / speed : T(0);
     });
     return slope;
   }

@@ -90,8 +90,8 @@ struct velocity_ratio_control {
                                const brake_vector<M>& w) const {
     using T = typename M::scalar;
     const matrix<T, D, M::brake_count> E(now.E);
-    const vector<T, D> n = as<T>(c.normal), v = product(E, w) - as<T>(c.wall_velocity);
-    const T outward = dot(n, v);
+    const vector<T, D> n = as<T>(c.normal), v = E * w - as<T>(c.wall_velocity);
+    const T outward = n.dot(v);
     const double slope = std::clamp((c.depth - parameters.reference_depth) / parameters.approach_length,
                                     -parameters.steepest_slope, parameters.steepest_slope);
     const T wanted_outward = static_cast<T>(slope) * (v - outward * n).stableNorm();

@@ -29,10 +29,7 @@ struct hand_force_estimate {
 
   /// By how much n . force may be off [N] for a unit direction n.
   scalar half_width(const task_vector<M>& n) const {
-    scalar sum = scalar(0);
-    const brake_vector<M> along = transposed_product(generators, n);
-    unrolled<M::brake_count>([&](auto i) { sum += std::abs(along[i]) * unknown_torque[i]; });
-    return sum;
+    return (generators.transpose() * n).cwiseAbs().dot(unknown_torque);
   }
 };
 

@@ -6,9 +6,8 @@
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/control/laws/brake_lag.hpp>
 #include <passive_haptics/control/sensorless/hand_force_estimate.hpp>
-#include <passive_haptics/core/linear/cholesky.hpp>
-#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 
@@ -43,10 +42,9 @@ inline std::string validate(const momentum_observer_parameters& p) {
 /// strength is what may be missing, filtered like r: so the lagged joint torque of the hand is r + T^T t with
 /// |t_i| <= unknown_torque_i, always.
 ///
-/// The force: F = (J M^-1 J^T)^-1 J M^-1 r, which is J^-T r for n = d and for n > d the force that
-/// accelerates the end effector as r does (a hand that also drives the self-motion directly is seen as if it
-/// did not). Starts at r = 0 with all strengths unknown. What the model leaves out (friction, cables, errors
-/// of M and of the brakes) is taken for the hand's.
+/// The force is that of r by the dynamically consistent inverse: for n > d a hand that also drives the
+/// self-motion directly is seen as if it did not. Starts at r = 0 with all strengths unknown. What the model
+/// leaves out (friction, cables, errors of M and of the brakes) is taken for the hand's.
 ///
 /// Errors: see hand_force_estimate::outcome; the next good state starts anew. Pure apart from its own memory;
 /// never allocates. Cost: a Cholesky of n x n, an orthogonal decomposition of n x d. Reference: De Luca,
@@ -84,9 +82,9 @@ class momentum_observer {
     }
     const double h = state.time - before_.time;
     const bool follows = started_ && h > 0 && h <= p_.longest_period;
-    const auto Tt = transposed_transmission(state.q);
+    const auto Tt = transposed_transmission(mechanism_, state.q);
     if (follows) {
-      const scalar fresh = static_cast<scalar>(-std::expm1(-p_.gain * h));
+      const scalar fresh = static_cast<scalar>(lag_share(h, 1 / p_.gain));
       brake_vector<M> known = brake_vector<M>::Zero(), unknown = strength;
       unrolled<M::brake_count>([&](auto i) {
         if (!slipped(i, now)) return;
@@ -166,25 +164,15 @@ class momentum_observer {
     return slips(before_.w[i], band) && slips(now.w[i], band) && sgn(before_.w[i]) == sgn(now.w[i]);
   }
 
-  matrix<scalar, n, m> transposed_transmission(const joint_vector<M>& q) const {
-    if constexpr (detail::has_exact_transmission<M>)
-      return transposed(matrix<scalar, m, n>(transmission(mechanism_, q)));
-    else return matrix<scalar, n, m>::Identity();
-  }
-
-  // M = L L^T: (J M^-1 J^T)^-1 J M^-1 r is the least-squares solution F of L^-1 J^T F = L^-1 r.
   status to_force(const joint_vector<M>& q, const motion& now, const matrix<scalar, n, m>& Tt) {
     estimate_.force.setZero();
     estimate_.generators.setZero();
-    const matrix<scalar, d, n> J(jacobian(mechanism_, q));
-    const cholesky<scalar, n> mass(now.mass);
-    const matrix<scalar, n, d> A = mass.half_solve(transposed(J));
-    if (!all_finite(A)) return status::pose_undefined;
-    const orthogonal_decomposition<scalar, n, d> decomposition(A, rounding_tolerance<scalar>(n));
-    if (decomposition.rank() < d) return status::singular_jacobian;
-    estimate_.force = decomposition.solve(joint_torque(mass.half_solve(residual_)));
-    const matrix<scalar, n, m> B = mass.half_solve(Tt);
-    for (int i = 0; i < m; ++i) estimate_.generators.col(i) = decomposition.solve(B.col(i));
+    const dynamically_consistent_inverse<scalar, n, d> inverse(matrix<scalar, d, n>(jacobian(mechanism_, q)),
+                                                               now.mass, rounding_tolerance<scalar>(n));
+    if (!inverse.defined()) return status::pose_undefined;
+    if (!inverse.exists()) return status::singular_jacobian;
+    estimate_.force = inverse.forces(residual_);
+    estimate_.generators = inverse.forces(Tt);
     return status::ok;
   }
 

@@ -98,7 +98,7 @@ class sensorless_controller {
     const brake_vector<M> hidden =
         (believed_ - seen).cwiseMin(hand.unknown_torque).cwiseMax(-hand.unknown_torque);
     believed_ = seen + hidden;
-    return hand.force + product(hand.generators, hidden);
+    return hand.force + hand.generators * hidden;
   }
 
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {

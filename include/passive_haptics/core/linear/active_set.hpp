@@ -14,9 +14,9 @@ namespace passive_haptics::detail {
 /// Lawson and Hanson's non-negative least squares, argmin |B mu - f|, mu >= 0, over an explicit thin QR of
 /// the active columns; the residual is the nearest point of the cone.
 ///
-/// Begins with the half-spaces of a start or a guess. Where those hold f back and violate no other, which is
-/// the rule, that was it; else exchanges follow, at most 6 Columns. Reference: Lawson, Hanson, Solving Least
-/// Squares Problems (1974), ch. 23.
+/// Begins with the half-spaces that were active before, or a guess. Where those hold f back and violate no
+/// other, which is the rule, that was it; else exchanges follow, at most 6 Columns. Reference: Lawson,
+/// Hanson, Solving Least Squares Problems (1974), ch. 23.
 template <class T, int Rows, int Columns>
 class active_set {
  public:
@@ -25,11 +25,11 @@ class active_set {
       : b_(B.data()), f_(f.data()), qr_(column::load(f_)) {}
 
   /// The nearest point to f.
-  PASSIVE_HAPTICS_FLATTEN half_space_projection<T, Rows, Columns> nearest(half_space_set start) {
+  PASSIVE_HAPTICS_FLATTEN half_space_projection<T, Rows, Columns> nearest(half_space_set active) {
     prepare();
-    start &= all;
-    if (start == 0) guess();
-    for (; start != 0 && qr_.size() < most; start &= start - 1) append(std::countr_zero(start));
+    active &= all;
+    if (active == 0) guess();
+    for (; active != 0 && qr_.size() < most; active &= active - 1) append(std::countr_zero(active));
     qr_.solve(mu_);
     if (!all_positive(mu_) || most_violated() >= 0) exchange();
     half_space_projection<T, Rows, Columns> result{{}, vector<T, Columns>::Zero(), members_};

@@ -14,20 +14,20 @@ namespace passive_haptics {
 /// problem whose residual is the answer; no Gram matrix and no inverse, so p is feasible to rounding at any
 /// condition of B. In closed form for Rows <= 2 (plane_cone.hpp) and for three half-spaces in space
 /// (space_cone.hpp), there exact to a few roundings of |f| however flat the cone is; else by an active set
-/// (active_set.hpp) that starts with the half-spaces in `start`, best those of the cycle before. Any start
-/// gives the same p to rounding.
+/// (active_set.hpp) that starts with the `active` half-spaces, best those of the cycle before. Any of
+/// them give the same p to rounding.
 ///
 /// Zero columns restrict nothing; parallel and dependent ones, f = 0 and f on a face are fine. B must be
 /// finite and f of moderate norm (normalise it first).
 template <class T, int Rows, int Columns>
 half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T, Rows, Columns>& B,
                                                                  const vector<T, Rows>& f,
-                                                                 half_space_set start = 0) {
+                                                                 half_space_set active = 0) {
   static_assert(Columns <= 32, "passive_haptics: a cone has at most 32 half-spaces.");
   if constexpr (Rows == 1) return detail::nearest_on_line(B, f);
   else if constexpr (Rows == 2) return detail::nearest_in_plane(B, f);
-  else if constexpr (Rows == 3 && Columns == 3) return detail::nearest_in_space(B, f, start);
-  else return detail::active_set<T, Rows, Columns>(B, f).nearest(start);
+  else if constexpr (Rows == 3 && Columns == 3) return detail::nearest_in_space(B, f, active);
+  else return detail::active_set<T, Rows, Columns>(B, f).nearest(active);
 }
 
 }  // namespace passive_haptics

@@ -17,7 +17,7 @@ template <class T, int Rows, int Columns>
 struct half_space_projection {
   vector<T, Rows> point;            ///< p, the nearest point of the cone.
   vector<T, Columns> coefficients;  ///< mu >= 0 in f = p + B mu; 0 but for active half-spaces.
-  half_space_set active;  ///< Those that hold p back, b_j . p = 0: a good start for a neighbouring problem.
+  half_space_set active;  ///< Those that hold p back, b_j . p = 0: to start a neighbouring problem with.
 };
 
 /// True if vectors a and b, area = a x b, are parallel to rounding: then the foot on one edge lies on the
@@ -127,7 +127,7 @@ half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Col
   bool free = true;
   for (int j = 0; j < Columns; ++j) {
     const vector<T, 2> b = B.col(j);
-    const T outside = dot(b, f);
+    const T outside = b.dot(f);
     if (!(outside > T(0) && square[j] > T(0))) continue;
     free = false;
     const T along = cross_in_plane(b, f) / square[j];
@@ -135,7 +135,7 @@ half_space_projection<T, 2, Columns> nearest_of_all_edges(const matrix<T, 2, Col
     bool inside = true;
     for (int i = 0; i < Columns; ++i) {
       const vector<T, 2> other = B.col(i);
-      const T beyond = dot(other, p);
+      const T beyond = other.dot(p);
       inside &= i == j || are_parallel(cross_in_plane(other, b), square[i], square[j]) ||
                 !is_beyond(beyond, square[i], along * along * square[j]);
     }
@@ -157,12 +157,12 @@ half_space_projection<T, 2, Columns> nearest_in_plane(const matrix<T, 2, Columns
   const vector<T, Columns> square = column_squares(B);
   if constexpr (Columns == 2) {
     if (const T area = area_between(B, square); area != T(0)) {
-      const vector<T, 2> outside = transposed_product(B, f);
+      const vector<T, 2> outside = B.transpose() * f;
       half_space_projection<T, 2, 2> result{f, vector<T, 2>::Zero(), 0};
       if (!(outside[0] > T(0) || outside[1] > T(0))) return result;
       if (const auto edge = nearest_edge<T>(B, {T(1), T(1)}, f, square, area); edge.held >= 0) {
         const T inverse = T(1) / edge.square;
-        result.point = scaled(edge.along * inverse, edge.direction);
+        result.point = edge.along * inverse * edge.direction;
         result.coefficients[edge.held] = outside[edge.held] * inverse;
         result.active = 1u << edge.held;
         return result;

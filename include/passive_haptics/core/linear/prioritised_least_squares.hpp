@@ -78,7 +78,7 @@ class prioritised_least_squares {
   static constexpr T tolerance() { return T(16) * rounding_tolerance<T>(N + MaxRows); }
 
   // b - A x
-  targets residual(const rows& A, const targets& b) const { return b - product(A, x_); }
+  targets residual(const rows& A, const targets& b) const { return b - A * x_; }
 
   rows on_free(const rows& A) const {
     rows picked;
@@ -96,9 +96,9 @@ class prioritised_least_squares {
     for (int i = 0; i < MaxRows; ++i) {
       vector<T, N> row;
       for (int j = 0; j < N; ++j) row[j] = Af(i, j);
-      size += dot(row, row);
+      size += row.squaredNorm();
       row = held.without_row_space(row);
-      left += dot(row, row);
+      left += row.squaredNorm();
       for (int j = 0; j < N; ++j) reduced(i, j) = row[j];
     }
     // A level that sees only rounding of itself in what is left free has nothing to say.
@@ -133,16 +133,16 @@ class prioritised_least_squares {
   bool release_worst(const rows& A, const targets& b, const decomposition& held,
                      std::array<bool, static_cast<std::size_t>(N)>& refused) {
     const targets r = residual(A, b);
-    vector<T, N> pull = transposed_product(A, r);  // - gradient of |A x - b|^2 / 2
+    vector<T, N> pull = A.transpose() * r;  // - gradient of |A x - b|^2 / 2
     vector<T, N> on_free_pull = pull;
     for (int i = 0; i < N; ++i) {
       if (at_[idx(i)] != bound::none) on_free_pull[i] = T(0);
     }
     // What the earlier rows take up of it
-    pull -= transposed_product(done_, held.solve_transposed(on_free_pull));
+    pull -= done_.transpose() * held.solve_transposed(on_free_pull);
 
-    const T size = norm(b) + norm(r);  // at least |A x|
-    const auto noise = [&](int i) { return tolerance() * norm(targets(A.col(i))) * size; };
+    const T size = b.norm() + r.norm();  // at least |A x|
+    const auto noise = [&](int i) { return tolerance() * A.col(i).norm() * size; };
     int worst = -1;
     T most = T(0);
     for (int i = 0; i < N; ++i) {

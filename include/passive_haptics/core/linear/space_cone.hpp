@@ -31,8 +31,8 @@ class space_cone {
   space_cone(const matrix<T, 3, 3>& B, const vector<T, 3>& f) : f_(f) {
     unrolled<3>([&](auto j) {
       b_[at(j)] = B.col(j);
-      square_[j] = dot(b_[at(j)], b_[at(j)]);
-      outside_[j] = dot(b_[at(j)], f);
+      square_[j] = b_[at(j)].squaredNorm();
+      outside_[j] = b_[at(j)].dot(f);
     });
   }
 
@@ -54,7 +54,7 @@ class space_cone {
     }
     for (int k = 0; k < 3; ++k) {
       if (!is_within_edge(k)) continue;
-      const T along = dot(edge_[at(k)], f_), third = height(k);
+      const T along = edge_[at(k)].dot(f_), third = height(k);
       if (is_flat(k, third)) return false;
       if (!(along * third > T(0))) return lie_on_edge(k, along, answer);
     }
@@ -80,23 +80,23 @@ class space_cone {
   vector<T, 3> edge(int i, int j) const {
     vector<T, 3> d = cross(b_[at(i)], b_[at(j)]);
     const T both = square_[i] * square_[j], narrow = both / T(16);
-    if (dot(d, d) >= narrow) return d;
+    if (d.squaredNorm() >= narrow) return d;
     d = accurate_cross(b_[at(i)], b_[at(j)]);
     constexpr T parallel = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
-    if (!(dot(d, d) > parallel * both)) d.setZero();
+    if (!(d.squaredNorm() > parallel * both)) d.setZero();
     return d;
   }
 
   // |b_j|^2 b . p of the two other columns b, for the foot p of f on face j
   void look_from_face(int j) {
     normal_[at(j)] = cross(b_[at(j)], f_);
-    beyond_next_[j] = dot(normal_[at(j)], edge_[at(previous(j))]);
-    beyond_previous_[j] = -dot(normal_[at(j)], edge_[at(next(j))]);
+    beyond_next_[j] = normal_[at(j)].dot(edge_[at(previous(j))]);
+    beyond_previous_[j] = -normal_[at(j)].dot(edge_[at(next(j))]);
   }
 
   bool lie_on_face(int j, projection& answer) const {
     const T inverse = T(1) / square_[j];
-    answer = {scaled(inverse, cross(normal_[at(j)], b_[at(j)])), vector<T, 3>::Zero(), 1u << j};
+    answer = {inverse * cross(normal_[at(j)], b_[at(j)]), vector<T, 3>::Zero(), 1u << j};
     answer.coefficients[j] = outside_[j] * inverse;
     return true;
   }
@@ -107,18 +107,18 @@ class space_cone {
   }
 
   // b_k . d_k, the determinant of B: how far edge k rises over face k
-  T height(int k) const { return dot(b_[at(k)], edge_[at(k)]); }
+  T height(int k) const { return b_[at(k)].dot(edge_[at(k)]); }
   // Whether that is rounding: edge k lies in face k
   bool is_flat(int k, T height) const {
     constexpr T tolerance = rounding_tolerance<T>(3) * rounding_tolerance<T>(3);
-    return square_[k] > T(0) && !(height * height > tolerance * square_[k] * dot(edge_[at(k)], edge_[at(k)]));
+    return square_[k] > T(0) && !(height * height > tolerance * square_[k] * edge_[at(k)].squaredNorm());
   }
 
   bool lie_on_edge(int k, T along, projection& answer) const {
     const vector<T, 3>& d = edge_[at(k)];
-    const T inverse = T(1) / dot(d, d);
+    const T inverse = T(1) / d.squaredNorm();
     const int i = next(k), j = previous(k);
-    answer = {scaled(along * inverse, d), vector<T, 3>::Zero(), 1u << i | 1u << j};
+    answer = {along * inverse * d, vector<T, 3>::Zero(), 1u << i | 1u << j};
     answer.coefficients[i] = beyond_previous_[j] * inverse;
     answer.coefficients[j] = beyond_next_[i] * inverse;
     return true;
@@ -130,7 +130,7 @@ class space_cone {
     for (int k = 0; k < 3; ++k) {
       const T determinant = height(k);
       if (is_flat(k, determinant)) return false;
-      mu[k] = dot(edge_[at(k)], f_) / determinant;
+      mu[k] = edge_[at(k)].dot(f_) / determinant;
       if (!(mu[k] >= T(0))) return false;
     }
     answer = {vector<T, 3>::Zero(), mu, 7u};
@@ -144,13 +144,13 @@ class space_cone {
 };
 
 /// The nearest point of { p : B^T p <= 0 } to f: in closed form, or where that will not do by an active set
-/// from `start`.
+/// from those that were `active` before.
 template <class T>
 half_space_projection<T, 3, 3> nearest_in_space(const matrix<T, 3, 3>& B, const vector<T, 3>& f,
-                                                half_space_set start) {
+                                                half_space_set active) {
   half_space_projection<T, 3, 3> answer;
   if (space_cone<T>(B, f).nearest(answer)) return answer;
-  return active_set<T, 3, 3>(B, f).nearest(start);
+  return active_set<T, 3, 3>(B, f).nearest(active);
 }
 
 }  // namespace passive_haptics::detail

@@ -43,7 +43,7 @@ struct planar_sensor_frame {
   double mounting = 0;  ///< From the link to the sensor's x axis [rad].
   /// R(q).
   matrix<double, 2, 2> operator()(const vector<double, Dof>& q) const noexcept {
-    const auto [s, c] = sine_cosine(dot(link, q) + mounting);
+    const auto [s, c] = sine_cosine(link.dot(q) + mounting);
     return matrix_of<2, 2>(c, -s, s, c);
   }
 };
@@ -99,13 +99,13 @@ class force_calibration {
 
   /// Force of the hand [N], base frame. Cost: two products.
   vector<double, Dimension> force(const readings& raw, const rotation& R) const noexcept {
-    return product(R, vector<double, Dimension>(product(p_.newtons_per_unit, raw) - p_.tare)) - weight_;
+    return R * (p_.newtons_per_unit * raw - p_.tare) - weight_;
   }
 
   /// The tare [N], sensor's frame, of mean readings with the hand off, in a pose with R: what is left without
   /// the handle's weight.
   vector<double, Dimension> tare_of(const readings& raw, const rotation& R) const noexcept {
-    return product(p_.newtons_per_unit, raw) - transposed_product(R, weight_);
+    return p_.newtons_per_unit * raw - R.transpose() * weight_;
   }
 
   /// The tare that is in use [N].

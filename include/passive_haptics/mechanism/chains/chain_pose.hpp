@@ -55,7 +55,7 @@ class chain_frames<T, N, 2> {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const auto& j = joints_[i];
       const T qi = q[static_cast<int>(i)];
-      p += product(A, j.offset);
+      p += A * j.offset;
       at.turning[i][0] = j.turns ? T(1) : T(0);
       at.sliding[i].setZero();
       if (j.turns) {
@@ -65,13 +65,13 @@ class chain_frames<T, N, 2> {
         sine = sum;
         A << cosine, -sine, sine, cosine;
       } else {
-        at.sliding[i] = product(A, j.axis);
-        p += scaled(qi, at.sliding[i]);
+        at.sliding[i] = A * j.axis;
+        p += qi * at.sliding[i];
       }
       at.turn[i] = A;
       at.point[i] = p;
     }
-    at.handle = p + product(A, tip_);
+    at.handle = p + A * tip_;
     return at;
   }
 
@@ -118,22 +118,19 @@ class chain_frames<T, N, 3> {
       const T qi = q[static_cast<int>(i)];
       T c = b.phase_cosine, s = b.phase_sine;
       const T turns = b.turns ? T(1) : T(0);
-      unrolled<3>([&](int k) {
-        at.turning[i][k] = turns * B(k, 2);
-        at.sliding[i][k] = (T(1) - turns) * B(k, 2);
-      });
+      at.turning[i] = turns * B.col(2);
+      at.sliding[i] = (T(1) - turns) * B.col(2);
       if (b.turns) {
         const auto [sine, cosine] = angles[i];
         c = cosine * b.phase_cosine - sine * b.phase_sine;
         s = sine * b.phase_cosine + cosine * b.phase_sine;
       } else {
-        unrolled<3>([&](int k) { p[k] += qi * B(k, 2); });
+        p += qi * B.col(2);
       }
       const matrix<T, 3, 3> A = turned_about_z(B, c, s);
-      unrolled<3>([&](int k) { at.point[i][k] = p[k]; });
-      unrolled<9>([&](int k) { at.turn[i].data()[k] = A.data()[k]; });
-      unrolled<3>(
-          [&](int k) { p[k] += A(k, 0) * b.to_next[0] + A(k, 1) * b.to_next[1] + A(k, 2) * b.to_next[2]; });
+      at.point[i] = p;
+      at.turn[i] = A;
+      p += A * b.to_next;
       B = turned_about_x(A, b.twist_cosine, b.twist_sine);
     }
     at.handle = p;
@@ -153,21 +150,13 @@ class chain_frames<T, N, 3> {
 
   [[gnu::always_inline]] static matrix<T, 3, 3> turned_about_z(const matrix<T, 3, 3>& A, T cosine, T sine) {
     matrix<T, 3, 3> B;
-    unrolled<3>([&](int k) {
-      B(k, 0) = cosine * A(k, 0) + sine * A(k, 1);
-      B(k, 1) = cosine * A(k, 1) - sine * A(k, 0);
-      B(k, 2) = A(k, 2);
-    });
+    B << cosine * A.col(0) + sine * A.col(1), cosine * A.col(1) - sine * A.col(0), A.col(2);
     return B;
   }
 
   [[gnu::always_inline]] static matrix<T, 3, 3> turned_about_x(const matrix<T, 3, 3>& A, T cosine, T sine) {
     matrix<T, 3, 3> B;
-    unrolled<3>([&](int k) {
-      B(k, 0) = A(k, 0);
-      B(k, 1) = cosine * A(k, 1) + sine * A(k, 2);
-      B(k, 2) = cosine * A(k, 2) - sine * A(k, 1);
-    });
+    B << A.col(0), cosine * A.col(1) + sine * A.col(2), cosine * A.col(2) - sine * A.col(1);
     return B;
   }
 

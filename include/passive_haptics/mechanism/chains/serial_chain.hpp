@@ -58,12 +58,9 @@ class serial_chain {
   /// J
   matrix<T, D, N> jacobian(const chain_pose<T, N, D>& at) const {
     matrix<T, D, N> J;
-    for (std::size_t i = 0; i < size; ++i) {
-      vector<T, D> r;
-      unrolled<D>([&](int k) { r[k] = at.handle[k] - at.point[i][k]; });
-      const vector<T, D> column = joints_[i].turns ? algebra::velocity(at.turning[i], r) : at.sliding[i];
-      unrolled<D>([&](int k) { J(k, int(i)) = column[k]; });
-    }
+    for (std::size_t i = 0; i < size; ++i)
+      J.col(int(i)) =
+          joints_[i].turns ? algebra::velocity(at.turning[i], at.handle - at.point[i]) : at.sliding[i];
     return J;
   }
 

@@ -154,14 +154,12 @@ class delta {
     using std::sqrt;
     const vector<S, 3> a = P2 - P1, b = P3 - P1, c = P3 - P2;
     const vector<S, 3> n = cross(a, b);
-    const S aa = dot(a, a), bb = dot(b, b), nn = dot(n, n);
+    const S aa = a.squaredNorm(), bb = b.squaredNorm(), nn = n.squaredNorm();
     const vector<S, 3> bn = cross(b, n), na = cross(n, a);
-    const S circumradius = sqrt(S(aa * bb * dot(c, c) / nn)) / T(2);
+    const S circumradius = sqrt(S(aa * bb * c.squaredNorm() / nn)) / T(2);
     const S height = side_ * sqrt(S((p_.forearm - circumradius) * (p_.forearm + circumradius) / nn));
     const S to_centre = T(1) / (T(2) * nn);
-    vector<S, 3> x;
-    for (int k = 0; k < 3; ++k) x[k] = P1[k] + (aa * bn[k] + bb * na[k]) * to_centre + height * n[k];
-    return x;
+    return P1 + (aa * bn + bb * na) * to_centre + height * n;
   }
 
   // With the platform at x, or else where it is

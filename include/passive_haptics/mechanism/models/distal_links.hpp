@@ -23,14 +23,7 @@ struct distal_links {
   vector<T, N> handle;      ///< Where the legs meet [m].
 
   /// Diagonal of B [m^2/rad].
-  vector<T, N> drive() const {
-    vector<T, N> B;
-    unrolled<N>([&](int i) {
-      B[i] = T(0);
-      unrolled<N>([&](int k) { B[i] += link(i, k) * tangent(k, i); });
-    });
-    return B;
-  }
+  vector<T, N> drive() const { return link.cwiseProduct(tangent.transpose()).rowwise().sum(); }
 
   /// J = A^-1 B [m/rad]; not finite, or of no accuracy, where A is singular.
   matrix<T, N, N> jacobian() const { return solved(drive()); }
@@ -44,9 +37,9 @@ struct distal_links {
     matrix<T, N, N> unit = link;
     T sine = T(1);
     for (int i = 0; i < N; ++i) {
-      const T length = norm(vector<T, N>(link.row(i)));
-      for (int k = 0; k < N; ++k) unit(i, k) /= length;
-      const T ratio = std::abs(B[i]) / length / norm(vector<T, N>(tangent.col(i)));
+      const T length = link.row(i).norm();
+      unit.row(i) /= length;
+      const T ratio = std::abs(B[i]) / length / tangent.col(i).norm();
       if (ratio < sine || ratio != ratio) sine = ratio;  // a NaN stays
     }
     // In this order std::min keeps a NaN
@@ -55,16 +48,11 @@ struct distal_links {
 
   /// Jd qd [m/s^2] from the constraint's second derivative, r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.
   vector<T, N> bias_acceleration(const matrix<T, N, N>& J, const vector<T, N>& qd) const {
-    const vector<T, N> v = product(J, qd);
+    const vector<T, N> v = J * qd;
     vector<T, N> right;
-    for (int i = 0; i < N; ++i) {
-      right[i] = T(0);
-      for (int k = 0; k < N; ++k) {
-        const T relative = v[k] - qd[i] * tangent(k, i);
-        right[i] -= qd[i] * qd[i] * link(i, k) * lever(k, i) + relative * relative;
-      }
-    }
-    return product(solved(right), vector<T, N>(vector<T, N>::Ones()));
+    for (int i = 0; i < N; ++i)
+      right[i] = -qd[i] * qd[i] * link.row(i).dot(lever.col(i)) - (v - qd[i] * tangent.col(i)).squaredNorm();
+    return solved(right).rowwise().sum();
   }
 
  private:
@@ -76,16 +64,10 @@ struct distal_links {
       const T b0 = b[0] * inverse, b1 = b[1] * inverse;
       return matrix_of<2, 2>(b0 * link(1, 1), -b1 * link(0, 1), -b0 * link(1, 0), b1 * link(0, 0));
     } else {
-      matrix<T, N, N> X;
-      std::array<vector<T, 3>, 3> r;
-      unrolled<3>([&](int i) { unrolled<3>([&](int k) { r[std::size_t(i)][k] = link(i, k); }); });
-      const std::array<vector<T, 3>, 3> across{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])};
-      const T inverse = T(1) / dot(r[0], across[0]);
-      unrolled<3>([&](int i) {
-        const T scale = b[i] * inverse;
-        unrolled<3>([&](int k) { X(k, i) = scale * across[std::size_t(i)][k]; });
-      });
-      return X;
+      const vector<T, 3> r1 = link.row(0), r2 = link.row(1), r3 = link.row(2);
+      matrix<T, 3, 3> X;
+      X << cross(r2, r3), cross(r3, r1), cross(r1, r2);
+      return X * (b / r1.dot(X.col(0))).asDiagonal();
     }
   }
 };

@@ -83,7 +83,7 @@ class two_link {
     return {at.link_1[0] + at.link_2[0], at.link_1[1] + at.link_2[1]};
   }
 
-  /// J [m/rad], the inverse transpose of which is (5).
+  /// J [m/rad]
   matrix<T, 2, 2> jacobian(const two_link_pose<T>& at) const {
     const vector<T, 2> x = position(at);
     return matrix_of<2, 2>(-x[1], -at.link_2[1], x[0], at.link_2[0]);
@@ -91,6 +91,18 @@ class two_link {
 
   /// J [m/rad]
   matrix<T, 2, 2> jacobian(const vector<T, 2>& q) const { return jacobian(pose(q)); }
+
+  /// J^-T = [J_1 J_2] [1/m]: column i is the force that a torque at joint i alone makes. With the links l_1,
+  /// l_2 as vectors, J_1 = l_2 / det J and J_2 = -(l_1 + l_2) / det J, where det J = l_1 x l_2; not finite
+  /// where that is 0.
+  ///
+  /// @equation{5}
+  matrix<T, 2, 2> inverse_transposed_jacobian(const vector<T, 2>& q) const {
+    const auto [l_1, l_2] = pose(q);
+    matrix<T, 2, 2> J_1_J_2;
+    J_1_J_2 << l_2, -(l_1 + l_2);
+    return J_1_J_2 / cross_in_plane(l_1, l_2);
+  }
 
   /// Joint positions that put the handle at x [m]. Out of reach gives the nearest reach in the same
   /// direction; at x = 0 (l1 = l2) q1 is free and 0 is taken for the direction.

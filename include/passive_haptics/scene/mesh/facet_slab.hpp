@@ -40,7 +40,7 @@ void for_each_rim(const mesh_facet<2>& f, const F& rim) {
 template <class F>
 void for_each_rim(const mesh_facet<3>& f, const F& rim) {
   for (int i = 0; i < 3; ++i) {
-    const point<3> out = cross_in_space<3>(f.corner(i + 1) - f.corner(i), f.normal);
+    const point<3> out = cross<double>(f.corner(i + 1) - f.corner(i), f.normal);
     rim(f.corner(i), point<3>(out / out.norm()));
   }
 }

@@ -53,12 +53,6 @@ namespace detail {
 
 // Templates throughout, so that who includes this and has no mesh pays nothing for it.
 
-/// a x b; D = 3.
-template <int D>
-point<D> cross_in_space(const point<D>& a, const point<D>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Index of the longest edge of a triangle: it runs from corner i to the next.
 template <int D>
 int longest_edge(const facet_corners<D>& c) {
@@ -96,7 +90,7 @@ point<D> normal_of(const facet_corners<D>& c) {
     const auto at = [&](int k) { return c[static_cast<std::size_t>(k % 3)]; };
     const point<D> along = (at(i + 1) - at(i)).stableNormalized();
     point<D> n =
-        cross_in_space<D>((at(i + 2) - at(i + 1)).stableNormalized(), (at(i) - at(i + 2)).stableNormalized());
+        cross<double>((at(i + 2) - at(i + 1)).stableNormalized(), (at(i) - at(i + 2)).stableNormalized());
     for (int pass = 0; pass < 2; ++pass) {
       n -= along.dot(n) * along;
       n.normalize();
@@ -137,7 +131,7 @@ facet_point<D> nearest_point(const mesh_facet<D>& f, const std::type_identity_t<
     bool inside = true;
     for (int i = 0; i < 3; ++i) {
       const point<D>&a = f.corner(i), &b = f.corner(i + 1);
-      if (!(f.normal.dot(detail::cross_in_space<D>(b - a, x - a)) < 0)) continue;
+      if (!(f.normal.dot(cross<double>(b - a, x - a)) < 0)) continue;
       inside = false;
       const auto on_edge = detail::nearest_on_segment<D>(a, b, x, i);
       if (on_edge.squared_distance < best.squared_distance) best = on_edge;

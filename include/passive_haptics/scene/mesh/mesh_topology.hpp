@@ -93,7 +93,7 @@ double angle_at(const mesh_facet<D>& f, int i) {
   if constexpr (D == 2) return 1;
   else {
     const point<3> u = f.corner(i + 1) - f.corner(i), v = f.corner(i + 2) - f.corner(i);
-    return std::atan2(cross_in_space<3>(u, v).norm(), u.dot(v));
+    return std::atan2(cross(u, v).norm(), u.dot(v));
   }
 }
 
@@ -105,7 +105,7 @@ double enclosed(const std::vector<mesh_facet<D>>& facets) {
   for (const mesh_facet<D>& f : facets) {
     const point<D> a = f.corners[0] - origin, b = f.corners[1] - origin;
     if constexpr (D == 2) sum += cross_in_plane(a, b);
-    else sum += cross_in_space<3>(a, b).dot(f.corners[2] - origin);
+    else sum += cross(a, b).dot(f.corners[2] - origin);
   }
   return sum;
 }

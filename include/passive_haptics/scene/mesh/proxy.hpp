@@ -106,9 +106,9 @@ class proxy_way {
   // A full list first loses a facet that did not hold the last step back.
   void rest_on(int facet) {
     if (tracker_.facet_count == most) {
-      int idle = 0;
-      while (idle + 1 < most && (active_ >> idle & 1u) != 0) ++idle;
-      resting(idle) = resting(--tracker_.facet_count);
+      int unneeded = 0;
+      while (unneeded + 1 < most && (active_ >> unneeded & 1u) != 0) ++unneeded;
+      resting(unneeded) = resting(--tracker_.facet_count);
     }
     resting(tracker_.facet_count++) = facet;
   }

@@ -2,6 +2,7 @@
 /// The contacts of a handle whose proxy rests on facets of a mesh.
 #pragma once
 
+#include <passive_haptics/core/linear/least_distance.hpp>
 #include <passive_haptics/scene/mesh/proxy.hpp>
 
 #include <algorithm>
@@ -13,18 +14,13 @@ namespace passive_haptics::detail {
 
 /// The shares m >= 0 of the least displacement N m that brings a point in front of all of K planes, N the
 /// unit normals by columns (zero: no plane) and depth how far it is behind each; one of them must be > 0.
-/// Where nothing is in front of all, the depths themselves. By Lawson and Hanson's least-distance programme,
-/// as in convex_polytope.hpp.
+/// Where nothing is in front of all, the depths themselves.
 template <int D, int K>
 vector<double, K> shares_of_displacement(const matrix<double, D, K>& N, const vector<double, K>& depth) {
-  constexpr double far_before = -1e100;  // in units of the largest depth: keeps the squares finite
-  matrix<double, D + 1, K> B;
-  B.template topRows<D>() = N;
-  B.row(D) = (depth / depth.maxCoeff()).cwiseMax(far_before).transpose();
-  const vector<double, K> c =
-      project_onto_half_spaces<double, D + 1, K>(B, vector<double, D + 1>::Unit(D)).coefficients;
-  const double square = (N * c).squaredNorm();
-  return square > 0 ? vector<double, K>(c * (c.dot(depth) / square)) : vector<double, K>(depth.cwiseMax(0));
+  const least_distance<double, D, K> least(N, depth);
+  const double square = least.way.squaredNorm();
+  if (!(square > 0)) return depth.cwiseMax(0);
+  return least.multipliers * (least.multipliers.dot(depth) / square);
 }
 
 /// Facets of one smooth surface make one contact, others one each.

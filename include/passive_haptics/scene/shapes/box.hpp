@@ -2,6 +2,7 @@
 /// A rectangular wall: rectangle (2-D) or box (3-D), aligned with any orthonormal frame.
 #pragma once
 
+#include <passive_haptics/core/linear/orthogonalisation.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 #include <passive_haptics/scene/shapes/directions.hpp>
@@ -94,15 +95,13 @@ class box {
   point<D> local(const point<D>& x) const { return axes_.transpose() * (x - centre_); }
   point<D> beyond_faces(const point<D>& local_point) const { return local_point.cwiseAbs() - half_extents_; }
 
-  // Gram and Schmidt, twice; exact for columns that are units of the base frame.
-  static matrix<double, D, D> orthonormal(matrix<double, D, D> a) {
+  static matrix<double, D, D> orthonormal(matrix<double, D, D> axes) {
     for (int i = 0; i < D; ++i) {
-      for (int pass = 0; pass < 2; ++pass) {
-        for (int j = 0; j < i; ++j) a.col(i) -= a.col(j).dot(a.col(i)) * a.col(j);
-      }
-      a.col(i).normalize();
+      point<D> axis = axes.col(i);
+      orthogonalise(axis, axes, i);
+      axes.col(i) = axis.normalized();
     }
-    return a;
+    return axes;
   }
 
   point<D> centre_;

@@ -2,7 +2,7 @@
 /// A convex polytope by the half-spaces that bound it.
 #pragma once
 
-#include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/core/linear/least_distance.hpp>
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/shape.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
@@ -23,33 +23,6 @@ struct convex_polytope_parameters {
 };
 
 namespace detail {
-
-/// Distance from x to the set behind K planes, for the distances g of x from them, not all <= 0, and their
-/// normals N (columns).
-///
-/// The nearest point is a least-distance problem: least |d| with n_i . d <= -g_i. Lawson and Hanson (Solving
-/// Least Squares Problems, 1974, ch. 23) turn it into the projection of the last unit vector on a cone in one
-/// dimension more. Its multipliers mu >= 0 give the direction N mu and the distance mu . g / |N mu|, the dual
-/// value: never too large, and exact to second order in the error of mu.
-template <int D, int K>
-struct polytope_distance {
-  double distance = 0;                    ///< [m]
-  point<D> gradient = point<D>::UnitX();  ///< From the nearest point to x.
-  double residual = 0;                    ///< |projection|, in [0, 1]; 0 if no point is behind all planes.
-
-  polytope_distance(const matrix<double, D, K>& N, const vector<double, K>& g) {
-    constexpr double far_behind = -1e100;  // in units of the largest distance: keeps the squares finite
-    matrix<double, D + 1, K> B;
-    B.template topRows<D>() = -N;
-    B.row(D) = (g / g.maxCoeff()).cwiseMax(far_behind).transpose();
-    const auto projection = project_onto_half_spaces<double, D + 1, K>(B, vector<double, D + 1>::Unit(D));
-    const point<D> direction = N * projection.coefficients;
-    const double length = direction.norm();
-    residual = projection.point.norm();
-    distance = projection.coefficients.dot(g) / length;
-    gradient = direction / length;
-  }
-};
 
 /// Normals of planes, by columns.
 template <int D, std::size_t K>
@@ -83,7 +56,7 @@ std::string check_common_inside(const std::array<half_space<D>, K>& faces) {
   constexpr double parallel = 1e-8;  // rad; about the root of the rounding of double
   const matrix<double, D, k> N = normals_of(faces);
   const vector<double, k> g = distances_from<D, K>(faces, point<D>::Zero());
-  if (g.maxCoeff() <= 0 || polytope_distance<D, k>(N, g).residual >= parallel) return {};
+  if (g.maxCoeff() <= 0 || least_distance<double, D, k>(N, g).residual >= parallel) return {};
   return "faces of a convex_polytope have no common inside, expected normals that point out of it";
 }
 
@@ -142,8 +115,10 @@ class convex_polytope {
       if (g[i] > g[nearest_plane]) nearest_plane = i;
     }
     if (g[nearest_plane] > 0) {
-      const detail::polytope_distance<D, K> outside(normals_, g);
-      if (outside.distance > g[nearest_plane]) return {outside.distance, outside.gradient};
+      // To the nearest point leads the shortest way to behind all planes
+      const least_distance<double, D, K> least(normals_, g);
+      const double length = least.way.norm(), distance = least.multipliers.dot(g) / length;
+      if (distance > g[nearest_plane]) return {distance, least.way / length};
     }
     return {g[nearest_plane], normals_.col(nearest_plane)};
   }

@@ -39,11 +39,7 @@ class half_space {
       : half_space(half_space_parameters<D>{surface_point, normal}) {}
 
   /// Signed distance [m]; D multiplications.
-  double distance(const point<D>& x) const {
-    point<D> moved;
-    unrolled<D>([&](auto i) { moved[i] = x[i] - point_[i]; });
-    return dot(normal_, moved);
-  }
+  double distance(const point<D>& x) const { return normal_.dot(x - point_); }
 
   /// The unit normal.
   point<D> gradient(const point<D>&) const { return normal_; }

@@ -4,6 +4,7 @@
 
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 #include <passive_haptics/scene/scene.hpp>
+#include <passive_haptics/scene/world/tracked_shape.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -12,18 +13,6 @@
 #include <utility>
 
 namespace passive_haptics {
-
-/// Takes the contacts of a wall, one after the other.
-template <int D>
-class contact_sink {
- public:
-  /// Takes one contact. What does not depend on the wall's shape (its number, where the handle is) may be
-  /// missing.
-  virtual void add(const contact<D>& c) = 0;
-
- protected:
-  ~contact_sink() = default;
-};
 
 /// Holds a wall of any Shape or TrackedShape. Copies share it, so they are cheap and safe in other threads.
 template <int D>
@@ -50,9 +39,10 @@ class any_wall {
   /// Makes a tracker of a handle that was not seen yet, in tracker_size() bytes aligned for any type.
   void start_tracker(void* storage) const { held_->start_tracker(storage); }
 
-  /// How far [m] the handle may go from x without touching the wall; 0 if it touches it, then its contacts go
-  /// to `found`. In the cycle before it was at `from`.
-  double look(const point<D>& from, const point<D>& x, void* tracker, contact_sink<D>& found) const {
+  /// How far [m] the handle may go from x without touching the wall; 0 if it touches it, then its contacts
+  /// are added to `found`, without what the shape does not know: the wall's number and, of a TrackedShape,
+  /// the position. In the cycle before the handle was at `from`.
+  double look(const point<D>& from, const point<D>& x, void* tracker, contacts<D, D>& found) const {
     return held_->look(from, x, tracker, found);
   }
 
@@ -69,11 +59,14 @@ class any_wall {
     virtual std::size_t tracker_size() const = 0;
     virtual void start_tracker(void* storage) const = 0;
     virtual double look(const point<D>& from, const point<D>& x, void* tracker,
-                        contact_sink<D>& found) const = 0;
+                        contacts<D, D>& found) const = 0;
   };
 
   template <class S>
   struct model final : any_model {
+    static_assert(
+        Shape<S> || TrackedShape<S>,
+        "passive_haptics: a wall with a tracker needs a TrackedShape (scene/world/tracked_shape.hpp).");
     explicit model(wall<S> w) : held(std::move(w)) {}
 
     std::size_t tracker_size() const override {
@@ -84,7 +77,7 @@ class any_wall {
       if constexpr (TrackedShape<S>) ::new (storage) typename S::tracker();
     }
     double look(const point<D>& from, const point<D>& x, void* tracker,
-                contact_sink<D>& found) const override {
+                contacts<D, D>& found) const override {
       if constexpr (TrackedShape<S>) {
         contact<D> c;
         c.stiffness = held.stiffness;
@@ -92,14 +85,14 @@ class any_wall {
                                  [&](const point<D>& normal, double depth) {
                                    c.normal = normal;
                                    c.depth = depth;
-                                   found.add(c);
+                                   found.push_back(c);
                                  });
       } else {
         const double distance = held.shape.distance(x);
         if (distance >= 0) return distance;
         contact<D> c;
         describe(held, x, distance, c);
-        found.add(c);
+        found.push_back(c);
         return 0;
       }
     }

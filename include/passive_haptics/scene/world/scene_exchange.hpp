@@ -15,12 +15,11 @@
 
 namespace passive_haptics {
 
-/// Hands scenes from one thread to one other, the latest of them, whole. Neither waits for the other, neither
-/// locks; the reader neither allocates nor frees: a scene that is no longer read is destroyed by the thread
-/// that publishes.
+/// A triple buffer from one thread to one other: the latest scene, whole. Neither thread waits or locks. The
+/// reader neither allocates nor frees: the thread that publishes destroys the scenes that are read no more.
 ///
-/// Four scenes are alive: one being written, one handed over, one being read and the one that was read before
-/// it, so that the new one can take over what it knew of the handle.
+/// Beside its three scenes (being written, handed over, being read) a fourth is kept: the one that was read
+/// before. The new one takes over what it knew of the handle.
 template <class Scene>
 class scene_exchange {
  public:

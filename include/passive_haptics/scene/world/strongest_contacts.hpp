@@ -2,7 +2,7 @@
 /// Which contacts are kept where there are more than a step takes.
 #pragma once
 
-#include <passive_haptics/scene/world/any_wall.hpp>
+#include <passive_haptics/scene/contacts.hpp>
 
 #include <algorithm>
 #include <tuple>
@@ -12,7 +12,7 @@ namespace passive_haptics {
 /// Keeps the contacts of the largest forces k * depth, of equal ones those of lower wall numbers. What is
 /// kept does not depend on the order in which they come.
 template <int D, int Capacity>
-class strongest_contacts final : public contact_sink<D> {
+class strongest_contacts {
  public:
   /// Forgets all.
   void clear() {
@@ -20,21 +20,8 @@ class strongest_contacts final : public contact_sink<D> {
     left_out_ = 0;
   }
 
-  /// What the contacts that come next have in common: the number of their wall, the handle's position [m] and
-  /// the velocity of the wall beyond that of its shape [m/s], nullptr if it stays; base frame, both as long
-  /// as they come.
-  void from_wall(int number, const point<D>* x, const point<D>* velocity) {
-    wall_ = number;
-    position_ = x;
-    velocity_ = velocity;
-  }
-
-  /// Takes a contact of that wall.
-  void add(const contact<D>& touched) override {
-    contact<D> c = touched;
-    c.wall = wall_;
-    c.position = *position_;
-    if (velocity_ != nullptr) c.wall_velocity += *velocity_;
+  /// Takes a contact.
+  void add(const contact<D>& c) {
     if (kept_.push_back(c)) return;
     ++left_out_;
     contact<D>* weakest = std::max_element(kept_.begin(), kept_.end(), stronger);
@@ -65,9 +52,6 @@ class strongest_contacts final : public contact_sink<D> {
 
   contacts<D, Capacity> kept_;
   int left_out_ = 0;
-  int wall_ = 0;
-  const point<D>* position_ = nullptr;
-  const point<D>* velocity_ = nullptr;
 };
 
 }  // namespace passive_haptics

@@ -155,29 +155,37 @@ class world {
   void* tracker(std::size_t other) { return trackers_.data() + geometry_->trackers[other]; }
 
   double look(int item, const point<D>& x) {
+    touched_.clear();
     const int number = geometry_->in_tree[static_cast<std::size_t>(item)];
-    found_.from_wall(number, &x, nullptr);
-    return geometry_->at(number).look(x, x, nullptr, found_);
+    const double distance = geometry_->at(number).look(x, x, nullptr, touched_);
+    add_touched(number, x);
+    return distance;
   }
 
   double look_at_other(int item, const point<D>& x) {
     const auto k = static_cast<std::size_t>(-1 - item);
     const int number = geometry_->others[k];
-    if (k >= motions_.size()) {
-      found_.from_wall(number, &x, nullptr);
-      return geometry_->at(number).look(previous_, x, tracker(k), found_);
-    }
-    motion& m = motions_[k];
-    found_.from_wall(number, &x, &m.velocity);
-    const double distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), found_);
+    motion fixed;
+    motion& m = k < motions_.size() ? motions_[k] : fixed;
+    touched_.clear();
+    const double distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), touched_);
+    for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
+    add_touched(number, x);
     m.seen = m.now;
     return distance;
+  }
+
+  void add_touched(int number, const point<D>& x) {
+    for (contact<D>& c : touched_) {
+      c.wall = number;
+      c.position = x;
+      found_.add(c);
+    }
   }
 
   const contacts_type& undefined_contact() {
     contact<D> c;
     c.depth = std::numeric_limits<double>::quiet_NaN();
-    found_.from_wall(0, &c.position, nullptr);
     found_.add(c);
     return found_.in_order();
   }
@@ -187,6 +195,7 @@ class world {
   point<D> previous_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());  // x of the cycle before
   std::vector<motion> motions_;  // in the order of walls.moving()
   std::vector<std::max_align_t> trackers_;
+  contacts<D, D> touched_;  // of one wall
   strongest_contacts<D, Capacity> found_;
 };
 

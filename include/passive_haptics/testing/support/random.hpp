@@ -2,7 +2,7 @@
 /// Seeded random data for property suites.
 #pragma once
 
-#include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/linear/orthogonalisation.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 
 #include <cmath>
@@ -67,25 +67,17 @@ class random_source {
   /// Unit vector, every direction alike.
   template <class T, int N>
   vector<T, N> direction() {
-    const vector<double, N> x = normal_vector<double, N>();
-    return as<T>(scaled(1 / norm(x), x));
+    return as<T>(vector<double, N>(normal_vector<double, N>().normalized()));
   }
 
-  /// Unit vectors at right angles, one a column, every choice of them alike (Gram and Schmidt, twice).
+  /// Unit vectors at right angles, one a column, every choice of them alike.
   template <int N, int Count = N>
   matrix<double, N, Count> orthogonal_directions() {
     matrix<double, N, Count> all;
     for (int i = 0; i < Count; ++i) {
       vector<double, N> x = direction<double, N>();
-      for (int pass = 0; pass < 2; ++pass) {
-        for (int k = 0; k < i; ++k) {
-          double along = 0;
-          for (int r = 0; r < N; ++r) along += all(r, k) * x[r];
-          for (int r = 0; r < N; ++r) x[r] -= along * all(r, k);
-        }
-        x = scaled(1 / norm(x), x);
-      }
-      for (int r = 0; r < N; ++r) all(r, i) = x[r];
+      orthogonalise(x, all, i);
+      all.col(i) = x.normalized();
     }
     return all;
   }

@@ -34,25 +34,9 @@ struct small_matrix {
 };
 
 /// Largest magnitude of an entry; NaN if one is NaN.
-template <class T, int R, int C>
-T largest_entry(const matrix<T, R, C>& A) {
-  T largest = T(0);
-  for (int j = 0; j < C; ++j) {
-    for (int i = 0; i < R; ++i) {
-      const T size = std::abs(A(i, j));
-      if (size > largest || size != size) largest = size;
-    }
-  }
-  return largest;
-}
-
-/// A - B.
-template <class T, int R, int C>
-matrix<T, R, C> difference(matrix<T, R, C> A, const matrix<T, R, C>& B) {
-  for (int j = 0; j < C; ++j) {
-    for (int i = 0; i < R; ++i) A(i, j) -= B(i, j);
-  }
-  return A;
+template <class Expression>
+auto largest_entry(const Expression& A) {
+  return A.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
 }
 
 /// The entries, column after column, on one line of a message.
@@ -103,19 +87,6 @@ inline double condition_of(small_matrix A) {
     largest = std::max(largest, length);
   }
   return largest / smallest;
-}
-
-/// True if the lower triangle of a square matrix, taken for a symmetric one, has a Cholesky factor.
-inline bool is_positive_definite(small_matrix A) {
-  for (int j = 0; j < A.cols; ++j) {
-    for (int k = 0; k < j; ++k) {
-      for (int i = j; i < A.rows; ++i) A(i, j) -= A(i, k) * A(j, k);
-    }
-    if (!(A(j, j) > 0)) return false;
-    const double root = std::sqrt(A(j, j));
-    for (int i = j; i < A.rows; ++i) A(i, j) /= root;
-  }
-  return true;
 }
 
 /// The x with A x = b of a matrix of full column rank; where there are more rows than columns, with the rows

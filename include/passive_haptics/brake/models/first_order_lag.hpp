@@ -5,9 +5,23 @@
 #include <passive_haptics/core/matrix.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace passive_haptics {
+
+/// What T dy/dt + y = u covers of the way from y to a constant u in dt [s]: 1 - exp(-dt / T), 1 for T = 0.
+template <class T>
+T lag_share(T dt, T time_constant) {
+  return time_constant > T(0) ? -std::expm1(-dt / time_constant) : T(1);
+}
+
+/// y after dt [s] of a constant u: u itself, exactly, for T = 0 and where dt is infinite or NaN.
+template <class T>
+T lagged(T y, T u, T dt, T time_constant) {
+  if (!(time_constant > T(0)) || !(dt < std::numeric_limits<T>::infinity())) return u;
+  return y + lag_share(dt, time_constant) * (u - y);
+}
 
 /// T_b dy/dt + y = u, one time constant for each of N channels, solved exactly for u constant over a step.
 template <class T, int N>
@@ -18,10 +32,7 @@ class first_order_lag {
 
   /// y after dt [s] of constant input u.
   const vector<T, N>& advance(T dt, const vector<T, N>& u) {
-    for (int i = 0; i < N; ++i) {
-      if (time_constant_[i] > T(0)) y_[i] -= std::expm1(-dt / time_constant_[i]) * (u[i] - y_[i]);
-      else y_[i] = u[i];
-    }
+    for (int i = 0; i < N; ++i) y_[i] = lagged(y_[i], u[i], dt, time_constant_[i]);
     return y_;
   }
 
@@ -33,10 +44,11 @@ class first_order_lag {
   vector<T, N> y_ = vector<T, N>::Zero();
 };
 
-/// Time constant [s] of a first-order low-pass with this corner frequency [Hz].
+/// Time constant [s] of a first-order low-pass with this corner frequency [Hz]; 0, which follows at once, for
+/// a corner of 0.
 template <class T>
 T low_pass_time_constant(T corner) {
-  return T(1) / (T(2) * std::numbers::pi_v<T> * corner);
+  return corner > T(0) ? T(1) / (T(2) * std::numbers::pi_v<T> * corner) : T(0);
 }
 
 }  // namespace passive_haptics
