@@ -8,6 +8,7 @@
 #include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
 #include <passive_haptics/control/laws/velocity_ratio_control.hpp>
 #include <passive_haptics/testing/control_law_properties.hpp>
+#include <passive_haptics/testing/fault_properties.hpp>
 
 namespace {
 
@@ -31,5 +32,12 @@ INSTANTIATE_TYPED_TEST_SUITE_P(single_dof, control_law_properties,
 INSTANTIATE_TYPED_TEST_SUITE_P(velocity_ratio, control_law_properties,
                                on_devices<ph::velocity_ratio_control>);
 INSTANTIATE_TYPED_TEST_SUITE_P(on_off, control_law_properties, on_devices<ph::on_off_control>);
+
+INSTANTIATE_TYPED_TEST_SUITE_P(direct_control, fault_properties, on_devices<nulling_early>);
+INSTANTIATE_TYPED_TEST_SUITE_P(coercive, fault_properties, on_devices<ph::coercive_force_approximation>);
+INSTANTIATE_TYPED_TEST_SUITE_P(single_dof, fault_properties,
+                               on_devices<ph::single_degree_of_freedom_control>);
+INSTANTIATE_TYPED_TEST_SUITE_P(velocity_ratio, fault_properties, on_devices<ph::velocity_ratio_control>);
+INSTANTIATE_TYPED_TEST_SUITE_P(on_off, fault_properties, on_devices<ph::on_off_control>);
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 
 #include <array>
-#include <cmath>
 
 namespace passive_haptics {
 

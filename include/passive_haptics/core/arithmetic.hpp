@@ -2,7 +2,6 @@
 /// What the library asks of floating-point arithmetic, and its named tolerances.
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <numbers>
 

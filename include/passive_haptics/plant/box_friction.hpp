@@ -4,10 +4,8 @@
 
 #include <passive_haptics/core/linear/cholesky.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace passive_haptics {

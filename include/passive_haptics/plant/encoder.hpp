@@ -6,7 +6,6 @@
 #include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/core/validate.hpp>
 
-#include <cmath>
 #include <numbers>
 
 namespace passive_haptics {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cassert>
-#include <cstddef>
 
 namespace passive_haptics {
 

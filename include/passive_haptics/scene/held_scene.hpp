@@ -4,7 +4,6 @@
 
 #include <passive_haptics/scene/scene.hpp>
 
-#include <cmath>
 #include <limits>
 
 namespace passive_haptics {

@@ -19,11 +19,11 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/testing/support/derivative.hpp>
 #include <passive_haptics/testing/support/random.hpp>
-#include <passive_haptics/testing/support/small_matrices.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 #include <vector>
 
@@ -55,60 +55,64 @@ class mechanism_properties : public ::testing::Test {
                     static_cast<reference_scalar>(Case::upper()[i] - Case::lower()[i]) / reference_scalar(8));
   }
 
-  /// Random poses, far enough from the bounds for differences.
-  static std::vector<joint_vector<model>> poses() {
+  const model mechanism = Case::make();  ///< The mechanism under test.
+
+  /// visit(q) for random poses, far enough from the bounds for differences.
+  template <class Visit>
+  void for_each_pose(Visit&& visit) const {
     random_source random(seed);
     joint_vector<model> margin;
     for (int i = 0; i < model::dof; ++i) margin[i] = static_cast<number>(3 * step(i));
-    std::vector<joint_vector<model>> all;
-    for (int k = 0; k < pose_count; ++k)
-      all.push_back(random.between<number, model::dof>(Case::lower() + margin, Case::upper() - margin));
-    return all;
+    for (int k = 0; k < pose_count && !::testing::Test::HasFatalFailure(); ++k) {
+      const auto q = random.between<number, model::dof>(Case::lower() + margin, Case::upper() - margin);
+      SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose());
+      visit(q);
+    }
   }
 
-  /// Condition of the transmission: largest over smallest singular value; 1 without one, infinite if rank is
-  /// lost.
-  static number transmission_condition(const model& mechanism, const joint_vector<model>& q) {
+  /// Largest magnitude of an entry; NaN if one is NaN.
+  template <class Expression>
+  static auto largest_entry(const Expression& A) {
+    return A.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+  }
+
+  /// |T| |T^+|, at least the condition of the transmission; 1 without one, NaN if rank is lost.
+  number transmission_condition(const joint_vector<model>& q) const {
     if constexpr (detail::has_exact_transmission<model>) {
       const matrix<number, model::brake_count, model::dof> A(transmission(mechanism, q));
-      return static_cast<number>(condition_of(small_matrix(A)));
+      return A.norm() * pseudo_inverse(A).norm();
     } else {
       return number(1);
     }
   }
 
-  /// dx/dq by differences of position.
-  static matrix<reference_scalar, model::task_dimension, model::dof> difference_jacobian(
-      const model& mechanism, const joint_vector<model>& q) {
-    matrix<reference_scalar, model::task_dimension, model::dof> J;
-    for (int i = 0; i < model::dof; ++i) {
-      const auto along = [&](reference_scalar s) {
-        auto moved = as<reference_scalar>(q);
-        moved[i] += s;
-        return vector<reference_scalar, model::task_dimension>(mechanism.position(moved));
-      };
-      J.col(i) = central_difference(along, step(i));
-    }
-    return J;
+  /// dx/dq_i by differences of position.
+  vector<reference_scalar, model::task_dimension> difference_column(const joint_vector<model>& q,
+                                                                    int i) const {
+    const auto along = [&](reference_scalar s) {
+      auto moved = as<reference_scalar>(q);
+      moved[i] += s;
+      return vector<reference_scalar, model::task_dimension>(mechanism.position(moved));
+    };
+    return central_difference(along, step(i));
   }
 
   /// J as a dense matrix.
-  static matrix<number, model::task_dimension, model::dof> dense_jacobian(const model& mechanism,
-                                                                          const joint_vector<model>& q) {
+  matrix<number, model::task_dimension, model::dof> dense_jacobian(const joint_vector<model>& q) const {
     return matrix<number, model::task_dimension, model::dof>(jacobian(mechanism, q));
   }
 
   /// Largest entry of position and of J over all poses: what rounding errors are relative to.
-  static number size_of(const model& mechanism) {
+  number size() const {
     number size = number(0);
-    for (const joint_vector<model>& q : poses()) {
+    for_each_pose([&](const joint_vector<model>& q) {
       const task_vector<model> x = mechanism.position(q);
-      size = std::max({size, largest_entry(x), largest_entry(dense_jacobian(mechanism, q))});
-    }
+      size = std::max({size, largest_entry(x), largest_entry(dense_jacobian(q))});
+    });
     return size;
   }
 
-  /// Rounding of position and of J at q, both of size_of.
+  /// Rounding of position and of J at q, both of this size.
   static number rounding_at(const joint_vector<model>& q, number size) {
     return rounding_tolerance<number>(4) * (number(1) + largest_entry(q)) * size;
   }
@@ -118,117 +122,98 @@ TYPED_TEST_SUITE_P(mechanism_properties);
 
 /// Finite q gives a finite position, the same one each time.
 TYPED_TEST_P(mechanism_properties, position_is_finite_and_pure) {
-  using M = typename TypeParam::mechanism;
-  const M mechanism = TypeParam::make();
+  using M = typename TestFixture::model;
   std::vector<task_vector<M>> first;
-  for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
-    first.push_back(mechanism.position(q));
+  this->for_each_pose([&](const joint_vector<M>& q) {
+    first.push_back(this->mechanism.position(q));
     ASSERT_TRUE(all_finite(first.back()));
-  }
+  });
   std::size_t k = 0;
-  for (const joint_vector<M>& q : this->poses()) {
-    const task_vector<M> again = mechanism.position(q);
-    ASSERT_EQ(again, first[k++]) << "seed " << this->seed << ", q = " << in_a_row(q);
-  }
+  this->for_each_pose([&](const joint_vector<M>& q) {
+    const task_vector<M> again = this->mechanism.position(q);
+    ASSERT_EQ(again, first[k++]);
+  });
 }
 
 /// J is the derivative of position and pure. Against differences of sixth order, in long double if position
 /// takes it: then the tolerance is rounding alone, else what such differences can resolve, eps^(6/7).
 TYPED_TEST_P(mechanism_properties, jacobian_is_the_derivative_of_position) {
-  using M = typename TypeParam::mechanism;
-  using T = typename M::scalar;
+  using M = typename TestFixture::model;
   using P = typename TestFixture::reference_scalar;
-  const M mechanism = TypeParam::make();
-  const P size = static_cast<P>(this->size_of(mechanism));
-  for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
-    const auto J = this->dense_jacobian(mechanism, q);
-    const P rounding = static_cast<P>(rounding_tolerance<T>(4) * (T(1) + largest_entry(q)));
+  const P size = static_cast<P>(this->size());
+  this->for_each_pose([&](const joint_vector<M>& q) {
+    const auto J = this->dense_jacobian(q);
+    const P rounding = static_cast<P>(this->rounding_at(q, 1));
     for (int i = 0; i < M::dof; ++i) {
       const P resolved = P(16) * difference_accuracy<P>() * difference_step<P>() / this->step(i);
-      const vector<P, M::task_dimension> expected = this->difference_jacobian(mechanism, q).col(i);
+      const auto expected = this->difference_column(q, i);
       const task_vector<M> column = J.col(i);
-      ASSERT_LE(largest_entry(as<P>(column) - expected), (rounding + resolved) * size)
-          << "column " << i << ": " << in_a_row(column) << ", differences give " << in_a_row(expected);
+      ASSERT_LE(this->largest_entry(as<P>(column) - expected), (rounding + resolved) * size)
+          << "column " << i << ": " << column.transpose() << ", differences give " << expected.transpose();
     }
-    ASSERT_EQ(this->dense_jacobian(mechanism, q), J);
-  }
+    ASSERT_EQ(this->dense_jacobian(q), J);
+  });
 }
 
 /// A Jacobian that the mechanism gives is that of automatic differentiation, where there are both; where
 /// there is one, jacobian() returns it.
 TYPED_TEST_P(mechanism_properties, given_and_automatic_jacobian_agree) {
-  using M = typename TypeParam::mechanism;
-  using T = typename M::scalar;
-  const M mechanism = TypeParam::make();
-  const T size = this->size_of(mechanism);
-  for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
-    const auto J = this->dense_jacobian(mechanism, q);
-    if constexpr (detail::differentiates_itself<M>) {
-      const T tolerance = this->rounding_at(q, size);
-      ASSERT_LE(largest_entry(J - automatic_jacobian(mechanism, q)), tolerance);
-    } else if constexpr (detail::jacobian_is_constant<M>) {
-      ASSERT_EQ(J, (matrix<T, M::task_dimension, M::dof>(mechanism.jacobian())));
-    } else {
-      ASSERT_EQ(J, (matrix<T, M::task_dimension, M::dof>(mechanism.jacobian(q))));
-    }
-  }
+  using M = typename TestFixture::model;
+  using dense = matrix<typename TestFixture::number, M::task_dimension, M::dof>;
+  const auto size = this->size();
+  this->for_each_pose([&](const joint_vector<M>& q) {
+    const dense J = this->dense_jacobian(q);
+    if constexpr (detail::differentiates_itself<M>)
+      ASSERT_LE(this->largest_entry(J - automatic_jacobian(this->mechanism, q)), this->rounding_at(q, size));
+    else if constexpr (detail::jacobian_is_constant<M>) ASSERT_EQ(J, dense(this->mechanism.jacobian()));
+    else ASSERT_EQ(J, dense(this->mechanism.jacobian(q)));
+  });
 }
 
 /// position and jacobian of pose(q) are those of q, to rounding; without a pose of its own, q is the pose.
 TYPED_TEST_P(mechanism_properties, pose_has_the_position_and_jacobian_of_q) {
-  using M = typename TypeParam::mechanism;
-  using T = typename M::scalar;
-  const M mechanism = TypeParam::make();
-  const T size = this->size_of(mechanism);
-  for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
-    const auto at = pose(mechanism, q);
-    const T tolerance = this->rounding_at(q, size);
-    const task_vector<M> x = mechanism.position(at), expected = mechanism.position(q);
-    ASSERT_LE(largest_entry(x - expected), tolerance);
-    const matrix<T, M::task_dimension, M::dof> J(jacobian(mechanism, at));
-    ASSERT_LE(largest_entry(J - this->dense_jacobian(mechanism, q)), tolerance);
-  }
+  using M = typename TestFixture::model;
+  using dense = matrix<typename TestFixture::number, M::task_dimension, M::dof>;
+  const auto size = this->size();
+  this->for_each_pose([&](const joint_vector<M>& q) {
+    const auto at = pose(this->mechanism, q);
+    const auto tolerance = this->rounding_at(q, size);
+    const task_vector<M> x = this->mechanism.position(at), expected = this->mechanism.position(q);
+    ASSERT_LE(this->largest_entry(x - expected), tolerance);
+    ASSERT_LE(this->largest_entry(dense(jacobian(this->mechanism, at)) - this->dense_jacobian(q)), tolerance);
+  });
 }
 
-/// T is invertible, and E = J T^-1 maps the rates of the brakes to the velocity, v = E w.
+/// T has full column rank, and E = J T^+ maps the rates of the brakes to the velocity, v = E w.
 TYPED_TEST_P(mechanism_properties, brake_jacobian_maps_brake_rates_to_velocity) {
-  using M = typename TypeParam::mechanism;
-  using T = typename M::scalar;
-  const M mechanism = TypeParam::make();
+  using M = typename TestFixture::model;
+  using T = typename TestFixture::number;
   random_source random(this->seed);
-  for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
+  this->for_each_pose([&](const joint_vector<M>& q) {
     const joint_vector<M> qd = random.normal_vector<T, M::dof>();
-    const brake_vector<M> w = brake_rates(mechanism, q, qd);
-    const auto E = matrix<T, M::task_dimension, M::brake_count>(brake_jacobian(mechanism, q));
-    const T condition = this->transmission_condition(mechanism, q);
+    const task_vector<M> v = brake_jacobian(this->mechanism, q) * brake_rates(this->mechanism, q, qd);
+    const T condition = this->transmission_condition(q);
     ASSERT_TRUE(std::isfinite(condition)) << "the transmission has not full column rank";
-    const auto J = this->dense_jacobian(mechanism, q);
-    ASSERT_LE((E * w - J * qd).norm(), rounding_tolerance<T>(4 * M::dof) * condition * J.norm() * qd.norm());
-  }
+    const auto J = this->dense_jacobian(q);
+    ASSERT_LE((v - J * qd).norm(), rounding_tolerance<T>(4 * M::dof) * condition * J.norm() * qd.norm());
+  });
 }
 
 /// Virtual work: torques t = E^T F do at the brakes what F does at the end effector, t . w = F . v.
 TYPED_TEST_P(mechanism_properties, brake_torques_do_the_work_of_the_force) {
-  using M = typename TypeParam::mechanism;
-  using T = typename M::scalar;
-  const M mechanism = TypeParam::make();
+  using M = typename TestFixture::model;
+  using T = typename TestFixture::number;
   random_source random(this->seed);
-  for (const joint_vector<M>& q : this->poses()) {
-    SCOPED_TRACE(::testing::Message() << "seed " << this->seed << ", q = " << in_a_row(q));
+  this->for_each_pose([&](const joint_vector<M>& q) {
     const joint_vector<M> qd = random.normal_vector<T, M::dof>();
     const task_vector<M> F = random.normal_vector<T, M::task_dimension>();
-    const brake_vector<M> w = brake_rates(mechanism, q, qd);
-    const brake_vector<M> t = brake_torque(brake_jacobian(mechanism, q), F);
-    const auto J = this->dense_jacobian(mechanism, q);
-    const T condition = this->transmission_condition(mechanism, q);
+    const brake_vector<M> w = brake_rates(this->mechanism, q, qd);
+    const brake_vector<M> t = brake_torque(brake_jacobian(this->mechanism, q), F);
+    const auto J = this->dense_jacobian(q);
     ASSERT_NEAR(t.dot(w), F.dot(J * qd),
-                rounding_tolerance<T>(4 * M::dof) * condition * F.norm() * J.norm() * qd.norm());
-  }
+                rounding_tolerance<T>(4 * M::dof) * this->transmission_condition(q) * F.norm() * J.norm() *
+                    qd.norm());
+  });
 }
 
 REGISTER_TYPED_TEST_SUITE_P(mechanism_properties, position_is_finite_and_pure,

@@ -11,9 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <utility>
-
 namespace passive_haptics::testing {
 
 /// Suite of a step's laws; Case as described in mechanism_properties.hpp.

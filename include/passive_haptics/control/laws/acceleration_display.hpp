@@ -12,7 +12,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace passive_haptics {
 

@@ -7,7 +7,6 @@
 #include <passive_haptics/core/validate.hpp>
 
 #include <array>
-#include <cstddef>
 #include <string>
 
 namespace passive_haptics {

@@ -5,8 +5,6 @@
 #include <passive_haptics/core/status.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 
-#include <cmath>
-
 namespace passive_haptics {
 
 /// A hand force and how far it may be off: Fh = force + G t for some torques |t_i| <= unknown_torque_i.

@@ -12,7 +12,6 @@
 #include <passive_haptics/mechanism/jacobian.hpp>
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 

@@ -4,8 +4,6 @@
 
 #include <passive_haptics/core/linear/orthogonalisation.hpp>
 
-#include <algorithm>
-
 namespace passive_haptics {
 
 /// A = U R V^T with orthonormal columns of U (rows x r) and V (N x r), R (r x r) upper triangular and r the

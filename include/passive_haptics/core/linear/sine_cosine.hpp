@@ -8,7 +8,6 @@
 #include <bit>
 #include <cmath>
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 
 namespace passive_haptics {

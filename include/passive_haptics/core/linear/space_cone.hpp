@@ -8,9 +8,6 @@
 #include <passive_haptics/core/linear/plane_cone.hpp>
 
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 
 namespace passive_haptics::detail {
 

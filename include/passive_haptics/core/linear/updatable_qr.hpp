@@ -7,7 +7,6 @@
 #include <passive_haptics/core/linear/packets.hpp>
 
 #include <array>
-#include <cstddef>
 #include <limits>
 #include <utility>
 

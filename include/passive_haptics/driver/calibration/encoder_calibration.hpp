@@ -5,7 +5,6 @@
 #include <passive_haptics/driver/calibration/steady_mean.hpp>
 
 #include <array>
-#include <cstddef>
 #include <numbers>
 
 namespace passive_haptics {

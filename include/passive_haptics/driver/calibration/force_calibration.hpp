@@ -6,11 +6,6 @@
 #include <passive_haptics/core/linear/sine_cosine.hpp>
 #include <passive_haptics/core/validate.hpp>
 
-#include <array>
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <limits>
 #include <string>
 
 namespace passive_haptics {

@@ -6,7 +6,6 @@
 #include <passive_haptics/mechanism/models/closed_chain.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace passive_haptics {

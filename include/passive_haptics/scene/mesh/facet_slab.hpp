@@ -6,7 +6,6 @@
 #include <passive_haptics/scene/mesh/mesh_facet.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace passive_haptics::detail {
 

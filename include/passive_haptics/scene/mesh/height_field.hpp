@@ -4,7 +4,6 @@
 
 #include <passive_haptics/scene/mesh/mesh.hpp>
 
-#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>

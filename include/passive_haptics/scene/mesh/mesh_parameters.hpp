@@ -6,7 +6,6 @@
 #include <passive_haptics/scene/mesh/mesh_facet.hpp>
 
 #include <array>
-#include <cstddef>
 #include <string>
 #include <vector>
 

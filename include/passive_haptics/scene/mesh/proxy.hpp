@@ -11,7 +11,6 @@
 #include <passive_haptics/scene/mesh/mesh.hpp>
 
 #include <array>
-#include <cstddef>
 
 namespace passive_haptics {
 

@@ -6,9 +6,6 @@
 #include <passive_haptics/scene/mesh/proxy.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 
 namespace passive_haptics::detail {
 

@@ -7,7 +7,6 @@
 #include <passive_haptics/scene/shape.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <string>

@@ -6,8 +6,6 @@
 #include <passive_haptics/scene/scene.hpp>
 #include <passive_haptics/scene/world/tracked_shape.hpp>
 
-#include <algorithm>
-#include <cstddef>
 #include <memory>
 #include <new>
 #include <utility>

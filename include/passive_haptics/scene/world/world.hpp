@@ -7,7 +7,6 @@
 #include <passive_haptics/scene/world/world_walls.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <utility>

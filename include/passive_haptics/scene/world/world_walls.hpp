@@ -5,7 +5,6 @@
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/world/any_wall.hpp>
 
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>

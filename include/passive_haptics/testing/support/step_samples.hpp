@@ -4,12 +4,9 @@
 
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/testing/support/random.hpp>
-#include <passive_haptics/testing/support/small_matrices.hpp>
 
 #include <array>
-#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace passive_haptics::testing {
 
@@ -73,13 +70,8 @@ step_sample<typename Case::mechanism> random_sample(
   }
   sample.state.time = random.uniform(0.0, 100.0);
   sample.state.q = random.between<T, M::dof>(Case::lower(), Case::upper());
-  if constexpr (!detail::has_exact_transmission<M>) {
-    sample.state.qd = w;
-  } else {
-    const matrix<T, M::brake_count, M::dof> A(transmission(mechanism, sample.state.q));
-    const std::vector<double> qd = solution_of(small_matrix(A), small_matrix(w));
-    for (int i = 0; i < M::dof; ++i) sample.state.qd[i] = static_cast<T>(qd[static_cast<std::size_t>(i)]);
-  }
+  if constexpr (!detail::has_exact_transmission<M>) sample.state.qd = w;
+  else sample.state.qd = pseudo_inverse(transmission(mechanism, sample.state.q)) * w;
   if (random.coin() || random.coin())
     sample.state.hand_force = random.positive(T(1e-3), T(1e2)) * random.direction<T, d>();
   sample.touched.push_back({.normal = random.direction<double, d>(),
