@@ -51,18 +51,16 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
     // Members of the stick set solve w_i = 0; the others keep p_i at its bound.
     matrix<T, Brakes, Brakes> K = A;
     vector<T, Brakes> rhs = -w0;
+    const auto sticks = [&](int i) { return modes[at(i)] == mode::stick && limit[i] > T(0); };
     for (int i = 0; i < Brakes; ++i) {
-      if (modes[at(i)] == mode::stick && limit[i] > T(0)) continue;
-      const T bound =
-          modes[at(i)] == mode::lower ? -limit[i] : (modes[at(i)] == mode::upper ? limit[i] : T(0));
-      for (int j = 0; j < Brakes; ++j) {
-        rhs[j] -= A(j, i) * bound;
-        K(i, j) = K(j, i) = T(i == j);
-      }
-      p[i] = bound;
+      if (sticks(i)) continue;
+      p[i] = modes[at(i)] == mode::lower ? -limit[i] : (modes[at(i)] == mode::upper ? limit[i] : T(0));
+      rhs -= A.col(i) * p[i];
+      K.row(i) = vector<T, Brakes>::Unit(i);
+      K.col(i) = vector<T, Brakes>::Unit(i);
     }
     for (int i = 0; i < Brakes; ++i) {
-      if (modes[at(i)] != mode::stick || !(limit[i] > T(0))) rhs[i] = p[i];
+      if (!sticks(i)) rhs[i] = p[i];
     }
     p = cholesky<T, Brakes>(K).solve(rhs);
     w = w0 + A * p;
@@ -70,9 +68,7 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
     int violating = -1;
     for (int i = 0; i < Brakes && violating < 0; ++i) {
       if (!(limit[i] > T(0))) continue;
-      T rate_slack = std::abs(w0[i]);
-      for (int j = 0; j < Brakes; ++j) rate_slack += std::abs(A(i, j)) * limit[j];
-      rate_slack *= slack;
+      const T rate_slack = slack * (std::abs(w0[i]) + A.row(i).cwiseAbs().dot(limit));
       const bool over = modes[at(i)] == mode::stick
                             ? std::abs(p[i]) > limit[i] * (T(1) + slack)
                             : (modes[at(i)] == mode::upper ? w[i] > rate_slack : w[i] < -rate_slack);
@@ -80,7 +76,7 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
     }
     if (violating < 0) {
       friction_impulses<T, Brakes> result{detail::within(p, limit), {}, true};
-      for (int i = 0; i < Brakes; ++i) result.sticks[at(i)] = modes[at(i)] == mode::stick && limit[i] > T(0);
+      for (int i = 0; i < Brakes; ++i) result.sticks[at(i)] = sticks(i);
       return result;
     }
     mode& m = modes[at(violating)];

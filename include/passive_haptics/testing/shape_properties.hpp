@@ -33,15 +33,15 @@ class shape_properties : public ::testing::Test {
   static constexpr int point_count = 1000;    ///< Points that are tried.
   static constexpr unsigned seed = 20040627;  ///< Of the points.
 
-  static constexpr int d = shape_type::dimension;  ///< Dimension.
-  const shape_type shape = Case::make();           ///< The shape under test.
+  static constexpr int dimension = shape_type::dimension;  ///< d
+  const shape_type shape = Case::make();                   ///< The shape under test.
 
   /// visit(x, random) for random points of the box.
   template <class Visit>
   void for_each_point(Visit&& visit) const {
     random_source random(seed);
     for (int k = 0; k < point_count && !::testing::Test::HasFatalFailure(); ++k) {
-      const point<d> x = random.between<double, d>(Case::lower(), Case::upper());
+      const point<dimension> x = random.between<double, dimension>(Case::lower(), Case::upper());
       SCOPED_TRACE(::testing::Message() << "seed " << seed << ", x = " << x.transpose());
       visit(x, random);
     }
@@ -50,7 +50,7 @@ class shape_properties : public ::testing::Test {
   /// Size of the coordinates [m].
   static double size() { return Case::lower().norm() + Case::upper().norm() + 1; }
   /// Rounding of a distance between points of the box [m].
-  static double rounding() { return rounding_tolerance<double>(d) * size(); }
+  static double rounding() { return rounding_tolerance<double>(dimension) * size(); }
   /// Step of the differences [m], short by the box.
   static double step() {
     return difference_step<double>() * std::min(1.0, (Case::upper() - Case::lower()).minCoeff() / 8);
@@ -61,7 +61,7 @@ TYPED_TEST_SUITE_P(shape_properties);
 
 /// |distance(x) - distance(y)| <= |x - y|, for far and for near points.
 TYPED_TEST_P(shape_properties, distance_is_1_lipschitz) {
-  constexpr int d = TestFixture::d;
+  constexpr int d = TestFixture::dimension;
   this->for_each_point([&](const point<d>& x, random_source& random) {
     const point<d> near = x + random.positive(1e-9, 1e-1) * random.direction<double, d>();
     const point<d> far = random.between<double, d>(TypeParam::lower(), TypeParam::upper());
@@ -76,14 +76,14 @@ TYPED_TEST_P(shape_properties, distance_is_1_lipschitz) {
 /// The gradient is a unit vector.
 TYPED_TEST_P(shape_properties, gradient_is_a_unit_vector) {
   this->for_each_point([&](const auto& x, auto&) {
-    ASSERT_NEAR(this->shape.gradient(x).norm(), 1, rounding_tolerance<double>(this->d));
+    ASSERT_NEAR(this->shape.gradient(x).norm(), 1, rounding_tolerance<double>(this->dimension));
   });
 }
 
 /// The gradient is the derivative of the distance, along every axis. Points where differences with two steps
 /// disagree are left out (a kink lies between them); that may be one in ten.
 TYPED_TEST_P(shape_properties, gradient_is_the_derivative_of_distance) {
-  constexpr int d = TestFixture::d;
+  constexpr int d = TestFixture::dimension;
   const double h = this->step();
   const double tolerance = 64 * difference_accuracy<double>() * difference_step<double>() / h * this->size();
   int smooth = 0;
@@ -102,7 +102,7 @@ TYPED_TEST_P(shape_properties, gradient_is_the_derivative_of_distance) {
 /// The Hessian of a shape that tells it is the derivative of the gradient, and leaves the gradient alone.
 /// Points where differences with two steps disagree are left out.
 TYPED_TEST_P(shape_properties, hessian_is_the_derivative_of_the_gradient) {
-  constexpr int d = TestFixture::d;
+  constexpr int d = TestFixture::dimension;
   if constexpr (CurvedShape<typename TypeParam::shape>) {
     const double h = this->step();
     int smooth = 0;

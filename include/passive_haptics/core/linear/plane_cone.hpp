@@ -56,9 +56,7 @@ plane_edge<T> nearest_edge(const matrix<T, 2, 2>& e, const vector<T, 2>& s, cons
 /// |b_j|^2 of all columns.
 template <class T, int Columns>
 vector<T, Columns> column_squares(const matrix<T, 2, Columns>& B) {
-  vector<T, Columns> square;
-  unrolled<Columns>([&](auto j) { square[j] = B(0, j) * B(0, j) + B(1, j) * B(1, j); });
-  return square;
+  return B.colwise().squaredNorm();
 }
 
 /// b_0 x b_1; 0 where they are parallel to rounding.

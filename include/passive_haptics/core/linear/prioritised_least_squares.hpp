@@ -56,11 +56,7 @@ class prioritised_least_squares {
       else if (made > T(0)) refused.fill(false);
     }
     for (int i = 0; i < MaxRows && done_rows_ < MaxRows; ++i) {
-      bool is_zero = true;
-      for (int j = 0; j < N; ++j) is_zero = is_zero && A(i, j) == T(0);
-      if (is_zero) continue;
-      for (int j = 0; j < N; ++j) done_(done_rows_, j) = A(i, j);
-      ++done_rows_;
+      if (!(A.row(i).array() == T(0)).all()) done_.row(done_rows_++) = A.row(i);
     }
     return settled;
   }
@@ -80,9 +76,9 @@ class prioritised_least_squares {
   targets residual(const rows& A, const targets& b) const { return b - A * x_; }
 
   rows on_free(const rows& A) const {
-    rows picked;
+    rows picked = A;
     for (int j = 0; j < N; ++j) {
-      for (int i = 0; i < MaxRows; ++i) picked(i, j) = at_[idx(j)] == bound::none ? A(i, j) : T(0);
+      if (at_[idx(j)] != bound::none) picked.col(j).setZero();
     }
     return picked;
   }
@@ -91,17 +87,9 @@ class prioritised_least_squares {
   vector<T, N> constrained_step(const rows& A, const targets& b, const decomposition& held) const {
     const rows Af = on_free(A);
     rows reduced;
-    T size = T(0), left = T(0);  // squared
-    for (int i = 0; i < MaxRows; ++i) {
-      vector<T, N> row;
-      for (int j = 0; j < N; ++j) row[j] = Af(i, j);
-      size += row.squaredNorm();
-      row = held.without_row_space(row);
-      left += row.squaredNorm();
-      for (int j = 0; j < N; ++j) reduced(i, j) = row[j];
-    }
+    for (int i = 0; i < MaxRows; ++i) reduced.row(i) = held.without_row_space(Af.row(i)).transpose();
     // A level that sees only rounding of itself in what is left free has nothing to say.
-    if (!(std::sqrt(left) > tolerance() * std::sqrt(size))) return vector<T, N>::Zero();
+    if (!(reduced.norm() > tolerance() * Af.norm())) return vector<T, N>::Zero();
     const vector<T, N> step = decomposition(reduced, tolerance()).solve(residual(A, b));
     return held.without_row_space(step);
   }

@@ -86,11 +86,9 @@ struct rigid_body_algebra<T, 3> {
   template <class S>
   static vector<S, 3> turned(const angular& axis, const S& angle, const vector<S, 3>& r) {
     using std::cos, std::sin;
-    const vector<S, 3> w{S(axis[0]), S(axis[1]), S(axis[2])};
-    const vector<S, 3> across = cross(w, r), inward = cross(w, across);
+    const vector<S, 3> w = axis.template cast<S>(), across = cross(w, r);
     const S s = sin(angle), v = S(T(1)) - cos(angle);
-    return {r[0] + s * across[0] + v * inward[0], r[1] + s * across[1] + v * inward[1],
-            r[2] + s * across[2] + v * inward[2]};
+    return r + s * across + v * cross(w, across);
   }
 
   /// The matrix of turned().

@@ -38,13 +38,12 @@ class serial_chain {
   /// End effector [m], base frame. Any scalar S that can be made from T.
   template <class S>
   vector<S, D> position(const vector<S, N>& q) const {
-    vector<S, D> x = in<S>(tip_);
+    vector<S, D> x = tip_.template cast<S>();
     for (std::size_t i = size; i-- > 0;) {
       const S& qi = q[int(i)];
       if (joints_[i].turns) x = algebra::turned(joints_[i].axis, qi, x);
-      else
-        for (int k = 0; k < D; ++k) x[k] += joints_[i].axis[k] * qi;
-      x += in<S>(joints_[i].offset);
+      else x += joints_[i].axis.template cast<S>() * qi;
+      x += joints_[i].offset.template cast<S>();
     }
     return x;
   }
@@ -104,13 +103,6 @@ class serial_chain {
       if (j.kind == joint_kind::revolute) last = j.point;
     }
     return p.handle - last;
-  }
-
-  template <class S>
-  static vector<S, D> in(const vector<T, D>& x) {
-    vector<S, D> y;
-    for (int k = 0; k < D; ++k) y[k] = S(x[k]);
-    return y;
   }
 
   serial_chain_parameters<T, N, D> p_;

@@ -5,7 +5,7 @@
 #include <passive_haptics/core/linear/rigid_body_algebra.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/delta_parameters.hpp>
-#include <passive_haptics/mechanism/models/distal_links.hpp>
+#include <passive_haptics/mechanism/models/leg_chain.hpp>
 #include <passive_haptics/mechanism/models/two_link_inverse.hpp>
 
 #include <array>
@@ -32,12 +32,9 @@ enum class delta_elbow {
 /// Dynamics with the usual lumped forearms: half of each forearm's mass at its elbow, half at the platform.
 /// Cost: three sines, three cosines and some square roots; jacobian some products and a division more.
 template <class T>
-class delta {
+class delta : public leg_chain<delta<T>, T, 3> {
  public:
-  using scalar = T;                         ///< Scalar of all lengths and angles.
-  static constexpr int dof = 3;             ///< n
-  static constexpr int task_dimension = 3;  ///< d
-  static constexpr int brake_count = 3;     ///< m
+  static constexpr int brake_count = 3;  ///< m
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit delta(const delta_parameters<T>& p = {})
@@ -45,6 +42,8 @@ class delta {
 
   /// The parameters as given.
   const delta_parameters<T>& parameters() const { return p_; }
+
+  using leg_chain<delta<T>, T, 3>::position;
 
   /// Middle of the platform [m], base frame: from the circumcentre of the elbows, at right angles to their
   /// plane. The height is a product of differences of lengths, so no squares cancel. Any scalar S that
@@ -55,25 +54,6 @@ class delta {
     return handle(elbow_point(0, lever(0, angle[0])), elbow_point(1, lever(1, angle[1])),
                   elbow_point(2, lever(2, angle[2])));
   }
-
-  /// All legs.
-  distal_links<T, 3> pose(const vector<T, 3>& q) const { return legs(q); }
-
-  /// Middle of the platform [m].
-  const vector<T, 3>& position(const distal_links<T, 3>& at) const { return at.handle; }
-
-  /// J = A^-1 B [m/rad].
-  matrix<T, 3, 3> jacobian(const distal_links<T, 3>& at) const { return at.jacobian(); }
-
-  /// J [m/rad]
-  matrix<T, 3, 3> jacobian(const vector<T, 3>& q) const { return legs(q).jacobian(); }
-
-  /// J^-1 = B^-1 A [rad/m], finite at singularities of type 2.
-  matrix<T, 3, 3> inverse_jacobian(const vector<T, 3>& q) const { return legs(q).inverse_jacobian(); }
-
-  /// Type 1: the least |cos| of the angle between a forearm and its elbow's velocity. Type 2: the volume that
-  /// the forearms' unit vectors span.
-  chain_conditioning<T> conditioning(const vector<T, 3>& q) const { return legs(q).conditioning(); }
 
   /// Base angles in [-pi, pi] that put the platform at x [m] with these elbows. out_of_reach: an arm is too
   /// short or too long (it then points at x), or all reach but the platform lies on the side of the other
@@ -102,7 +82,7 @@ class delta {
 
   /// M(q) [kg m^2], rotors included.
   matrix<T, 3, 3> mass_matrix(const vector<T, 3>& q) const {
-    const matrix<T, 3, 3> J = jacobian(q);
+    const matrix<T, 3, 3> J = this->jacobian(q);
     const T arm = (p_.upper_arm_mass / T(3) + p_.forearm_mass / T(2)) * p_.upper_arm * p_.upper_arm;
     matrix<T, 3, 3> M = moved_mass() * J.transpose() * J;
     M.diagonal() += p_.rotor_inertia + vector<T, 3>::Constant(arm);
@@ -118,13 +98,8 @@ class delta {
            arm * at.tangent.transpose() * p_.gravity;
   }
 
-  /// Jd qd [m/s^2].
-  vector<T, 3> bias_acceleration(const vector<T, 3>& q, const vector<T, 3>& qd) const {
-    const auto at = legs(q);
-    return at.bias_acceleration(at.jacobian(), qd);
-  }
-
  private:
+  friend class leg_chain<delta<T>, T, 3>;
   // What moves with the platform [kg]
   T moved_mass() const { return p_.platform_mass + T(3) / T(2) * p_.forearm_mass; }
 

@@ -4,8 +4,8 @@
 
 #include <passive_haptics/core/linear/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
-#include <passive_haptics/mechanism/models/distal_links.hpp>
 #include <passive_haptics/mechanism/models/five_bar_parameters.hpp>
+#include <passive_haptics/mechanism/models/leg_chain.hpp>
 #include <passive_haptics/mechanism/models/two_link_inverse.hpp>
 
 namespace passive_haptics {
@@ -23,13 +23,10 @@ namespace passive_haptics {
 /// Brakes = 4: as Book's P-TER, brakes on both base rates, their difference and their sum, T constant 4 x 2.
 /// Cost: two sines, two cosines and two square roots; jacobian some products and a division more.
 template <class T, int Brakes = 2>
-class five_bar {
+class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   static_assert(Brakes == 2 || Brakes == 4, "passive_haptics: a five_bar has 2 or 4 brakes.");
 
  public:
-  using scalar = T;                           ///< Scalar of all lengths and angles.
-  static constexpr int dof = 2;               ///< n
-  static constexpr int task_dimension = 2;    ///< d
   static constexpr int brake_count = Brakes;  ///< m
 
   /// Throws std::invalid_argument with the text of validate(p).
@@ -39,6 +36,8 @@ class five_bar {
   /// The parameters as given.
   const five_bar_parameters<T, Brakes>& parameters() const { return p_; }
 
+  using leg_chain<five_bar<T, Brakes>, T, 2>::position;
+
   /// Handle [m], base frame: the middle of the elbows, then along and across the line between them. The
   /// height is a product of differences of lengths: no squares cancel. Any scalar S that multiplies with T.
   template <class S>
@@ -46,25 +45,6 @@ class five_bar {
     const auto angle = sine_cosine(q);
     return handle(elbow_point(0, lever(0, angle[0])), elbow_point(1, lever(1, angle[1])));
   }
-
-  /// Both legs.
-  distal_links<T, 2> pose(const vector<T, 2>& q) const { return legs(q); }
-
-  /// Handle [m].
-  const vector<T, 2>& position(const distal_links<T, 2>& at) const { return at.handle; }
-
-  /// J = A^-1 B [m/rad].
-  matrix<T, 2, 2> jacobian(const distal_links<T, 2>& at) const { return at.jacobian(); }
-
-  /// J [m/rad]
-  matrix<T, 2, 2> jacobian(const vector<T, 2>& q) const { return legs(q).jacobian(); }
-
-  /// J^-1 = B^-1 A [rad/m], finite at singularities of type 2.
-  matrix<T, 2, 2> inverse_jacobian(const vector<T, 2>& q) const { return legs(q).inverse_jacobian(); }
-
-  /// Type 1: the least |sin| of the angle between a proximal and its distal link. Type 2: |sin| of the angle
-  /// between the distal links.
-  chain_conditioning<T> conditioning(const vector<T, 2>& q) const { return legs(q).conditioning(); }
 
   /// T in w = T qd for four brakes: base joint 1, base joint 2, q1 - q2, q1 + q2.
   matrix<T, 4, 2> transmission() const
@@ -120,13 +100,8 @@ class five_bar {
     return c;
   }
 
-  /// Jd qd [m/s^2].
-  vector<T, 2> bias_acceleration(const vector<T, 2>& q, const vector<T, 2>& qd) const {
-    const auto at = legs(q);
-    return at.bias_acceleration(at.jacobian(), qd);
-  }
-
  private:
+  friend class leg_chain<five_bar<T, Brakes>, T, 2>;
   static constexpr T third = T(1) / T(3);  // a uniform rod about its end: m l^2 / 3
 
   template <class S>

@@ -2,7 +2,7 @@
 /// A shape with wall and free space swapped.
 #pragma once
 
-#include <passive_haptics/scene/shape.hpp>
+#include <passive_haptics/scene/shapes/shape_wrapper.hpp>
 
 #include <utility>
 
@@ -11,39 +11,25 @@ namespace passive_haptics {
 /// distance(x) = -S(x): a solid becomes a hollow. Exact where S is. One contact at most; in a hollow with
 /// corners that is the nearest face alone, see room.hpp.
 template <class S>
-class complement {
-  static_assert(Shape<S>, "passive_haptics: a complement needs a Shape (scene/shape.hpp).");
-
+class complement : public shape_wrapper<S> {
  public:
-  static constexpr int dimension = S::dimension;  ///< d
+  using shape_wrapper<S>::dimension;  ///< d
 
   /// Everything outside the shape.
-  explicit complement(S shape) : shape_(std::move(shape)) {}
+  explicit complement(S shape) : shape_wrapper<S>(std::move(shape)) {}
 
   /// Signed distance [m]; that of the shape, negated.
-  double distance(const point<dimension>& x) const { return -shape_.distance(x); }
+  double distance(const point<dimension>& x) const { return -this->shape_.distance(x); }
 
   /// Gradient of the shape, negated.
-  point<dimension> gradient(const point<dimension>& x) const { return -shape_.gradient(x); }
-
-  /// Velocity of the shape [m/s].
-  point<dimension> velocity(const point<dimension>& x) const
-    requires MovingShape<S>
-  {
-    return shape_.velocity(x);
-  }
+  point<dimension> gradient(const point<dimension>& x) const { return -this->shape_.gradient(x); }
 
   /// Hessian of the shape, negated [1/m].
   matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
     requires CurvedShape<S>
   {
-    return matrix<double, dimension, dimension>(-shape_.hessian(x));
+    return -this->shape_.hessian(x);
   }
-  /// The shape itself, to move it.
-  S& shape() { return shape_; }
-
- private:
-  S shape_;
 };
 
 /// complement(complement(s)) is the complement of a complement, not a copy.

@@ -2,7 +2,7 @@
 /// A shape that is carried along.
 #pragma once
 
-#include <passive_haptics/scene/shape.hpp>
+#include <passive_haptics/scene/shapes/shape_wrapper.hpp>
 
 #include <utility>
 
@@ -15,14 +15,12 @@ namespace passive_haptics {
 /// Displacement and velocity are two values, so that a conveyor (velocity, no displacement) is a shape too.
 /// Of a moving shape inside another the velocities add.
 template <class S>
-class moving {
-  static_assert(Shape<S>, "passive_haptics: moving needs a Shape (scene/shape.hpp).");
-
+class moving : public shape_wrapper<S> {
  public:
-  static constexpr int dimension = S::dimension;  ///< d
+  using shape_wrapper<S>::dimension;  ///< d
 
   /// The shape, at rest and where it is.
-  explicit moving(S shape) : shape_(std::move(shape)) {}
+  explicit moving(S shape) : shape_wrapper<S>(std::move(shape)) {}
 
   /// Displacement from where the shape was made [m], and velocity of its surface [m/s]; base frame.
   void set_motion(const point<dimension>& displacement, const point<dimension>& velocity) {
@@ -34,27 +32,26 @@ class moving {
   void extrapolate(double seconds) { displacement_ = set_displacement_ + seconds * velocity_; }
 
   /// Signed distance [m]; that of the shape and D subtractions.
-  double distance(const point<dimension>& x) const { return shape_.distance(x - displacement_); }
+  double distance(const point<dimension>& x) const { return this->shape_.distance(x - displacement_); }
 
   /// Gradient of the displaced shape.
-  point<dimension> gradient(const point<dimension>& x) const { return shape_.gradient(x - displacement_); }
+  point<dimension> gradient(const point<dimension>& x) const {
+    return this->shape_.gradient(x - displacement_);
+  }
 
   /// Velocity of the surface [m/s].
   point<dimension> velocity(const point<dimension>& x) const {
-    return velocity_ + surface_velocity(shape_, point<dimension>(x - displacement_));
+    return velocity_ + surface_velocity(this->shape_, point<dimension>(x - displacement_));
   }
 
   /// Hessian of the displaced shape [1/m].
   matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
     requires CurvedShape<S>
   {
-    return shape_.hessian(x - displacement_);
+    return this->shape_.hessian(x - displacement_);
   }
-  /// The carried shape, to move it within this one.
-  S& shape() { return shape_; }
 
  private:
-  S shape_;
   point<dimension> set_displacement_ = point<dimension>::Zero();
   point<dimension> displacement_ = point<dimension>::Zero();  // in this cycle
   point<dimension> velocity_ = point<dimension>::Zero();

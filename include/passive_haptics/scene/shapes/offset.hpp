@@ -4,6 +4,7 @@
 
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
+#include <passive_haptics/scene/shapes/shape_wrapper.hpp>
 
 #include <utility>
 
@@ -24,49 +25,27 @@ inline std::string validate(const offset_parameters& p) {
 /// A grown wall is exact outside if S is. A shrunk one is the set of points deeper than -growth; its distance
 /// is exact inside, and outside a lower bound that is exact except beyond edges which S rounds.
 template <class S>
-class offset {
-  static_assert(Shape<S>, "passive_haptics: an offset needs a Shape (scene/shape.hpp).");
-
+class offset : public shape_wrapper<S> {
  public:
-  static constexpr int dimension = S::dimension;  ///< d
+  using shape_wrapper<S>::dimension;  ///< d
 
   /// Throws std::invalid_argument if growth [m] is not finite.
   offset(S shape, double growth)
-      : shape_(std::move(shape)), growth_(require_valid(offset_parameters{growth}).growth) {}
+      : shape_wrapper<S>(std::move(shape)), growth_(require_valid(offset_parameters{growth}).growth) {}
 
   /// Signed distance [m]; that of the shape and a subtraction.
-  double distance(const point<dimension>& x) const { return shape_.distance(x) - growth_; }
-
-  /// Gradient of the shape.
-  point<dimension> gradient(const point<dimension>& x) const { return shape_.gradient(x); }
+  double distance(const point<dimension>& x) const { return this->shape_.distance(x) - growth_; }
 
   /// The bounds of the shape, wider by the growth; those of a shrunk one are not narrower.
   bounding_box<dimension> bounds() const
     requires BoundedShape<S>
   {
-    bounding_box<dimension> box = shape_.bounds();
+    bounding_box<dimension> box = this->shape_.bounds();
     const auto margin = point<dimension>::Constant(growth_ > 0 ? growth_ : 0);
     return {box.lower - margin, box.upper + margin};
   }
 
-  /// Velocity of the shape [m/s].
-  point<dimension> velocity(const point<dimension>& x) const
-    requires MovingShape<S>
-  {
-    return shape_.velocity(x);
-  }
-
-  /// Hessian of the shape [1/m].
-  matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
-    requires CurvedShape<S>
-  {
-    return shape_.hessian(x);
-  }
-  /// The shape before the offset, to move it.
-  S& shape() { return shape_; }
-
  private:
-  S shape_;
   double growth_;
 };
 

@@ -1,0 +1,43 @@
+/// @file
+/// What every closed chain of legs that meet at the handle has in common.
+#pragma once
+
+#include <passive_haptics/mechanism/models/distal_links.hpp>
+
+namespace passive_haptics {
+
+/// Base of a Model with N legs in N dimensions, which says where they are: `distal_links<T, N> legs(q)
+/// const`. All else at the level of velocities follows from their constraint.
+template <class Model, class T, int N>
+class leg_chain {
+ public:
+  using scalar = T;                         ///< Scalar of all lengths and angles.
+  static constexpr int dof = N;             ///< n
+  static constexpr int task_dimension = N;  ///< d
+
+  /// All legs.
+  distal_links<T, N> pose(const vector<T, N>& q) const { return static_cast<const Model&>(*this).legs(q); }
+
+  /// Handle [m].
+  const vector<T, N>& position(const distal_links<T, N>& at) const { return at.handle; }
+
+  /// J = A^-1 B [m/rad].
+  matrix<T, N, N> jacobian(const distal_links<T, N>& at) const { return at.jacobian(); }
+
+  /// J [m/rad]
+  matrix<T, N, N> jacobian(const vector<T, N>& q) const { return pose(q).jacobian(); }
+
+  /// J^-1 = B^-1 A [rad/m], finite at singularities of type 2.
+  matrix<T, N, N> inverse_jacobian(const vector<T, N>& q) const { return pose(q).inverse_jacobian(); }
+
+  /// How far q is from singularities.
+  chain_conditioning<T> conditioning(const vector<T, N>& q) const { return pose(q).conditioning(); }
+
+  /// Jd qd [m/s^2].
+  vector<T, N> bias_acceleration(const vector<T, N>& q, const vector<T, N>& qd) const {
+    const auto at = pose(q);
+    return at.bias_acceleration(at.jacobian(), qd);
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,46 @@
+/// @file
+/// What shapes that are made of another one have in common.
+#pragma once
+
+#include <passive_haptics/scene/shape.hpp>
+
+#include <utility>
+
+namespace passive_haptics {
+
+/// Base of a shape around a shape S: passes on what the wrapper does not define itself.
+template <class S>
+class shape_wrapper {
+  static_assert(Shape<S>, "passive_haptics: what is wrapped must be a Shape (scene/shape.hpp).");
+
+ public:
+  static constexpr int dimension = S::dimension;  ///< d
+
+  /// Of the shape.
+  explicit shape_wrapper(S shape) : shape_(std::move(shape)) {}
+
+  /// Gradient of the shape.
+  point<dimension> gradient(const point<dimension>& x) const { return shape_.gradient(x); }
+
+  /// Velocity of the shape [m/s].
+  point<dimension> velocity(const point<dimension>& x) const
+    requires MovingShape<S>
+  {
+    return shape_.velocity(x);
+  }
+
+  /// Hessian of the shape [1/m].
+  matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
+    requires CurvedShape<S>
+  {
+    return shape_.hessian(x);
+  }
+
+  /// The shape itself, to move it.
+  S& shape() { return shape_; }
+
+ protected:
+  S shape_;  ///< The shape.
+};
+
+}  // namespace passive_haptics
