@@ -46,20 +46,15 @@ concept ExactDiagonal = std::same_as<std::remove_cvref_t<X>, diagonal_matrix<T, 
 template <class T, int R, int C>
 matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
   matrix<T, C, R> At;
-  for (int i = 0; i < R; ++i) {
-    for (int j = 0; j < C; ++j) At(j, i) = A(i, j);
-  }
+  for (int i = 0; i < R; ++i) At.col(i) = A.row(i);
   return At;
 }
 
 /// A over as many rows of zeros as make it `Rows` high.
 template <int Rows, class T, int R, int C>
 matrix<T, Rows, C> padded(const matrix<T, R, C>& A) {
-  static_assert(Rows >= R);
   matrix<T, Rows, C> tall = matrix<T, Rows, C>::Zero();
-  for (int i = 0; i < R; ++i) {
-    for (int j = 0; j < C; ++j) tall(i, j) = A(i, j);
-  }
+  tall.template topRows<R>() = A;
   return tall;
 }
 
@@ -107,81 +102,12 @@ struct scalar_of<X> {
 
 }  // namespace detail
 
-// Products entry by entry: for two or three numbers Eigen's packets cost more than they save (measured: a
-// third of a control cycle).
-
 /// x, each entry converted to To.
 template <class To, class T, int N>
 vector<To, N> as(const vector<T, N>& x) {
   vector<To, N> y;
   unrolled<N>([&](auto i) { y[i] = static_cast<To>(x[i]); });
   return y;
-}
-
-/// a . b
-template <class T, int N>
-T dot(const vector<T, N>& a, const vector<T, N>& b) {
-  T sum = a[0] * b[0];
-  unrolled<N - 1>([&](auto i) { sum += a[i + 1] * b[i + 1]; });
-  return sum;
-}
-
-/// |A|, root of the sum of squares.
-template <class T, int R, int C>
-T norm(const matrix<T, R, C>& A) {
-  using std::sqrt;
-  T sum = T(0);
-  for (int j = 0; j < C; ++j) {
-    for (int i = 0; i < R; ++i) sum += A(i, j) * A(i, j);
-  }
-  return sqrt(sum);
-}
-
-/// x += a y
-template <class T, int N>
-void add_scaled(vector<T, N>& x, T a, const vector<T, N>& y) {
-  for (int i = 0; i < N; ++i) x[i] += a * y[i];
-}
-
-/// a x
-template <class T, int N>
-vector<T, N> scaled(T a, const vector<T, N>& x) {
-  vector<T, N> y;
-  unrolled<N>([&](auto i) { y[i] = a * x[i]; });
-  return y;
-}
-
-/// A x
-template <class T, int R, int C>
-vector<T, R> product(const matrix<T, R, C>& A, const vector<T, C>& x) {
-  vector<T, R> y;
-  unrolled<R>(
-      [&](auto i) { unrolled<C>([&](auto j) { y[i] = j == 0 ? A(i, j) * x[j] : y[i] + A(i, j) * x[j]; }); });
-  return y;
-}
-
-/// A^T x
-template <class T, int R, int C>
-vector<T, C> transposed_product(const matrix<T, R, C>& A, const vector<T, R>& x) {
-  vector<T, C> y;
-  unrolled<C>(
-      [&](auto j) { unrolled<R>([&](auto i) { y[j] = i == 0 ? A(i, j) * x[i] : y[j] + A(i, j) * x[i]; }); });
-  return y;
-}
-
-/// A B
-template <class T, int R, int K, int C>
-  requires(C > 1)
-matrix<T, R, C> product(const matrix<T, R, K>& A, const matrix<T, K, C>& B) {
-  matrix<T, R, C> AB;
-  unrolled<C>([&](auto j) {
-    unrolled<R>([&](auto i) {
-      T sum = T(0);
-      unrolled<K>([&](auto k) { sum = k == 0 ? A(i, k) * B(k, j) : sum + A(i, k) * B(k, j); });
-      AB(i, j) = sum;
-    });
-  });
-  return AB;
 }
 
 /// a x b, a number.
@@ -196,16 +122,11 @@ vector<T, 3> cross(const vector<T, 3>& a, const vector<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// det A
-template <class T>
-T determinant(const matrix<T, 2, 2>& A) {
-  return A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
-}
-
-/// det A
-template <class T>
-T determinant(const matrix<T, 3, 3>& A) {
-  return dot(vector<T, 3>(A.col(0)), cross(vector<T, 3>(A.col(1)), vector<T, 3>(A.col(2))));
+/// det A of 2 x 2 or 3 x 3. (Eigen's is in <Eigen/LU>.)
+template <class T, int N>
+T determinant(const matrix<T, N, N>& A) {
+  if constexpr (N == 2) return cross_in_plane<T>(A.col(0), A.col(1));
+  else return A.col(0).dot(cross<T>(A.col(1), A.col(2)));
 }
 
 /// The matrix of these entries, row by row. (Eigen's constructor from nested lists costs 70 instructions for

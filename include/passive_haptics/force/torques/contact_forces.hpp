@@ -68,8 +68,7 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     for (int j = 0; j < count; ++j) {
       const auto& demand = demands[static_cast<std::size_t>(j)];
       if (demand.first != first) continue;
-      const vector<T, Brakes> row = transposed_product(map.G, demand.normal);
-      for (int i = 0; i < Brakes; ++i) A(count_here, i) = row[i];
+      A.row(count_here) = demand.normal.transpose() * map.G;
       a[count_here++] = demand.force;
     }
     if (count_here > 0) t.minimise(A, a);
@@ -77,10 +76,10 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
   t.minimise(padded<solver::row_count>(drag), targets::Zero());
   t.minimise(rows::Identity(), targets::Zero());
 
-  contact_forces_result<T, D, Brakes, Capacity> result{t.solution(), product(map.G, t.solution()), {}};
+  contact_forces_result<T, D, Brakes, Capacity> result{t.solution(), map.G * t.solution(), {}};
   for (int j = 0; j < count; ++j) {
     const auto at = static_cast<std::size_t>(j);
-    result.displayed[at] = dot(demands[at].normal, result.force);
+    result.displayed[at] = demands[at].normal.dot(result.force);
   }
   return result;
 }
