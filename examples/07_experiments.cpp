@@ -1,7 +1,7 @@
 // The paper's experiments (Figs. 5, 8, 9 and 10, section 6) and some that it could not do, with every law:
 // one table, pictures, CSV. What comes out is discussed in docs/results.md.
 #include "experiments/batch.hpp"
-#include "experiments/pictures.hpp"
+#include "experiments/pictures/pictures.hpp"
 #include "experiments/planar.hpp"
 #include "experiments/plants.hpp"
 #include "experiments/report.hpp"

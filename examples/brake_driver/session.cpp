@@ -1,6 +1,6 @@
-#include <haptic_device.hpp>
-#include <ports.hpp>
-#include <report.hpp>
+#include <devices/haptic_device.hpp>
+#include <ports/ports.hpp>
+#include <report/report.hpp>
 #include <session.hpp>
 
 #include <passive_haptics/driver/control_loop.hpp>

@@ -2,7 +2,7 @@
 /// From a configuration to brakes that hold: everything started in its order, the loop, and the summary.
 #pragma once
 
-#include <configuration.hpp>
+#include <configuration/configuration.hpp>
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <device_clock.hpp>
+#include <serial/device_clock.hpp>
 
 namespace {
 

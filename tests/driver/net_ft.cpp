@@ -2,7 +2,7 @@
 #include "../realtime/allocations.hpp"
 
 #include <gtest/gtest.h>
-#include <net_ft.hpp>
+#include <ports/net_ft.hpp>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

@@ -2,7 +2,7 @@
 #include "serial_peer.hpp"
 
 #include <passive_haptics/testing/brake_port_properties.hpp>
-#include <serial_port.hpp>
+#include <serial/serial_port.hpp>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "../realtime/allocations.hpp"
 
 #include <gtest/gtest.h>
-#include <serial_port.hpp>
+#include <serial/serial_port.hpp>
 
 #include "serial_peer.hpp"
 

@@ -1,6 +1,6 @@
 // No disturbance of the line makes a message that nobody sent, and the next whole frame is always found.
 #include <gtest/gtest.h>
-#include <serial_protocol.hpp>
+#include <serial/serial_protocol.hpp>
 
 #include <random>
 #include <vector>

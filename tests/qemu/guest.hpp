@@ -2,8 +2,8 @@
 // initramfs.
 #pragma once
 
-#include <comedi_force_sensor.hpp>
-#include <comedi_port.hpp>
+#include <comedi/comedi_force_sensor.hpp>
+#include <comedi/comedi_port.hpp>
 #include <passive_haptics/driver/clock.hpp>
 
 #include <cmath>

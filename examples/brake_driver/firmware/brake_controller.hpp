@@ -2,7 +2,7 @@
 /// What the firmware does, whatever the board: currents in, samples out, and 0 A when the host falls silent.
 #pragma once
 
-#include <serial_protocol.hpp>
+#include <serial/serial_protocol.hpp>
 
 #include <concepts>
 

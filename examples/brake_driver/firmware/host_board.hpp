@@ -2,7 +2,7 @@
 /// A board that is no board: brakes and encoders simulated, the serial line a pseudo-terminal.
 #pragma once
 
-#include <serial_protocol.hpp>
+#include <serial/serial_protocol.hpp>
 
 #include <fcntl.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 // A force sensor at a Comedi card tells volts, and which channels are at the end of their range.
 #include "comedi_double.hpp"
 
-#include <comedi_force_sensor.hpp>
+#include <comedi/comedi_force_sensor.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "comedi_double.hpp"
 
-#include <comedi_port.hpp>
+#include <comedi/comedi_port.hpp>
 
 #include <gtest/gtest.h>
 

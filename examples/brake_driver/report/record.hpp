@@ -2,7 +2,7 @@
 /// What the loop says of each cycle.
 #pragma once
 
-#include <configuration.hpp>
+#include <configuration/configuration.hpp>
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include <report.hpp>
+#include <report/report.hpp>
 
 #include <fcntl.h>
 #include <sys/ioctl.h>

@@ -1,7 +1,7 @@
 // The tendon device along a wall, frame by frame.
+#include "../surface.hpp"
 #include "picture_style.hpp"
 #include "pictures.hpp"
-#include "surface.hpp"
 
 #include <output.hpp>
 

@@ -1,5 +1,5 @@
-#include <configuration.hpp>
-#include <toml_section.hpp>
+#include <configuration/configuration.hpp>
+#include <configuration/toml_section.hpp>
 
 #include <cmath>
 

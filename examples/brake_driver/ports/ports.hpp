@@ -2,9 +2,9 @@
 /// The ports that a configuration names.
 #pragma once
 
-#include <any_port.hpp>
-#include <configuration.hpp>
-#include <haptic_device.hpp>
+#include <configuration/configuration.hpp>
+#include <devices/haptic_device.hpp>
+#include <ports/any_port.hpp>
 
 namespace example {
 

@@ -1,7 +1,7 @@
 // Figs. 8 to 10: ten panels over the way along the wall, one colour a law.
+#include "../surface.hpp"
 #include "picture_style.hpp"
 #include "pictures.hpp"
-#include "surface.hpp"
 
 #include <output.hpp>
 

@@ -2,8 +2,8 @@
 /// A force sensor at analog inputs of a Comedi card. Needs libcomedi.
 #pragma once
 
-#include "comedi_device.hpp"
-#include "comedi_parameters.hpp"
+#include <comedi/comedi_device.hpp>
+#include <comedi/comedi_parameters.hpp>
 
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/port.hpp>

@@ -2,7 +2,7 @@
 /// The handle of a Comedi card, and what the card says of itself. Needs libcomedi.
 #pragma once
 
-#include "comedi_channel.hpp"
+#include <comedi/comedi_channel.hpp>
 
 #include <cerrno>
 #include <memory>

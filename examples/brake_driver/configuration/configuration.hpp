@@ -2,10 +2,10 @@
 /// All that the driver is told, with the paper's device as the default.
 #pragma once
 
-#include <comedi_parameters.hpp>
-#include <net_ft.hpp>
-#include <serial_port_parameters.hpp>
-#include <simulation_parameters.hpp>
+#include <comedi/comedi_parameters.hpp>
+#include <ports/net_ft.hpp>
+#include <ports/simulation_parameters.hpp>
+#include <serial/serial_port_parameters.hpp>
 
 #include <passive_haptics/driver/calibration/device_calibration.hpp>
 #include <passive_haptics/driver/control_loop.hpp>

@@ -2,7 +2,7 @@
 // NAME.svg.
 #pragma once
 
-#include "planar.hpp"
+#include "../planar.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-#include <toml_section.hpp>
+#include <configuration/toml_section.hpp>
 
 #include <toml++/toml.h>
 

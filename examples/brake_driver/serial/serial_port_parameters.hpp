@@ -2,8 +2,8 @@
 /// Where a device on a serial line is, and what there is to say if it is not there.
 #pragma once
 
-#include <serial_line.hpp>
-#include <serial_protocol.hpp>
+#include <serial/serial_line.hpp>
+#include <serial/serial_protocol.hpp>
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 /// What a session needs of a device: any mechanism under any law.
 #pragma once
 
-#include <any_port.hpp>
-#include <configuration.hpp>
-#include <record.hpp>
+#include <configuration/configuration.hpp>
+#include <ports/any_port.hpp>
+#include <report/record.hpp>
 
 #include <array>
 #include <memory>

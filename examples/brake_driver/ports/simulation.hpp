@@ -2,7 +2,7 @@
 /// A device without hardware, seen through the same counts, readings and currents as a real one.
 #pragma once
 
-#include <configuration.hpp>
+#include <configuration/configuration.hpp>
 
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/process/shared_memory.hpp>

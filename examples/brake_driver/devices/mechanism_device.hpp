@@ -2,8 +2,8 @@
 /// A haptic_device of mechanism M under law Law.
 #pragma once
 
-#include <haptic_device.hpp>
-#include <simulation.hpp>
+#include <devices/haptic_device.hpp>
+#include <ports/simulation.hpp>
 
 #include <memory>
 

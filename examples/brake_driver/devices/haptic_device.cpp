@@ -1,4 +1,4 @@
-#include <haptic_device.hpp>
+#include <devices/haptic_device.hpp>
 
 std::unique_ptr<example::haptic_device> example::make_device(const configuration& c) {
   if (c.mechanism == "xy_table") return make_xy_table(c);

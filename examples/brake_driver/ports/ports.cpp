@@ -1,10 +1,10 @@
-#include <net_ft.hpp>
-#include <ports.hpp>
-#include <serial_port.hpp>
+#include <ports/net_ft.hpp>
+#include <ports/ports.hpp>
+#include <serial/serial_port.hpp>
 
 #if PASSIVE_HAPTICS_COMEDI
-#include <comedi_force_sensor.hpp>
-#include <comedi_port.hpp>
+#include <comedi/comedi_force_sensor.hpp>
+#include <comedi/comedi_port.hpp>
 #endif
 
 #include <stdexcept>

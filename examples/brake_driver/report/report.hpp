@@ -2,8 +2,8 @@
 /// Who writes down what the loop says of each cycle.
 #pragma once
 
-#include <configuration.hpp>
-#include <record.hpp>
+#include <configuration/configuration.hpp>
+#include <report/record.hpp>
 
 #include <passive_haptics/driver/duration_histogram.hpp>
 

@@ -2,9 +2,9 @@
 /// Brakes and encoders behind a microcontroller on a serial line, which speaks serial_protocol.hpp.
 #pragma once
 
-#include <device_clock.hpp>
-#include <serial_line.hpp>
-#include <serial_port_parameters.hpp>
+#include <serial/device_clock.hpp>
+#include <serial/serial_line.hpp>
+#include <serial/serial_port_parameters.hpp>
 
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/port.hpp>

@@ -3,7 +3,7 @@
 /// docs/guide/serial_protocol.md specifies them byte by byte.
 #pragma once
 
-#include <serial_framing.hpp>
+#include <serial/serial_framing.hpp>
 
 namespace example::serial {
 
