@@ -58,7 +58,7 @@ std::string follow(const char* device_name, const M& arm, const ph::joint_vector
     if (step++ % kept_every == 0) csv += csv_line<M>(sample);
   });
   std::printf("%-10s %5.0f Hz  %-18s %11d %11.3f %11.3f %9.0f %% %11.2f %9.1f%s\n", device_name,
-              environment_rate, law_name, figures.separations, 1e3 * figures.depth_rms,
+              environment_rate, law_name, figures.separations, 1e3 * figures.depth_std,
               1e3 * figures.depth_range, 100 * figures.stick_share, figures.retarding_force,
               1e3 * figures.brake_energy, figures.arrived ? "" : "   (did not arrive)");
   most_power = std::max(most_power, figures.largest_brake_power);
@@ -125,7 +125,7 @@ int main(int argc, char** argv) try {
   linear.encoder_resolution *= 0.1;  // 8192 counts a turn, 0.1 m from the axis [m]
 
   std::printf("%-10s %8s  %-18s %11s %11s %11s %11s %11s %9s\n", "device", "environ.", "law", "separations",
-              "depth RMS", "depth range", "brake 2", "retarding", "brakes");
+              "depth std", "depth range", "brake 2", "retarding", "brakes");
   std::printf("%-10s %8s  %-18s %11s %11s %11s %11s %11s %9s\n", "", "", "", "", "[mm]", "[mm]", "sticks",
               "force [N]", "take [mJ]");
   for (const double rate : {1000.0, 20.0}) {

@@ -57,7 +57,7 @@ void follow_walls(report& table, const std::filesystem::path& directory) {
   table.section("Figs. 8 to 10: the tendon device; planar wall y = 0.225 m, circles of 0.325 m");
   for (std::size_t k = 0; k < cells.size(); ++k)
     table.add({"tendon", cells[k].wall->name, hertz(cells[k].rate), text(name_of(cells[k].which)),
-               runs[k].figures, runs[k].books.imbalance()});
+               runs[k].figures, runs[k].energy.imbalance()});
 
   std::printf("\nThe least alpha of direct control:");
   for (std::size_t k = 0; k < cells.size(); ++k)
@@ -97,7 +97,7 @@ void weak_brakes(report& table) {
       how.limit = 0.3;
       how.gain = 0.97;
       const auto run = follow_with_arm(which, planar.wall, how);
-      table.add({"tendon", "planar", hertz(rate), text(name_of(which)), run.figures, run.books.imbalance()});
+      table.add({"tendon", "planar", hertz(rate), text(name_of(which)), run.figures, run.energy.imbalance()});
     }
   }
 }
@@ -118,7 +118,7 @@ void slanted_walls(report& table, const std::filesystem::path& directory) {
           const auto run = follow_with_table(which, planar_wall(ph::radians(slant)), how);
           table.add({"table", std::to_string(static_cast<int>(slant)) + " deg",
                      hertz(rate) + (lag > 0 ? ", 20 ms" : ", 0 ms"), text(name_of(which)), run.figures,
-                     run.books.imbalance()});
+                     run.energy.imbalance()});
           const char* cell = lag > 0 ? (rate < 1000 ? "lag and slow environment" : "lag of the brakes")
                                      : (rate < 1000 ? "slow environment" : "no delay");
           rows.push_back({slant, cell, text(name_of(which)), run.figures});
@@ -177,14 +177,14 @@ batch_row random_plants(const named_wall& wall, double rate, law which,
     for (const auto& f : figures) values.push_back(f.*member);
     return values;
   };
-  const auto rms = all(&ph::contact_metrics::depth_rms), depth = all(&ph::contact_metrics::depth_mean);
+  const auto spread = all(&ph::contact_metrics::depth_std), depth = all(&ph::contact_metrics::depth_mean);
   double sum = 0;
   for (const double d : depth) sum += d;
   const auto separated =
       std::count_if(figures.begin(), figures.end(), [](const auto& f) { return f.separations > 0; });
   std::printf("%-9s %-8s %-30s %6ld of %zu %12.4f %12.3f %12.3f %12.2f\n", wall.name.c_str(),
               hertz(rate).c_str(), law_name.c_str(), static_cast<long>(separated), figures.size(),
-              1e3 * median(rms), 1e3 * *std::max_element(rms.begin(), rms.end()),
+              1e3 * median(spread), 1e3 * *std::max_element(spread.begin(), spread.end()),
               1e3 * sum / static_cast<double>(figures.size()),
               median(all(&ph::contact_metrics::retarding_force)));
   std::fflush(stdout);
@@ -197,7 +197,7 @@ void random_plants(const std::filesystem::path& directory) {
       "\n%zu random plants and hands, seed %llu; of the last lines the lag is 7 to 20 ms, but believed\n",
       plant_count, static_cast<unsigned long long>(seed));
   std::printf("%-9s %-8s %-30s %14s %12s %12s %12s %12s\n", "wall", "environ.", "law", "with separat.",
-              "RMS, median", "largest [mm]", "mean depth", "retards [N]");
+              "std, median", "largest [mm]", "mean depth", "retards [N]");
   std::vector<batch_row> rows;
   for (const named_wall* wall : {&planar, &concave, &convex})
     for (const double rate : {1000.0, 20.0})
@@ -232,7 +232,7 @@ void in_space(report& table, const std::filesystem::path& directory) {
     const auto device = text(name_of(cells[k].device)), wall = text(name_of(cells[k].wall)),
                law_name = text(name_of(cells[k].which));
     for (const auto& figures : runs[k].figures)
-      table.add({device, wall, hertz(cells[k].rate), law_name, figures, runs[k].books.imbalance()});
+      table.add({device, wall, hertz(cells[k].rate), law_name, figures, runs[k].energy.imbalance()});
     if (cells[k].rate < 1000) rows.push_back({device, wall, law_name, runs[k].trace});
   }
   draw_in_space(directory, rows);
@@ -278,12 +278,12 @@ bool bands() {
                        slow = arm(law::none, planar.wall, 20, step);
          return fast.separations >= 10 && slow.separations >= 4 && slow.depth_range >= 2 * fast.depth_range;
        }},
-      {"direct control as printed: brake 2 sticks less, RMS lower, at both rates",
+      {"direct control as printed: brake 2 sticks less, std lower, at both rates",
        [&](double step) {
          return at_both_rates([&](double rate) {
            const figures off = arm(law::none, planar.wall, rate, step),
                          on = arm(law::direct, planar.wall, rate, step);
-           return on.stick_share < off.stick_share && on.depth_rms < off.depth_rms;
+           return on.stick_share < off.stick_share && on.depth_std < off.depth_std;
          });
        }},
       {"dead band, weak brakes: <= 1 separation at both rates, no law >= 4",
@@ -293,12 +293,12 @@ bool bands() {
                   arm(law::none, planar.wall, rate, step, 0.3, 0.97).separations >= 4;
          });
        }},
-      {"velocity direct control, planar and concave: 0, RMS < 0.05, range < 0.2 mm",
+      {"velocity direct control, planar and concave: 0, std < 0.05, range < 0.2 mm",
        [&](double step) {
          return at_both_rates([&](double rate) {
            for (const auto* wall : {&planar, &concave}) {
              const figures f = arm(law::velocity, wall->wall, rate, step);
-             if (f.separations > 0 || f.depth_rms >= 5e-5 || f.depth_range >= 2e-4) return false;
+             if (f.separations > 0 || f.depth_std >= 5e-5 || f.depth_range >= 2e-4) return false;
            }
            return true;
          });
@@ -310,7 +310,7 @@ bool bands() {
            return f.separations == 0 && f.depth_range < 2.5e-3;
          });
        }},
-      {"the same, random plants, planar and concave: 99 % without, median RMS < 0.1 mm",
+      {"the same, random plants, planar and concave: 99 % without, median std < 0.1 mm",
        [&](double step) {
          for (const auto* wall : {&planar, &concave}) {
            const auto runs = on_all_cores("random plants, " + wall->name, plant_count, [&](std::size_t k) {
@@ -318,11 +318,12 @@ bool bands() {
              how.time_step = step;
              return follow_with_arm(law::velocity, wall->wall, how).figures;
            });
-           std::vector<double> rms;
-           for (const figures& f : runs) rms.push_back(f.depth_rms);
+           std::vector<double> spread;
+           for (const figures& f : runs) spread.push_back(f.depth_std);
            const auto separated =
                std::count_if(runs.begin(), runs.end(), [](const figures& f) { return f.separations > 0; });
-           if (100 * static_cast<std::size_t>(separated) > plant_count || median(rms) >= 1e-4) return false;
+           if (100 * static_cast<std::size_t>(separated) > plant_count || median(spread) >= 1e-4)
+             return false;
          }
          return true;
        }},
@@ -367,10 +368,11 @@ int main(int argc, char** argv) try {
   random_plants(directory);
   const bool hold = bands();
   std::printf(
-      "\nCounted from the first contact; depths after the first 10 %% of the path, RMS about their mean. A "
-      "separation is\n"
-      "a contact followed by a gap of more than 10 um. Bouncing is chaotic: read bands, not digits.\n"
-      "The most power that a brake gave to its device in any time step: %.0e W. The energy books close "
+      "\nCounted from the first contact; depths after the first 10 %% of the path, std is their standard "
+      "deviation.\n"
+      "A separation is a contact followed by a gap of more than 10 um. Bouncing is chaotic: read bands, not "
+      "digits.\n"
+      "The most power that a brake gave to its device in any time step: %.0e W. The energy balance closes "
       "within %.0e of\n"
       "what the brakes took.\n",
       table.most_power(), table.worst_imbalance());

@@ -82,7 +82,7 @@ run_result follow(const device<M>& d, law which, const test_wall& wall, const se
                               s.brake_torque, s.hand_force, s.brake_force});
     });
   });
-  result.books = plant.books();
+  result.energy = plant.energy();
   return result;
 }
 

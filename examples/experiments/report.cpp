@@ -7,7 +7,8 @@
 namespace experiments {
 
 report::report() {
-  csv_ << "device, wall, environment, law, separations, depth rms [mm], depth range [mm], depth mean [mm], "
+  csv_ << "device, wall, environment, law, separations, depth standard deviation [mm], depth range [mm], "
+          "depth mean [mm], "
           "depth max "
           "[mm], brake 2 sticks [%], retarding force [N], brake energy [mJ], duration [s], arrived\n";
 }
@@ -15,7 +16,7 @@ report::report() {
 void report::section(std::string_view title) {
   std::printf("\n%.*s\n%-8s %-15s %-16s %-23s %5s %8s %8s %8s %8s %7s %7s %7s\n",
               static_cast<int>(title.size()), title.data(), "device", "wall", "environment", "law", "sepa-",
-              "RMS", "range", "mean", "deepest", "brake 2", "retards", "brakes");
+              "std", "range", "mean", "deepest", "brake 2", "retards", "brakes");
   std::printf("%-8s %-15s %-16s %-23s %5s %8s %8s %8s %8s %7s %7s %7s\n", "", "", "", "", "rat.", "[mm]",
               "[mm]", "[mm]", "[mm]", "sticks", "[N]", "[mJ]");
 }
@@ -24,12 +25,12 @@ void report::add(const table_row& row) {
   const auto& f = row.figures;
   std::printf("%-8s %-15s %-16s %-23s %5d %8.3f %8.3f %8.3f %8.3f %5.0f %% %7.2f %7.1f%s\n",
               row.device.c_str(), row.wall.c_str(), row.environment.c_str(), row.law.c_str(), f.separations,
-              1e3 * f.depth_rms, 1e3 * f.depth_range, 1e3 * f.depth_mean, 1e3 * f.depth_max,
+              1e3 * f.depth_std, 1e3 * f.depth_range, 1e3 * f.depth_mean, 1e3 * f.depth_max,
               100 * f.stick_share, f.retarding_force, 1e3 * f.brake_energy,
               f.arrived ? "" : "  (did not arrive)");
   std::fflush(stdout);
   csv_ << row.device << ", " << row.wall << ", " << row.environment << ", " << row.law << ", "
-       << f.separations << ", " << 1e3 * f.depth_rms << ", " << 1e3 * f.depth_range << ", "
+       << f.separations << ", " << 1e3 * f.depth_std << ", " << 1e3 * f.depth_range << ", "
        << 1e3 * f.depth_mean << ", " << 1e3 * f.depth_max << ", " << 100 * f.stick_share << ", "
        << f.retarding_force << ", " << 1e3 * f.brake_energy << ", " << f.duration << ", "
        << (f.arrived ? "yes" : "no") << "\n";

@@ -13,7 +13,7 @@ namespace experiments {
 struct table_row {
   std::string device, wall, environment, law;  // environment: what slows the wall down
   ph::contact_metrics figures;
-  double imbalance = 0;  // of the energy books [J]
+  double imbalance = 0;  // of the energy [J]
 };
 
 class report {
@@ -23,9 +23,8 @@ class report {
   void add(const table_row& row);        // prints a line
   std::string csv() const { return csv_.str(); }
   double most_power() const { return most_power_; }  // that a brake gave to its device [W]
-  double worst_imbalance() const {
-    return worst_imbalance_;
-  }  // of the books, for each joule that went through them
+  // Of the energy, for each joule that the brakes took.
+  double worst_imbalance() const { return worst_imbalance_; }
 
  private:
   std::ostringstream csv_;

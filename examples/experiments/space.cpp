@@ -128,7 +128,7 @@ space_result follow(const place<M>& at, const std::vector<touch>& walls, const S
       encoders.read(plant.q(), plant.qd());
       capacity = control(ph::device_state<M>{time, encoders.q(), encoders.qd(), sensor.read()}).capacity;
     }
-    const double friction_before = plant.books().friction();
+    const double friction_before = plant.energy().friction();
     plant.advance(how.time_step, capacity, person.force(time, plant.position(), plant.velocity(), walls));
     sensor.advance(how.time_step, plant.sensed_force());
 
@@ -141,13 +141,13 @@ space_result follow(const place<M>& at, const std::vector<touch>& walls, const S
            -plant.brake_force().dot((space_vector::UnitX() - walls[i].normal(plant.position()) *
                                                                  walls[i].normal(plant.position()).x())
                                         .normalized()),
-           plant.books().friction() - friction_before, plant.brake_power().maxCoeff()});
+           plant.energy().friction() - friction_before, plant.brake_power().maxCoeff()});
     }
     if (k % (5 * cycle) == 0) result.trace.push_back({way, depths});
     if (way >= at.length) break;
   }
   for (const auto& meter : meters) result.figures.push_back(meter.result());
-  result.books = plant.books();
+  result.energy = plant.energy();
   return result;
 }
 

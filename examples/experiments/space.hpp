@@ -21,7 +21,7 @@ std::string_view name_of(space_wall which);
 struct space_result {
   std::vector<ph::contact_metrics> figures;                   // of each wall: two of an edge
   std::vector<std::pair<double, std::vector<double>>> trace;  // way made [m], depth in each wall [m]
-  ph::energy_balance books;
+  ph::energy_balance energy;
 };
 
 // A hand of 0.5 kg moves the handle along x at 0.05 m/s over the middle of the device's workspace, 0.1 m for

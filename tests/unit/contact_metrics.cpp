@@ -50,7 +50,7 @@ TEST(contact_meter, measures_depth_after_the_first_tenth_of_the_path) {
   const auto r = figures({1000, 10, 20, 30, 10, 20, 30, 10, 20, 30});
   EXPECT_DOUBLE_EQ(r.depth_max, 1000 * um);
   EXPECT_NEAR(r.depth_range, 20 * um, 1e-18);
-  EXPECT_NEAR(r.depth_rms, std::sqrt(2.0 / 3) * 10 * um, 1e-18) << "about the mean of 20";
+  EXPECT_NEAR(r.depth_std, std::sqrt(2.0 / 3) * 10 * um, 1e-18) << "about the mean of 20";
 }
 
 // Contact at half of the path: settled after a tenth of the other half.

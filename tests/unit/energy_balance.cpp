@@ -1,4 +1,4 @@
-// The books of a simulated device: they close, and no brake ever gives energy.
+// The energy balance of a simulated device: it closes, and no brake ever gives energy.
 #include "support.hpp"
 
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
@@ -117,12 +117,12 @@ struct run {
           capacity[i] = braked && random.coin() ? random.uniform(T(0), T(Case::torque)) : T(0);
       }
       const ph::task_vector<M> F = pull - T(150) * (device.position() - home) - T(3) * device.velocity();
-      const ph::energy_balance before = device.books();
+      const ph::energy_balance before = device.energy();
       const ph::brake_vector<M> w = device.rates();
       const joints q = device.q();
       device.advance(T(dt), capacity, F);
 
-      const ph::energy_balance& after = device.books();
+      const ph::energy_balance& after = device.energy();
       const double work = std::abs(after.hand - before.hand) + std::abs(after.gravity - before.gravity) +
                           std::abs(after.friction() - before.friction()) + std::abs(after.drag - before.drag);
       const double rate = static_cast<double>(device.qd().norm());
@@ -158,10 +158,10 @@ TYPED_TEST_SUITE(energy_balance, cases);
 
 // What rounding hides in float.
 template <class Case>
-struct energy_books_in_double : ::testing::Test {};
+struct energy_balance_in_double : ::testing::Test {};
 using cases_in_double =
     ::testing::Types<tendon<double>, table<double>, pantograph<2>, pantograph<4>, hanging_delta, planar_3r>;
-TYPED_TEST_SUITE(energy_books_in_double, cases_in_double);
+TYPED_TEST_SUITE(energy_balance_in_double, cases_in_double);
 
 TYPED_TEST(energy_balance, close_to_the_order_of_the_step_under_random_hands_brakes_and_commands) {
   using T = typename TypeParam::mechanism::scalar;
@@ -171,12 +171,12 @@ TYPED_TEST(energy_balance, close_to_the_order_of_the_step_under_random_hands_bra
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       SCOPED_TRACE(::testing::Message() << "seed " << seed << (braked ? ", braked" : ", free"));
       const run<TypeParam> r(seed, dt, braked);
-      const ph::energy_balance& books = r.device.books();
+      const ph::energy_balance& energy = r.device.energy();
       const double rounding = 1e3 * static_cast<double>(std::numeric_limits<T>::epsilon()) * r.throughput;
-      EXPECT_LE(std::abs(books.imbalance()), dt * r.scale + rounding) << "k = 1 in energy_balance";
-      EXPECT_LE(std::abs(books.imbalance()), 1e-3 * r.throughput);
+      EXPECT_LE(std::abs(energy.imbalance()), dt * r.scale + rounding) << "k = 1 in energy_balance";
+      EXPECT_LE(std::abs(energy.imbalance()), 1e-3 * r.throughput);
       EXPECT_GT(r.throughput, 0.01) << "something happens [J]";
-      for (const double part : {books.brakes, books.residual_friction, books.drag}) {
+      for (const double part : {energy.brakes, energy.residual_friction, energy.drag}) {
         if (braked) EXPECT_GT(part, 0);
         else EXPECT_EQ(part, 0);
       }
@@ -192,18 +192,18 @@ TYPED_TEST(energy_balance, no_brake_gives_power_beyond_rounding) {
   for (std::uint64_t seed = 11; seed <= 18; ++seed) {
     const run<TypeParam> r(seed, 1e-4, true);
     EXPECT_LE(r.most_power, 1) << "seed " << seed;
-    EXPECT_LE(r.device.books().largest_brake_power, is_double ? 1e-14 : 1e-5) << "seed " << seed;
+    EXPECT_LE(r.device.energy().largest_brake_power, is_double ? 1e-14 : 1e-5) << "seed " << seed;
   }
 }
 
-TYPED_TEST(energy_books_in_double, halving_the_step_halves_what_does_not_balance) {
+TYPED_TEST(energy_balance_in_double, halving_the_step_halves_what_does_not_balance) {
   using M = typename TypeParam::mechanism;
   double coarse = 0, middle = 0, fine = 0;
   for (std::uint64_t seed = 21; seed <= 24; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     const run<TypeParam> a(seed, 2e-4, false), b(seed, 1e-4, false), c(seed, 5e-5, false);
-    const double x = a.device.books().imbalance(), y = b.device.books().imbalance(),
-                 z = c.device.books().imbalance();
+    const double x = a.device.energy().imbalance(), y = b.device.energy().imbalance(),
+                 z = c.device.energy().imbalance();
     if (std::is_same_v<M, ph::xy_table<double>>) {
       EXPECT_LE(std::abs(x), 1e-13 * a.throughput) << "M is constant: nothing but rounding";
       continue;
@@ -220,7 +220,7 @@ TYPED_TEST(energy_books_in_double, halving_the_step_halves_what_does_not_balance
 // Against a run of a sixteenth of the step, a method of first order is wrong by 1 - 1/16 of its error, with
 // half the step by 1/2 - 1/16 of it: the ratio is 15/7. Stick and slip change at other steps in each run, so
 // it holds in the mean.
-TYPED_TEST(energy_books_in_double, motion_converges_at_first_order) {
+TYPED_TEST(energy_balance_in_double, motion_converges_at_first_order) {
   for (const bool braked : {false, true}) {
     double coarse = 0, fine = 0, way = 0;
     for (std::uint64_t seed = 31; seed <= 42; ++seed) {

@@ -77,7 +77,7 @@ std::vector<named_run> short_runs() {
 
 ph::contact_metrics metrics(double depth, int separations) {
   ph::contact_metrics m;
-  m.depth_rms = m.depth_range = depth;
+  m.depth_std = m.depth_range = depth;
   m.separations = separations;
   return m;
 }
@@ -154,7 +154,7 @@ TEST_F(picture, batch_counts_separations) {
   }
   draw_batch(directory(), rows);
   const std::string drawn = svg("batch");
-  expect_texts(drawn, {"depth RMS [mm]", "share of plants below [1]", "1 kHz", "20 Hz"});
+  expect_texts(drawn, {"standard deviation of depth [mm]", "share of plants below [1]", "1 kHz", "20 Hz"});
   for (const law l : laws) {
     EXPECT_NE(drawn.find(std::string(name_of(l)) + ": separations in 50 % of the runs"), std::string::npos);
     EXPECT_EQ(curves(drawn, l), 2);

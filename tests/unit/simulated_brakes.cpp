@@ -91,9 +91,9 @@ TEST(simulated_brakes, gain_error_slows_down_with_the_real_force) {
     EXPECT_NEAR(device.brake_power()[0], -1.6 * device.qd()[0], 1e-12);
   }
   for (int k = 0; k < 50; ++k) device.advance(1e-3, {2, 0}, {0, 0});
-  EXPECT_NEAR(device.books().brakes, 0.25, 1e-13) << "m v^2 / 2";
-  EXPECT_EQ(device.books().residual_friction, 0);
-  EXPECT_NEAR(device.books().imbalance(), 0, 1e-14);
+  EXPECT_NEAR(device.energy().brakes, 0.25, 1e-13) << "m v^2 / 2";
+  EXPECT_EQ(device.energy().residual_friction, 0);
+  EXPECT_NEAR(device.energy().imbalance(), 0, 1e-14);
 }
 
 // Without current 0.3 N on 0.5 kg: stops after v0 / 0.6 = 1.67 s, and holds less than 0.3 N.
@@ -118,16 +118,16 @@ TEST(simulated_brakes, residual_torque_is_there_without_current_and_sticks) {
 }
 
 // Commanded and residual friction share what is dissipated as their strengths.
-TEST(simulated_brakes, the_books_split_friction_by_its_source) {
+TEST(simulated_brakes, the_energy_balance_splits_friction_by_its_source) {
   auto real = at_once();
   real.residual_torque[0] = 0.5;
   ph::simulated_device device(M(), real, 0.0, {0, 0});
   device.set_motion({0, 0}, {1, 0});
   for (int k = 0; k < 400; ++k) device.advance(1e-3, {1.5, 0}, {0, 0});
-  EXPECT_NEAR(device.books().brakes, 0.75 * 0.25, 1e-13);
-  EXPECT_NEAR(device.books().residual_friction, 0.25 * 0.25, 1e-13);
-  EXPECT_NEAR(device.books().friction(), 0.25, 1e-13);
-  EXPECT_EQ(device.books().drag, 0);
+  EXPECT_NEAR(device.energy().brakes, 0.75 * 0.25, 1e-13);
+  EXPECT_NEAR(device.energy().residual_friction, 0.25 * 0.25, 1e-13);
+  EXPECT_NEAR(device.energy().friction(), 0.25, 1e-13);
+  EXPECT_EQ(device.energy().drag, 0);
 }
 
 // m dv/dt = -b v: v = v0 exp(-b t / m); by implicit Euler v0 (1 + b dt / m)^-k, which is never unstable.
@@ -141,8 +141,8 @@ TEST(simulated_brakes, drag_decays_exponentially_to_first_order) {
     for (long k = 0; k < steps; ++k) device.advance(dt, {0, 0}, {0, 0});
     EXPECT_NEAR(device.qd()[0], std::pow(1 + real.viscous_drag[0] / 0.5 * dt, -static_cast<double>(steps)),
                 1e-13);
-    EXPECT_NEAR(device.books().drag, (1 - device.qd()[0] * device.qd()[0]) / 4, 1e-13);
-    EXPECT_EQ(device.books().friction(), 0);
+    EXPECT_NEAR(device.energy().drag, (1 - device.qd()[0] * device.qd()[0]) / 4, 1e-13);
+    EXPECT_EQ(device.energy().friction(), 0);
     return device.qd()[0] - std::exp(-1.0);
   };
   EXPECT_NEAR(error(1e-3), std::exp(-1.0) * 2e-3, 2e-5) << "(b/m)^2 t dt / 2 of it";
@@ -158,10 +158,10 @@ TEST(simulated_brakes, drag_acts_on_the_brakes_own_axes) {
   ph::simulated_device device(five(), real, 0.0, {2.3, 0.8});
   device.set_motion({2.3, 0.8}, {1, 1});
   device.advance(1e-6, ph::vector<double, 4>::Zero(), {0, 0});
-  EXPECT_LT(device.books().drag, 1e-12) << "both together do not turn brake 3";
+  EXPECT_LT(device.energy().drag, 1e-12) << "both together do not turn brake 3";
   device.set_motion({2.3, 0.8}, {1, -1});
   device.advance(1e-6, ph::vector<double, 4>::Zero(), {0, 0});
-  EXPECT_NEAR(device.books().drag, 0.01 * std::pow(device.rates()[2], 2) * 1e-6, 1e-10);
+  EXPECT_NEAR(device.energy().drag, 0.01 * std::pow(device.rates()[2], 2) * 1e-6, 1e-10);
 }
 
 TEST(simulated_brakes, nan_and_negative_commands_release) {

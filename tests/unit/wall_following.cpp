@@ -296,10 +296,10 @@ TEST(wall_following_run, figures_count_the_energy_of_the_brakes) {
   EXPECT_GT(way, 0.01);
   EXPECT_NEAR(force, 0.5, 1e-9);
   EXPECT_NEAR(figures.brake_energy, 0.5 * way, 0.05 * 0.5 * way) << "less while the brakes rise";
-  EXPECT_NEAR(figures.brake_energy, e.device.books().friction(), 1e-12) << "in contact from the start";
+  EXPECT_NEAR(figures.brake_energy, e.device.energy().friction(), 1e-12) << "in contact from the start";
   EXPECT_LE(figures.largest_brake_power, 1e-15);
   EXPECT_LE(power, 1e-15);
-  EXPECT_LE(std::abs(e.device.books().imbalance()), 1e-13 * e.device.books().hand);
+  EXPECT_LE(std::abs(e.device.energy().imbalance()), 1e-13 * e.device.energy().hand);
 }
 
 // Not only step_result: what has a capacity is a decision.
@@ -352,7 +352,7 @@ TEST(wall_following_run, devices_with_self_motion_follow_a_wall) {
   EXPECT_GT(strongest, 0.1);
   EXPECT_GT(figures.brake_energy, 0);
   EXPECT_LE(figures.largest_brake_power, 1e-14);
-  EXPECT_LE(std::abs(device.books().imbalance()), 1e-3 * device.books().hand);
+  EXPECT_LE(std::abs(device.energy().imbalance()), 1e-3 * device.energy().hand);
 }
 
 }  // namespace

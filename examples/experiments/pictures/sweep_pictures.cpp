@@ -97,14 +97,14 @@ void draw_batch(const std::filesystem::path& directory, const std::vector<batch_
            .common_x = true,
            .settings = "set yrange [0:1]\n"};
   for (const std::string& setting : style::distinct(rows, [](const batch_row& r) { return r.setting; })) {
-    panel one{setting, "depth RMS [mm]", "share of plants below [1]", {}};
+    panel one{setting, "standard deviation of depth [mm]", "share of plants below [1]", {}};
     for (const batch_row& r : rows) {
       if (r.setting != setting || r.figures.empty()) continue;
       const double runs = static_cast<double>(r.figures.size());
       std::vector<double> depths;
       int separated = 0;
       for (const ph::contact_metrics& m : r.figures) {
-        depths.push_back(in_mm(m.depth_rms));
+        depths.push_back(in_mm(m.depth_std));
         separated += m.separations > 0;
       }
       std::sort(depths.begin(), depths.end());

@@ -10,20 +10,19 @@ namespace passive_haptics {
 
 /// Figures of one run along a wall, counted from the first contact.
 struct contact_metrics {
-  int separations = 0;         ///< Contact followed by a depth under -10 um.
-  int recontacts = 0;          ///< Separation followed by a depth over +10 um.
-  double depth_mean = 0;       ///< Mean depth after the first 10 % of the path [m].
-  double depth_rms = 0;        ///< Standard deviation of the depth there [m].
-  double depth_range = 0;      ///< Largest less smallest depth there [m].
-  double depth_drift = 0;      ///< Last less first depth there [m]; < 0 moves out of the wall.
-  double depth_max = 0;        ///< Largest depth on the whole path [m].
-  double stick_share = 0;      ///< Share of time that the watched brake is slower than 1e-3 rad/s [1].
-  double retarding_force = 0;  ///< Mean force of the brakes against the motion along the wall [N].
-  double brake_energy = 0;     ///< Dissipated by the friction of all brakes [J].
-  double largest_brake_power =
-      0;                 ///< Largest power that one brake gave to the device in a step [W]; 0 if none.
-  double duration = 0;   ///< From the first contact to the end [s].
-  bool arrived = false;  ///< The end of the path was reached.
+  int separations = 0;             ///< Contact followed by a depth under -10 um.
+  int recontacts = 0;              ///< Separation followed by a depth over +10 um.
+  double depth_mean = 0;           ///< Mean depth after the first 10 % of the path [m].
+  double depth_std = 0;            ///< Standard deviation of the depth there [m].
+  double depth_range = 0;          ///< Largest less smallest depth there [m].
+  double depth_drift = 0;          ///< Last less first depth there [m]; < 0 moves out of the wall.
+  double depth_max = 0;            ///< Largest depth on the whole path [m].
+  double stick_share = 0;          ///< Share of time that the watched brake is slower than 1e-3 rad/s [1].
+  double retarding_force = 0;      ///< Mean force of the brakes against the motion along the wall [N].
+  double brake_energy = 0;         ///< Dissipated by the friction of all brakes [J].
+  double largest_brake_power = 0;  ///< Largest that one brake gave to the device in a step [W]; 0 if none.
+  double duration = 0;             ///< From the first contact to the end [s].
+  bool arrived = false;            ///< The end of the path was reached.
 };
 
 /// What contact_meter is told each time step.
@@ -81,7 +80,7 @@ class contact_meter {
     }
     if (settled_ > 0) {
       r.depth_mean = mean_;
-      r.depth_rms = std::sqrt(square_sum_ / static_cast<double>(settled_));
+      r.depth_std = std::sqrt(square_sum_ / static_cast<double>(settled_));
       r.depth_range = deepest_ - shallowest_;
       r.depth_drift = last_ - first_;
     }

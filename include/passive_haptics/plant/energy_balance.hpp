@@ -4,7 +4,7 @@
 
 namespace passive_haptics {
 
-/// Energies of a simulated device since its books were opened [J]. Sums in double, whatever the device's
+/// Energies of a simulated device since its motion was last set [J]. Sums in double, whatever the device's
 /// scalar.
 ///
 /// A step with impulses P changes the rates from qd to qd', and P . (qd + qd')/2 is the change of kinetic
@@ -22,7 +22,7 @@ namespace passive_haptics {
 /// hold k = 1 for tendon_two_link, five_bar, delta and a serial chain. It is O(dt): halving dt halves it. It
 /// is rounding where M is constant.
 struct energy_balance {
-  double start = 0;              ///< Kinetic energy of device and hand when the books were opened.
+  double start = 0;              ///< Kinetic energy of device and hand when its motion was set.
   double hand = 0;               ///< Work of the hand's muscles, in.
   double gravity = 0;            ///< Work of gravity, in.
   double brakes = 0;             ///< Dissipated by what was commanded of the brakes.

@@ -23,8 +23,8 @@ namespace passive_haptics {
 ///
 /// Semi-implicit Euler on impulses, first order in dt: rates first (friction and drag implicit), then
 /// positions with the new rates. The hand's mass moves with the handle; the hand's force drives both, a
-/// sensor between them feels what reaches the device. books() tells where the energy went. Cost of a step: M,
-/// J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
+/// sensor between them feels what reaches the device. energy() tells where the energy went. Cost of a step:
+/// M, J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
 template <class M>
 class simulated_device {
   static_assert(mechanism_requirements<M>::met);
@@ -52,13 +52,13 @@ class simulated_device {
     set_motion(q, joint_vector<M>::Zero());
   }
 
-  /// Sets the motion, for example at the start of an experiment, and opens the books anew.
+  /// Sets the motion, for example at the start of an experiment, and begins the energy balance anew.
   void set_motion(const joint_vector<M>& q, const joint_vector<M>& qd) {
     q_ = q;
     qd_ = qd;
     measure_pose();
-    books_ = energy_balance();
-    books_.start = books_.kinetic = kinetic_energy();
+    energy_ = energy_balance();
+    energy_.start = energy_.kinetic = kinetic_energy();
   }
 
   /// One time step dt [s] under commanded capacities [N m] and the force [N] that the hand's muscles exert.
@@ -87,22 +87,22 @@ class simulated_device {
     const joint_vector<M> middle = (qd_ + next) / scalar(2);
     const brake_vector<M> middle_rates = T * middle;
     const joint_vector<M> gravity = mechanism_.bias_torque(q_, joint_vector<M>::Zero());
-    books_.hand += as_double(dt * muscle_force.dot(J_ * middle));
-    books_.gravity -= as_double(dt * gravity.dot(middle));
+    energy_.hand += as_double(dt * muscle_force.dot(J_ * middle));
+    energy_.gravity -= as_double(dt * gravity.dot(middle));
     for (int i = 0; i < M::brake_count; ++i) {
-      books_.drag += as_double(dt * rates[i] * brakes_.viscous_drag[i] * middle_rates[i]);
+      energy_.drag += as_double(dt * rates[i] * brakes_.viscous_drag[i] * middle_rates[i]);
       const double dissipated = -as_double(impulse[i] * middle_rates[i]);
       const double share = limit[i] > scalar(0) ? as_double(dt * commanded[i] / limit[i]) : 0.0;
-      books_.brakes += share * dissipated;
-      books_.residual_friction += (1 - share) * dissipated;
+      energy_.brakes += share * dissipated;
+      energy_.residual_friction += (1 - share) * dissipated;
       brake_power_[i] = brake_torque_[i] * rates[i];
-      books_.largest_brake_power = std::max(books_.largest_brake_power, as_double(brake_power_[i]));
+      energy_.largest_brake_power = std::max(energy_.largest_brake_power, as_double(brake_power_[i]));
     }
 
     qd_ = next;
     q_ += dt * qd_;
     measure_pose();
-    books_.kinetic = kinetic_energy();
+    energy_.kinetic = kinetic_energy();
   }
 
   /// Joint positions [rad or m].
@@ -124,7 +124,7 @@ class simulated_device {
   /// What the brakes could hold now by command [N m], without residual torque.
   const brake_vector<M>& brake_strength() const { return strength_.output(); }
   /// Where the energy came from and went since the last set_motion, or the start.
-  const energy_balance& books() const { return books_; }
+  const energy_balance& energy() const { return energy_; }
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
 
@@ -163,7 +163,7 @@ class simulated_device {
   joint_vector<M> q_, qd_;
   task_matrix J_;
   joint_matrix mass_;  // device and hand
-  energy_balance books_;
+  energy_balance energy_;
   task_vector<M> sensed_force_ = task_vector<M>::Zero();
   brake_vector<M> brake_torque_ = brake_vector<M>::Zero();
   brake_vector<M> brake_power_ = brake_vector<M>::Zero();

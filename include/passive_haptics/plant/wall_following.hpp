@@ -113,7 +113,7 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
     const task_vector<M> x = device.position();
     const point<d> n = shape.gradient(x.template cast<double>());
     const task_vector<M> normal = n.template cast<T>();
-    const double dissipated = device.books().friction();
+    const double dissipated = device.energy().friction();
     device.advance(dt, decision.capacity, hand.force(static_cast<T>(time), x, device.velocity(), normal));
     sensor.advance(dt, device.sensed_force());
 
@@ -133,7 +133,7 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
                .depth = now.depth,
                .rate = static_cast<double>(now.rates[p.watched_brake]),
                .retarding_force = -static_cast<double>(now.brake_force.dot(hand.tangent(normal))),
-               .brake_energy = device.books().friction() - dissipated,
+               .brake_energy = device.energy().friction() - dissipated,
                .brake_power = static_cast<double>(now.brake_power.maxCoeff())});
     observe(now);
     if (progress >= p.path_end) break;
