@@ -376,7 +376,7 @@ TEST(a_safe_port, follows_counters_past_their_wrap) {
   }
 }
 
-TEST(a_safe_port, bridges_a_gap_in_the_sequence_and_lets_the_device_go_on_meanwhile) {
+TEST(a_safe_port, holds_over_a_gap_in_the_sequence_and_lets_the_device_go_on_meanwhile) {
   rig r;
   r.hold();
   const auto before = r.port.position();

@@ -167,7 +167,7 @@ TEST_F(mesh_files, that_are_wrong_are_named_with_the_reason) {
   says(write("inf.stl", binary_stl(bad)), "not finite");
 }
 
-// Whatever stands in a file, there is a mesh that is valid or a error.
+// Whatever stands in a file, there is a mesh that is valid or an error.
 TEST_F(mesh_files, with_bytes_gone_wrong_never_give_a_mesh_that_is) {
   ph::testing::random_source random(20040627);
   const std::string texts[] = {binary_stl(cube()), ascii_stl(cube()), obj(cube())};

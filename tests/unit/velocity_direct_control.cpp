@@ -195,8 +195,8 @@ TEST(velocity_direct_control, brakes_for_the_curvature_of_a_wall) {
     ph::step_memory<law> memory;
     const auto result = ph::step(table(), without_lag(), touched, law(),
                                  state_of<table>({0, -1e-3}, {0.2, 0}, {0, -2}), memory);
-    const double turning = (concave ? 1 : -1) * 0.2 * 0.2 / (concave ? 0.501 : 0.499);
-    EXPECT_NEAR(result.capacity[1], 2 + slide_mass() * turning, 1e-9);
+    const double curving = (concave ? 1 : -1) * 0.2 * 0.2 / (concave ? 0.501 : 0.499);
+    EXPECT_NEAR(result.capacity[1], 2 + slide_mass() * curving, 1e-9);
   }
 }
 

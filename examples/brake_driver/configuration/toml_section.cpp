@@ -12,7 +12,7 @@
 namespace example {
 namespace {
 
-// Whether a error "NAME = VALUE, expected WHAT" has this key as a word of its NAME.
+// Whether an error "NAME = VALUE, expected WHAT" has this key as a word of its NAME.
 bool speaks_of(std::string_view error, std::string_view key) {
   const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   const std::string_view name = error.substr(0, error.find(" = "));

@@ -13,9 +13,8 @@ namespace passive_haptics {
 /// How a transfer ended.
 enum class port_status {
   ok,          ///< A new sample was read; the currents were handed to the device.
-  no_sample,   ///< Nothing new came. The loop holds over it for a while.
-  bad_sample,  ///< What came is damaged: cut off, a wrong checksum, a wrong length. The loop holds over it
-               ///< for a while.
+  no_sample,   ///< Nothing new came. For a while the last good sample stands in.
+  bad_sample,  ///< What came is damaged: cut off, a wrong checksum or length. The last good one stands in.
   failed,      ///< The device is gone or refuses; no further transfer can be expected.
 };
 

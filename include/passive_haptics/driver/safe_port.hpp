@@ -27,11 +27,11 @@ struct no_force_sensor {
 ///
 ///   open -> ready -> activate -> active <-> degraded -> (fault) -> released -> rearm -> ready
 ///
-/// A bad sample is held_over: what was read before stays. After `hold_over` seconds without a good one the
-/// brakes are released; at once where the device is lost or restarted, an encoder froze, a command is not
-/// valid, or no cycle came for `hold_over` seconds. `hold_over` also bounds how long ago a sample may have
-/// been taken. Where nobody knows any more how far the encoders went, the program must start again, with
-/// homing. Nothing here allocates, throws, locks or reads a clock after open().
+/// Hold-over: for `hold_over` seconds the last good sample stands in for bad ones, then the brakes are
+/// released. They are released at once where the device is lost or restarted, an encoder froze, a command is
+/// not valid, or no cycle came for `hold_over` seconds. An older sample than that counts as bad. Where nobody
+/// knows any more how far the encoders went, the program must start again, with homing. Nothing here
+/// allocates, throws, locks or reads a clock after open().
 template <BrakePort Port, ForceSensor Sensor = no_force_sensor>
 class safe_port {
  public:
@@ -139,7 +139,7 @@ class safe_port {
   port_state state() const noexcept { return state_; }
   /// Why the brakes are released; none where they are not.
   const fault_record& reason() const noexcept { return reason_; }
-  /// What was wrong with the last samples, held_over or not; none where they are good.
+  /// What is wrong with the last samples; none where they are good.
   const fault_record& held_over() const noexcept { return held_over_; }
   /// Whether nobody knows how far the encoders went: the program must start again.
   bool needs_homing() const noexcept { return !homed_; }
@@ -184,7 +184,7 @@ class safe_port {
     return found;
   }
 
-  // Holds over what can be held_over, from the last time that all was good
+  // What may be held over fails hold_over seconds after the last time that all was good, the rest at once
   void watch(const fault_record& found, double& good) noexcept {
     if (found.what == fault::none) good = now_;
     else if (at_once(found) || (holds() && now_ - good > hold_over_)) fail(found);

@@ -19,8 +19,8 @@ struct safe_port_parameters {
   sensor_limits<Channels> sensor = {};   ///< What the force sensor can tell.
   current_limits<Brakes> currents = {};  ///< What the brakes may get.
   release_parameters at_release = {};    ///< What they get once they are released.
-  double hold_over =
-      0.020;  ///< For how long a bad sample, or a refused write, is held_over by the last good one [s].
+  /// How long the last good sample stands in for bad ones, or for refused writes [s].
+  double hold_over = 0.020;
 };
 
 /// What is wrong with the parameters; empty if nothing.
@@ -35,7 +35,7 @@ enum class port_state {
   closed,    ///< Not open.
   ready,     ///< Samples are read; the brakes get 0 A until activate().
   active,    ///< The brakes get what they are told, within their limits.
-  degraded,  ///< Active, but a bad sample is being held_over or a coil is too warm for what is asked.
+  degraded,  ///< Active, but on the last good sample, or a coil is too warm for what is asked.
   released,  ///< A fault: the brakes get what the release policy says, by default 0 A, until rearm().
 };
 

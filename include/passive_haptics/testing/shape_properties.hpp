@@ -112,10 +112,10 @@ TYPED_TEST_P(shape_properties, hessian_is_the_derivative_of_the_gradient) {
       ASSERT_LE((H * this->shape.gradient(x)).norm(), rounding_tolerance<double>(d) * (1 + H.norm()));
       for (int i = 0; i < d; ++i) {
         const auto along = [&](double s) { return this->shape.gradient(x + s * point<d>::Unit(i)); };
-        const point<d> turning = central_difference(along, h);
-        if ((turning - central_difference(along, h / 2)).norm() > tolerance) continue;
+        const point<d> change = central_difference(along, h);
+        if ((change - central_difference(along, h / 2)).norm() > tolerance) continue;
         ++smooth;
-        ASSERT_LE((H.col(i) - turning).norm(), 2 * tolerance) << "axis " << i;
+        ASSERT_LE((H.col(i) - change).norm(), 2 * tolerance) << "axis " << i;
       }
     });
     ASSERT_GE(smooth, this->point_count * d * 8 / 10);

@@ -114,14 +114,14 @@ class velocity_direct_control {
   }
 
  private:
-  // a* [m/s^2] at this depth [m] and outward velocity [m/s]; turning = v^T H v [m/s^2]
-  double wanted_acceleration(double depth, double outward, double turning, landing& wall) const {
+  // a* [m/s^2] at this depth [m] and outward velocity [m/s]; curving = v^T H v [m/s^2]
+  double wanted_acceleration(double depth, double outward, double curving, landing& wall) const {
     if (!wall.landed && depth > 0 && outward > -p_.landing_velocity)
       wall = {true, std::max(depth, p_.rest_depth)};
     const double v_max = p_.velocity_limit;
     const double v_ref = wall.landed ? std::clamp(p_.depth_gain * (depth - wall.depth), -v_max, v_max)
                                      : std::min(0.0, p_.depth_gain * (depth - p_.rest_depth));
-    return -turning + (v_ref - outward) / p_.velocity_lag;
+    return -curving + (v_ref - outward) / p_.velocity_lag;
   }
 
   velocity_direct_control_parameters p_;

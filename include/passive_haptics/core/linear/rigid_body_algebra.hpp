@@ -1,5 +1,5 @@
 /// @file
-/// The vector algebra of turning bodies, the same expressions in the plane and in space.
+/// The vector algebra of rotating bodies, the same expressions in the plane and in space.
 #pragma once
 
 #include <passive_haptics/core/linear/sine_cosine.hpp>
@@ -23,7 +23,7 @@ using inertia_matrix = matrix<T, angular_size<D>, angular_size<D>>;
 
 namespace detail {
 
-/// The products that turning bodies need. One name a role, so that Eigen expressions convert without doubt.
+/// The products that rotating bodies need. One name a role, so that Eigen expressions convert without doubt.
 template <class T, int D>
 struct rigid_body_algebra;
 

@@ -44,7 +44,7 @@ class child_process {
   child_process& operator=(const child_process&) = delete;
   ~child_process() { stop(); }
 
-  /// Forks. In the child: prepare() returns a error or an empty string, which start() returns in the parent;
+  /// Forks. In the child: prepare() returns an error or an empty string, which start() returns in the parent;
   /// if empty, run(parent_link) follows, and the child ends with it.
   template <class Prepare, class Run>
   std::string start(Prepare&& prepare, Run&& run) {

@@ -16,7 +16,7 @@ struct chain_pose {
   std::array<matrix<T, D, D>, N> turn;  ///< Orientation of body i: of a frame of its own.
   std::array<vector<T, D>, N> point;    ///< The point of body i that lies on its joint [m].
   std::array<angular_vector<T, D>, N>
-      turning;                          ///< Angular velocity per unit rate of joint i; 0 if it slides.
+      rotation;                         ///< Angular velocity per unit rate of joint i; 0 if it slides.
   std::array<vector<T, D>, N> sliding;  ///< Velocity per unit rate of joint i; 0 if it turns.
   vector<T, D> handle;                  ///< End effector [m].
 };
@@ -27,7 +27,7 @@ namespace detail {
 template <class T, int D>
 struct zero_pose_joint {
   bool turns;
-  vector<T, D> axis;    // unit vector; unused in a turning planar joint
+  vector<T, D> axis;    // unit vector; unused in a revolute planar joint
   vector<T, D> offset;  // from the point of the body before [m]
 };
 
@@ -55,7 +55,7 @@ class chain_frames<T, N, 2> {
       const auto& j = joints_[i];
       const T qi = q[static_cast<int>(i)];
       p += A * j.offset;
-      at.turning[i][0] = j.turns ? T(1) : T(0);
+      at.rotation[i][0] = j.turns ? T(1) : T(0);
       at.sliding[i].setZero();
       if (j.turns) {
         const auto [s, c] = angles[i];
@@ -117,7 +117,7 @@ class chain_frames<T, N, 3> {
       const T qi = q[static_cast<int>(i)];
       T c = b.phase_cosine, s = b.phase_sine;
       const T turns = b.turns ? T(1) : T(0);
-      at.turning[i] = turns * B.col(2);
+      at.rotation[i] = turns * B.col(2);
       at.sliding[i] = (T(1) - turns) * B.col(2);
       if (b.turns) {
         const auto [sine, cosine] = angles[i];

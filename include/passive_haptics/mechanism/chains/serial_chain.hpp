@@ -59,7 +59,7 @@ class serial_chain {
     matrix<T, D, N> J;
     for (std::size_t i = 0; i < size; ++i)
       J.col(int(i)) =
-          joints_[i].turns ? algebra::velocity(at.turning[i], at.handle - at.point[i]) : at.sliding[i];
+          joints_[i].turns ? algebra::velocity(at.rotation[i], at.handle - at.point[i]) : at.sliding[i];
     return J;
   }
 

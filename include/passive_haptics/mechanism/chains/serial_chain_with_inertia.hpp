@@ -39,12 +39,12 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
     for (std::size_t j = size; j-- > 0;) {
       outer = j == last ? placed(at, j) : joined<T, D>(placed(at, j), outer);
       // Momentum of those bodies for a unit rate of joint j
-      const vector<T, D> v = at.sliding[j] + algebra::velocity(at.turning[j], outer.centre - at.point[j]);
+      const vector<T, D> v = at.sliding[j] + algebra::velocity(at.rotation[j], outer.centre - at.point[j]);
       const vector<T, D> linear = outer.mass * v;
-      const angular angular_about_centre = outer.about_centre * at.turning[j];
+      const angular angular_about_centre = outer.about_centre * at.rotation[j];
       for (std::size_t i = 0; i <= j; ++i) {
         const angular moment = angular_about_centre + algebra::moment(outer.centre - at.point[i], linear);
-        M(int(i), int(j)) = M(int(j), int(i)) = at.sliding[i].dot(linear) + at.turning[i].dot(moment);
+        M(int(i), int(j)) = M(int(j), int(i)) = at.sliding[i].dot(linear) + at.rotation[i].dot(moment);
       }
       M(int(j), int(j)) += inertia_.rotor_inertia[int(j)];
     }
@@ -67,7 +67,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
       force += own;
       moment +=
           link.about_centre * moves.wd[i] + algebra::gyroscopic(moves.w[i], spin) + algebra::moment(r, own);
-      c[int(i)] = at.sliding[i].dot(force) + at.turning[i].dot(moment);
+      c[int(i)] = at.sliding[i].dot(force) + at.rotation[i].dot(moment);
     }
     return c;
   }
@@ -94,7 +94,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
       for (std::size_t i = 0; i < size; ++i) {
         const vector<T, D> r = at.point[i] - p0;
         const vector<T, D> slip = qd[int(i)] * at.sliding[i];
-        const angular turn = qd[int(i)] * at.turning[i];
+        const angular turn = qd[int(i)] * at.rotation[i];
         // The last term is Coriolis acceleration in a sliding joint
         a0 += algebra::velocity(wd0, r) + algebra::velocity(w0, algebra::velocity(w0, r)) +
               T(2) * algebra::velocity(w0, slip);
