@@ -124,7 +124,7 @@ TEST_F(a_board, that_is_gone_releases_at_once) {
   EXPECT_TRUE(nothing_is_left());
 }
 
-TEST_F(a_board, that_says_nothing_any_more_releases_after_the_bridge) {
+TEST_F(a_board, that_says_nothing_any_more_releases_after_the_hold_over) {
   plug_in();
   start(connected(2));
   const bool active = reaches("active");
