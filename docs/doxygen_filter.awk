@@ -5,6 +5,8 @@ FNR == 1 {
   if (!sub(/^.*include\/passive_haptics\//, "", group) || !sub(/\/[^\/]*$/, "", group)) group = ""
   gsub(/\//, "_", group)
 }
+# A dot product would end the brief description.
+/\/\/\// { gsub(/ \. /, " · ") }
 group && /^namespace passive_haptics(::testing)? \{$/ { $0 = $0 " /** @addtogroup " group " */ /** @{ */" }
 group && /^\}  \/\/ namespace passive_haptics(::testing)?$/ { $0 = "/** @} */ " $0 }
 { print }
