@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ using texts = std::map<std::string, std::string>;  // by path under include/pass
 using errors = std::vector<std::string>;
 
 constexpr const char* umbrella = "passive_haptics.hpp";
+
+// What stands directly in the folder of one of these is the reader's path; the rest lives in rooms.
+inline const std::set<std::string> path_stages{"core", "mechanism", "brake", "scene", "force", "control"};
 
 inline std::string read(const std::filesystem::path& path) {
   std::ostringstream text;

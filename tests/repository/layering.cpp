@@ -18,8 +18,7 @@ const std::map<std::string, int> stages{{"core", 0},    {"mechanism", 1}, {"brak
                                         {"interop", 7}, {"testing", 7}};
 // Folders that nobody else includes, so not the umbrella either; but suites of testing/ are about ports, too.
 const std::set<std::string> leaves{"driver", "interop", "testing"};
-// What stands directly in the folder of one of these is the reader's path; the rest lives in rooms.
-const std::set<std::string> path_stages{"core", "mechanism", "brake", "scene", "force", "control"};
+// Rooms that headers of the path may include.
 const std::set<std::string> rooms_of_the_path{"core/linear", "force/torques"};
 
 bool is_dependency(const std::string& include, const std::string& folder) {
