@@ -27,29 +27,28 @@ concept names_time_constant = requires(const B brakes) { brakes.time_constant; }
 
 }  // namespace detail
 
-/// Brakes with a largest torque: `vector<T, m> torque_limit` [N m], >= 0. A type without it has to say that
-/// it means it, `static constexpr bool unlimited = true`; then nothing is ever cut.
+/// Brakes with a largest torque: `vector<T, m> torque_limit` [N m], >= 0. A type without it says
+/// `static constexpr bool unlimited = true`; then nothing is ever cut.
 template <class B, class T, int Brakes>
 concept LimitedBrakes = requires(const B brakes) {
   { brakes.torque_limit } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes that can be at rest: `vector<T, m> rate_dead_band` [rad/s], >= 0. Without it there is slip alone, s
-/// = sgn(w), and no hand torque is ever computed.
+/// Brakes that can be at rest: `vector<T, m> rate_dead_band` [rad/s], >= 0. Without it they always slip:
+/// s = sgn(w), and no hand torque is computed.
 template <class B, class T, int Brakes>
 concept StickingBrakes = requires(const B brakes) {
   { brakes.rate_dead_band } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes at rest on which a small push counts as none: `vector<T, m> torque_dead_band` [N m], >= 0. Without
-/// it any counts.
+/// Brakes at rest that ignore a small push: `vector<T, m> torque_dead_band` [N m], >= 0. Without it any push
+/// counts.
 template <class B, class T, int Brakes>
 concept TorqueDeadBandBrakes = StickingBrakes<B, T, Brakes> && requires(const B brakes) {
   { brakes.torque_dead_band } -> ExactVector<T, Brakes>;
 };
 
-/// Brakes of a known lag: `vector<T, m> time_constant` [s], >= 0. Read by laws that need it, and by nothing
-/// else.
+/// Brakes of a known lag: `vector<T, m> time_constant` [s], >= 0. Only laws that need it read it.
 template <class B, class T, int Brakes>
 concept LaggingBrakes = requires(const B brakes) {
   { brakes.time_constant } -> ExactVector<T, Brakes>;
@@ -92,11 +91,12 @@ struct brake_requirements {
   static constexpr bool met = true;  ///< Or the compiler says what is not.
 };
 
-/// Brakes without a member: each makes any torque at once and slips at any rate but zero. For a device whose
-/// brakes are never asked for more than they can make (a soft wall, a driver that limits the current itself),
-/// whose rates are exactly 0 at rest (encoders) or need no dead band, and for the fewest instructions. A
-/// brake at rest has sign 0: it may hold either way, whoever pushes; a rate that is noise about zero decides
-/// a sign. 0 <= capacity, without an upper bound.
+/// Brakes without a member: each makes any torque at once, and slips at any rate but zero. The fewest
+/// instructions. For a device that never asks for more than its brakes can make (a soft wall, or a driver
+/// that limits the current itself), and whose rates are exactly 0 at rest (encoders).
+///
+/// A brake at rest has sign 0: it may hold either way, whoever pushes. A rate that is noise about zero
+/// decides a sign. 0 <= capacity, without an upper bound.
 struct unlimited_brakes {
   static constexpr bool unlimited = true;  ///< There is no torque_limit, and none is missing.
 };

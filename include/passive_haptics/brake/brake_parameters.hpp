@@ -16,8 +16,7 @@ struct brake_parameters {
   vector<T, Brakes> torque_limit = vector<T, Brakes>::Constant(T(1));
   /// Karnopp dead band: a slower brake counts as at rest [rad/s].
   vector<T, Brakes> rate_dead_band = vector<T, Brakes>::Constant(T(0.02));
-  /// A smaller hand torque counts as none [N m]; far below any force sensor, so that no denormal is computed
-  /// with.
+  /// A smaller hand torque counts as none [N m]. Far below any force sensor; it keeps denormals out.
   vector<T, Brakes> torque_dead_band = vector<T, Brakes>::Constant(T(1e-9));
   /// Time constant of the first-order response [s]; section 5.1: about 20 ms.
   vector<T, Brakes> time_constant = vector<T, Brakes>::Constant(T(0.020));

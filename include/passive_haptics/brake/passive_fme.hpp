@@ -12,8 +12,8 @@ namespace passive_haptics {
 template <int Brakes>
 using torque_signs = std::array<int, Brakes>;
 
-/// The 2^m passive FMEs, named by the signs of their torques; for two brakes (+,+), (+,-), (-,+), (-,-).
-/// Numbered from 1 the second is the paper's passive FME 2, the only one whose signs it prints.
+/// The 2^m passive FMEs, named by the signs of their torques. For two brakes (+,+), (+,-), (-,+), (-,-): the
+/// second is the paper's passive FME 2, the only one whose signs it prints.
 template <int Brakes>
 constexpr std::array<torque_signs<Brakes>, (1u << Brakes)> passive_fme_regions() {
   std::array<torque_signs<Brakes>, (1u << Brakes)> regions{};
@@ -40,8 +40,8 @@ bool has_signs(const vector<T, Brakes>& t, const torque_signs<Brakes>& signs) {
 }
 }  // namespace detail
 
-/// True if F [N] lies in the passive FME { F : |t| <= 1 N m, t_i of the region's sign }, t = E^T F. Exact on
-/// faces.
+/// True if F [N] lies in the passive FME { F : |t| <= 1 N m, t_i of the region's sign }, t = E^T F. Its faces
+/// belong to it.
 template <class EMatrix, class T, int D, std::size_t Brakes>
 bool in_passive_fme(const EMatrix& E, const std::array<int, Brakes>& region, const vector<T, D>& F) {
   const vector<T, static_cast<int>(Brakes)> t = brake_torque(E, F);

@@ -14,17 +14,17 @@ bool slips(T rate, T rate_dead_band) {
   return std::abs(rate) > rate_dead_band;
 }
 
-/// Sign s of one brake, dead bands >= 0: that of its rate w in slip, else that of the hand torque th on it,
-/// else 0. A brake produces only torques with s t <= 0 (3); s = 0 (at rest, nobody pushes) restricts nothing.
+/// Sign s of one brake: that of its rate w in slip, else that of the hand torque th on it, else 0. A brake
+/// produces only torques with s t <= 0 (3). s = 0 (at rest, nobody pushes) restricts nothing.
+/// Dead bands are >= 0.
 template <class T>
 T brake_sign(T w, T th, T rate_dead_band, T torque_dead_band) {
   if (slips(w, rate_dead_band)) return std::copysign(T(1), w);
   return std::abs(th) > torque_dead_band ? std::copysign(T(1), th) : T(0);
 }
 
-/// Signs s (m) of all brakes from their rates w [rad/s] and the hand torques th [N m] on their axes.
-/// Entries are exactly -1, 0 or 1. Pass th = 0 where no hand force is known. Brakes without a rate_dead_band:
-/// s = sgn(w).
+/// Signs s (m) of all brakes from their rates w [rad/s] and the hand torques th [N m] on their axes, each
+/// exactly -1, 0 or 1. Pass th = 0 where no hand force is known. Without a rate_dead_band s = sgn(w).
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes>& th, const B& brakes) {
   vector<T, Brakes> s;
@@ -36,8 +36,7 @@ vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes
   return s;
 }
 
-/// True if some brake is at rest, so that hand torques decide its sign. Never for brakes without a
-/// rate_dead_band.
+/// True if some brake is at rest: then hand torques decide its sign. False without a rate_dead_band.
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 bool any_sticks([[maybe_unused]] const vector<T, Brakes>& w, [[maybe_unused]] const B& brakes) {
   bool sticks = false;

@@ -12,8 +12,8 @@
 
 namespace passive_haptics {
 
-/// Rounding of a short sum of products of length n, relative to the norms of its data: 4 n eps.
-/// Everything under it is indistinguishable from zero; it is the library's only numerical tolerance.
+/// Rounding of a sum of n products, relative to the norms of its data: 4 n eps. What is smaller cannot be
+/// told from zero. It is the library's only numerical tolerance.
 template <class T>
 constexpr T rounding_tolerance(int n) {
   return static_cast<T>(4 * n) * std::numeric_limits<T>::epsilon();
@@ -31,7 +31,7 @@ constexpr T degrees(T radians) {
   return radians * (T(180) / std::numbers::pi_v<T>);
 }
 
-/// Sign of x: -1, 0 or 1; 0 for NaN.
+/// Sign of x: -1, 0 or 1. Of NaN it is 0.
 template <class T>
 constexpr T sgn(T x) {
   return static_cast<T>((x > T(0)) - (x < T(0)));

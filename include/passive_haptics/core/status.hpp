@@ -6,18 +6,17 @@
 
 namespace passive_haptics {
 
-/// Outcome of a calculation. Nothing in the fast path throws; a status other than ok comes with zero
-/// capacity.
+/// Outcome of a calculation. A control cycle never throws: it returns a status, and zero capacity unless that
+/// is ok.
 enum class status {
   ok,                  ///< The result is valid.
   state_not_finite,    ///< NaN or infinity in time, q, qd or hand_force.
   contact_not_finite,  ///< NaN or infinity in a contact, or k * depth overflows.
-  parameters_invalid,  ///< NaN, infinity, a negative limit or dead band in the brakes' parameters or the
-                       ///< options.
-  pose_undefined,  ///< The mechanism has no finite position, Jacobian or transmission inverse at this pose.
+  parameters_invalid,  ///< NaN, infinity or a negative limit or dead band of the brakes, or such options.
+  pose_undefined,      ///< No finite position, Jacobian or inverse of the transmission at this pose.
   scale_out_of_range,  ///< The law returned a scale that is NaN or outside [0, 1].
   result_not_finite,   ///< Finite input whose result overflows.
-  singular_jacobian,   ///< J is not invertible to working accuracy; only what needs its inverse says so.
+  singular_jacobian,   ///< J has no inverse to working accuracy. Only what needs the inverse says so.
   out_of_reach,        ///< No pose of the mechanism reaches the point.
   scene_stale,         ///< The scene of another thread is older than its user allows.
 };

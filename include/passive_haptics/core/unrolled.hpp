@@ -6,8 +6,8 @@
 
 namespace passive_haptics {
 
-/// f(0), f(1), ..., f(N - 1), for a few entries: compilers leave such loops rolled at -O2, where they cost a
-/// third of a control cycle.
+/// f(0), f(1), ..., f(N - 1), for small N. Compilers leave such loops rolled at -O2, which costs a third of a
+/// control cycle.
 template <int N, class F>
 [[gnu::always_inline]] constexpr void unrolled(F&& f) {
   [&]<int... I>(std::integer_sequence<int, I...>) { (f(I), ...); }(std::make_integer_sequence<int, N>());

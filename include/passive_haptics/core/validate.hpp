@@ -43,7 +43,7 @@ std::string check_finite(std::string_view name, T value) {
   return std::isfinite(value) ? "" : error_text(name, value, "a finite number");
 }
 
-/// Of the first element of a vector that is not finite or < 0, as name[i] [unit].
+/// Checks each element of a vector, as name[i] [unit]; says what is wrong with the first that is.
 template <class Vector>
 std::string check_each_not_negative(std::string_view name, std::string_view unit, const Vector& values) {
   std::string text;
@@ -64,8 +64,8 @@ std::string first_error(Strings... errors) {
 
 }  // namespace detail
 
-/// Throws std::invalid_argument with this error unless it is empty; under -fno-exceptions prints it and ends
-/// the program. For constructors, never for a control cycle.
+/// Throws std::invalid_argument with this error unless it is empty. Under -fno-exceptions it prints the error
+/// and ends the program. For constructors, never for a control cycle.
 inline void require_no_error(const std::string& error) {
   if (error.empty()) return;
 #if defined(__cpp_exceptions)

@@ -14,8 +14,8 @@ namespace passive_haptics {
 ///   - `vector<scalar, n> bias_torque(q, qd) const`: c, Coriolis, centrifugal and gravity torque [N m or N];
 ///   - `vector<scalar, d> bias_acceleration(q, qd) const`: Jd qd [m/s^2].
 ///
-/// Laws: M is symmetric positive definite; Jd qd is the derivative of J along qd; without gravity
-/// qd . (Md qd / 2 - c) = 0, so that kinetic energy changes by outside work only.
+/// Laws: M is symmetric positive definite. Jd qd is the derivative of J along qd, times qd. Without gravity
+/// qd . (Md qd / 2 - c) = 0: only outside work changes the kinetic energy.
 template <class M>
 concept Dynamics =
     Mechanism<M> && requires(const M mechanism, const joint_vector<M> q, const joint_vector<M> qd) {

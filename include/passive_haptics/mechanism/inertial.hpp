@@ -8,9 +8,9 @@
 
 namespace passive_haptics {
 
-/// M, but forces of its brakes are understood inertially: those that accelerate the end effector as the
-/// brakes do, whatever becomes of the self-motion (brake/force_generators.hpp). For n > d, where the brakes
-/// of M itself are asked to leave the self-motion alone, which often leaves them nothing to display.
+/// M, whose brakes may drive its self-motion: a force is displayed if the brakes accelerate the end effector
+/// as it would, whatever becomes of the other joints (brake/force_generators.hpp). For n > d. The brakes of M
+/// itself must leave the self-motion alone, and often nothing is left that they can display.
 template <class M>
 class inertial : public M {
   static_assert(mechanism_requirements<M>::met);

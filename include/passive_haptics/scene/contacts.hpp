@@ -18,8 +18,8 @@ struct contact {
   point<D> wall_velocity = point<D>::Zero();  ///< Of the touched surface [m/s].
   int wall = 0;                               ///< Which wall of the scene.
   point<D> position = point<D>::Zero();       ///< Where the end effector was when the wall was sensed [m].
-  /// Hessian of the wall's distance [1/m]: along the surface at velocity v, its normal changes such that
-  /// n . a = -v^T H v keeps the depth. Zero for planes and shapes that do not tell.
+  /// Hessian H of the wall's distance [1/m]. Along the surface at velocity v, n . a = -v^T H v keeps the
+  /// depth. Zero for planes, and for shapes that do not tell.
   matrix<double, D, D> curvature = matrix<double, D, D>::Zero();
 };
 

@@ -10,8 +10,8 @@ namespace passive_haptics {
 
 /// Period of a held scene.
 struct hold_parameters {
-  double period =
-      0;  ///< Between two samples [s]; 0 samples every time. Section 5.2 uses 1 ms and 50 ms (20 Hz).
+  /// Between two samples [s]; 0 samples every time. Section 5.2: 1 ms and 50 ms (20 Hz).
+  double period = 0;
 };
 
 /// What is wrong with the parameters; empty if nothing.
@@ -19,7 +19,7 @@ inline std::string validate(const hold_parameters& p) {
   return detail::check_not_negative("period of a held_scene [s]", p.period);
 }
 
-/// Zero-order hold of a scene: what a virtual environment that updates at its own rate tells a faster loop.
+/// Zero-order hold of a scene: a virtual environment that updates at its own rate, as a faster loop sees it.
 template <class Scene>
 class held_scene {
  public:
@@ -31,7 +31,7 @@ class held_scene {
     require_valid(hold_parameters{period});
   }
 
-  /// The contacts at the latest sample; samples first if a period has passed since, or time runs backwards.
+  /// The contacts at the latest sample. It samples anew if a period has passed, or if time runs backwards.
   const contacts_type& sample(const point<dimension>& x, double time) {
     const double slack = 1e-9 * period_;  // a loop whose period divides this one must not sample a cycle late
     if (!(time - sampled_at_ < period_ - slack) || time < sampled_at_) {

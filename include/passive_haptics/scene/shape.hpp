@@ -24,11 +24,11 @@ concept names_dimension = requires { requires(std::integral_constant<int, S::dim
 ///   - `static constexpr int dimension`;
 ///   - `double distance(const point<dimension>& x) const`: signed distance [m], positive in free space;
 ///   - `point<dimension> gradient(const point<dimension>& x) const`: its gradient, a unit vector out of the
-///   wall.
+///     wall.
 ///
-/// Laws: |distance(x) - distance(y)| <= |x - y| (1-Lipschitz); gradient is the derivative of distance where
-/// that exists and any unit vector pointing to free space elsewhere. testing/shape_properties.hpp checks
-/// them. A NaN in x gives a NaN distance, so that no step mistakes it for free space.
+/// Laws: |distance(x) - distance(y)| <= |x - y| (1-Lipschitz). gradient is the derivative of distance; where
+/// there is none, any unit vector that points to free space. A NaN in x gives a NaN distance, so that no step
+/// mistakes it for free space. testing/shape_properties.hpp checks them.
 template <class S>
 concept Shape = detail::names_dimension<S> && requires(const S shape, const point<S::dimension> x) {
   { shape.distance(x) } -> std::same_as<double>;
@@ -37,8 +37,7 @@ concept Shape = detail::names_dimension<S> && requires(const S shape, const poin
 
 /// A shape that moves. Minimal complete definition, beyond Shape:
 ///   - `point<dimension> velocity(const point<dimension>& x) const`: velocity [m/s] of the surface nearest to
-///   x,
-///     base frame.
+///     x, base frame.
 template <class S>
 concept MovingShape = Shape<S> && requires(const S shape, const point<S::dimension> x) {
   { shape.velocity(x) } -> ExactVector<double, S::dimension>;
@@ -56,8 +55,7 @@ point<S::dimension> surface_velocity(const S& shape, const point<S::dimension>& 
 
 /// A shape that tells its curvature. Minimal complete definition, beyond Shape:
 ///   - `matrix<double, dimension, dimension> hessian(const point<dimension>& x) const`: second derivative of
-///   the
-///     distance [1/m], symmetric, with hessian(x) gradient(x) = 0.
+///     the distance [1/m], symmetric, with hessian(x) gradient(x) = 0.
 template <class S>
 concept CurvedShape = Shape<S> && requires(const S shape, const point<S::dimension> x) {
   { shape.hessian(x) } -> ExactMatrix<double, S::dimension, S::dimension>;

@@ -173,8 +173,7 @@ class measured_loop {
 ///
 ///   - name/hot: independent cycles, as fast as they come (throughput);
 ///   - name/chain: each state waits for the capacities of the cycle before (latency). In free space the
-///   capacities
-///     are known beforehand, so there both are alike;
+///     capacities are known beforehand, so there both are alike;
 ///   - name/cold: all caches evicted before each cycle, as in a loop that wakes up once a millisecond.
 ///
 /// Each row has p50_ns, p99_ns, p99.9_ns and max_ns of cycles that are timed one by one, less what the clock

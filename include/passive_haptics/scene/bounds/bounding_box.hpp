@@ -50,7 +50,7 @@ double largest_coordinate(const bounding_box<D>& b) {
 
 /// A shape that knows how far its wall extends. Minimal complete definition, beyond Shape:
 ///   - `bounding_box<dimension> bounds() const`: holds every point of the wall (distance <= 0); may be
-///   infinite.
+///     infinite.
 ///
 /// Laws: distance(x) is not less than the distance from x to the box.
 template <class S>

@@ -22,16 +22,14 @@ struct any_adder {
 ///
 /// Minimal complete definition:
 ///   - `static constexpr int dimension`;
-///   - `tracker`: what is remembered of one handle; trivially copyable, and as made by default nothing is
-///   known yet;
+///   - `tracker`: what is remembered of one handle. Trivially copyable; a new one knows nothing;
 ///   - `bounding_box<dimension> bounds() const`: a handle that touches nothing and stays outside will touch
-///   nothing. One
-///     that has been stopped may be pushed out of it and still be held;
+///     nothing. One that has been stopped may be pushed out of it and still be held;
 ///   - `double follow(const point<dimension>& from, const point<dimension>& x, tracker& t, Add&& add) const`:
-///   the handle
-///     is at x [m] and was at `from` a cycle before, a straight way between. Calls `add(normal, depth)` for
-///     each contact, at most `dimension` of them: unit vector out of the wall, penetration [m] > 0. Returns
-///     how far [m] from x the handle may go, any way, before it must be followed again; 0 while it touches.
+///     the handle is at x [m] and was at `from` a cycle before, a straight way between. Calls
+///     `add(normal, depth)` for each contact, at most `dimension` of them: unit vector out of the wall,
+///     penetration [m] > 0. Returns how far [m] from x the handle may go, any way, before it must be followed
+///     again; 0 while it touches.
 ///
 /// Laws: what follow adds depends on `from`, x and t alone. A NaN in x adds a contact with a NaN depth, so
 /// that no step mistakes it for free space, and leaves t alone. It never allocates, and takes a bounded time
