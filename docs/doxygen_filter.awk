@@ -5,8 +5,12 @@ FNR == 1 {
   if (!sub(/^.*include\/passive_haptics\//, "", group) || !sub(/\/[^\/]*$/, "", group)) group = ""
   gsub(/\//, "_", group)
 }
-# A dot product would end the brief description.
-/\/\/\// { gsub(/ \. /, " · ") }
+# A dot product, or the number of a figure, does not end a brief description.
+/\/\/\// {
+  gsub(/ \. /, " · ")
+  gsub(/Fig\. /, "Fig.\\\\ ")
+  gsub(/Figs\. /, "Figs.\\\\ ")
+}
 group && /^namespace passive_haptics(::testing)? \{$/ { $0 = $0 " /** @addtogroup " group " */ /** @{ */" }
 group && /^\}  \/\/ namespace passive_haptics(::testing)?$/ { $0 = "/** @} */ " $0 }
 { print }
