@@ -28,8 +28,8 @@ using matrix = Eigen::Matrix<T, R, C>;
 template <class T, int N>
 using diagonal_matrix = Eigen::DiagonalMatrix<T, N>;
 
-/// An R x C matrix of T in Eigen's default storage: a value, not an expression (which could refer to dead
-/// temporaries).
+/// An R x C matrix of T in Eigen's default storage. A value, no expression: that could refer to temporaries
+/// which are gone.
 template <class X, class T, int R, int C>
 concept ExactMatrix = std::same_as<std::remove_cvref_t<X>, matrix<T, R, C>>;
 
@@ -41,8 +41,7 @@ concept ExactVector = ExactMatrix<X, T, N, 1>;
 template <class X, class T, int N>
 concept ExactDiagonal = std::same_as<std::remove_cvref_t<X>, diagonal_matrix<T, N>>;
 
-/// A^T as a value. (Constructing it from A.transpose() makes g++ 12 warn of uninitialised memory inside
-/// Eigen.)
+/// A^T as a value. (Made from A.transpose() it has g++ 12 warn of uninitialised memory inside Eigen.)
 template <class T, int R, int C>
 matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
   matrix<T, C, R> At;
@@ -50,7 +49,7 @@ matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
   return At;
 }
 
-/// A over as many rows of zeros as make it `Rows` high.
+/// A with rows of zeros under it, `Rows` rows in all.
 template <int Rows, class T, int R, int C>
 matrix<T, Rows, C> padded(const matrix<T, R, C>& A) {
   matrix<T, Rows, C> tall = matrix<T, Rows, C>::Zero();
@@ -60,7 +59,7 @@ matrix<T, Rows, C> padded(const matrix<T, R, C>& A) {
 
 namespace detail {
 
-// 0, or NaN once it was multiplied with NaN or infinity: one multiplication a number.
+// 0, and NaN once it was multiplied with NaN or infinity: one multiplication a number.
 template <class T>
 struct zero {
   T value = T(0);
@@ -145,7 +144,7 @@ matrix<T, R, C> matrix_of(T first, Rest... rest) {
   return A;
 }
 
-/// True if no entry of these numbers, vectors and matrices is NaN or infinite.
+/// True if all these numbers, vectors and matrices are finite.
 template <class First, class... Rest>
 bool all_finite(const First& first, const Rest&... rest) {
   const detail::zero<typename detail::scalar_of<First>::type> nothing;

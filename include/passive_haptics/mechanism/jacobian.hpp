@@ -20,7 +20,7 @@ concept differentiates_itself =
 
 }  // namespace detail
 
-/// A mechanism whose Jacobian can be had: it gives one, or its position is templated on the scalar.
+/// A mechanism with a Jacobian: it gives one, or its position is a template over the scalar.
 template <class M>
 concept DifferentiableMechanism =
     Mechanism<M> && (detail::has_exact_jacobian<M> || detail::differentiates_itself<M>);
@@ -51,8 +51,7 @@ auto jacobian(const M& mechanism, const joint_vector<M>& q) {
   else return automatic_jacobian(mechanism, q);
 }
 
-/// What mechanism.position(pose) and jacobian(mechanism, pose) have in common: the mechanism's own pose, else
-/// q.
+/// What position and Jacobian have in common: mechanism.pose(q), or q itself where there is none.
 template <class M>
 auto pose(const M& mechanism, const joint_vector<M>& q) {
   if constexpr (detail::has_pose<M>) return mechanism.pose(q);
