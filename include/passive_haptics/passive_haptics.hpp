@@ -43,6 +43,8 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>

@@ -34,7 +34,7 @@ bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const
                        bool projected, const ph::step_result<M>& result) {
   using T = typename M::scalar;
   constexpr int d = M::task_dimension, m = M::brake_count;
-  constexpr bool inertial = ph::detail::has_inertial_forces<M>;
+  constexpr bool inertial = ph::has_inertial_forces<M>;
   // Of several contacts that of prioritised_least_squares, with three of them at most
   const T tolerance =
       projected ? ph::rounding_tolerance<T>(d + m) : T(16) * ph::rounding_tolerance<T>(m + m + d + 3);

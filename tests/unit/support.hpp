@@ -2,6 +2,8 @@
 #pragma once
 
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/testing/support/print.hpp>
 

@@ -81,7 +81,7 @@ status check_command(const Contacts& touched, const Outward& outward, bool is_sh
 /// How Fd is displayed: where it is not, whether any force could be. That is a question of self-motion.
 template <class M, class Now, class Force>
 display_class display_of(const Now& now, const Force& Fc) {
-  if constexpr (M::dof > M::task_dimension && !detail::has_inertial_forces<M>)
+  if constexpr (M::dof > M::task_dimension && !has_inertial_forces<M>)
     if (Fc.display == display_class::none && cone_is_zero(now.E, now.s)) return display_class::empty_cone;
   return Fc.display;
 }

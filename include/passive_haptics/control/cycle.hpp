@@ -4,7 +4,6 @@
 
 #include <passive_haptics/brake/passive_constraint.hpp>
 #include <passive_haptics/control/account.hpp>
-#include <passive_haptics/control/several_contacts.hpp>
 #include <passive_haptics/control/stages.hpp>
 #include <passive_haptics/core/flatten.hpp>
 
@@ -56,7 +55,7 @@ Answer cycle(const cycle_parts<M, B, L>& with, S& scene, const State& state, ste
   const auto& touched = walls_at(scene, x, state.time);
   if (const status s = status_of(scene); s != status::ok)
     return released<Answer>(with, state.time, s, memory);
-  if constexpr (is_simpler_alone<L, std::remove_cvref_t<decltype(touched)>>)
+  if constexpr (ScalingLaw<L> && std::remove_cvref_t<decltype(touched)>::capacity > 1)
     if (touched.size() == 1) return respond<Answer>(with, state, at, x, only_contact{touched[0]}, memory);
   return respond<Answer>(with, state, at, x, touched, memory);
 }

@@ -2,13 +2,11 @@
 /// The stages of a control cycle that depend on the device and the law; cycle.hpp chains them.
 #pragma once
 
-#include <passive_haptics/brake/force_generators.hpp>
-#include <passive_haptics/control/brake_situation.hpp>
+#include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/control/step_options.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/desired_force.hpp>
-#include <passive_haptics/mechanism/inertial.hpp>
 
 namespace passive_haptics {
 
@@ -48,40 +46,21 @@ brake_vector<M> hand_torque(const State& state, const EMatrix& E) {
 }
 
 /// Fd: what the wall asks for; no force in free space.
-template <class M, class B, class L, int D, int N>
-  requires(N <= 1)
-auto desired(const cycle_parts<M, B, L>&, const contacts<D, N>& touched) {
+template <class M, class B, class L, class Walls>
+  requires(Walls::capacity <= 1)
+auto desired(const cycle_parts<M, B, L>&, const Walls& touched) {
   using T = typename M::scalar;
-  if (touched.empty()) return desired_force<T, D>{vector<T, D>::Zero(), T(0), vector<T, D>::Zero()};
+  constexpr int d = M::task_dimension;
+  if (touched.empty()) return desired_force<T, d>{vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
   return force_of<T>(touched[0]);
 }
 
-namespace detail {
-// Whether the forces of a device are told by generators, F = G t: its cone has no half-spaces.
-template <class M>
-concept displays_by_generators = has_inertial_forces<M> || (M::brake_count > M::dof);
-
-// G in F = G t of such a device.
-template <displays_by_generators M>
-auto generators(const M& mechanism, const joint_vector<M>& q) {
-  if constexpr (has_inertial_forces<M>) return inertial_force_generators(mechanism, q);
-  else return force_generators(mechanism, q);
-}
-}  // namespace detail
-
 /// Fc (step 1 of section 4): Fd itself, or the nearest force that the brakes can make with Fc . n = |Fd|.
 template <class M, class B, ScalingLaw L, class Now, class T, int D>
+  requires(!displays_by_generators<M>)
 auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>& Fd,
                const auto& /*touched*/, step_memory<L>& memory) {
   return Fd.magnitude * approximate(now.E, now.s, Fd.direction, with.options.min_cosine, memory.active);
-}
-
-/// The same in generator form: redundant brakes and inertial forces.
-template <detail::displays_by_generators M, class B, ScalingLaw L, class Now, class T, int D>
-auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>& Fd,
-               const auto& /*touched*/, step_memory<L>&) {
-  const auto G = detail::generators(now.mechanism, now.q);
-  return Fd.magnitude * approximate_by_generators(G, now.s, Fd.direction, with.options.min_cosine);
 }
 
 /// alpha (step 2); 1 where there is nothing to scale.

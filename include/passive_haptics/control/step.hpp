@@ -15,6 +15,11 @@ struct law_brake_requirements {
       !TorqueLaw<L> || requires(const cycle_parts<M, B, L>& with, const brake_vector<M>& t) {
         limited(with, t);
       }, "passive_haptics: a TorqueLaw needs <passive_haptics/control/laws/torque_law.hpp>.");
+  static_assert(
+      !displays_by_generators<M> ||
+          requires(const M& mechanism, const joint_vector<M>& q) { generators_of(mechanism, q); },
+      "passive_haptics: redundant brakes and inertial forces need "
+      "<passive_haptics/control/extensions/generator_form.hpp>.");
   static_assert(brake_requirements<B, M>::met);
   static_assert(!needs_brake_lag<L> || names_time_constant<B>,
                 "passive_haptics: this law needs the brakes' lag: give the brakes a time_constant "
@@ -36,10 +41,13 @@ struct step_requirements {
       !needs_hand_force<L> || HandForceState<State, M>,
       "passive_haptics: this law needs a hand force: give the state a hand_force (device_state<M>), or "
       "take a law that needs none (no_direct_control).");
-  static_assert(!needs_dynamics<L> || Dynamics<M>,
-                "passive_haptics: this law needs a mechanism that models Dynamics (mechanism/dynamics.hpp).");
   static_assert(Contacts::dimension == M::task_dimension,
                 "passive_haptics: the scene's dimension must be the mechanism's task_dimension.");
+  static_assert(
+      requires(const cycle_parts<M, B, L>& with, const Contacts& touched) { desired(with, touched); } ||
+          !ControlLaw<L> || Contacts::dimension != M::task_dimension,
+      "passive_haptics: scenes of several walls need "
+      "<passive_haptics/control/extensions/several_contacts.hpp>.");
   static constexpr bool met = true;
 };
 

@@ -6,11 +6,9 @@
 #include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/force/classification.hpp>
 #include <passive_haptics/force/nearest_force.hpp>
-#include <passive_haptics/force/torques/nearest_torque.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace passive_haptics {
 
@@ -118,23 +116,6 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
                                              const vector<T, D>& n, T min_cosine) {
   half_space_set active = 0;
   return approximate(E, s, n, min_cosine, active);
-}
-
-/// The same in generator form, F = G t, for redundant brakes and for devices with self-motion: exact where n
-/// is in the cone, the torques those of least norm.
-template <class T, int D, int Brakes>
-approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Brakes>& G,
-                                                           const vector<T, Brakes>& s, const vector<T, D>& n,
-                                                           T min_cosine) {
-  const vector<T, Brakes> unlimited = vector<T, Brakes>::Constant(std::numeric_limits<T>::infinity());
-  const auto nearest = nearest_torque(G, torques_within(s, unlimited), n);
-  const T cosine = nearest.force.norm(), square = cosine * cosine;
-  if (!(cosine > rounding_tolerance<T>(D) && cosine >= min_cosine)) return {};
-  // What is left of n, against the size of the terms that were added up
-  const T rounding =
-      rounding_tolerance<T>(D + Brakes) * (T(1) + (G.cwiseAbs() * nearest.torque.cwiseAbs()).norm());
-  if ((n - nearest.force).norm() <= rounding) return {display_class::exact, n, nearest.torque, T(1)};
-  return {display_class::approximate, nearest.force / square, nearest.torque / square, square};
 }
 
 }  // namespace passive_haptics

@@ -27,9 +27,4 @@ class inertial : public M {
   explicit inertial(M mechanism) : M(std::move(mechanism)) {}
 };
 
-namespace detail {
-template <class M>
-concept has_inertial_forces = requires { requires M::inertial_forces; };
-}  // namespace detail
-
 }  // namespace passive_haptics

@@ -70,4 +70,19 @@ class contacts {
   int size_ = 0;
 };
 
+/// One of several walls, the only one that is touched: a view of its contact.
+template <int D>
+struct only_contact {
+  static constexpr int dimension = D;  ///< d
+  static constexpr int capacity = 1;   ///< Contacts.
+  const contact<D>& wall;              ///< The contact.
+
+  /// 1
+  constexpr int size() const { return 1; }
+  /// False.
+  constexpr bool empty() const { return false; }
+  /// The contact.
+  constexpr const contact<D>& operator[](int) const { return wall; }
+};
+
 }  // namespace passive_haptics

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <passive_haptics/brake/signs.hpp>
-#include <passive_haptics/control/brake_situation.hpp>
+#include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/force/torques/contact_forces.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
-#include <passive_haptics/control/brake_situation.hpp>
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/laws/intended_rates.hpp>
 #include <passive_haptics/control/laws/torque_law.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/signs.hpp>
-#include <passive_haptics/control/brake_situation.hpp>
+#include <passive_haptics/control/control_law.hpp>
 
 namespace passive_haptics {
 

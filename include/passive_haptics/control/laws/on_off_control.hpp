@@ -87,8 +87,8 @@ struct on_off_control {
   static brake_vector<M> approximated(const brake_situation<M, EMatrix, B>& now,
                                       const contact_demand<T, D>& wanted) {
     const T min_cosine = step_options<T>().min_cosine;
-    if constexpr (detail::displays_by_generators<M>) {
-      const auto G = detail::generators(now.mechanism, now.q);
+    if constexpr (displays_by_generators<M>) {
+      const auto G = generators_of(now.mechanism, now.q);
       return wanted.force * approximate_by_generators(G, now.s, wanted.normal, min_cosine).torque;
     } else {
       return wanted.force * approximate(now.E, now.s, wanted.normal, min_cosine).torque;

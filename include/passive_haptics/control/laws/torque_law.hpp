@@ -2,7 +2,9 @@
 /// The stages of a cycle under a TorqueLaw: what the law wants, made what the brakes can do.
 #pragma once
 
-#include <passive_haptics/control/several_contacts.hpp>
+#include <passive_haptics/control/account.hpp>
+#include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/mechanism/dynamics.hpp>
 
 namespace passive_haptics {
 
@@ -35,6 +37,8 @@ struct commanded_force : approximated_force<T, D, Brakes> {
 template <class M, class B, TorqueLaw L, class Now, class T, int D>
 auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>&,
                const auto& touched, step_memory<L>& memory) {
+  static_assert(!needs_dynamics<L> || Dynamics<M>,
+                "passive_haptics: this law needs a mechanism that models Dynamics (mechanism/dynamics.hpp).");
   commanded_force<T, D, M::brake_count, law_memory<L>> Fc{{display_class::exact}, memory.law};
   brake_vector<M> wanted;
   if constexpr (requires { typename L::memory; }) {

@@ -2,6 +2,8 @@
 /// Random control cycles in contact, for the property suites.
 #pragma once
 
+#include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <passive_haptics/control/account.hpp>
+#include <passive_haptics/control/extensions/force_map.hpp>
 #include <passive_haptics/force/torques/contact_forces.hpp>
 
 #include <algorithm>
@@ -12,27 +13,6 @@
 #include <limits>
 
 namespace passive_haptics {
-
-/// The one wall of a scene of several that is touched: it is displayed as if there were no other.
-template <int D>
-struct only_contact {
-  static constexpr int capacity = 1;  ///< Walls.
-  const contact<D>& wall;             ///< It.
-
-  constexpr int size() const { return 1; }                            ///< 1
-  constexpr bool empty() const { return false; }                      ///< false
-  constexpr const contact<D>& operator[](int) const { return wall; }  ///< The wall.
-};
-
-/// Whether a cycle under law L looks for walls that are touched alone.
-template <class L, class Walls>
-inline constexpr bool is_simpler_alone = ScalingLaw<L> && (Walls::capacity > 1);
-
-/// Fd of the wall.
-template <class M, class B, ScalingLaw L, int D>
-auto desired(const cycle_parts<M, B, L>&, const only_contact<D>& touched) {
-  return force_of<typename M::scalar>(touched.wall);
-}
 
 /// Fd of each touched wall.
 template <class T, int D, int Capacity>
@@ -72,16 +52,6 @@ template <class M, class B, ScalingLaw L, int D, int N>
   requires(N > 1)
 auto desired(const cycle_parts<M, B, L>&, const contacts<D, N>& touched) {
   return desired_forces<typename M::scalar, D, N>{touched, governing_contact(touched)};
-}
-
-/// F = G t in the form that fits the mechanism.
-template <class M, class EMatrix, class B>
-auto force_map_of(const brake_situation<M, EMatrix, B>& now) {
-  using T = typename M::scalar;
-  using map = force_map<T, M::task_dimension, M::brake_count>;
-  if constexpr (detail::displays_by_generators<M>)
-    return map{detail::generators(now.mechanism, now.q), {}, false};
-  else return invert_brake_jacobian(matrix<T, M::task_dimension, M::brake_count>(now.E));
 }
 
 /// What is needed to find Fc of several walls.
