@@ -42,7 +42,7 @@ class brake_jacobian_evaluator {
 
  private:
   using T = typename M::scalar;
-  using dense = matrix<T, M::task_dimension, M::brake_count>;
+  using dense = brake_matrix<M>;
   static constexpr bool is_constant = detail::transmission_is_constant<M>;
   struct nothing {};
 

@@ -31,10 +31,9 @@ concept has_inverse_transposed_jacobian = requires(const M mechanism, const join
 /// has one. Not finite at a singular J. Cost: one orthogonal decomposition of d x d.
 template <class M>
   requires(M::dof == M::task_dimension)
-matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(const M& mechanism,
-                                                                               const joint_vector<M>& q) {
+brake_matrix<M> force_generators(const M& mechanism, const joint_vector<M>& q) {
   using T = typename M::scalar;
-  using generators = matrix<T, M::task_dimension, M::brake_count>;
+  using generators = brake_matrix<M>;
   const matrix<T, M::dof, M::brake_count> Tt = transposed_transmission(mechanism, q);
   if constexpr (detail::has_inverse_transposed_jacobian<M>) {
     return mechanism.inverse_transposed_jacobian(q) * Tt;
@@ -54,10 +53,9 @@ matrix<typename M::scalar, M::task_dimension, M::brake_count> force_generators(c
 /// never positive. Not finite at a singular J. Cost: a dynamically_consistent_inverse.
 template <class M>
   requires(M::dof > M::task_dimension && Dynamics<M>)
-matrix<typename M::scalar, M::task_dimension, M::brake_count> inertial_force_generators(
-    const M& mechanism, const joint_vector<M>& q) {
+brake_matrix<M> inertial_force_generators(const M& mechanism, const joint_vector<M>& q) {
   using T = typename M::scalar;
-  const matrix<T, M::task_dimension, M::dof> J(jacobian(mechanism, q));
+  const jacobian_matrix<M> J(jacobian(mechanism, q));
   return dynamically_consistent_inverse<T, M::dof, M::task_dimension>(J, mechanism.mass_matrix(q))
       .forces(transposed_transmission(mechanism, q));
 }

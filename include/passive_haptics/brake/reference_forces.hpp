@@ -14,7 +14,7 @@ namespace passive_haptics {
 template <class M>
 struct reference_force_set {
   /// The forces (4) of unit torques (d x m) [N per N m]. NaN unless outcome is ok.
-  matrix<typename M::scalar, M::task_dimension, M::brake_count> G;
+  brake_matrix<M> G;
   status outcome = status::ok;  ///< ok, pose_undefined, or singular_jacobian.
 
   /// R_i+ [N per N m], the force of brake i alone for a torque > 0. Brakes are counted from 0.

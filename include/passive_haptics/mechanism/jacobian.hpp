@@ -28,13 +28,12 @@ concept DifferentiableMechanism =
 /// J (d x n) by forward-mode automatic differentiation of position(q); exact to rounding.
 /// Cost: one position with n derivatives carried along.
 template <class M>
-matrix<typename M::scalar, M::task_dimension, M::dof> automatic_jacobian(const M& mechanism,
-                                                                         const joint_vector<M>& q) {
+jacobian_matrix<M> automatic_jacobian(const M& mechanism, const joint_vector<M>& q) {
   using scalar = detail::derivative_scalar<M>;
   vector<scalar, M::dof> seeded;
   for (int i = 0; i < M::dof; ++i) seeded[i] = scalar(q[i], M::dof, i);
   const vector<scalar, M::task_dimension> x = mechanism.position(seeded);
-  matrix<typename M::scalar, M::task_dimension, M::dof> J;
+  jacobian_matrix<M> J;
   for (int i = 0; i < M::task_dimension; ++i) J.row(i) = x[i].derivatives();
   return J;
 }
@@ -80,7 +79,7 @@ matrix<typename M::scalar, M::dof, M::brake_count> transposed_transmission(const
                                                                            const joint_vector<M>& q) {
   using T = typename M::scalar;
   if constexpr (detail::has_exact_transmission<M>)
-    return transposed(matrix<T, M::brake_count, M::dof>(transmission(mechanism, q)));
+    return transposed(transmission_matrix<M>(transmission(mechanism, q)));
   else return matrix<T, M::dof, M::brake_count>::Identity();
 }
 

@@ -21,6 +21,18 @@ using task_vector = vector<typename M::scalar, M::task_dimension>;
 template <class M>
 using brake_vector = vector<typename M::scalar, M::brake_count>;
 
+/// E, which maps rates of the brakes to the velocity, or G, which maps their torques to forces: d x m.
+template <class M>
+using brake_matrix = matrix<typename M::scalar, M::task_dimension, M::brake_count>;
+
+/// J: d x n.
+template <class M>
+using jacobian_matrix = matrix<typename M::scalar, M::task_dimension, M::dof>;
+
+/// T, m x n, as a matrix whatever the mechanism gives.
+template <class M>
+using transmission_matrix = matrix<typename M::scalar, M::brake_count, M::dof>;
+
 namespace detail {
 
 template <class M>

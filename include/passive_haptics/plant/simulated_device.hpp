@@ -67,8 +67,8 @@ class simulated_device {
     const task_vector<M> handle_force = muscle_force - hand_mass_ * drift;
     const joint_vector<M> drive = J_.transpose() * handle_force - mechanism_.bias_torque(q_, qd_);
     const matrix<scalar, M::dof, M::brake_count> Tt = transposed_transmission(mechanism_, q_);
-    const matrix<scalar, M::brake_count, M::dof> T = transposed(Tt);
-    matrix<scalar, M::brake_count, M::dof> drag = T;
+    const transmission_matrix<M> T = transposed(Tt);
+    transmission_matrix<M> drag = T;
     for (int i = 0; i < M::brake_count; ++i) drag.row(i) *= dt * brakes_.viscous_drag[i];
     const cholesky<scalar, M::dof> inverse_mass(mass_ + Tt * drag);
 
@@ -138,7 +138,7 @@ class simulated_device {
 
  private:
   using joint_matrix = matrix<scalar, M::dof, M::dof>;
-  using task_matrix = matrix<scalar, M::task_dimension, M::dof>;
+  using task_matrix = jacobian_matrix<M>;
 
   static double as_double(scalar x) { return static_cast<double>(x); }
 

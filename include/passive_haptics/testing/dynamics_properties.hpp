@@ -62,8 +62,8 @@ class dynamics_properties : public ::testing::Test {
   }
 
   /// J as a dense matrix.
-  matrix<number, model::task_dimension, model::dof> dense_jacobian(const joint_vector<model>& q) const {
-    return matrix<number, model::task_dimension, model::dof>(jacobian(mechanism, q));
+  jacobian_matrix<model> dense_jacobian(const joint_vector<model>& q) const {
+    return jacobian_matrix<model>(jacobian(mechanism, q));
   }
 
   /// qd . M qd.

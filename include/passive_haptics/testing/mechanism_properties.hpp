@@ -79,7 +79,7 @@ class mechanism_properties : public ::testing::Test {
   /// |T| |T^+|, at least the condition of the transmission; 1 without one, NaN if rank is lost.
   number transmission_condition(const joint_vector<model>& q) const {
     if constexpr (detail::has_exact_transmission<model>) {
-      const matrix<number, model::brake_count, model::dof> A(transmission(mechanism, q));
+      const transmission_matrix<model> A(transmission(mechanism, q));
       return A.norm() * pseudo_inverse(A).norm();
     } else {
       return number(1);
@@ -98,8 +98,8 @@ class mechanism_properties : public ::testing::Test {
   }
 
   /// J as a dense matrix.
-  matrix<number, model::task_dimension, model::dof> dense_jacobian(const joint_vector<model>& q) const {
-    return matrix<number, model::task_dimension, model::dof>(jacobian(mechanism, q));
+  jacobian_matrix<model> dense_jacobian(const joint_vector<model>& q) const {
+    return jacobian_matrix<model>(jacobian(mechanism, q));
   }
 
   /// Largest entry of position and of J over all poses: what rounding errors are relative to.

@@ -22,9 +22,9 @@ class projection_properties : public ::testing::Test {
   static constexpr unsigned seed = 20040627;                       ///< Of the samples.
   static constexpr int each = model::brake_count <= 2 ? 300 : 40;  ///< Samples for each sign pattern.
   static constexpr number tolerance =
-      rounding_tolerance<number>(4 * model::task_dimension);                      ///< Of a unit force.
-  using half_spaces = matrix<number, model::task_dimension, model::brake_count>;  ///< B
-  using force = task_vector<model>;                                               ///< F
+      rounding_tolerance<number>(4 * model::task_dimension);  ///< Of a unit force.
+  using half_spaces = brake_matrix<model>;                    ///< B
+  using force = task_vector<model>;                           ///< F
 
   /// Sum of |b_i| mu_i: the terms that add up to F - Fp.
   static number terms(const half_spaces& B, const brake_vector<model>& mu) {

@@ -39,7 +39,7 @@ class encoder_axes {
   }
 
  private:
-  using wide = matrix<scalar, M::brake_count, M::dof>;
+  using wide = transmission_matrix<M>;
   using tall = matrix<scalar, M::dof, M::brake_count>;
   wide to_axes_ = wide::Zero();
   tall to_joints_ = tall::Zero();

@@ -20,8 +20,7 @@ struct hand_force_estimate {
   /// Torques [N m] >= 0 that brakes at rest may make; 0 for brakes that slip or are released.
   brake_vector<M> unknown_torque = brake_vector<M>::Zero();
   /// G (d x m) [N per N m]: the force at the end effector that a brake's torque makes.
-  matrix<scalar, M::task_dimension, M::brake_count> generators =
-      matrix<scalar, M::task_dimension, M::brake_count>::Zero();
+  brake_matrix<M> generators = brake_matrix<M>::Zero();
   /// ok; state_not_finite, pose_undefined or singular_jacobian, then force is zero and nothing is known.
   status outcome = status::ok;
 

@@ -31,8 +31,8 @@ constexpr two_doubles twice(double number) { return two_doubles{number, number};
 // What a sine and a cosine are made of.
 struct sine_cosine_numbers {
   two_doubles two_over_pi = twice(0.63661977236758134308);
-  two_doubles to_integer =
-      twice(6755399441055744.0);  // 1.5 * 2^52: adding it rounds to an integer in the low bits
+  // 1.5 * 2^52: adding it rounds to an integer in the low bits
+  two_doubles to_integer = twice(6755399441055744.0);
   // pi/2 in three parts of 33 bits, so that k times the first two is exact (Cody, Waite; e_rem_pio2.c)
   two_doubles part_1 = twice(1.57079632673412561417), part_2 = twice(6.07710050630396597660e-11),
               part_3 = twice(2.02226624879595063154e-21);

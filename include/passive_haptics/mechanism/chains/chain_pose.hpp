@@ -15,8 +15,8 @@ template <class T, int N, int D>
 struct chain_pose {
   std::array<matrix<T, D, D>, N> turn;  ///< Orientation of body i: of a frame of its own.
   std::array<vector<T, D>, N> point;    ///< The point of body i that lies on its joint [m].
-  std::array<angular_vector<T, D>, N>
-      rotation;                         ///< Angular velocity per unit rate of joint i; 0 if it slides.
+  /// Angular velocity per unit rate of joint i; 0 if it slides.
+  std::array<angular_vector<T, D>, N> rotation;
   std::array<vector<T, D>, N> sliding;  ///< Velocity per unit rate of joint i; 0 if it turns.
   vector<T, D> handle;                  ///< End effector [m].
 };

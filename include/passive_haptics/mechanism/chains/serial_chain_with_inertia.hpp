@@ -119,8 +119,8 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
   }
 
   serial_chain_inertia<T, N, D> inertia_;
-  std::array<link_inertia<T, D>, N>
-      links_;  // from the body's point, its own frame; the last one with the handle
+  // From the body's point, its own frame; the last one with the handle
+  std::array<link_inertia<T, D>, N> links_;
 };
 
 }  // namespace passive_haptics

@@ -25,9 +25,8 @@ struct step_sample {
 
 /// E as a dense matrix, whatever the mechanism makes of it.
 template <class M>
-matrix<typename M::scalar, M::task_dimension, M::brake_count> dense_brake_jacobian(const M& mechanism,
-                                                                                   const joint_vector<M>& q) {
-  return matrix<typename M::scalar, M::task_dimension, M::brake_count>(brake_jacobian(mechanism, q));
+brake_matrix<M> dense_brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
+  return brake_matrix<M>(brake_jacobian(mechanism, q));
 }
 
 /// Calls visit(signs) for each of the 3^m patterns of -1, 0, 1.
