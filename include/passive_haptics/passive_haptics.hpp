@@ -3,6 +3,7 @@
 /// library. The simulated device of plant/ is included by itself: passive_haptics/plant/wall_following.hpp.
 #pragma once
 
+#include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/core/version.hpp>
 
 #include <passive_haptics/mechanism/chains/denavit_hartenberg.hpp>

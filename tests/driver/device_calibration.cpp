@@ -169,7 +169,7 @@ TEST(device_calibration, names_what_is_wrong) {
   };
   EXPECT_EQ(error([](parameters&) {}), "");
   EXPECT_EQ(error([](parameters& p) { p.rates.window = 0; }),
-            "rates.window [periods] = 0, expected at least 1");
+            "rates.window [periods] = 0, expected a whole number >= 1");
   EXPECT_EQ(error([](parameters& p) { p.brakes[1].current_limit = 0; }),
             "brakes[1].current_limit [A] = 0, expected a finite number > 0");
   EXPECT_EQ(error([](parameters& p) { p.force.handle_mass = NAN; }),

@@ -294,7 +294,7 @@ TEST(rate_estimator, complains_of_what_it_cannot_do) {
   EXPECT_EQ(validate(ph::rate_estimator_parameters{.resolution = 0}),
             "resolution [counts] = 0, expected a finite number > 0");
   EXPECT_EQ(validate(ph::rate_estimator_parameters{.window = 0}),
-            "window [periods] = 0, expected at least 1");
+            "window [periods] = 0, expected a whole number >= 1");
   try {
     ph::rate_estimator<1, 8> small({.window = 9});
     FAIL();

@@ -578,13 +578,14 @@ TEST(the_parameters, of_a_safe_port_are_checked_by_name) {
   };
   EXPECT_EQ(error([](auto&) {}), "");
   EXPECT_EQ(error([](auto& p) { p.currents.largest[1] = -1; }),
-            "largest[1] [A] = -1, expected a finite number > 0");
+            "currents.largest[1] [A] = -1, expected a finite number > 0");
   EXPECT_EQ(error([](auto& p) { p.currents.heat[0] = fake::nan; }),
-            "heat[0] [A^2 s] = nan, expected a finite number > 0");
-  EXPECT_EQ(error([](auto& p) { p.sensor.range[2] = 0; }), "range[2] = 0, expected a number > 0, or inf");
+            "currents.heat[0] [A^2 s] = nan, expected a finite number > 0");
+  EXPECT_EQ(error([](auto& p) { p.sensor.range[2] = 0; }),
+            "sensor.range[2] = 0, expected a number > 0, or inf");
   EXPECT_EQ(error([](auto& p) { p.hold_over = 0; }), "hold_over [s] = 0, expected a finite number > 0");
   EXPECT_EQ(error([](auto& p) { p.at_release.ramp_time = 0; }),
-            "ramp_time [s] = 0, expected a finite number > 0");
+            "at_release.ramp_time [s] = 0, expected a finite number > 0");
   auto p = usual();
   p.hold_over = -1;
   fake::device device;

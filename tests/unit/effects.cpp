@@ -373,7 +373,7 @@ TEST(an_effect, says_what_is_wrong_with_its_parameters) {
   using detents = ph::detents_parameters<double, 2>;
   EXPECT_EQ(validate(detents{.spacing = 1}), "");
   EXPECT_EQ(validate(detents{.origin = {0, no_number}, .spacing = 1}),
-            "origin of detents is not finite, expected metres");
+            "origin[1] of detents [m] = nan, expected a finite number");
   EXPECT_EQ(validate(detents{.direction = {0, 0}, .spacing = 1}),
             "|direction| of detents = 0, expected a direction");
   EXPECT_EQ(validate(detents{}), "spacing of detents [m] = 0, expected a finite number > 0");
@@ -386,9 +386,9 @@ TEST(an_effect, says_what_is_wrong_with_its_parameters) {
   using stops = ph::end_stops_parameters<double, 2>;
   EXPECT_EQ(validate(stops{}), "");
   EXPECT_EQ(validate(stops{.lower = {0, 2}, .upper = {1, 2}}),
-            "lower[1] of end_stops = 2, expected less than upper[1]");
+            "lower[1] of end_stops [rad] = 2, expected less than upper[1]");
   EXPECT_EQ(validate(stops{.lower = {no_number, 2}}),
-            "lower[0] of end_stops = nan, expected less than upper[0]");
+            "lower[0] of end_stops [rad] = nan, expected less than upper[0]");
   EXPECT_EQ(validate(stops{.stiffness = {0, -1}}),
             "stiffness[1] of end_stops [N m/rad] = -1, expected a finite number >= 0");
   EXPECT_EQ(validate(stops{.rate_dead_band = {0, 1}}),
@@ -396,7 +396,8 @@ TEST(an_effect, says_what_is_wrong_with_its_parameters) {
 
   using guide = ph::guide_parameters<double, 3>;
   EXPECT_EQ(validate(guide{}), "");
-  EXPECT_EQ(validate(guide{.point = {0, 0, no_number}}), "point of a guide is not finite, expected metres");
+  EXPECT_EQ(validate(guide{.point = {0, 0, no_number}}),
+            "point[2] of a guide [m] = nan, expected a finite number");
   EXPECT_EQ(validate(guide{.direction = {0, no_number, 0}}),
             "|direction| of a guide = nan, expected a direction");
   EXPECT_EQ(validate(guide{.stiffness = -1}),
@@ -415,5 +416,5 @@ TEST(an_effect, says_what_is_wrong_with_its_parameters) {
   field.viscosity << 1, 3, -3, 1;
   EXPECT_EQ(validate(field), "");
   field.viscosity << 1, 3, no_number, 1;
-  EXPECT_EQ(validate(field), "viscosity of a viscous_field is not finite, expected N s/m");
+  EXPECT_EQ(validate(field), "viscosity(1, 0) of a viscous_field [N s/m] = nan, expected a finite number");
 }

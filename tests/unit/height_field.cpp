@@ -39,7 +39,7 @@ TEST(a_height_field, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(says([](auto& p) { p.heights[4] = INFINITY; }),
             "heights[4] of a height_field [m] = inf, expected a finite number");
   EXPECT_EQ(says([](auto& p) { p.origin[2] = std::nan(""); }),
-            "origin of a height_field is not finite, expected metres");
+            "origin[2] of a height_field [m] = nan, expected a finite number");
   EXPECT_THROW(ph::height_field({}), std::invalid_argument);
 }
 

@@ -506,9 +506,9 @@ TEST(mesh_surface, says_what_is_wrong_with_its_parameters) {
   const ph::triangle_mesh m(cube<3>(2));
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m}), "");
   const std::string skin_text =
-      ", expected a finite number > 0 and at least 2e-09, 1e-9 of the largest coordinate";
+      ", expected a finite number > 0 and at least 2e-9, 1e-9 of the largest coordinate";
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-9}),
-            "skin of a mesh_surface [m] = 1e-09" + skin_text);
+            "skin of a mesh_surface [m] = 1e-9" + skin_text);
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, no_number}),
             "skin of a mesh_surface [m] = nan" + skin_text);
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, infinity}),

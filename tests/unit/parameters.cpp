@@ -68,7 +68,8 @@ TYPED_TEST(parameters, of_the_tendon_device_are_checked) {
   using P = ph::tendon_two_link_parameters<TypeParam>;
   const auto construct = [](const P& p) { ph::tendon_two_link<TypeParam>{p}; };
   expect_rule(P(), [](P& p) -> auto& { return p.reduction_2; }, "reduction_2 [1]", rule::positive, construct);
-  expect_rule(P(), [](P& p) -> auto& { return p.arm.length_2; }, "length_2 [m]", rule::positive, construct);
+  expect_rule(
+      P(), [](P& p) -> auto& { return p.arm.length_2; }, "arm.length_2 [m]", rule::positive, construct);
 }
 
 TYPED_TEST(parameters, of_the_xy_table_are_checked) {
@@ -145,7 +146,7 @@ TEST(parameters_of_walls, balls_need_a_finite_centre_and_a_positive_radius) {
   for (int i = 0; i < 2; ++i) {
     P p{.centre = {0, 0}, .radius = 1};
     p.centre[i] = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(validate(p), "centre of a ball is not finite, expected metres");
+    EXPECT_EQ(validate(p), "centre[" + std::to_string(i) + "] of a ball [m] = inf, expected a finite number");
     EXPECT_EQ(thrown_by([&] { construct(p); }), "passive_haptics: " + validate(p));
   }
 }
@@ -158,7 +159,7 @@ TEST(parameters_of_walls, planes_need_a_finite_point_and_a_direction) {
     EXPECT_EQ(thrown_by([&] { construct(p); }), "passive_haptics: " + text);
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expect({{0, nan, 0}, {0, 0, 1}}, "surface_point of a half_space is not finite, expected metres");
+  expect({{0, nan, 0}, {0, 0, 1}}, "surface_point[1] of a half_space [m] = nan, expected a finite number");
   expect({{0, 0, 0}, {0, 0, 0}}, "|normal| of a half_space = 0, expected a direction");
   expect({{0, 0, 0}, {0, nan, 1}}, "|normal| of a half_space = nan, expected a direction");
   // Any length will do

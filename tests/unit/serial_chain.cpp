@@ -282,16 +282,16 @@ TEST(serial_chain, says_which_parameter_is_wrong) {
   using geometry = ph::serial_chain_parameters<double, 3, 3>;
   const geometry good = chains::irregular_chain<double, 3, 3>::geometry();
   EXPECT_EQ(validate(good), "");
-  EXPECT_EQ(validate(geometry()), "joints[0].axis length [1] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(geometry()), "joints[0].|axis| = 0, expected a direction");
   geometry p = good;
   p.joints[2].axis.setZero();
-  EXPECT_EQ(validate(p), "joints[2].axis length [1] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(p), "joints[2].|axis| = 0, expected a direction");
   p = good;
   p.joints[0].point[1] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(validate(p), "joints[0].point [m][1] = inf, expected a finite number");
+  EXPECT_EQ(validate(p), "joints[0].point[1] [m] = inf, expected a finite number");
   p = good;
   p.handle = geometry().handle;
-  EXPECT_EQ(validate(p), "handle [m][0] = nan, expected a finite number");
+  EXPECT_EQ(validate(p), "handle[0] [m] = nan, expected a finite number");
   EXPECT_THROW((ph::serial_chain<double, 3, 3>(p)), std::invalid_argument);
 }
 
@@ -320,7 +320,7 @@ TEST(serial_chain, says_which_inertia_is_wrong) {
   EXPECT_EQ(validate(p), "handle_mass [kg] = -1, expected a finite number >= 0");
   p = good;
   p.gravity[2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(validate(p), "gravity [m/s^2][2] = nan, expected a finite number");
+  EXPECT_EQ(validate(p), "gravity[2] [m/s^2] = nan, expected a finite number");
 }
 
 static_assert(ph::Mechanism<ph::serial_chain<float, 2, 2>> && ph::Mechanism<ph::serial_chain<double, 7, 3>>);

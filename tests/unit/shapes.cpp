@@ -471,9 +471,9 @@ TEST(a_slot, is_free_between_its_walls) {
 TEST(a_shape, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{0, 0}, {1, 0}, 0.1}), "");
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{no_number, 0}, {1, 0}, 0.1}),
-            "from of a capsule is not finite, expected metres");
+            "from[0] of a capsule [m] = nan, expected a finite number");
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{0, 0}, {infinity, 0}, 0.1}),
-            "to of a capsule is not finite, expected metres");
+            "to[0] of a capsule [m] = inf, expected a finite number");
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{-1e308, 0}, {1e308, 0}, 0.1}),
             "length of a capsule [m] = inf, expected a finite number");
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{0, 0}, {1, 0}, -1}),
@@ -481,19 +481,19 @@ TEST(a_shape, says_what_is_wrong_with_its_parameters) {
 
   EXPECT_EQ(validate(ph::box_parameters<2>{{0, 0}, {1, 0}}), "");
   EXPECT_EQ(validate(ph::box_parameters<2>{{0, no_number}, {1, 0}}),
-            "centre of a box is not finite, expected metres");
+            "centre[1] of a box [m] = nan, expected a finite number");
   EXPECT_EQ(validate(ph::box_parameters<2>{{0, 0}, {1, -2}}),
             "half_extents[1] of a box [m] = -2, expected a finite number >= 0");
   ph::box_parameters<2> skew{{0, 0}, {1, 1}};
   skew.axes << 1, 0.25, 0, 1;
   EXPECT_EQ(validate(skew), "|axes^T axes - I| of a box = 0.25, expected orthonormal columns");
   skew.axes(0, 0) = no_number;
-  EXPECT_NE(validate(skew).find("expected orthonormal columns"), std::string::npos);
+  EXPECT_EQ(validate(skew), "axes(0, 0) of a box [1] = nan, expected a finite number");
 
   using triangle = ph::convex_polygon_parameters<3>;
   EXPECT_EQ(validate(triangle{{{{0, 0}, {1, 0}, {0, 1}}}}), "");
   EXPECT_EQ(validate(triangle{{{{0, 0}, {no_number, 0}, {0, 1}}}}),
-            "corner 1 of a convex_polygon is not finite, expected metres");
+            "corners[1][0] of a convex_polygon [m] = nan, expected a finite number");
   EXPECT_EQ(validate(triangle{{{{0, 0}, {1, 0}, {0, 0}}}}),
             "corner 2 of a convex_polygon equals the next one, expected distinct corners");
   EXPECT_EQ(validate(triangle{{{{0, 0}, {1, 0}, {2, 0}}}}),
@@ -510,7 +510,7 @@ TEST(a_shape, says_what_is_wrong_with_its_parameters) {
   using slab = ph::convex_polytope_parameters<2, 2>;
   EXPECT_EQ(validate(slab{{{{{1, 0}, {1, 0}}, {{0, 0}, {-1, 0}}}}}), "");
   EXPECT_EQ(validate(slab{{{{{1, 0}, {1, 0}}, {{0, 0}, {0, 0}}}}}),
-            "face 1 of a convex_polytope: |normal| of a half_space = 0, expected a direction");
+            "|faces[1].normal| of a half_space = 0, expected a direction");
   EXPECT_EQ(validate(slab{{{{{1, 0}, {-1, 0}}, {{0, 0}, {1, 0}}}}}),
             "faces of a convex_polytope have no common inside, expected normals that point out of it");
   EXPECT_EQ(error_of([] {

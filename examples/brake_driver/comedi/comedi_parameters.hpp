@@ -2,7 +2,7 @@
 /// Which channels of a Comedi card do what. Needs no libcomedi.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <array>
 #include <cstddef>
@@ -11,6 +11,11 @@
 namespace example {
 
 namespace ph = passive_haptics;
+
+namespace detail {
+inline constexpr ph::range card_index = ph::range::at_least(0).as("an index >= 0");
+inline constexpr ph::range index_or_any = ph::range::at_least(-1).as("an index, or -1");
+}  // namespace detail
 
 /// What an analog input is measured against.
 enum class comedi_reference { ground, common, differential };
@@ -23,6 +28,17 @@ struct comedi_brake {
   double amperes_per_volt = 0;
   /// What the range must reach [A]: open() checks it. 0: whatever it reaches, currents beyond are clamped.
   double largest_current = 0;
+
+  /// The table of passive_haptics/core/parameters.hpp.
+  static constexpr auto members() {
+    using p = comedi_brake;
+    using ph::member;
+    return ph::member_table(member("channel", &p::channel, "", detail::card_index),
+                            member("range", &p::range, "", detail::card_index),
+                            member("amperes_per_volt", &p::amperes_per_volt, "A/V",
+                                   ph::range::positive.as("a finite number > 0, the amplifier's gain")),
+                            member("largest_current", &p::largest_current, "A", ph::range::not_negative));
+  }
 };
 
 /// How open() sets up a counter.
@@ -38,6 +54,17 @@ struct comedi_encoder {
   comedi_counter_setup setup = comedi_counter_setup::keep;
   int a = -1,
       b = -1;  ///< ni_quadrature: the PFI terminals of the encoder's signals; -1 where the card fixes them.
+
+  /// The table of passive_haptics/core/parameters.hpp.
+  static constexpr auto members() {
+    using p = comedi_encoder;
+    using ph::member;
+    return ph::member_table(member("subdevice", &p::subdevice, "", detail::index_or_any),
+                            member("channel", &p::channel, "", detail::card_index),
+                            ph::choice("setup", &p::setup, "keep, ni_quadrature"),
+                            member("a", &p::a, "", detail::index_or_any),
+                            member("b", &p::b, "", detail::index_or_any));
+  }
 };
 
 namespace detail {
@@ -50,23 +77,19 @@ constexpr std::array<Line, Count> lines_in_turn() {
   return all;
 }
 
-inline std::string check_index(const std::string& name, int value, int smallest) {
-  return value >= smallest
-             ? ""
-             : ph::detail::error_text(name, value, smallest < 0 ? "an index, or -1" : "an index >= 0");
-}
-
 inline std::string check_device_file(const std::string& device) {
   return device.empty() ? "device is empty, expected a file like /dev/comedi0" : "";
 }
 
-/// Whether line i of `lines` is one of those before: `same(line, other)`.
+/// Whether a line is one of those before: `same(line, other)`.
 template <class Lines, class Same>
-std::string check_distinct(const std::string& name, const Lines& lines, std::size_t i, Same same) {
-  for (std::size_t k = 0; k < i; ++k)
-    if (same(lines[i], lines[k]))
-      return ph::detail::error_text(name, lines[i].channel,
-                                    ph::detail::indexed("a channel other than that of [", k, "]"));
+std::string check_distinct(const char* name, const Lines& lines, Same same) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (same(lines[i], lines[k]))
+        return ph::detail::error_text(ph::detail::indexed(std::string(name).append("["), i, "].channel"),
+                                      lines[i].channel,
+                                      ph::detail::indexed("a channel other than that of [", k, "]"));
   return "";
 }
 
@@ -84,36 +107,26 @@ struct comedi_port_parameters {
   /// False: open() leaves every counter as it is. For a supervisor, which must not restart what the loop
   /// reads.
   bool start_counters = true;
-};
 
-/// What is wrong with the parameters, whatever the card; empty if nothing.
-template <int Encoders, int Brakes>
-std::string validate(const comedi_port_parameters<Encoders, Brakes>& p) {
-  std::string text = ph::detail::first_error(detail::check_device_file(p.device),
-                                             detail::check_index("output_subdevice", p.output_subdevice, -1));
-  for (std::size_t i = 0; i < p.brakes.size() && text.empty(); ++i) {
-    const auto& b = p.brakes[i];
-    const std::string name = ph::detail::indexed("brakes[", i, "].");
-    text = ph::detail::first_error(
-        detail::check_index(name + "channel", b.channel, 0), detail::check_index(name + "range", b.range, 0),
-        ph::detail::check_positive(name + "amperes_per_volt [A/V], the amplifier's gain", b.amperes_per_volt),
-        ph::detail::check_not_negative(name + "largest_current [A]", b.largest_current),
-        detail::check_distinct(name + "channel", p.brakes, i,
-                               [](const auto& x, const auto& y) { return x.channel == y.channel; }));
+  /// The table of passive_haptics/core/parameters.hpp.
+  static constexpr auto members() {
+    using p = comedi_port_parameters;
+    using ph::member;
+    return ph::member_table(member("device", &p::device),
+                            member("output_subdevice", &p::output_subdevice, "", detail::index_or_any),
+                            member("brakes", &p::brakes), member("encoders", &p::encoders));
   }
-  for (std::size_t i = 0; i < p.encoders.size() && text.empty(); ++i) {
-    const auto& e = p.encoders[i];
-    const std::string name = ph::detail::indexed("encoders[", i, "].");
-    text = ph::detail::first_error(
-        detail::check_index(name + "subdevice", e.subdevice, -1),
-        detail::check_index(name + "channel", e.channel, 0), detail::check_index(name + "a", e.a, -1),
-        detail::check_index(name + "b", e.b, -1),
-        detail::check_distinct(name + "channel", p.encoders, i, [](const auto& x, const auto& y) {
+  /// It has a device, and each channel one use, whatever the card.
+  std::string rules() const {
+    return ph::detail::first_error(
+        detail::check_device_file(device),
+        detail::check_distinct("brakes", brakes,
+                               [](const auto& x, const auto& y) { return x.channel == y.channel; }),
+        detail::check_distinct("encoders", encoders, [](const auto& x, const auto& y) {
           return x.subdevice == y.subdevice && x.channel == y.channel;
         }));
   }
-  return text;
-}
+};
 
 /// The channels of a comedi_force_sensor.
 template <int Channels>
@@ -124,6 +137,19 @@ struct comedi_force_sensor_parameters {
   int range = 0;  ///< Index, of all channels; in volts.
   comedi_reference reference = comedi_reference::ground;
 
+  /// The table of passive_haptics/core/parameters.hpp.
+  static constexpr auto members() {
+    using p = comedi_force_sensor_parameters;
+    using ph::member;
+    return ph::member_table(member("device", &p::device),
+                            member("subdevice", &p::subdevice, "", detail::index_or_any),
+                            member("channels", &p::channels, "", detail::card_index),
+                            member("range", &p::range, "", detail::card_index),
+                            ph::choice("reference", &p::reference, "ground, common, differential"));
+  }
+  /// It has a device.
+  std::string rules() const { return detail::check_device_file(device); }
+
   static constexpr auto in_turn() {
     std::array<int, static_cast<std::size_t>(Channels)> all{};
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
@@ -131,15 +157,6 @@ struct comedi_force_sensor_parameters {
   }
 };
 
-/// What is wrong with the parameters, whatever the card; empty if nothing.
-template <int Channels>
-std::string validate(const comedi_force_sensor_parameters<Channels>& p) {
-  std::string text = ph::detail::first_error(detail::check_device_file(p.device),
-                                             detail::check_index("subdevice", p.subdevice, -1),
-                                             detail::check_index("range", p.range, 0));
-  for (std::size_t i = 0; i < p.channels.size() && text.empty(); ++i)
-    text = detail::check_index(ph::detail::indexed("channels[", i, "]"), p.channels[i], 0);
-  return text;
-}
+using ph::validate;
 
 }  // namespace example

@@ -14,38 +14,9 @@ void check(toml_section& from, const Parameters& p) {
 
 void read_mechanism(toml_section from, configuration& c) {
   from.read("type", c.mechanism, {"tendon_two_link", "xy_table", "five_bar"});
-  if (c.mechanism == "tendon_two_link") {
-    auto& arm = c.tendon_two_link.arm;
-    from.read("length_1", arm.length_1);
-    from.read("length_2", arm.length_2);
-    from.read("mass_1", arm.mass_1);
-    from.read("mass_2", arm.mass_2);
-    from.read("handle_mass", arm.handle_mass);
-    from.read("rotor_inertia_1", arm.rotor_inertia_1);
-    from.read("rotor_inertia_2", arm.rotor_inertia_2);
-    from.read("reduction_2", c.tendon_two_link.reduction_2);
-    check(from, c.tendon_two_link);
-  } else if (c.mechanism == "xy_table") {
-    from.read("mass_x", c.xy_table.mass_x);
-    from.read("mass_y", c.xy_table.mass_y);
-    check(from, c.xy_table);
-  } else {
-    auto& p = c.five_bar;
-    from.read("base_distance", p.base_distance);
-    from.read("proximal_1", p.proximal_1);
-    from.read("proximal_2", p.proximal_2);
-    from.read("distal_1", p.distal_1);
-    from.read("distal_2", p.distal_2);
-    std::string side = "left";
-    from.read("assembly", side, {"left", "right"});
-    p.assembly = side == "left" ? ph::five_bar_assembly::left : ph::five_bar_assembly::right;
-    from.read("proximal_mass", p.proximal_mass);
-    from.read("distal_mass", p.distal_mass);
-    from.read("handle_mass", p.handle_mass);
-    from.read("rotor_inertia", p.rotor_inertia);
-    from.read("gravity", p.gravity);
-    check(from, p);
-  }
+  if (c.mechanism == "tendon_two_link") from.read_all(c.tendon_two_link);
+  else if (c.mechanism == "xy_table") from.read_all(c.xy_table);
+  else from.read_all(c.five_bar);
 }
 
 // What a constructor of the library throws begins with its name.
@@ -120,11 +91,7 @@ void read_brakes(toml_section from, configuration& c) {
     c.brakes.torque_limit[static_cast<int>(i)] = torque_of_current(curve, curve.current_limit);
   }
   check(from, c.curves);
-  from.read("torque_limit", c.brakes.torque_limit);
-  from.read("time_constant", c.brakes.time_constant);
-  from.read("torque_dead_band", c.brakes.torque_dead_band);
-  from.read("rate_dead_band", c.brakes.rate_dead_band);
-  check(from, c.brakes);
+  from.read_all(c.brakes);
 
   c.safety.currents.largest = limit;
   c.safety.currents.continuous = limit;
@@ -153,40 +120,21 @@ void read_homing(toml_section from, configuration& c) {
   if (c.mechanism == "xy_table") c.home = {0.08, 0.2245};
   else c.home = ph::tendon_two_link<double>(c.tendon_two_link).inverse({0.08, 0.2245}, ph::elbow::left).q;
   from.read("pose", c.home);
-  from.read("duration", c.homing.duration);
-  from.read("tolerance", c.homing.tolerance);
-  from.read("longest_gap", c.homing.longest_gap);
-  for (int i = 0; i < axes && from.has("pose"); ++i)
-    from.require(ph::detail::check_finite(ph::detail::indexed("pose[", i, "]"), c.home[i]));
+  if (from.has("pose")) from.require(ph::check_value("pose", c.home, "rad or m", ph::range::finite));
   if (!c.home.allFinite())
     from.require(
         "pose is missing, expected joint positions at the start [rad]: this arm does not reach (0.08, "
         "0.2245) m");
-  check(from, c.homing);
+  from.read_all(c.homing);
 }
 
 void read_sensor(toml_section from, configuration& c) {
   from.read("type", c.sensor, {"simulated", "comedi", "net_ft", "none"});
   std::array<double, 2> x{1, 0}, y{0, 1};
   if (c.sensor == "comedi") {
-    from.read("device", c.comedi_sensor.device);
-    from.read("subdevice", c.comedi_sensor.subdevice);
-    from.read("channels", c.comedi_sensor.channels);
-    from.read("range", c.comedi_sensor.range);
-    std::string reference = "ground";
-    from.read("reference", reference, {"ground", "common", "differential"});
-    c.comedi_sensor.reference = reference == "ground"   ? comedi_reference::ground
-                                : reference == "common" ? comedi_reference::common
-                                                        : comedi_reference::differential;
-    check(from, c.comedi_sensor);
+    from.read_all(c.comedi_sensor);
   } else if (c.sensor == "net_ft") {
-    from.read("host", c.net_ft.host);
-    from.read("port", c.net_ft.port);
-    from.read("counts_per_force", c.net_ft.counts_per_force);
-    from.read("counts_per_torque", c.net_ft.counts_per_torque);
-    from.read("open_timeout", c.net_ft.open_timeout);
-    from.read("silence", c.net_ft.silence);
-    check(from, c.net_ft);
+    from.read_all(c.net_ft);
   } else if (c.sensor == "none") {
     c.tare = false;
     return;
@@ -201,9 +149,8 @@ void read_sensor(toml_section from, configuration& c) {
   if (c.mechanism == "xy_table") c.sensor_frame.link.setZero();
   from.read("link", c.sensor_frame.link);
   from.read("mounting", c.sensor_frame.mounting);
-  from.require(ph::detail::first_error(ph::detail::check_finite("link[0]", c.sensor_frame.link[0]),
-                                       ph::detail::check_finite("link[1]", c.sensor_frame.link[1]),
-                                       ph::detail::check_finite("mounting [rad]", c.sensor_frame.mounting)));
+  from.require(ph::check_value("link", c.sensor_frame.link, "1", ph::range::finite));
+  from.require(ph::check_value("mounting", c.sensor_frame.mounting, "rad", ph::range::finite));
   from.read("tare", c.tare);
   from.read("tare_tolerance", c.tare_tolerance);
   check(from, c.force);
@@ -235,39 +182,13 @@ void read_port(toml_section from, configuration& c) {
     }
     check(from, c.comedi);
   } else if (c.port == "serial") {
-    from.read("device", c.serial.device);
-    from.read("baud", c.serial.baud);
-    from.read("open_timeout", c.serial.open_timeout);
-    check(from, c.serial);
+    from.read_all(c.serial);
   }
 }
 
-void read_simulation(toml_section from, configuration& c) {
-  simulation_parameters& p = c.simulation;
-  int seed = 1;
-  from.read("hand_start", p.hand_start);
-  from.read("direction", p.direction);
-  from.read("path", p.path);
-  from.read("speed", p.speed);
-  from.read("push", p.push);
-  from.read("hand_mass", p.hand_mass);
-  from.read("brake_lag", p.brake_lag);
-  from.read("sensor_noise", p.sensor_noise);
-  from.read("seed", seed);
-  p.seed = static_cast<std::uint64_t>(seed);
-  check(from, p);
-}
-
 void read_loop(toml_section from, configuration& c) {
-  from.read("period", c.loop.period);
-  from.read("most_overruns", c.loop.most_overruns);
-  from.read("longest_sleep", c.loop.longest_sleep);
-  check(from, c.loop);
-  from.read("priority", c.real_time.priority);
-  from.read("lock_memory", c.real_time.lock_memory);
-  from.read("cpu", c.real_time.cpu);
-  from.read("dma_latency", c.real_time.dma_latency);
-  check(from, c.real_time);
+  from.read_all(c.loop);
+  from.read_all(c.real_time);
 }
 
 void read_safety(toml_section from, configuration& c) {
@@ -306,7 +227,7 @@ configuration read_configuration(const std::string& path) {
   read_homing(file.section("homing"), c);
   read_sensor(file.section("sensor"), c);
   read_port(file.section("port"), c);
-  read_simulation(file.section("simulation"), c);
+  file.section("simulation").read_all(c.simulation);
   file.finish();
   if (c.safety.hold_over < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
     file.require(

@@ -88,8 +88,8 @@ toml_section toml_section::file(const std::string& path) {
 }
 
 template <class T>
-void toml_section::read_all(std::string_view key, T* values, std::size_t count, const char* kinds,
-                            const char* kind) {
+void toml_section::read_each(std::string_view key, T* values, std::size_t count, const char* kinds,
+                             const char* kind, std::string_view meaning) {
   const toml::node* node = state_->find(key);
   if (node == nullptr) return;
   const auto as = [](const toml::node& n, T& to) {
@@ -104,30 +104,45 @@ void toml_section::read_all(std::string_view key, T* values, std::size_t count, 
     return true;
   };
   std::ostringstream what;
-  what << count << ' ' << kinds << ", or one for all";
+  if (count == 1) what << kind;
+  else what << count << ' ' << kinds << ", or one for all";
+  what << meaning;
   if (const toml::array* list = node->as_array()) {
     if (list->size() != count) state_->expected(key, *node, what.str());
     for (std::size_t i = 0; i < count; ++i)
       if (!as((*list)[i], values[i])) state_->expected(key, *node, what.str());
   } else {
     T one{};
-    if (!as(*node, one)) state_->expected(key, *node, count == 1 ? std::string(kind) : what.str());
+    if (!as(*node, one)) state_->expected(key, *node, what.str());
     std::fill_n(values, count, one);
   }
 }
 
-void toml_section::read(std::string_view key, double* values, std::size_t count) {
-  read_all(key, values, count, "numbers", "a number");
+void toml_section::read(std::string_view key, double* values, std::size_t count, std::string_view meaning) {
+  read_each(key, values, count, "numbers", "a number", meaning);
 }
-void toml_section::read(std::string_view key, int* values, std::size_t count) {
-  read_all(key, values, count, "whole numbers", "a whole number");
+void toml_section::read(std::string_view key, int* values, std::size_t count, std::string_view meaning) {
+  read_each(key, values, count, "whole numbers", "a whole number", meaning);
 }
-void toml_section::read(std::string_view key, bool* values, std::size_t count) {
-  read_all(key, values, count, "times true or false", "true or false");
+void toml_section::read(std::string_view key, bool* values, std::size_t count, std::string_view meaning) {
+  read_each(key, values, count, "times true or false", "true or false", meaning);
 }
-void toml_section::read(std::string_view key, double& value) { read(key, &value, 1); }
-void toml_section::read(std::string_view key, int& value) { read(key, &value, 1); }
-void toml_section::read(std::string_view key, bool& value) { read(key, &value, 1); }
+void toml_section::read(std::string_view key, double& value, std::string_view meaning) {
+  read(key, &value, 1, meaning);
+}
+void toml_section::read(std::string_view key, int& value, std::string_view meaning) {
+  read(key, &value, 1, meaning);
+}
+void toml_section::read(std::string_view key, bool& value, std::string_view meaning) {
+  read(key, &value, 1, meaning);
+}
+
+std::string toml_section::meaning_of(const passive_haptics::member_description& described) {
+  std::string text;
+  if (described.hard.is_checked) text.append(": ").append(to_text(described.hard));
+  if (*described.unit != '\0') text.append(" [").append(described.unit).append("]");
+  return text;
+}
 
 void toml_section::read(std::string_view key, std::string& value) {
   const toml::node* node = state_->find(key);
@@ -138,7 +153,7 @@ void toml_section::read(std::string_view key, std::string& value) {
 }
 
 void toml_section::read(std::string_view key, std::string& value,
-                        std::initializer_list<std::string_view> choices) {
+                        const std::vector<std::string_view>& choices) {
   read(key, value);
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return;
   std::string all;

@@ -2,10 +2,13 @@
 /// A table of a TOML file whose every key is checked.
 #pragma once
 
-#include <initializer_list>
+#include <passive_haptics/core/parameter_text.hpp>
+
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace example {
@@ -20,21 +23,30 @@ class toml_section {
   /// A file without any key.
   static toml_section nothing();
 
-  void read(std::string_view key, double& value);
-  void read(std::string_view key, int& value);
-  void read(std::string_view key, bool& value);
+  /// meaning: what more the value is expected to be, ": 0 to 99".
+  void read(std::string_view key, double& value, std::string_view meaning = {});
+  void read(std::string_view key, int& value, std::string_view meaning = {});
+  void read(std::string_view key, bool& value, std::string_view meaning = {});
   void read(std::string_view key, std::string& value);
   /// One of these words.
-  void read(std::string_view key, std::string& value, std::initializer_list<std::string_view> choices);
+  void read(std::string_view key, std::string& value, const std::vector<std::string_view>& choices);
   /// As many numbers as there are values, or one number for all of them.
-  void read(std::string_view key, double* values, std::size_t count);
+  void read(std::string_view key, double* values, std::size_t count, std::string_view meaning = {});
   /// The same of whole numbers and of true and false.
-  void read(std::string_view key, int* values, std::size_t count);
-  void read(std::string_view key, bool* values, std::size_t count);
+  void read(std::string_view key, int* values, std::size_t count, std::string_view meaning = {});
+  void read(std::string_view key, bool* values, std::size_t count, std::string_view meaning = {});
   template <class Values>
     requires requires(Values& v) { v.data(), v.size(); }
-  void read(std::string_view key, Values& values) {
-    read(key, values.data(), static_cast<std::size_t>(values.size()));
+  void read(std::string_view key, Values& values, std::string_view meaning = {}) {
+    read(key, values.data(), static_cast<std::size_t>(values.size()), meaning);
+  }
+  /// A key for each member of a struct of parameters (passive_haptics/core/parameters.hpp), those of a struct
+  /// within it among them, then all that is wrong with them: a range, a rule.
+  template <passive_haptics::Parameters P>
+  void read_all(P& parameters) {
+    passive_haptics::for_each_member(
+        parameters, [this](const auto& described, auto& value) { read_member(described, value); });
+    require(validate(parameters));
   }
   /// Rows of pairs, as [[0, 0], [0.5, 0.4]]; how many there are, at most `most`.
   std::size_t read_pairs(std::string_view key, double* values, std::size_t most);
@@ -53,9 +65,30 @@ class toml_section {
 
  private:
   struct state;
+  static std::string meaning_of(const passive_haptics::member_description& described);
   explicit toml_section(std::shared_ptr<state> s);
   template <class T>
-  void read_all(std::string_view key, T* values, std::size_t count, const char* kinds, const char* kind);
+  void read_each(std::string_view key, T* values, std::size_t count, const char* kinds, const char* kind,
+                 std::string_view meaning);
+  template <class V>
+  void read_member(const passive_haptics::member_description& described, V& value) {
+    if constexpr (passive_haptics::Parameters<V>) {
+      read_all(value);
+    } else if constexpr (std::is_enum_v<V>) {
+      const auto words = passive_haptics::choices_of(described);
+      std::string word(words[static_cast<std::size_t>(value)]);
+      read(described.name, word, words);
+      value = static_cast<V>(std::find(words.begin(), words.end(), word) - words.begin());
+    } else if constexpr (std::is_unsigned_v<V> && !std::is_same_v<V, bool>) {
+      int number = static_cast<int>(value);
+      read(described.name, number);
+      value = static_cast<V>(number);
+    } else if constexpr (std::is_same_v<V, std::string>) {
+      read(described.name, value);
+    } else {
+      read(described.name, value, meaning_of(described));
+    }
+  }
 
   std::shared_ptr<state> state_;
 };

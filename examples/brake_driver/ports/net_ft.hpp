@@ -23,18 +23,24 @@ struct net_ft_parameters {
   double counts_per_torque = 1'000'000;  ///< [1/(N m)]; set the sensor's torque unit to N m.
   double open_timeout = 1;               ///< For the first record [s].
   double silence = 0.1;                  ///< Without a record for so long it is asked again to send [s].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const net_ft_parameters& p) {
-  return ph::detail::first_error(
-      p.host.empty() ? std::string("host is empty, expected a name or an address, as 192.168.1.1") : "",
-      p.port >= 1 && p.port <= 65535 ? "" : ph::detail::error_text("port", p.port, "1 to 65535"),
-      ph::detail::check_positive("counts_per_force [1/N]", p.counts_per_force),
-      ph::detail::check_positive("counts_per_torque [1/(N m)]", p.counts_per_torque),
-      ph::detail::check_positive("open_timeout [s]", p.open_timeout),
-      ph::detail::check_positive("silence [s]", p.silence));
-}
+  /// The table of passive_haptics/core/parameters.hpp.
+  static constexpr auto members() {
+    using p = net_ft_parameters;
+    using ph::member, ph::range, ph::plausible;
+    return ph::member_table(
+        member("host", &p::host), member("port", &p::port, "", range::between(1, 65535)),
+        member("counts_per_force", &p::counts_per_force, "1/N", range::positive),
+        member("counts_per_torque", &p::counts_per_torque, "1/(N m)", range::positive),
+        member("open_timeout", &p::open_timeout, "s", range::positive, plausible(0.1, 60)),
+        member("silence", &p::silence, "s", range::positive, plausible(0.001, 10)));
+  }
+  /// It has a host.
+  std::string rules() const {
+    return host.empty() ? "host is empty, expected a name or an address, as 192.168.1.1" : "";
+  }
+};
+using ph::validate;
 
 /// A record of RDT: 36 bytes, big-endian.
 struct rdt_record {

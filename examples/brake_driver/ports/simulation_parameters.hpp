@@ -2,13 +2,15 @@
 /// What the simulated device does not take from the calibration.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <array>
 #include <cstdint>
 #include <string>
 
 namespace example {
+
+namespace ph = passive_haptics;
 
 /// A hand that goes along the first wall and presses on it, lifts off and goes back, again and again; and a
 /// sensor with noise.
@@ -22,20 +24,23 @@ struct simulation_parameters {
   double brake_lag = 0.020;    ///< Time constant of the simulated brakes [s].
   double sensor_noise = 0.02;  ///< Standard deviation of each force channel [N].
   std::uint64_t seed = 1;      ///< Of that noise.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const simulation_parameters& p) {
-  namespace check = passive_haptics::detail;
-  return check::first_error(
-      check::check_not_negative("hand_start [s]", p.hand_start),
-      check::check_finite("direction[0]", p.direction[0]),
-      check::check_finite("direction[1]", p.direction[1]),
-      p.direction[0] != 0 || p.direction[1] != 0 ? "" : std::string("direction = [0, 0], expected any other"),
-      check::check_positive("path [m]", p.path), check::check_positive("speed [m/s]", p.speed),
-      check::check_not_negative("push [N]", p.push), check::check_positive("hand_mass [kg]", p.hand_mass),
-      check::check_positive("brake_lag [s]", p.brake_lag),
-      check::check_not_negative("sensor_noise [N]", p.sensor_noise));
-}
+  /// The table of passive_haptics/core/parameters.hpp.
+  static constexpr auto members() {
+    using p = simulation_parameters;
+    using ph::member, ph::range, ph::plausible;
+    return ph::member_table(
+        member("hand_start", &p::hand_start, "s", range::not_negative, plausible(0, 60)),
+        member("direction", &p::direction, "1", range::direction),
+        member("path", &p::path, "m", range::positive, plausible(0.001, 10)),
+        member("speed", &p::speed, "m/s", range::positive, plausible(0.001, 2)),
+        member("push", &p::push, "N", range::not_negative, plausible(0, 100)),
+        member("hand_mass", &p::hand_mass, "kg", range::positive, plausible(0.01, 10)),
+        member("brake_lag", &p::brake_lag, "s", range::positive, plausible(0.001, 1)),
+        member("sensor_noise", &p::sensor_noise, "N", range::not_negative, plausible(0, 10)),
+        member("seed", &p::seed));
+  }
+};
+using ph::validate;
 
 }  // namespace example

@@ -4,7 +4,7 @@
 
 #include <ports/file_descriptor.hpp>
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <fcntl.h>
 #include <linux/serial.h>

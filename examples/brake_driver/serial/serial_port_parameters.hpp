@@ -17,15 +17,22 @@ struct serial_port_parameters {
   /// For a supervisor: open() neither asks nor releases nor reads, so the process that drives the device
   /// notices nothing.
   bool release_only = false;
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const serial_port_parameters& p) {
-  return ph::detail::first_error(
-      p.device.empty() ? std::string("device is empty, expected the file of a serial port, as /dev/ttyACM0")
-                       : "",
-      check_baud("baud [bit/s]", p.baud), ph::detail::check_positive("open_timeout [s]", p.open_timeout));
-}
+  /// The table of passive_haptics/core/parameters.hpp: what a configuration may say.
+  static constexpr auto members() {
+    using p = serial_port_parameters;
+    using ph::member, ph::range;
+    return ph::member_table(
+        member("device", &p::device), member("baud", &p::baud, "bit/s"),
+        member("open_timeout", &p::open_timeout, "s", range::positive, ph::plausible(0.1, 60)));
+  }
+  /// It has a device, at a rate that serial ports know.
+  std::string rules() const {
+    if (device.empty()) return "device is empty, expected the file of a serial port, as /dev/ttyACM0";
+    return check_baud("baud [bit/s]", baud);
+  }
+};
+using ph::validate;
 
 /// What to say when nobody answers but `bytes` bytes came with so many whole frames in them.
 inline std::string error_of_silence(const serial_port_parameters& p, std::size_t bytes, std::size_t frames) {

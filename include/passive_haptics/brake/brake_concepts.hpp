@@ -2,7 +2,7 @@
 /// What a type tells about the brakes: limits, dead bands, lags, each optional.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 
 #include <concepts>
@@ -135,16 +135,16 @@ T torque_dead_band_of(const B& brakes, int i) {
 /// What is wrong with the brakes, whatever members they have; empty if nothing.
 template <class B>
 std::string check_brakes(const B& brakes) {
-  using detail::check_each_not_negative;
+  [[maybe_unused]] constexpr range size = range::not_negative;
   std::string limit, rate, torque, lag;
   if constexpr (detail::names_torque_limit<B>)
-    limit = check_each_not_negative("torque_limit", "N m", brakes.torque_limit);
+    limit = check_value("torque_limit", brakes.torque_limit, "N m", size);
   if constexpr (detail::names_rate_dead_band<B>)
-    rate = check_each_not_negative("rate_dead_band", "rad/s", brakes.rate_dead_band);
+    rate = check_value("rate_dead_band", brakes.rate_dead_band, "rad/s", size);
   if constexpr (detail::names_torque_dead_band<B>)
-    torque = check_each_not_negative("torque_dead_band", "N m", brakes.torque_dead_band);
+    torque = check_value("torque_dead_band", brakes.torque_dead_band, "N m", size);
   if constexpr (detail::names_time_constant<B>)
-    lag = check_each_not_negative("time_constant", "s", brakes.time_constant);
+    lag = check_value("time_constant", brakes.time_constant, "s", size);
   return detail::first_error(limit, rate, torque, lag);
 }
 

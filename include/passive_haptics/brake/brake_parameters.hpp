@@ -20,16 +20,20 @@ struct brake_parameters {
   vector<T, Brakes> torque_dead_band = vector<T, Brakes>::Constant(T(1e-9));
   /// Time constant of the first-order response [s]; section 5.1: about 20 ms.
   vector<T, Brakes> time_constant = vector<T, Brakes>::Constant(T(0.020));
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = brake_parameters;
+    return member_table(
+        member("torque_limit", &p::torque_limit, "N m", range::not_negative, plausible(0.01, 1000)),
+        member("rate_dead_band", &p::rate_dead_band, "rad/s", range::not_negative, plausible(0, 1)),
+        member("torque_dead_band", &p::torque_dead_band, "N m", range::not_negative, plausible(0, 0.1)),
+        member("time_constant", &p::time_constant, "s", range::not_negative, plausible(0, 1)));
+  }
 };
 
 /// The brakes of mechanism M.
 template <class M>
 using brakes_of = brake_parameters<typename M::scalar, M::brake_count>;
-
-/// What is wrong with the parameters; empty if nothing.
-template <class T, int Brakes>
-std::string validate(const brake_parameters<T, Brakes>& p) {
-  return check_brakes(p);
-}
 
 }  // namespace passive_haptics

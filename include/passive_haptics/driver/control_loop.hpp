@@ -2,7 +2,7 @@
 /// A loop that wakes at absolute times.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/duration_histogram.hpp>
 #include <passive_haptics/driver/fault.hpp>
@@ -21,15 +21,16 @@ struct control_loop_parameters {
   int most_overruns = 5;  ///< So many cycles in a row may end late; one more releases the brakes.
   double longest_sleep =
       0.1;  ///< Waking later than this releases the brakes: the machine or the process stood still [s].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const control_loop_parameters& p) {
-  return detail::first_error(
-      p.period >= 1e-6 && p.period <= 1 ? "" : detail::error_text("period [s]", p.period, "1e-6 to 1"),
-      p.most_overruns >= 0 ? "" : detail::error_text("most_overruns", p.most_overruns, "a number >= 0"),
-      detail::check_positive("longest_sleep [s]", p.longest_sleep));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = control_loop_parameters;
+    return member_table(
+        member("period", &p::period, "s", range::between(1e-6, 1), plausible(1e-5, 0.1)),
+        member("most_overruns", &p::most_overruns, "", range::at_least(0), plausible(0, 1000)),
+        member("longest_sleep", &p::longest_sleep, "s", range::positive, plausible(0.001, 10)));
+  }
+};
 
 /// A cycle of the loop.
 struct loop_cycle {

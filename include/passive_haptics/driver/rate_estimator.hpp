@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <algorithm>
 #include <array>
@@ -18,14 +18,14 @@ struct rate_estimator_parameters {
   double resolution = 1;  ///< One step of the position, in its unit: 1 count.
   int window =
       16;  ///< Most periods that an estimate looks back. More: smaller dead band, longer lag of slow motions.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const rate_estimator_parameters& p) {
-  return detail::first_error(
-      detail::check_positive("resolution [counts]", p.resolution),
-      p.window >= 1 ? "" : detail::error_text("window [periods]", p.window, "at least 1"));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = rate_estimator_parameters;
+    return member_table(member("resolution", &p::resolution, "counts", range::positive),
+                        member("window", &p::window, "periods", range::at_least(1), plausible(1, 100)));
+  }
+};
 
 /// The slowest rate that a window can tell from rest, resolution / (window period): slower ones are estimated
 /// as 0, and none is estimated between it and 0. The Karnopp dead band of a brake whose rate is estimated so:

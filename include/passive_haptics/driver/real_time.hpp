@@ -2,7 +2,7 @@
 /// What Linux can do for a loop that must not be late.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <fcntl.h>
 #include <sched.h>
@@ -24,19 +24,19 @@ struct real_time_parameters {
   bool lock_memory = false;  ///< mlockall, so that no page is ever fetched from a disk.
   int cpu = -1;              ///< Processor to stay on, from 0; -1 for any.
   double dma_latency = -1;   ///< Longest wake-up from an idle state, /dev/cpu_dma_latency [s]; < 0 for any.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const real_time_parameters& p) {
-  return detail::first_error(
-      p.priority >= 0 && p.priority <= 99 ? "" : detail::error_text("priority", p.priority, "0 (none) to 99"),
-      p.cpu >= -1 && p.cpu < CPU_SETSIZE
-          ? ""
-          : detail::error_text("cpu", p.cpu, "-1 (any) or the number of a processor"),
-      std::isfinite(p.dma_latency) && p.dma_latency <= 1
-          ? ""
-          : detail::error_text("dma_latency [s]", p.dma_latency, "< 0 (any) to 1"));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = real_time_parameters;
+    return member_table(
+        member("priority", &p::priority, "", range::between(0, 99).as("0 (none) to 99")),
+        member("lock_memory", &p::lock_memory),
+        member("cpu", &p::cpu, "",
+               range::between(-1, CPU_SETSIZE - 1).as("-1 (any) or the number of a processor")),
+        member("dma_latency", &p::dma_latency, "s",
+               range{.upper = 1, .open_above = false, .words = "< 0 (any) to 1"}));
+  }
+};
 
 /// What became of a request.
 struct real_time_setting {

@@ -2,7 +2,7 @@
 /// What brakes get once they are released.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/driver/port.hpp>
 
 #include <algorithm>
@@ -22,12 +22,14 @@ enum class release_policy {
 struct release_parameters {
   release_policy policy = release_policy::zero;  ///< How.
   double ramp_time = 0.5;                        ///< Of a ramp [s].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const release_parameters& p) {
-  return detail::check_positive("ramp_time [s]", p.ramp_time);
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = release_parameters;
+    return member_table(choice("policy", &p::policy, "zero, ramp, hold"),
+                        member("ramp_time", &p::ramp_time, "s", range::positive, plausible(0.001, 10)));
+  }
+};
 
 /// Currents from a release on.
 template <int N>

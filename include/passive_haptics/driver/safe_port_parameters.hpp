@@ -21,14 +21,15 @@ struct safe_port_parameters {
   release_parameters at_release = {};    ///< What they get once they are released.
   /// How long the last good sample stands in for bad ones, or for refused writes [s].
   double hold_over = 0.020;
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <int Brakes, int Channels>
-std::string validate(const safe_port_parameters<Brakes, Channels>& p) {
-  return detail::first_error(validate(p.encoders), validate(p.sensor), validate(p.currents),
-                             validate(p.at_release), detail::check_positive("hold_over [s]", p.hold_over));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = safe_port_parameters;
+    return member_table(member("encoders", &p::encoders), member("sensor", &p::sensor),
+                        member("currents", &p::currents), member("at_release", &p::at_release),
+                        member("hold_over", &p::hold_over, "s", range::positive, plausible(0.001, 1)));
+  }
+};
 
 /// How a safe_port is.
 enum class port_state {

@@ -2,7 +2,7 @@
 /// Meshes from STL, OBJ and whatever else Assimp reads (https://assimp.org, Debian: libassimp-dev).
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/mesh/mesh_topology.hpp>
 
 #include <assimp/postprocess.h>
@@ -96,7 +96,7 @@ inline mesh_file read_mesh_file(const std::filesystem::path& path, double metres
   const auto require = [&](const std::string& error) {
     if (!error.empty()) require_no_error(std::string("mesh file ").append(name).append(": ").append(error));
   };
-  require(detail::check_positive("metres_per_unit", metres_per_unit));
+  require(check_value("metres_per_unit", metres_per_unit, "", range::positive));
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) require("no such file");
   if (!std::filesystem::is_regular_file(path, ignored)) require("not a file");

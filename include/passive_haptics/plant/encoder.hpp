@@ -4,7 +4,7 @@
 
 #include <passive_haptics/brake/measurement/encoder_axes.hpp>
 #include <passive_haptics/brake/models/first_order_lag.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <numbers>
 
@@ -16,13 +16,15 @@ struct encoder_parameters {
   /// position and rate are exact and unfiltered.
   double resolution = 2 * std::numbers::pi / 8192;
   double rate_corner = 50;  ///< First-order low-pass of the differenced rates [Hz]; 0 for none.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const encoder_parameters& p) {
-  return detail::first_error(detail::check_not_negative("resolution [rad or m]", p.resolution),
-                             detail::check_not_negative("rate_corner [Hz]", p.rate_corner));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = encoder_parameters;
+    return member_table(
+        member("resolution", &p::resolution, "rad or m", range::not_negative, plausible(0, 0.1)),
+        member("rate_corner", &p::rate_corner, "Hz", range::not_negative, plausible(0, 10000)));
+  }
+};
 
 /// Encoders on N axes, read once a period: position = resolution floor(true position / resolution), so it is
 /// late by up to one count; rate = difference of two positions / period, low-passed. The first reading starts
@@ -36,7 +38,7 @@ class encoder {
       : resolution_(static_cast<T>(require_valid(p).resolution)),
         period_(static_cast<T>(period)),
         share_(lag_share(period_, low_pass_time_constant(static_cast<T>(p.rate_corner)))) {
-    require_no_error(detail::check_positive("period [s]", period));
+    require_no_error(check_value("period", period, "s", range::positive));
   }
 
   /// One reading of axes at `position` [rad or m] that move with `rate` [rad/s or m/s].

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <algorithm>
 
@@ -19,18 +19,19 @@ struct following_hand_parameters {
   T push = T(2);             ///< Force into the wall [N].
   T normal_damping = T(20);  ///< Normal to the wall [N s/m].
   T mass = T(0.5);           ///< What moves with the handle [kg].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T>
-std::string validate(const following_hand_parameters<T>& p) {
-  return detail::first_error(detail::check_finite("speed [m/s]", p.speed),
-                             detail::check_not_negative("stiffness [N/m]", p.stiffness),
-                             detail::check_not_negative("damping [N s/m]", p.damping),
-                             detail::check_finite("push [N]", p.push),
-                             detail::check_not_negative("normal_damping [N s/m]", p.normal_damping),
-                             detail::check_not_negative("mass [kg]", p.mass));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = following_hand_parameters;
+    return member_table(
+        member("speed", &p::speed, "m/s", range::finite, plausible(-2, 2)),
+        member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(0, 1e4)),
+        member("damping", &p::damping, "N s/m", range::not_negative, plausible(0, 1000)),
+        member("push", &p::push, "N", range::finite, plausible(-100, 100)),
+        member("normal_damping", &p::normal_damping, "N s/m", range::not_negative, plausible(0, 1000)),
+        member("mass", &p::mass, "kg", range::not_negative, plausible(0, 10)));
+  }
+};
 
 /// A hand that intends to move along `direction` at constant speed while it presses on the wall:
 ///

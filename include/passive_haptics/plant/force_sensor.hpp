@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/models/first_order_lag.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 
 #include <cstdint>
@@ -16,13 +16,15 @@ struct force_sensor_parameters {
   double corner = 200;     ///< First-order low-pass [Hz]; 0 for none.
   double noise = 0;        ///< Standard deviation of each component of each reading [N].
   std::uint64_t seed = 1;  ///< Of the noise; the same seed gives the same noise on every platform.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const force_sensor_parameters& p) {
-  return detail::first_error(detail::check_not_negative("corner [Hz]", p.corner),
-                             detail::check_not_negative("noise [N]", p.noise));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = force_sensor_parameters;
+    return member_table(member("corner", &p::corner, "Hz", range::not_negative, plausible(0, 1e5)),
+                        member("noise", &p::noise, "N", range::not_negative, plausible(0, 10)),
+                        member("seed", &p::seed));
+  }
+};
 
 /// Force sensor with D components. The low-pass follows the force in time; white noise joins each reading
 /// behind it, so two readings share none. Starts at no force.

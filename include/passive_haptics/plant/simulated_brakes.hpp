@@ -35,6 +35,17 @@ struct simulated_brakes {
       y[i] = capacity[i] > T(0) ? std::min(gain[i] * capacity[i], torque_limit[i]) : T(0);
     return y;
   }
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = simulated_brakes;
+    return member_table(
+        member("torque_limit", &p::torque_limit, "N m", range::not_negative, plausible(0.01, 1000)),
+        member("time_constant", &p::time_constant, "s", range::not_negative, plausible(0, 1)),
+        member("gain", &p::gain, "1", range::not_negative, plausible(0.1, 10)),
+        member("residual_torque", &p::residual_torque, "N m", range::not_negative, plausible(0, 10)),
+        member("viscous_drag", &p::viscous_drag, "N m s", range::not_negative, plausible(0, 10)));
+  }
 };
 
 /// The real brakes of mechanism M.
@@ -48,16 +59,6 @@ simulated_brakes<T, Brakes> ideal_brakes(const brake_parameters<T, Brakes>& beli
   real.torque_limit = believed.torque_limit;
   real.time_constant = believed.time_constant;
   return real;
-}
-
-/// What is wrong with the parameters; empty if nothing.
-template <class T, int Brakes>
-std::string validate(const simulated_brakes<T, Brakes>& p) {
-  return detail::first_error(detail::check_each_not_negative("torque_limit", "N m", p.torque_limit),
-                             detail::check_each_not_negative("time_constant", "s", p.time_constant),
-                             detail::check_each_not_negative("gain", "1", p.gain),
-                             detail::check_each_not_negative("residual_torque", "N m", p.residual_torque),
-                             detail::check_each_not_negative("viscous_drag", "N m s", p.viscous_drag));
 }
 
 }  // namespace passive_haptics

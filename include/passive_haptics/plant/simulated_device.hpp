@@ -48,7 +48,7 @@ class simulated_device {
         brakes_(require_valid(brakes)),
         strength_(brakes.time_constant),
         hand_mass_(hand_mass) {
-    require_no_error(detail::check_not_negative("hand_mass [kg]", hand_mass));
+    require_no_error(check_value("hand_mass", hand_mass, "kg", range::not_negative));
     set_motion(q, joint_vector<M>::Zero());
   }
 

@@ -33,22 +33,29 @@ struct wall_following_parameters {
   double path_end = 0.17;   ///< Stops where the handle's progress reaches this [m].
   double longest = 8;       ///< Stops after this time in any case [s].
   int watched_brake = 1;    ///< Whose sticking is counted, from 0.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const wall_following_parameters& p) {
-  return detail::first_error(
-      detail::check_positive("time_step [s]", p.time_step),
-      detail::check_positive("control_period [s]", p.control_period),
-      detail::check_not_negative("sensor_corner [Hz]", p.sensor_corner),
-      detail::check_not_negative("sensor_noise [N]", p.sensor_noise),
-      detail::check_not_negative("encoder_resolution [rad or m]", p.encoder_resolution),
-      detail::check_not_negative("rate_corner [Hz]", p.rate_corner),
-      detail::check_finite("path_end [m]", p.path_end), detail::check_positive("longest [s]", p.longest),
-      p.control_period >= p.time_step
-          ? ""
-          : "control_period [s] is shorter than time_step, expected a multiple of it");
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = wall_following_parameters;
+    return member_table(
+        member("time_step", &p::time_step, "s", range::positive, plausible(1e-7, 0.01)),
+        member("control_period", &p::control_period, "s", range::positive, plausible(1e-5, 0.1)),
+        member("sensor_corner", &p::sensor_corner, "Hz", range::not_negative, plausible(0, 1e5)),
+        member("sensor_noise", &p::sensor_noise, "N", range::not_negative, plausible(0, 10)),
+        member("noise_seed", &p::noise_seed),
+        member("encoder_resolution", &p::encoder_resolution, "rad or m", range::not_negative,
+               plausible(0, 0.1)),
+        member("rate_corner", &p::rate_corner, "Hz", range::not_negative, plausible(0, 10000)),
+        member("path_end", &p::path_end, "m", range::finite, plausible(-10, 10)),
+        member("longest", &p::longest, "s", range::positive, plausible(0.01, 1000)),
+        member("watched_brake", &p::watched_brake));
+  }
+  /// A cycle is one time step or more.
+  std::string rules() const {
+    if (control_period >= time_step) return {};
+    return "control_period [s] is shorter than time_step, expected a multiple of it";
+  }
+};
 
 /// One time step of the experiment, for plots. Decision is what the controller returns.
 template <class M, class Decision = step_result<M>>

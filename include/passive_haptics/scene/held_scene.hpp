@@ -12,12 +12,14 @@ namespace passive_haptics {
 struct hold_parameters {
   /// Between two samples [s]; 0 samples every time. Section 5.2: 1 ms and 50 ms (20 Hz).
   double period = 0;
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const hold_parameters& p) {
-  return detail::check_not_negative("period of a held_scene [s]", p.period);
-}
+  static constexpr const char* owner = "a held_scene";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = hold_parameters;
+    return member_table(member("period", &p::period, "s", range::not_negative, plausible(0, 1)));
+  }
+};
 
 /// Zero-order hold of a scene: a virtual environment that updates at its own rate, as a faster loop sees it.
 template <class Scene>

@@ -2,7 +2,7 @@
 /// A scene of walls known at compile time.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
 #include <boost/hana/at.hpp>
@@ -32,13 +32,15 @@ struct wall {
   }
   S shape;           ///< Geometry.
   double stiffness;  ///< [N/m]
-};
 
-/// What is wrong with the wall; empty if nothing.
-template <class S>
-std::string validate(const wall<S>& w) {
-  return detail::check_not_negative("stiffness of a wall [N/m]", w.stiffness);
-}
+  static constexpr const char* owner = "a wall";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = wall;
+    return member_table(
+        member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(0, 1e9)));
+  }
+};
 
 /// Fixed walls of any shapes and one dimension. Only the code for the shapes it names exists.
 template <class First, class... Rest>

@@ -4,7 +4,7 @@
 
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/torque_law.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <array>
 #include <string>
@@ -16,14 +16,16 @@ struct on_off_parameters {
   double reference_depth = 1.5e-3;  ///< In the wall, about which the relay switches [m].
   double hysteresis = 0.1e-3;       ///< h, half width of the relay's hysteresis [m].
   double lead = 0.02;  ///< tau [s]: the depth is judged as it will be then; about the brakes' lag.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const on_off_parameters& p) {
-  return detail::first_error(detail::check_finite("reference_depth [m]", p.reference_depth),
-                             detail::check_not_negative("hysteresis [m]", p.hysteresis),
-                             detail::check_not_negative("lead [s]", p.lead));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = on_off_parameters;
+    return member_table(
+        member("reference_depth", &p::reference_depth, "m", range::finite, plausible(0, 0.02)),
+        member("hysteresis", &p::hysteresis, "m", range::not_negative, plausible(0, 0.02)),
+        member("lead", &p::lead, "s", range::not_negative, plausible(0, 0.5)));
+  }
+};
 
 /// For each wall a relay of the depth to come,
 ///

@@ -6,7 +6,7 @@
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/intended_rates.hpp>
 #include <passive_haptics/control/laws/torque_law.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 
 #include <cmath>
@@ -18,13 +18,15 @@ namespace passive_haptics {
 struct single_degree_of_freedom_parameters {
   double reference_depth = 1e-3;  ///< In the wall, that the handle follows [m].
   double band = 0.3e-3;           ///< Half width of the band about it, in which the locked brake is kept [m].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const single_degree_of_freedom_parameters& p) {
-  return detail::first_error(detail::check_finite("reference_depth [m]", p.reference_depth),
-                             detail::check_not_negative("band [m]", p.band));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = single_degree_of_freedom_parameters;
+    return member_table(
+        member("reference_depth", &p::reference_depth, "m", range::finite, plausible(0, 0.02)),
+        member("band", &p::band, "m", range::not_negative, plausible(0, 0.02)));
+  }
+};
 
 /// Locks one brake i, so that the handle moves as the others let it, v_i = v - w_i E e_i: on a path in the
 /// plane. With slope_i = n . v_i / |v_i| and the depth error e = depth - reference_depth:

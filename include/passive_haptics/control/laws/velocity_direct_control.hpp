@@ -7,7 +7,7 @@
 #include <passive_haptics/control/laws/brake_lag.hpp>
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/torque_law.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
 #include <algorithm>
@@ -27,18 +27,20 @@ struct velocity_direct_control_parameters {
       1e-3;  ///< Depth at which the handle comes to rest, or deeper where it came too fast [m].
   double margin =
       0;  ///< By which the scene's walls are grown (scene/shapes/offset.hpp) to be seen beforehand [m].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const velocity_direct_control_parameters& p) {
-  return detail::first_error(detail::check_positive("depth_gain [1/s]", p.depth_gain),
-                             detail::check_positive("velocity_limit [m/s]", p.velocity_limit),
-                             detail::check_positive("velocity_lag [s]", p.velocity_lag),
-                             detail::check_positive("landing_velocity [m/s]", p.landing_velocity),
-                             detail::check_not_negative("horizon [s]", p.horizon),
-                             detail::check_not_negative("rest_depth [m]", p.rest_depth),
-                             detail::check_not_negative("margin [m]", p.margin));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = velocity_direct_control_parameters;
+    return member_table(
+        member("depth_gain", &p::depth_gain, "1/s", range::positive, plausible(1, 1000)),
+        member("velocity_limit", &p::velocity_limit, "m/s", range::positive, plausible(0.001, 1)),
+        member("velocity_lag", &p::velocity_lag, "s", range::positive, plausible(0.001, 0.5)),
+        member("landing_velocity", &p::landing_velocity, "m/s", range::positive, plausible(1e-4, 1)),
+        member("horizon", &p::horizon, "s", range::not_negative, plausible(0, 0.1)),
+        member("rest_depth", &p::rest_depth, "m", range::not_negative, plausible(0, 0.02)),
+        member("margin", &p::margin, "m", range::not_negative, plausible(0, 0.02)));
+  }
+};
 
 /// Direct control that keeps the handle at a small depth in each wall, by its normal acceleration:
 ///

@@ -7,7 +7,7 @@
 #include <passive_haptics/control/laws/intended_rates.hpp>
 #include <passive_haptics/control/laws/torque_law.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 
 #include <algorithm>
@@ -22,15 +22,17 @@ struct velocity_ratio_parameters {
   double approach_length = 10e-3;  ///< Depth error for a slope of 1 of the wanted direction [m].
   double steepest_slope = 0.2;     ///< Of the wanted direction against the wall [1].
   double gain = 1;                 ///< Share of the torque limit for each share that a brake is too fast [1].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const velocity_ratio_parameters& p) {
-  return detail::first_error(detail::check_finite("reference_depth [m]", p.reference_depth),
-                             detail::check_positive("approach_length [m]", p.approach_length),
-                             detail::check_not_negative("steepest_slope [1]", p.steepest_slope),
-                             detail::check_not_negative("gain [1]", p.gain));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = velocity_ratio_parameters;
+    return member_table(
+        member("reference_depth", &p::reference_depth, "m", range::finite, plausible(0, 0.02)),
+        member("approach_length", &p::approach_length, "m", range::positive, plausible(1e-4, 1)),
+        member("steepest_slope", &p::steepest_slope, "1", range::not_negative, plausible(0, 2)),
+        member("gain", &p::gain, "1", range::not_negative, plausible(0, 100)));
+  }
+};
 
 /// The wanted velocity keeps the part of v along the wall, v_t, and leads to the reference depth:
 ///

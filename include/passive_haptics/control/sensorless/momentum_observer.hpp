@@ -6,7 +6,7 @@
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/control/laws/brake_lag.hpp>
 #include <passive_haptics/control/sensorless/hand_force_estimate.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
@@ -21,13 +21,15 @@ namespace passive_haptics {
 struct momentum_observer_parameters {
   double gain = 100;             ///< K [1/s]: the estimate follows with a first-order lag of 1 / K.
   double longest_period = 0.02;  ///< After a longer pause between two states the observer starts anew [s].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const momentum_observer_parameters& p) {
-  return detail::first_error(detail::check_positive("gain [1/s]", p.gain),
-                             detail::check_positive("longest_period [s]", p.longest_period));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = momentum_observer_parameters;
+    return member_table(
+        member("gain", &p::gain, "1/s", range::positive, plausible(1, 1000)),
+        member("longest_period", &p::longest_period, "s", range::positive, plausible(0.001, 1)));
+  }
+};
 
 /// Estimates the hand's joint torques tau = J^T Fh by the momentum p = M qd, pd = tau + T^T t + Md qd - c.
 /// Over a period h in which the momentum changes,

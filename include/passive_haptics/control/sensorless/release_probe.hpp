@@ -2,7 +2,7 @@
 /// How a device without a force sensor finds out that the hand wants to leave a wall.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
 #include <limits>
@@ -16,14 +16,16 @@ struct release_probe_parameters {
   double probe_time = 0.12;   ///< A probe that nothing moves ends after this [s]; several lags of the brakes.
   double motion_threshold =
       20e-6;  ///< Least motion of the handle that counts [m]; over the encoders' resolution.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const release_probe_parameters& p) {
-  return detail::first_error(detail::check_not_negative("probe_period [s]", p.probe_period),
-                             detail::check_positive("probe_time [s]", p.probe_time),
-                             detail::check_positive("motion_threshold [m]", p.motion_threshold));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = release_probe_parameters;
+    return member_table(
+        member("probe_period", &p::probe_period, "s", range::not_negative, plausible(0, 10)),
+        member("probe_time", &p::probe_time, "s", range::positive, plausible(0.001, 1)),
+        member("motion_threshold", &p::motion_threshold, "m", range::positive, plausible(1e-7, 0.01)));
+  }
+};
 
 /// The longest time [s] from a hand's reversal until the brakes are released for good: a probe or a stop that
 /// is under way, the rest before the next, and that. It holds for a pull that overcomes what the brakes still

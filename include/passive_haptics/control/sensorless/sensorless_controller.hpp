@@ -18,12 +18,13 @@ namespace passive_haptics {
 struct sensorless_parameters {
   momentum_observer_parameters observer = {};  ///< Of the estimate of the hand force.
   release_probe_parameters probe = {};         ///< Of the search for hands that want to leave.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const sensorless_parameters& p) {
-  return detail::first_error(validate(p.observer), validate(p.probe));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = sensorless_parameters;
+    return member_table(member("observer", &p::observer), member("probe", &p::probe));
+  }
+};
 
 /// A controller whose law gets the force of a momentum_observer in place of a sensor's, and which probes
 /// brakes that hold (release_probe), so that no hand stays locked inside a wall.

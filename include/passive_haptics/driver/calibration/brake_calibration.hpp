@@ -15,10 +15,7 @@ using brake_curves = std::array<brake_curve, static_cast<std::size_t>(Brakes)>;
 /// What is wrong with the curves, with the brake's number; empty if nothing.
 template <std::size_t Brakes>
 std::string validate(const std::array<brake_curve, Brakes>& curves) {
-  for (std::size_t i = 0; i < Brakes; ++i)
-    if (std::string text = validate(curves[i]); !text.empty())
-      return detail::indexed("brakes[", i, "].").append(text);
-  return {};
+  return check_value("brakes", curves, "", range::anything);
 }
 
 /// Currents for commanded capacities, and what they come to. With hysteresis h a brake is taken for a play of

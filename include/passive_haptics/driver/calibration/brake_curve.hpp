@@ -2,7 +2,7 @@
 /// The torque that a brake makes of a current.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <algorithm>
 #include <array>
@@ -39,35 +39,51 @@ struct brake_curve {
   double loss_per_kelvin = 0;
   double reference_temperature = 293.15;  ///< At which the curve was measured, the coldest of the device [K].
   double highest_temperature = 353.15;    ///< A hotter reading counts as this [K].
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = brake_curve;
+    return member_table(
+        member("residual_torque", &p::residual_torque, "N m", range::not_negative, plausible(0, 100)),
+        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive,
+               plausible(0.001, 1000)),
+        member("current_limit", &p::current_limit, "A", range::positive, plausible(0.001, 100)),
+        member("points", &p::points, "",
+               range::between(0, most_points).as("0 for a straight line, or 2 to 16")),
+        member("hysteresis", &p::hysteresis, "N m", range::not_negative, plausible(0, 100)),
+        member("loss_per_kelvin", &p::loss_per_kelvin, "1/K", range::not_negative, plausible(0, 0.02)),
+        member("reference_temperature", &p::reference_temperature, "K", range::positive, plausible(250, 350)),
+        member("highest_temperature", &p::highest_temperature, "K", range::positive, plausible(250, 500)));
+  }
+  /// The table's values rise, and heat leaves some torque.
+  std::string rules() const;
 };
 
 namespace detail {
 
 inline std::string check_brake_table(const brake_curve& p) {
   const auto named = [](int i, const char* member) { return indexed("table[", i, "]").append(member); };
-  if (p.points == 1 || p.points < 0 || p.points > brake_curve::most_points)
-    return error_text("points", p.points,
-                      indexed("0 for a straight line, or 2 to ", brake_curve::most_points, ""));
-  std::string text;
-  for (int i = 0; i < p.points && text.empty(); ++i) {
+  if (p.points == 0) return {};
+  if (p.points == 1) return error_text("points", p.points, "0 for a straight line, or 2 to 16");
+  for (int i = 0; i < p.points; ++i) {
     const current_torque at = p.table[static_cast<std::size_t>(i)];
-    text = first_error(check_finite(named(i, ".current [A]"), at.current),
-                       check_finite(named(i, ".torque [N m]"), at.torque));
-    if (i == 0 || !text.empty()) continue;
+    std::string text = first_error(check_value(named(i, ".current").c_str(), at.current, "A", range::finite),
+                                   check_value(named(i, ".torque").c_str(), at.torque, "N m", range::finite));
+    if (!text.empty()) return text;
+    if (i == 0) continue;
     const current_torque before = p.table[static_cast<std::size_t>(i - 1)];
     if (!(at.current > before.current))
-      text = error_text(named(i, ".current [A]"), at.current, "more than in the point before it");
-    else if (!(at.torque > before.torque))
-      text = error_text(named(i, ".torque [N m]"), at.torque, "more than in the point before it");
+      return error_text(named(i, ".current [A]"), at.current, "more than in the point before it");
+    if (!(at.torque > before.torque))
+      return error_text(named(i, ".torque [N m]"), at.torque, "more than in the point before it");
   }
-  if (p.points == 0 || !text.empty()) return text;
   const double last = p.table[static_cast<std::size_t>(p.points - 1)].current;
   if (p.table[0].current != 0) return error_text("table[0].current [A]", p.table[0].current, "0");
   if (p.table[0].torque != p.residual_torque)
     return error_text("table[0].torque [N m]", p.table[0].torque, "the residual_torque");
   if (p.current_limit > last)
     return error_text("current_limit [A]", p.current_limit, "at most the last current of the table");
-  return text;
+  return {};
 }
 
 // Torque that is left of 1; cold if the temperature is not known
@@ -87,24 +103,14 @@ std::size_t piece_of_table(const brake_curve& p, double value) noexcept {
 
 }  // namespace detail
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const brake_curve& p) {
-  std::string text = detail::first_error(
-      detail::check_not_negative("residual_torque [N m]", p.residual_torque),
-      detail::check_positive("torque_per_ampere [N m/A]", p.torque_per_ampere),
-      detail::check_positive("current_limit [A]", p.current_limit),
-      detail::check_not_negative("hysteresis [N m]", p.hysteresis),
-      detail::check_not_negative("loss_per_kelvin [1/K]", p.loss_per_kelvin),
-      detail::check_positive("reference_temperature [K]", p.reference_temperature),
-      detail::check_positive("highest_temperature [K]", p.highest_temperature), detail::check_brake_table(p));
-  if (!text.empty()) return text;
-  if (p.highest_temperature < p.reference_temperature)
-    return detail::error_text("highest_temperature [K]", p.highest_temperature,
+inline std::string brake_curve::rules() const {
+  if (std::string text = detail::check_brake_table(*this); !text.empty()) return text;
+  if (highest_temperature < reference_temperature)
+    return detail::error_text("highest_temperature [K]", highest_temperature,
                               "at least reference_temperature");
-  if (!(detail::hot_share(p, p.highest_temperature) > 0))
-    return detail::error_text("loss_per_kelvin [1/K]", p.loss_per_kelvin,
-                              "less than 1 / (highest_temperature - reference_temperature)");
-  return text;
+  if (detail::hot_share(*this, highest_temperature) > 0) return {};
+  return detail::error_text("loss_per_kelvin [1/K]", loss_per_kelvin,
+                            "less than 1 / (highest_temperature - reference_temperature)");
 }
 
 /// Temperature of a brake that nobody measures [K].

@@ -18,17 +18,14 @@ struct device_calibration_parameters {
   rate_estimator_parameters rates;                                       ///< In counts.
   brake_curves<M::brake_count> brakes{};                                 ///< Torque of current.
   force_calibration_parameters<M::task_dimension, Channels> force = {};  ///< Not read without a sensor.
-};
 
-/// What is wrong with the parameters, with the part's name; empty if nothing.
-template <class M, int Channels>
-std::string validate(const device_calibration_parameters<M, Channels>& p) {
-  const auto part = [](std::string_view name, const std::string& text) {
-    return text.empty() ? text : std::string(name).append(text);
-  };
-  return detail::first_error(part("encoders.", validate(p.encoders)), part("rates.", validate(p.rates)),
-                             validate(p.brakes), part("force.", validate(p.force)));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = device_calibration_parameters;
+    return member_table(member("encoders", &p::encoders), member("rates", &p::rates),
+                        member("brakes", &p::brakes), member("force", &p::force));
+  }
+};
 
 /// Chains rate estimator, encoder, force and brake calibration of mechanism M. Frame tells how the sensor
 /// turns.

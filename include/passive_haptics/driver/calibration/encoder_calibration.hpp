@@ -20,21 +20,24 @@ struct encoder_calibration_parameters {
   std::array<bool, static_cast<std::size_t>(Axes)> slides{};
   /// Count at position 0; homing finds it.
   vector<double, Axes> zero_count = vector<double, Axes>::Zero();
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <int Axes>
-std::string validate(const encoder_calibration_parameters<Axes>& p) {
-  std::string text;
-  for (int i = 0; i < Axes && text.empty(); ++i) {
-    const double per_turn = p.counts_per_turn[i];
-    if (!std::isfinite(per_turn) || per_turn == 0)
-      text = detail::error_text(detail::indexed("counts_per_turn[", i, "]"), per_turn,
-                                "a finite number, not 0; negative if counts fall in the positive sense");
-    else text = detail::check_finite(detail::indexed("zero_count[", i, "]"), p.zero_count[i]);
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = encoder_calibration_parameters;
+    return member_table(member("counts_per_turn", &p::counts_per_turn, "", range::finite),
+                        member("slides", &p::slides),
+                        member("zero_count", &p::zero_count, "", range::finite));
   }
-  return text;
-}
+  /// No axis has 0 counts.
+  std::string rules() const {
+    for (int i = 0; i < Axes; ++i) {
+      if (counts_per_turn[i] != 0) continue;
+      return detail::error_text(detail::indexed("counts_per_turn[", i, "]"), counts_per_turn[i],
+                                "a finite number, not 0; negative if counts fall in the positive sense");
+    }
+    return {};
+  }
+};
 
 /// position = (count - zero_count) / counts_per_unit of each axis; the unit is rad, of a slide m. Counts are
 /// those of a safe_port, past the wraps of their counters.

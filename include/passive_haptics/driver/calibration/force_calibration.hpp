@@ -4,7 +4,7 @@
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/core/linear/sine_cosine.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <string>
 
@@ -56,24 +56,21 @@ struct force_calibration_parameters {
   double handle_mass = 0;  ///< Of all that hangs on the sensor [kg].
   /// Of the base frame [m/s^2]: 0 in a horizontal plane.
   vector<double, Dimension> gravity = vector<double, Dimension>::Zero();
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <int Dimension, int Channels>
-std::string validate(const force_calibration_parameters<Dimension, Channels>& p) {
-  std::string text = detail::check_not_negative("handle_mass [kg]", p.handle_mass);
-  for (int i = 0; i < Dimension && text.empty(); ++i) {
-    text =
-        detail::first_error(detail::check_finite(detail::indexed("tare[", i, "] [N]"), p.tare[i]),
-                            detail::check_finite(detail::indexed("gravity[", i, "] [m/s^2]"), p.gravity[i]));
-    for (int j = 0; j < Channels && text.empty(); ++j)
-      text = detail::check_finite(detail::indexed(detail::indexed("newtons_per_unit(", i, ", "), j, ") [N]"),
-                                  p.newtons_per_unit(i, j));
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = force_calibration_parameters;
+    return member_table(member("newtons_per_unit", &p::newtons_per_unit, "N", range::finite),
+                        member("tare", &p::tare, "N", range::finite, plausible(-1000, 1000)),
+                        member("handle_mass", &p::handle_mass, "kg", range::not_negative, plausible(0, 20)),
+                        member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)));
   }
-  if (text.empty() && !all_finite(pseudo_inverse(transposed(p.newtons_per_unit))))
-    text = "newtons_per_unit has dependent rows, expected one that tells each direction apart";
-  return text;
-}
+  /// The channels tell each direction apart.
+  std::string rules() const {
+    if (all_finite(pseudo_inverse(transposed(newtons_per_unit)))) return {};
+    return "newtons_per_unit has dependent rows, expected one that tells each direction apart";
+  }
+};
 
 /// Force of the hand on the handle, base frame:
 ///

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <cmath>
 #include <limits>
@@ -17,14 +17,16 @@ struct steady_parameters {
   double duration = 0.5;      ///< Of the mean [s].
   double tolerance = 3;       ///< Most between the least and the largest reading, in their unit (counts).
   double longest_gap = 0.02;  ///< Between two readings [s].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const steady_parameters& p) {
-  return detail::first_error(detail::check_positive("duration [s]", p.duration),
-                             detail::check_not_negative("tolerance [counts]", p.tolerance),
-                             detail::check_positive("longest_gap [s]", p.longest_gap));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = steady_parameters;
+    return member_table(
+        member("duration", &p::duration, "s", range::positive, plausible(0.01, 60)),
+        member("tolerance", &p::tolerance, "counts", range::not_negative, plausible(0, 1e6)),
+        member("longest_gap", &p::longest_gap, "s", range::positive, plausible(0.001, 1)));
+  }
+};
 
 /// How far a steady_mean is.
 enum class steady_status {

@@ -2,7 +2,7 @@
 /// What currents a brake's coil and amplifier may get.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/driver/port.hpp>
 
 #include <algorithm>
@@ -25,23 +25,17 @@ struct current_limits {
     all.fill(value);
     return all;
   }
-};
 
-/// What is wrong with the limits; empty if nothing.
-template <int N>
-std::string validate(const current_limits<N>& p) {
-  std::string text;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(N) && text.empty(); ++i) {
-    const auto name = [&](const char* what, const char* unit) {
-      return detail::indexed(std::string(what).append("["), i, std::string("] [").append(unit).append("]"));
-    };
-    text = detail::first_error(detail::check_positive(name("largest", "A"), p.largest[i]),
-                               detail::check_positive(name("continuous", "A"), p.continuous[i]),
-                               detail::check_positive(name("heat", "A^2 s"), p.heat[i]),
-                               detail::check_not_negative(name("fastest_rise", "A/s"), p.fastest_rise[i]));
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = current_limits;
+    return member_table(
+        member("largest", &p::largest, "A", range::positive, plausible(0.001, 100)),
+        member("continuous", &p::continuous, "A", range::positive, plausible(0.001, 100)),
+        member("heat", &p::heat, "A^2 s", range::positive, plausible(1e-4, 1e5)),
+        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative, plausible(0, 1e5)));
   }
-  return text;
-}
+};
 
 /// Clamps, slows and, where a coil gets too warm, lowers currents: I^2 t as of a fuse that mends.
 template <int N>

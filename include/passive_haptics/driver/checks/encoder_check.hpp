@@ -2,7 +2,7 @@
 /// Encoder counts past the wrap of their counter, and whether a device can have moved so.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/driver/fault.hpp>
 #include <passive_haptics/driver/port.hpp>
 
@@ -20,13 +20,16 @@ struct encoder_limits {
   /// An encoder that does not change while the others together turn so far and no brake holds is frozen
   /// [counts]; 0: never asked. A turn of 8192 counts by default; more where friction alone can hold an axis.
   double frozen_travel = 8192;
-};
 
-/// What is wrong with the limits; empty if nothing.
-inline std::string validate(const encoder_limits& p) {
-  return detail::first_error(detail::check_positive("largest_rate [counts/s]", p.largest_rate),
-                             detail::check_not_negative("frozen_travel [counts]", p.frozen_travel));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = encoder_limits;
+    return member_table(
+        member("largest_rate", &p::largest_rate, "counts/s", range::positive,
+               plausible(1000, 1e9)),
+        member("frozen_travel", &p::frozen_travel, "counts", range::not_negative, plausible(0, 1e8)));
+  }
+};
 
 /// Follows N encoders from sample to sample.
 template <int N>

@@ -2,7 +2,7 @@
 /// Whether a force sensor is within its range.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/driver/fault.hpp>
 #include <passive_haptics/driver/port.hpp>
 
@@ -26,16 +26,14 @@ struct sensor_limits {
     for (double& one : all) one = std::numeric_limits<double>::infinity();
     return all;
   }
-};
 
-/// What is wrong with the limits; empty if nothing.
-template <int N>
-std::string validate(const sensor_limits<N>& p) {
-  for (std::size_t i = 0; i < p.range.size(); ++i)
-    if (!(p.range[i] > 0))
-      return detail::error_text(detail::indexed("range[", i, "]"), p.range[i], "a number > 0, or inf");
-  return {};
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = sensor_limits;
+    return member_table(
+        member("range", &p::range, "", passive_haptics::range{.lower = 0, .open_above = false}));
+  }
+};
 
 /// Looks at the values of good samples.
 template <int N>

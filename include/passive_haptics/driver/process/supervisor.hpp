@@ -2,7 +2,7 @@
 /// A second process that releases the brakes when the loop's process cannot.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/port.hpp>
 #include <passive_haptics/driver/process/child_process.hpp>
@@ -25,18 +25,15 @@ namespace passive_haptics {
 struct supervisor_parameters {
   double timeout = 0.010;  ///< Without a heartbeat for so long, the brakes are released [s].
   int priority = 0;        ///< SCHED_FIFO priority of its process, over the loop's; 0 for none.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const supervisor_parameters& p) {
-  return detail::first_error(
-      p.timeout >= 0.004 && p.timeout <= 10
-          ? ""
-          : detail::error_text("timeout of the supervisor [s]", p.timeout, "0.004 to 10"),
-      p.priority >= 0 && p.priority <= 99
-          ? ""
-          : detail::error_text("priority of the supervisor", p.priority, "0 (none) to 99"));
-}
+  static constexpr const char* owner = "the supervisor";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = supervisor_parameters;
+    return member_table(member("timeout", &p::timeout, "s", range::between(0.004, 10), plausible(0.004, 1)),
+                        member("priority", &p::priority, "", range::between(0, 99).as("0 (none) to 99")));
+  }
+};
 
 /// Analog outputs keep their last value when a process dies. A supervisor is a process with a port of its own
 /// to the same device; it calls release() when the loop's process dies (at once: their pipe closes) or its

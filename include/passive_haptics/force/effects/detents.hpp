@@ -18,18 +18,19 @@ struct detents_parameters {
   T spacing = T(0);                                      ///< From one to the next [m], > 0.
   T strength = T(0);                                     ///< Largest resistance [N], >= 0.
   T velocity_dead_band = default_velocity_dead_band<T>;  ///< Slower counts as at rest [m/s], > 0.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T, int D>
-std::string validate(const detents_parameters<T, D>& p) {
-  if (!all_finite(p.origin)) return "origin of detents is not finite, expected metres";
-  return detail::first_error(
-      detail::check_direction("|direction| of detents", p.direction),
-      detail::check_positive("spacing of detents [m]", p.spacing),
-      detail::check_not_negative("strength of detents [N]", p.strength),
-      detail::check_positive("velocity_dead_band of detents [m/s]", p.velocity_dead_band));
-}
+  static constexpr const char* owner = "detents";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = detents_parameters;
+    return member_table(
+        member("origin", &p::origin, "m", range::finite, plausible(-10, 10)),
+        member("direction", &p::direction, "1", range::direction),
+        member("spacing", &p::spacing, "m", range::positive, plausible(1e-4, 1)),
+        member("strength", &p::strength, "N", range::not_negative, plausible(0, 100)),
+        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::positive, plausible(1e-5, 0.1)));
+  }
+};
 
 /// With a the direction, e the way from the nearest detent along a, P the spacing and f the strength:
 ///

@@ -20,24 +20,26 @@ struct end_stops_parameters {
       vector<T, N>::Zero();  ///< Growth of the resistance behind a limit [N m/rad], >= 0.
   /// Slower counts as at rest [rad/s], > 0; as rate_dead_band of brake_parameters.
   vector<T, N> rate_dead_band = vector<T, N>::Constant(T(0.02));
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T, int N>
-std::string validate(const end_stops_parameters<T, N>& p) {
-  for (int i = 0; i < N; ++i) {
-    const auto name = [i](const std::string& what) {
-      return what + "[" + std::to_string(i) + "] of end_stops";
-    };
-    if (!(p.lower[i] < p.upper[i]))
-      return detail::error_text(name("lower"), p.lower[i], detail::indexed("less than upper[", i, "]"));
-    std::string text =
-        detail::first_error(detail::check_not_negative(name("stiffness") + " [N m/rad]", p.stiffness[i]),
-                            detail::check_positive(name("rate_dead_band") + " [rad/s]", p.rate_dead_band[i]));
-    if (!text.empty()) return text;
+  static constexpr const char* owner = "end_stops";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = end_stops_parameters;
+    return member_table(
+        member("lower", &p::lower, "rad"), member("upper", &p::upper, "rad"),
+        member("stiffness", &p::stiffness, "N m/rad", range::not_negative, plausible(0, 1e6)),
+        member("rate_dead_band", &p::rate_dead_band, "rad/s", range::positive, plausible(1e-4, 1)));
   }
-  return {};
-}
+  /// Each lower limit is below the upper one.
+  std::string rules() const {
+    for (int i = 0; i < N; ++i) {
+      if (lower[i] < upper[i]) continue;
+      return detail::error_text(detail::indexed("lower[", i, "] of end_stops [rad]"), lower[i],
+                                detail::indexed("less than upper[", i, "]"));
+    }
+    return {};
+  }
+};
 
 /// Desired joint torques: behind a limit, k times the way behind it against motion further out. On the way
 /// back the joint is free, as at every wall of brakes: the elastic part would be active there (equation 3).

@@ -23,19 +23,21 @@ struct guide_parameters {
   T tolerance = T(0);                              ///< Way off that is not resisted by stiffness [m], >= 0.
   T viscosity = T(0);                              ///< Across the guide, either way [N s/m], >= 0.
   T velocity_dead_band = default_velocity_dead_band<T>;  ///< Slower counts as at rest [m/s], > 0.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T, int D>
-std::string validate(const guide_parameters<T, D>& p) {
-  if (!all_finite(p.point)) return "point of a guide is not finite, expected metres";
-  return detail::first_error(
-      detail::check_direction("|direction| of a guide", p.direction),
-      detail::check_not_negative("stiffness of a guide [N/m]", p.stiffness),
-      detail::check_not_negative("tolerance of a guide [m]", p.tolerance),
-      detail::check_not_negative("viscosity of a guide [N s/m]", p.viscosity),
-      detail::check_positive("velocity_dead_band of a guide [m/s]", p.velocity_dead_band));
-}
+  static constexpr const char* owner = "a guide";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = guide_parameters;
+    return member_table(
+        choice("along", &p::along, "line, plane"),
+        member("point", &p::point, "m", range::finite, plausible(-10, 10)),
+        member("direction", &p::direction, "1", range::direction),
+        member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(0, 1e9)),
+        member("tolerance", &p::tolerance, "m", range::not_negative, plausible(0, 1)),
+        member("viscosity", &p::viscosity, "N s/m", range::not_negative, plausible(0, 1e4)),
+        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::positive, plausible(1e-5, 0.1)));
+  }
+};
 
 /// A virtual fixture as a resistance. With e the way off the guide, v_e the velocity across it, u = e / |e|:
 ///

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <limits>
 
@@ -43,15 +43,5 @@ T one_way_resistance(T limit, T speed, T dead_band, T push) {
   if (wanted <= T(0)) return T(0);
   return wanted > limit ? limit : wanted;
 }
-
-namespace detail {
-/// Error about a direction that has none.
-template <class Derived>
-std::string check_direction(std::string_view name, const Eigen::MatrixBase<Derived>& direction) {
-  using T = typename Derived::Scalar;
-  const T length = direction.allFinite() ? direction.stableNorm() : std::numeric_limits<T>::quiet_NaN();
-  return std::isfinite(length) && length > 0 ? "" : error_text(name, length, "a direction");
-}
-}  // namespace detail
 
 }  // namespace passive_haptics

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/cholesky.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/effect.hpp>
 
 namespace passive_haptics {
@@ -12,19 +12,23 @@ namespace passive_haptics {
 template <class T, int D>
 struct viscous_field_parameters {
   matrix<T, D, D> viscosity = matrix<T, D, D>::Zero();  ///< B [N s/m], base frame; v . B v >= 0 for all v.
-};
 
-/// What is wrong with the parameters; empty if nothing. Eigenvalues down to -rounding |B| count as zero.
-template <class T, int D>
-std::string validate(const viscous_field_parameters<T, D>& p) {
-  if (!all_finite(p.viscosity)) return "viscosity of a viscous_field is not finite, expected N s/m";
-  const T size = p.viscosity.norm();
-  const matrix<T, D, D> rounding = rounding_tolerance<T>(D) * size * matrix<T, D, D>::Identity();
-  const matrix<T, D, D> symmetric = (p.viscosity + p.viscosity.transpose()) / T(2) + rounding;
-  if (size > T(0) && !cholesky<T, D>(symmetric).is_positive_definite())
+  static constexpr const char* owner = "a viscous_field";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = viscous_field_parameters;
+    return member_table(
+        member("viscosity", &p::viscosity, "N s/m", range::finite, plausible(-1e4, 1e4)));
+  }
+  /// It drives no motion. Eigenvalues down to -rounding |B| count as zero.
+  std::string rules() const {
+    const T size = viscosity.norm();
+    const matrix<T, D, D> rounding = rounding_tolerance<T>(D) * size * matrix<T, D, D>::Identity();
+    const matrix<T, D, D> symmetric = (viscosity + viscosity.transpose()) / T(2) + rounding;
+    if (!(size > T(0)) || cholesky<T, D>(symmetric).is_positive_definite()) return {};
     return "viscosity of a viscous_field would drive some motion, expected v . B v >= 0 for all v";
-  return {};
-}
+  }
+};
 
 /// F = -B v everywhere. B may be anisotropic (easy along one direction) and have a part that turns the force
 /// across the motion without power (B != B^T); brakes display that part as far as their cone allows.

@@ -14,16 +14,17 @@ struct wall_friction_parameters {
   T coefficient = T(0);                                  ///< mu >= 0: dry friction over normal force.
   T viscosity = T(0);                                    ///< b >= 0 [N s/m].
   T velocity_dead_band = default_velocity_dead_band<T>;  ///< Slower counts as at rest [m/s], > 0.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T>
-std::string validate(const wall_friction_parameters<T>& p) {
-  return detail::first_error(
-      detail::check_not_negative("coefficient of wall_friction", p.coefficient),
-      detail::check_not_negative("viscosity of wall_friction [N s/m]", p.viscosity),
-      detail::check_positive("velocity_dead_band of wall_friction [m/s]", p.velocity_dead_band));
-}
+  static constexpr const char* owner = "wall_friction";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = wall_friction_parameters;
+    return member_table(
+        member("coefficient", &p::coefficient, "", range::not_negative, plausible(0, 5)),
+        member("viscosity", &p::viscosity, "N s/m", range::not_negative, plausible(0, 1e4)),
+        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::positive, plausible(1e-5, 0.1)));
+  }
+};
 
 /// Force with which the hand presses on a wall of unit normal n [N]: max(0, -n . Fh).
 ///

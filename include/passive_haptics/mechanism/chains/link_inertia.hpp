@@ -8,6 +8,31 @@
 
 namespace passive_haptics {
 
+namespace detail {
+
+/// Error unless a rigid body can have this inertia: no principal moment over the sum of the others.
+template <class T>
+std::string check_inertia(const char* name, const matrix<T, 3, 3>& inertia) {
+  const T size = inertia.cwiseAbs().maxCoeff();
+  const T rounding = rounding_tolerance<T>(3) * size;
+  if (!((inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= rounding))
+    return std::string(name).append(" is not finite and symmetric, expected a finite symmetric matrix");
+  // int r r^T dm, which no mass makes indefinite
+  const matrix<T, 3, 3> second_moment =
+      (inertia.trace() / T(2) + rounding) * matrix<T, 3, 3>::Identity() - inertia;
+  if (cholesky<T, 3>(second_moment).is_positive_definite()) return "";
+  return std::string(name).append(
+      " has a principal moment over the sum of the other two, expected that of a rigid body");
+}
+
+template <class T>
+std::string check_inertia(const char* name, const matrix<T, 1, 1>& inertia) {
+  if (range::not_negative.contains(inertia(0, 0))) return {};
+  return error_text(name, inertia(0, 0), to_text(range::not_negative));
+}
+
+}  // namespace detail
+
 /// A rigid link in the zero pose, base frame. There is no usual mass: the default is refused.
 template <class T, int D>
 struct link_inertia {
@@ -15,6 +40,16 @@ struct link_inertia {
   vector<T, D> centre = vector<T, D>::Zero();  ///< Centre of mass [m].
   inertia_matrix<T, D> about_centre =
       inertia_matrix<T, D>::Zero();  ///< [kg m^2]; symmetric; 1 x 1 in the plane.
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = link_inertia;
+    return member_table(member("mass", &p::mass, "kg", range::positive, plausible(0.005, 20)),
+                        member("centre", &p::centre, "m", range::finite, plausible(-5, 5)),
+                        member("about_centre", &p::about_centre, "kg m^2"));
+  }
+  /// It is that of a rigid body.
+  std::string rules() const { return detail::check_inertia<T>("about_centre [kg m^2]", about_centre); }
 };
 
 /// A uniform thin rod between two points of the zero pose [m].
@@ -43,46 +78,16 @@ struct serial_chain_inertia {
       vector<T, N>::Constant(T(5e-5));          ///< On the joints' axes [kg m^2, or kg]; that of two_link.
   T handle_mass = T(0.1);                       ///< Point mass at the end effector [kg]; that of two_link.
   vector<T, D> gravity = vector<T, D>::Zero();  ///< [m/s^2]; zero: horizontal or counterbalanced.
-};
 
-namespace detail {
-
-/// Error unless a rigid body can have this inertia: no principal moment over the sum of the others.
-template <class T>
-std::string check_inertia(const std::string& name, const matrix<T, 3, 3>& inertia) {
-  const T size = inertia.cwiseAbs().maxCoeff();
-  const T rounding = rounding_tolerance<T>(3) * size;
-  if (!((inertia - inertia.transpose()).cwiseAbs().maxCoeff() <= rounding))
-    return name + " is not finite and symmetric, expected a finite symmetric matrix";
-  // int r r^T dm, which no mass makes indefinite
-  const matrix<T, 3, 3> second_moment =
-      (inertia.trace() / T(2) + rounding) * matrix<T, 3, 3>::Identity() - inertia;
-  if (cholesky<T, 3>(second_moment).is_positive_definite()) return "";
-  return name + " has a principal moment over the sum of the other two, expected that of a rigid body";
-}
-
-template <class T>
-std::string check_inertia(const std::string& name, const matrix<T, 1, 1>& inertia) {
-  return check_not_negative(name, inertia(0, 0));
-}
-
-}  // namespace detail
-
-/// What is wrong with the parameters; empty if nothing.
-template <class T, int N, int D>
-std::string validate(const serial_chain_inertia<T, N, D>& p) {
-  std::string first;
-  for (int i = 0; i < N && first.empty(); ++i) {
-    const link_inertia<T, D>& link = p.links[std::size_t(i)];
-    first = detail::first_error(
-        detail::check_positive(detail::member_of("links", i, "mass [kg]"), link.mass),
-        detail::check_finite_vector<T, D>(detail::member_of("links", i, "centre [m]"), link.centre),
-        detail::check_inertia<T>(detail::member_of("links", i, "about_centre [kg m^2]"), link.about_centre),
-        detail::check_not_negative(detail::indexed("rotor_inertia[", i, "] [kg m^2 or kg]"),
-                                   p.rotor_inertia[i]));
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = serial_chain_inertia;
+    return member_table(
+        member("links", &p::links),
+        member("rotor_inertia", &p::rotor_inertia, "kg m^2 or kg", range::not_negative, plausible(0, 10)),
+        member("handle_mass", &p::handle_mass, "kg", range::not_negative, plausible(0, 20)),
+        member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)));
   }
-  return detail::first_error(first, detail::check_not_negative("handle_mass [kg]", p.handle_mass),
-                             detail::check_finite_vector<T, D>("gravity [m/s^2]", p.gravity));
-}
+};
 
 }  // namespace passive_haptics

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <array>
 #include <limits>
@@ -25,6 +25,20 @@ struct chain_joint {
   vector<T, D> axis =
       vector<T, D>::Zero();  ///< Direction, any length > 0; not read in a revolute planar joint.
   vector<T, D> point = vector<T, D>::Zero();  ///< On the axis [m]; not read in a prismatic joint.
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = chain_joint;
+    return member_table(choice("kind", &p::kind, "revolute, prismatic"), member("axis", &p::axis, "1"),
+                        member("point", &p::point, "m", range::anything, plausible(-5, 5)));
+  }
+  /// Of what is read.
+  std::string rules() const {
+    const bool turns = kind == joint_kind::revolute;
+    if (turns && D == 2) return check_value("point", point, "m", range::finite);
+    return detail::first_error(check_value("axis", axis, "1", range::direction),
+                               turns ? check_value("point", point, "m", range::finite) : "");
+  }
 };
 
 /// Joint that turns counterclockwise in the plane about `point` [m].
@@ -51,42 +65,14 @@ struct serial_chain_parameters {
   std::array<chain_joint<T, D>, N> joints = {};  ///< No default fits.
   vector<T, D> handle = vector<T, D>::Constant(
       std::numeric_limits<T>::quiet_NaN());  ///< End effector, zero pose [m]; no default.
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = serial_chain_parameters;
+    return member_table(member("joints", &p::joints),
+                        member("handle", &p::handle, "m", range::finite, plausible(-5, 5)));
+  }
 };
-
-namespace detail {
-
-/// "name[i].member"
-inline std::string member_of(const char* name, int i, const char* member) {
-  return std::string(name) + "[" + std::to_string(i) + "]." + member;
-}
-
-template <class T, int D>
-std::string check_finite_vector(const std::string& name, const vector<T, D>& x) {
-  std::string first;
-  for (int i = 0; i < D && first.empty(); ++i)
-    first = check_finite(name + "[" + std::to_string(i) + "]", x[i]);
-  return first;
-}
-
-template <class T, int D>
-std::string check_joint(int i, const chain_joint<T, D>& joint) {
-  const bool turns = joint.kind == joint_kind::revolute;
-  if (turns && D == 2) return check_finite_vector<T, D>(member_of("joints", i, "point [m]"), joint.point);
-  return first_error(
-      check_finite_vector<T, D>(member_of("joints", i, "axis [1]"), joint.axis),
-      check_positive(member_of("joints", i, "axis length [1]"), joint.axis.stableNorm()),
-      turns ? check_finite_vector<T, D>(member_of("joints", i, "point [m]"), joint.point) : std::string());
-}
-
-}  // namespace detail
-
-/// What is wrong with the parameters; empty if nothing.
-template <class T, int N, int D>
-std::string validate(const serial_chain_parameters<T, N, D>& p) {
-  std::string first;
-  for (int i = 0; i < N && first.empty(); ++i) first = detail::check_joint(i, p.joints[std::size_t(i)]);
-  return detail::first_error(first, detail::check_finite_vector<T, D>("handle [m]", p.handle));
-}
 
 /// Planar arm of revolute joints, all its links [m] along x in the zero pose; joint i turns from link i - 1.
 template <class T, std::size_t N>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <cmath>
 
@@ -30,30 +30,28 @@ struct delta_parameters {
   vector<T, 3> rotor_inertia =
       vector<T, 3>::Constant(T(5e-5));          ///< On the base joints' axes [kg m^2]; that of two_link.
   vector<T, 3> gravity = vector<T, 3>::Zero();  ///< [m/s^2]; zero: the device is counterbalanced.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T>
-std::string validate(const delta_parameters<T>& p) {
-  using namespace detail;
-  const std::string lengths =
-      first_error(check_not_negative("base_radius [m]", p.base_radius),
-                  check_not_negative("platform_radius [m]", p.platform_radius),
-                  check_positive("upper_arm [m]", p.upper_arm), check_positive("forearm [m]", p.forearm));
-  std::string rotors, gravity;
-  for (int i = 0; i < 3; ++i) {
-    const std::string index = detail::indexed("[", i, "] ");
-    if (rotors.empty()) rotors = check_not_negative("rotor_inertia" + index + "[kg m^2]", p.rotor_inertia[i]);
-    if (gravity.empty()) gravity = check_finite("gravity" + index + "[m/s^2]", p.gravity[i]);
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = delta_parameters;
+    return member_table(
+        member("base_radius", &p::base_radius, "m", range::not_negative, plausible(0, 2)),
+        member("platform_radius", &p::platform_radius, "m", range::not_negative, plausible(0, 2)),
+        member("upper_arm", &p::upper_arm, "m", range::positive, plausible(0.01, 2)),
+        member("forearm", &p::forearm, "m", range::positive, plausible(0.01, 2)),
+        choice("assembly", &p::assembly, "lower, upper"),
+        member("upper_arm_mass", &p::upper_arm_mass, "kg", range::positive, plausible(0.005, 20)),
+        member("forearm_mass", &p::forearm_mass, "kg", range::not_negative, plausible(0, 20)),
+        member("platform_mass", &p::platform_mass, "kg", range::not_negative, plausible(0, 20)),
+        member("rotor_inertia", &p::rotor_inertia, "kg m^2", range::not_negative, plausible(0, 0.1)),
+        member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)));
   }
-  const std::string loop =
-      std::abs(p.base_radius - p.platform_radius) < p.upper_arm + p.forearm
-          ? ""
-          : error_text("base_radius - platform_radius [m]", p.base_radius - p.platform_radius,
-                       "less than upper_arm + forearm in magnitude");
-  return first_error(lengths, loop, check_positive("upper_arm_mass [kg]", p.upper_arm_mass),
-                     check_not_negative("forearm_mass [kg]", p.forearm_mass),
-                     check_not_negative("platform_mass [kg]", p.platform_mass), rotors, gravity);
-}
+  /// The loops close.
+  std::string rules() const {
+    if (std::abs(base_radius - platform_radius) < upper_arm + forearm) return {};
+    return detail::error_text("base_radius - platform_radius [m]", base_radius - platform_radius,
+                              "less than upper_arm + forearm in magnitude");
+  }
+};
 
 }  // namespace passive_haptics

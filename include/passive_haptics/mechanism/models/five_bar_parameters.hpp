@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <algorithm>
 
@@ -30,29 +30,30 @@ struct five_bar_parameters {
   T handle_mass = T(0.1);                                ///< Point mass at the handle [kg].
   vector<T, Brakes> rotor_inertia = vector<T, Brakes>::Constant(T(5e-5));  ///< On the brakes' axes [kg m^2].
   vector<T, 2> gravity = vector<T, 2>::Zero();  ///< [m/s^2]; zero: the plane is horizontal.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T, int Brakes>
-std::string validate(const five_bar_parameters<T, Brakes>& p) {
-  using namespace detail;
-  const std::string lengths = first_error(
-      check_not_negative("base_distance [m]", p.base_distance),
-      check_positive("proximal_1 [m]", p.proximal_1), check_positive("proximal_2 [m]", p.proximal_2),
-      check_positive("distal_1 [m]", p.distal_1), check_positive("distal_2 [m]", p.distal_2));
-  std::string rotors;
-  for (int i = 0; i < Brakes && rotors.empty(); ++i)
-    rotors = check_not_negative(detail::indexed("rotor_inertia[", i, "] [kg m^2]"), p.rotor_inertia[i]);
-  const T perimeter = p.base_distance + p.proximal_1 + p.proximal_2 + p.distal_1 + p.distal_2;
-  const T longest = std::max({p.base_distance, p.proximal_1, p.proximal_2, p.distal_1, p.distal_2});
-  const std::string loop = longest < perimeter - longest
-                               ? ""
-                               : error_text("longest length [m]", longest, "less than all others together");
-  return first_error(lengths, loop, check_positive("proximal_mass [kg]", p.proximal_mass),
-                     check_not_negative("distal_mass [kg]", p.distal_mass),
-                     check_not_negative("handle_mass [kg]", p.handle_mass), rotors,
-                     check_finite("gravity[0] [m/s^2]", p.gravity[0]),
-                     check_finite("gravity[1] [m/s^2]", p.gravity[1]));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = five_bar_parameters;
+    return member_table(
+        member("base_distance", &p::base_distance, "m", range::not_negative, plausible(0, 2)),
+        member("proximal_1", &p::proximal_1, "m", range::positive, plausible(0.01, 2)),
+        member("proximal_2", &p::proximal_2, "m", range::positive, plausible(0.01, 2)),
+        member("distal_1", &p::distal_1, "m", range::positive, plausible(0.01, 2)),
+        member("distal_2", &p::distal_2, "m", range::positive, plausible(0.01, 2)),
+        choice("assembly", &p::assembly, "left, right"),
+        member("proximal_mass", &p::proximal_mass, "kg", range::positive, plausible(0.005, 20)),
+        member("distal_mass", &p::distal_mass, "kg", range::not_negative, plausible(0, 20)),
+        member("handle_mass", &p::handle_mass, "kg", range::not_negative, plausible(0, 20)),
+        member("rotor_inertia", &p::rotor_inertia, "kg m^2", range::not_negative, plausible(0, 0.1)),
+        member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)));
+  }
+  /// The loop closes.
+  std::string rules() const {
+    const T perimeter = base_distance + proximal_1 + proximal_2 + distal_1 + distal_2;
+    const T longest = std::max({base_distance, proximal_1, proximal_2, distal_1, distal_2});
+    if (longest < perimeter - longest) return {};
+    return detail::error_text("longest length [m]", longest, "less than all others together");
+  }
+};
 
 }  // namespace passive_haptics

@@ -11,13 +11,14 @@ template <class T>
 struct tendon_two_link_parameters {
   two_link_parameters<T> arm = {};  ///< Links and rotors.
   T reduction_2 = T(0.4);           ///< k2 [1], section 5.1.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T>
-std::string validate(const tendon_two_link_parameters<T>& p) {
-  return detail::first_error(validate(p.arm), detail::check_positive("reduction_2 [1]", p.reduction_2));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = tendon_two_link_parameters;
+    return member_table(member("arm", &p::arm),
+                        member("reduction_2", &p::reduction_2, "1", range::positive, plausible(0.02, 50)));
+  }
+};
 
 /// two_link with brake 1 on joint 1 and brake 2 at the base, tendon-driven to link 2:
 ///

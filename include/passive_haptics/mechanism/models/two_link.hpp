@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/sine_cosine.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/two_link_inverse.hpp>
 
@@ -22,18 +22,20 @@ struct two_link_parameters {
   T handle_mass = T(0.1);       ///< Point mass at the end effector [kg].
   T rotor_inertia_1 = T(5e-5);  ///< On the axis of brake 1 [kg m^2].
   T rotor_inertia_2 = T(5e-5);  ///< On the axis of brake 2 [kg m^2].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T>
-std::string validate(const two_link_parameters<T>& p) {
-  return detail::first_error(
-      detail::check_positive("length_1 [m]", p.length_1), detail::check_positive("length_2 [m]", p.length_2),
-      detail::check_positive("mass_1 [kg]", p.mass_1), detail::check_positive("mass_2 [kg]", p.mass_2),
-      detail::check_not_negative("handle_mass [kg]", p.handle_mass),
-      detail::check_not_negative("rotor_inertia_1 [kg m^2]", p.rotor_inertia_1),
-      detail::check_not_negative("rotor_inertia_2 [kg m^2]", p.rotor_inertia_2));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = two_link_parameters;
+    return member_table(
+        member("length_1", &p::length_1, "m", range::positive, plausible(0.01, 2)),
+        member("length_2", &p::length_2, "m", range::positive, plausible(0.01, 2)),
+        member("mass_1", &p::mass_1, "kg", range::positive, plausible(0.005, 20)),
+        member("mass_2", &p::mass_2, "kg", range::positive, plausible(0.005, 20)),
+        member("handle_mass", &p::handle_mass, "kg", range::not_negative, plausible(0, 20)),
+        member("rotor_inertia_1", &p::rotor_inertia_1, "kg m^2", range::not_negative, plausible(0, 0.1)),
+        member("rotor_inertia_2", &p::rotor_inertia_2, "kg m^2", range::not_negative, plausible(0, 0.1)));
+  }
+};
 
 /// Where the links of a two-link arm point.
 template <class T>

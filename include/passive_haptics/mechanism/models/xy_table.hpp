@@ -2,7 +2,7 @@
 /// An XY table: two orthogonal slides, a brake on each (Figs. 4 and 5).
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/joint_solution.hpp>
 
@@ -13,14 +13,14 @@ template <class T>
 struct xy_table_parameters {
   T mass_x = T(0.5);  ///< All that moves along x [kg].
   T mass_y = T(0.5);  ///< All that moves along y [kg].
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T>
-std::string validate(const xy_table_parameters<T>& p) {
-  return detail::first_error(detail::check_positive("mass_x [kg]", p.mass_x),
-                             detail::check_positive("mass_y [kg]", p.mass_y));
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = xy_table_parameters;
+    return member_table(member("mass_x", &p::mass_x, "kg", range::positive, plausible(0.01, 100)),
+                        member("mass_y", &p::mass_y, "kg", range::positive, plausible(0.01, 100)));
+  }
+};
 
 /// x = q [m]; brake i acts on axis i. J = I, constant and diagonal: later stages solve nothing. No singular
 /// pose.

@@ -19,33 +19,34 @@ struct height_field_parameters {
   std::vector<double>
       heights;  ///< z over the origin [m], row by row: that of column i and row j is [j columns + i].
   point<3> origin = point<3>::Zero();  ///< Of column 0 and row 0, at height 0 [m].
-};
 
-/// What is wrong with the parameters; empty if nothing. (A template, so that who makes none does not compile
-/// it.)
-template <class = void>
-std::string validate(const height_field_parameters& p) {
-  constexpr const char* grid = "2 or more, and at most 2^31 triangles in all";
-  if (p.columns < 2) return detail::error_text("columns of a height_field", p.columns, grid);
-  if (p.rows < 2) return detail::error_text("rows of a height_field", p.rows, grid);
-  const auto count = static_cast<std::size_t>(p.columns) * static_cast<std::size_t>(p.rows);
-  if (count > std::numeric_limits<int>::max() / 2)
-    return detail::error_text("columns x rows of a height_field", count, grid);
-  std::string text =
-      detail::first_error(detail::check_positive("spacing_x of a height_field [m]", p.spacing_x),
-                          detail::check_positive("spacing_y of a height_field [m]", p.spacing_y));
-  if (!text.empty()) return text;
-  if (p.heights.size() != count)
-    return detail::error_text("number of heights of a height_field", p.heights.size(),
-                              detail::indexed("columns x rows, ", count, ""));
-  if (!all_finite(p.origin)) return "origin of a height_field is not finite, expected metres";
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!std::isfinite(p.heights[k]))
-      return detail::error_text(detail::indexed("heights[", k, "] of a height_field [m]"), p.heights[k],
-                                "a finite number");
+  static constexpr const char* grid = "2 or more, and at most 2^31 triangles in all";  ///< In errors.
+  static constexpr const char* owner = "a height_field";                               ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = height_field_parameters;
+    return member_table(member("columns", &p::columns, "", range::at_least(2).as(grid)),
+                        member("rows", &p::rows, "", range::at_least(2).as(grid)),
+                        member("spacing_x", &p::spacing_x, "m", range::positive, plausible(1e-4, 1)),
+                        member("spacing_y", &p::spacing_y, "m", range::positive, plausible(1e-4, 1)),
+                        member("origin", &p::origin, "m", range::finite, plausible(-10, 10)));
   }
-  return {};
-}
+  /// As many finite heights as there are points, and no more than a mesh can have.
+  std::string rules() const {
+    const auto count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    if (count > std::numeric_limits<int>::max() / 2)
+      return detail::error_text("columns x rows of a height_field", count, grid);
+    if (heights.size() != count)
+      return detail::error_text("number of heights of a height_field", heights.size(),
+                                detail::indexed("columns x rows, ", count, ""));
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!std::isfinite(heights[k]))
+        return detail::error_text(detail::indexed("heights[", k, "] of a height_field [m]"), heights[k],
+                                  "a finite number");
+    }
+    return {};
+  }
+};
 
 /// Two triangles for each cell, cut along the diagonal whose ends differ less in height, so that a ridge or a
 /// valley is not cut into teeth. An open surface: take mesh_surface. Throws std::invalid_argument with the

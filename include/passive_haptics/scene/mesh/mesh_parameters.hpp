@@ -2,7 +2,7 @@
 /// A surface of facets as it is given: corners and which of them each facet has.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/mesh/mesh_facet.hpp>
 
 #include <array>

@@ -19,23 +19,25 @@ struct mesh_surface_parameters {
   double skin = 1e-7;  ///< From the surface to the proxy [m]: far over rounding, far under what is felt.
   /// Facets whose normals differ by less are one smooth surface [rad].
   double crease_angle = std::numbers::pi / 6;
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <int D>
-std::string validate(const mesh_surface_parameters<D>& p) {
-  // By the largest coordinate: a thousandth of it still is 4500 roundings.
-  constexpr double least_skin = 1e-9;
-  const double size = detail::largest_coordinate(p.surface.bounds());
-  if (!(p.skin >= least_skin * size) || !std::isfinite(p.skin) || !(p.skin > 0))
-    return detail::error_text("skin of a mesh_surface [m]", p.skin,
+  static constexpr const char* owner = "a mesh_surface";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = mesh_surface_parameters;
+    return member_table(member("skin", &p::skin, "m"),
+                        member("crease_angle", &p::crease_angle, "rad",
+                               range{0, std::numbers::pi, false, true}.as("0 or more and less than pi")));
+  }
+  /// The skin is far over the rounding of the surface's coordinates.
+  std::string rules() const {
+    constexpr double least_skin = 1e-9;  // a thousandth of it still is 4500 roundings
+    const double size = detail::largest_coordinate(surface.bounds());
+    if (skin >= least_skin * size && range::positive.contains(skin)) return {};
+    return detail::error_text("skin of a mesh_surface [m]", skin,
                               detail::indexed("a finite number > 0 and at least ", least_skin * size,
                                               ", 1e-9 of the largest coordinate"));
-  if (!(p.crease_angle >= 0 && p.crease_angle < std::numbers::pi))
-    return detail::error_text("crease_angle of a mesh_surface [rad]", p.crease_angle,
-                              "0 or more and less than pi");
-  return {};
-}
+  }
+};
 
 /// Stops what moves from the front of a facet to its back; from behind it is free. A proxy stays in front, so
 /// that a handle pushed through a thin wall still is pushed back to where it came from. Where the proxy rests

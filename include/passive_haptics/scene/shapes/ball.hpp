@@ -2,7 +2,7 @@
 /// A round wall: disc (2-D) or ball (3-D), touched from outside or from inside.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 
 #include <cmath>
@@ -18,17 +18,19 @@ enum class filling {
 /// Centre, radius and free side of a round wall.
 template <int D>
 struct ball_parameters {
-  point<D> centre;                  ///< [m]
-  double radius = 0;                ///< [m], > 0
-  filling inside = filling::solid;  ///< Which side is free.
-};
+  point<D> centre = point<D>::Zero();  ///< [m]
+  double radius = 0;                   ///< [m], > 0
+  filling inside = filling::solid;     ///< Which side is free.
 
-/// What is wrong with the parameters; empty if nothing.
-template <int D>
-std::string validate(const ball_parameters<D>& p) {
-  if (!all_finite(p.centre)) return "centre of a ball is not finite, expected metres";
-  return detail::check_positive("radius of a ball [m]", p.radius);
-}
+  static constexpr const char* owner = "a ball";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = ball_parameters;
+    return member_table(member("centre", &p::centre, "m", range::finite, plausible(-10, 10)),
+                        member("radius", &p::radius, "m", range::positive, plausible(1e-4, 10)),
+                        choice("inside", &p::inside, "solid, hollow"));
+  }
+};
 
 /// distance(x) = |x - c| - r if solid, r - |x - c| if hollow. At the centre, where the gradient does not
 /// exist, it is the x axis.

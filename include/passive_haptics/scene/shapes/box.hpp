@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/orthogonalisation.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 #include <passive_haptics/scene/shapes/directions.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
@@ -14,31 +14,32 @@
 
 namespace passive_haptics {
 
-/// Centre, size and directions of a box.
-template <int D>
-struct box_parameters {
-  point<D> centre;        ///< [m]
-  point<D> half_extents;  ///< Centre to face along each axis [m], >= 0.
-  matrix<double, D, D> axes = matrix<double, D, D>::Identity();  ///< Orthonormal columns, base frame.
-};
-
 /// How far the axes of a box may be from orthonormal, |a_i . a_j - delta_ij|: six printed digits. The box
 /// orthonormalises them.
 inline constexpr double box_axes_tolerance = 1e-5;
 
-/// What is wrong with the parameters; empty if nothing.
+/// Centre, size and directions of a box.
 template <int D>
-std::string validate(const box_parameters<D>& p) {
-  if (!all_finite(p.centre)) return "centre of a box is not finite, expected metres";
-  for (int i = 0; i < D; ++i) {
-    const std::string name = detail::indexed("half_extents[", i, "] of a box [m]");
-    if (std::string text = detail::check_not_negative(name, p.half_extents[i]); !text.empty()) return text;
+struct box_parameters {
+  point<D> centre = point<D>::Zero();        ///< [m]
+  point<D> half_extents = point<D>::Zero();  ///< Centre to face along each axis [m], >= 0.
+  matrix<double, D, D> axes = matrix<double, D, D>::Identity();  ///< Orthonormal columns, base frame.
+
+  static constexpr const char* owner = "a box";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = box_parameters;
+    return member_table(member("centre", &p::centre, "m", range::finite, plausible(-10, 10)),
+                        member("half_extents", &p::half_extents, "m", range::not_negative, plausible(0, 10)),
+                        member("axes", &p::axes, "1", range::finite));
   }
-  const double skew = (p.axes.transpose() * p.axes - matrix<double, D, D>::Identity()).cwiseAbs().maxCoeff();
-  if (!all_finite(p.axes) || !(skew <= box_axes_tolerance))
+  /// The axes are orthonormal within box_axes_tolerance.
+  std::string rules() const {
+    const double skew = (axes.transpose() * axes - matrix<double, D, D>::Identity()).cwiseAbs().maxCoeff();
+    if (skew <= box_axes_tolerance) return {};
     return detail::error_text("|axes^T axes - I| of a box", skew, "orthonormal columns");
-  return {};
-}
+  }
+};
 
 /// In the box's own frame, with q = |R^T (x - c)| - h by components: distance(x) = |max(q, 0)| outside and
 /// max_i q_i inside. Exact on both sides. Where faces are equally near from inside, the first one gives the

@@ -2,7 +2,7 @@
 /// A rounded bar: all points within a radius of a segment.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 #include <passive_haptics/scene/shapes/directions.hpp>
 
@@ -13,19 +13,24 @@ namespace passive_haptics {
 /// The ends of the segment and the radius about it.
 template <int D>
 struct capsule_parameters {
-  point<D> from;      ///< One end of the segment [m].
-  point<D> to;        ///< The other end [m]; may be the same, which gives a ball.
-  double radius = 0;  ///< [m], >= 0; a bare segment has no inside until an offset grows it.
-};
+  point<D> from = point<D>::Zero();  ///< One end of the segment [m].
+  point<D> to = point<D>::Zero();    ///< The other end [m]; may be the same, which gives a ball.
+  double radius = 0;                 ///< [m], >= 0; a bare segment has no inside until an offset grows it.
 
-/// What is wrong with the parameters; empty if nothing.
-template <int D>
-std::string validate(const capsule_parameters<D>& p) {
-  if (!all_finite(p.from)) return "from of a capsule is not finite, expected metres";
-  if (!all_finite(p.to)) return "to of a capsule is not finite, expected metres";
-  return detail::first_error(detail::check_finite("length of a capsule [m]", (p.to - p.from).stableNorm()),
-                             detail::check_not_negative("radius of a capsule [m]", p.radius));
-}
+  static constexpr const char* owner = "a capsule";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = capsule_parameters;
+    return member_table(member("from", &p::from, "m", range::finite, plausible(-10, 10)),
+                        member("to", &p::to, "m", range::finite, plausible(-10, 10)),
+                        member("radius", &p::radius, "m", range::not_negative, plausible(0, 10)));
+  }
+  /// The length does not overflow.
+  std::string rules() const {
+    const double length = (to - from).stableNorm();
+    return check_value("length", length, "m", range::finite, owner);
+  }
+};
 
 /// distance(x) = |x - c(x)| - r with c(x) the point of the segment nearest to x. Exact. On the segment
 /// itself, where the gradient does not exist, it is a direction across the segment.

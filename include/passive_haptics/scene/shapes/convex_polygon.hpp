@@ -2,7 +2,7 @@
 /// A convex polygon by its corners, in the plane.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 #include <passive_haptics/scene/shapes/directions.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
@@ -15,12 +15,6 @@
 
 namespace passive_haptics {
 
-/// The corners, one after the other, either way round.
-template <int K>
-struct convex_polygon_parameters {
-  std::array<point<2>, static_cast<std::size_t>(K)> corners;  ///< [m]; three on a line are allowed.
-};
-
 namespace detail {
 /// Twice the area enclosed by the corners [m^2], > 0 if they run counterclockwise.
 template <std::size_t K>
@@ -32,29 +26,39 @@ double twice_area(const std::array<point<2>, K>& corners) {
 }
 }  // namespace detail
 
-/// What is wrong with the parameters; empty if nothing. K^2 operations.
+/// The corners, one after the other, either way round.
 template <int K>
-std::string validate(const convex_polygon_parameters<K>& p) {
-  const auto corner = [&](std::size_t i) { return p.corners[i % p.corners.size()]; };
-  const auto name = [](std::size_t i) { return detail::indexed("corner ", i, " of a convex_polygon "); };
-  for (std::size_t i = 0; i < p.corners.size(); ++i) {
-    if (!all_finite(corner(i))) return name(i) + "is not finite, expected metres";
-    if (corner(i) == corner(i + 1)) return name(i) + "equals the next one, expected distinct corners";
+struct convex_polygon_parameters {
+  std::array<point<2>, static_cast<std::size_t>(K)> corners;  ///< [m]; three on a line are allowed.
+
+  static constexpr const char* owner = "a convex_polygon";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = convex_polygon_parameters;
+    return member_table(member("corners", &p::corners, "m", range::finite, plausible(-10, 10)));
   }
-  const double area = detail::twice_area(p.corners);
-  if (!std::isfinite(area) || area == 0)
-    return detail::error_text("area of a convex_polygon [m^2]", area / 2, "> 0");
-  for (std::size_t i = 0; i < p.corners.size(); ++i) {
-    const point<2> edge = corner(i + 1) - corner(i);
-    for (std::size_t j = 0; j < p.corners.size(); ++j) {
-      const point<2> r = corner(j) - corner(i);
-      if (sgn(area) * cross_in_plane(edge, r) < -rounding_tolerance<double>(2) * edge.norm() * r.norm())
-        return name(j) + "lies outside the edge after corner " + std::to_string(i) +
-               ", expected a convex polygon";
+  /// The polygon is convex and has an area. K^2 operations.
+  std::string rules() const {
+    const auto corner = [&](std::size_t i) { return corners[i % corners.size()]; };
+    const auto name = [](std::size_t i) { return detail::indexed("corner ", i, " of a convex_polygon "); };
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (corner(i) == corner(i + 1)) return name(i) + "equals the next one, expected distinct corners";
     }
+    const double area = detail::twice_area(corners);
+    if (!std::isfinite(area) || area == 0)
+      return detail::error_text("area of a convex_polygon [m^2]", area / 2, "> 0");
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const point<2> edge = corner(i + 1) - corner(i);
+      for (std::size_t j = 0; j < corners.size(); ++j) {
+        const point<2> r = corner(j) - corner(i);
+        if (sgn(area) * cross_in_plane(edge, r) < -rounding_tolerance<double>(2) * edge.norm() * r.norm())
+          return name(j) + "lies outside the edge after corner " + std::to_string(i) +
+                 ", expected a convex polygon";
+      }
+    }
+    return {};
   }
-  return {};
-}
+};
 
 /// distance(x) = max_i n_i . (x - c_i) inside, the distance to the nearest edge outside. Exact on both sides.
 /// Where edges are equally near from inside, the first one gives the gradient.

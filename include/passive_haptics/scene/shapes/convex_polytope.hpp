@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/least_distance.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/shape.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
@@ -19,6 +19,15 @@ namespace passive_haptics {
 template <int D, int K>
 struct convex_polytope_parameters {
   std::array<half_space_parameters<D>, static_cast<std::size_t>(K)> faces;  ///< Normals out of the polytope.
+
+  static constexpr const char* owner = "a convex_polytope";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = convex_polytope_parameters;
+    return member_table(member("faces", &p::faces));
+  }
+  /// There is something behind all of them.
+  std::string rules() const;
 };
 
 namespace detail {
@@ -61,14 +70,9 @@ std::string check_common_inside(const std::array<half_space<D>, K>& faces) {
 
 }  // namespace detail
 
-/// What is wrong with the parameters; empty if nothing.
 template <int D, int K>
-std::string validate(const convex_polytope_parameters<D, K>& p) {
-  for (std::size_t i = 0; i < p.faces.size(); ++i) {
-    const std::string text = validate(p.faces[i]);
-    if (!text.empty()) return detail::indexed("face ", i, " of a convex_polytope: ") + text;
-  }
-  return detail::check_common_inside(detail::half_spaces(p.faces));
+std::string convex_polytope_parameters<D, K>::rules() const {
+  return detail::check_common_inside(detail::half_spaces(faces));
 }
 
 /// distance(x) = max_i n_i . (x - p_i) inside, the distance to the nearest point of the polytope outside.

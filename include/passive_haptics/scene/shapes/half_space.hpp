@@ -2,7 +2,7 @@
 /// A plane wall.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
 namespace passive_haptics {
@@ -10,19 +10,17 @@ namespace passive_haptics {
 /// A point on a plane wall and the direction out of it.
 template <int D>
 struct half_space_parameters {
-  point<D> surface_point;  ///< Any point of the surface [m].
-  point<D> normal;         ///< Out of the wall, towards the free side; any length > 0.
-};
+  point<D> surface_point = point<D>::Zero();  ///< Any point of the surface [m].
+  point<D> normal = point<D>::Zero();         ///< Out of the wall, towards the free side; any length > 0.
 
-/// What is wrong with the parameters; empty if nothing.
-template <int D>
-std::string validate(const half_space_parameters<D>& p) {
-  if (!all_finite(p.surface_point)) return "surface_point of a half_space is not finite, expected metres";
-  const double length = p.normal.stableNorm();
-  if (!std::isfinite(length) || length == 0)
-    return detail::error_text("|normal| of a half_space", length, "a direction");
-  return {};
-}
+  static constexpr const char* owner = "a half_space";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = half_space_parameters;
+    return member_table(member("surface_point", &p::surface_point, "m", range::finite, plausible(-10, 10)),
+                        member("normal", &p::normal, "1", range::direction));
+  }
+};
 
 /// The wall behind a plane: distance(x) = n . (x - p).
 template <int D>

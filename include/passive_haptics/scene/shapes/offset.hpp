@@ -2,7 +2,7 @@
 /// A shape grown or shrunk.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 #include <passive_haptics/scene/shapes/shape_wrapper.hpp>
 
@@ -13,12 +13,14 @@ namespace passive_haptics {
 /// How much a wall grows.
 struct offset_parameters {
   double growth = 0;  ///< The surface moves this far to the free side [m]; < 0 shrinks the wall.
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const offset_parameters& p) {
-  return detail::check_finite("growth of an offset [m]", p.growth);
-}
+  static constexpr const char* owner = "an offset";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = offset_parameters;
+    return member_table(member("growth", &p::growth, "m", range::finite, plausible(-1, 1)));
+  }
+};
 
 /// distance(x) = S(x) - growth: for a tool of radius `growth`, or with edges rounded by it.
 ///

@@ -25,7 +25,7 @@ complement<capsule<D>> tube(const point<D>& from, const point<D>& to, double rad
 template <int D>
 scene<half_space<D>, half_space<D>> slot(const point<D>& centre, const point<D>& normal, double half_width,
                                          double stiffness = 1e7) {
-  require_no_error(detail::check_not_negative("half_width of a slot [m]", half_width));
+  require_no_error(check_value("half_width", half_width, "m", range::not_negative, "a slot"));
   const point<D> n = normal.stableNormalized();
   return scene<half_space<D>, half_space<D>>(wall(half_space<D>(centre + half_width * n, -n), stiffness),
                                              wall(half_space<D>(centre - half_width * n, n), stiffness));

@@ -2,8 +2,8 @@
 /// A scene that a slow thread owns and a control loop reads.
 #pragma once
 
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/core/status.hpp>
-#include <passive_haptics/core/validate.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
 #include <array>
@@ -71,12 +71,15 @@ struct latest_scene_parameters {
   double stale_after = 0.1;
   /// Whether moving walls go on with the velocities that they were published with.
   bool extrapolate = false;
-};
 
-/// What is wrong with the parameters; empty if nothing.
-inline std::string validate(const latest_scene_parameters& p) {
-  return detail::check_positive("stale_after of a latest_scene [s]", p.stale_after);
-}
+  static constexpr const char* owner = "a latest_scene";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = latest_scene_parameters;
+    return member_table(member("stale_after", &p::stale_after, "s", range::positive, plausible(0.001, 1)),
+                        member("extrapolate", &p::extrapolate));
+  }
+};
 
 /// The latest scene of an exchange, for a controller. A scene that is out of date is a fault,
 /// status::scene_stale: the brakes are released rather than hold the hand at a wall that may have gone.

@@ -2,7 +2,7 @@
 /// The walls that a world is made of.
 #pragma once
 
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/world/any_wall.hpp>
 
 #include <string>

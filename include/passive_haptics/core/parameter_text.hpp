@@ -1,0 +1,76 @@
+/// @file
+/// Parameters in words: all values, and remarks on unusual ones.
+#pragma once
+
+#include <passive_haptics/core/parameters.hpp>
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace passive_haptics {
+
+/// The names of an enumeration's values, in their order; empty for other members.
+inline std::vector<std::string_view> choices_of(const member_description& member) {
+  constexpr std::string_view comma = ", ";
+  std::vector<std::string_view> all;
+  for (std::string_view rest = member.choices; !rest.empty();) {
+    const std::size_t end = rest.find(comma);
+    all.push_back(rest.substr(0, end));
+    rest.remove_prefix(end == rest.npos ? rest.size() : end + comma.size());
+  }
+  return all;
+}
+
+namespace detail {
+
+template <class T>
+std::string text_of(const member_description& about, const T& value) {
+  if constexpr (std::is_enum_v<T>) return std::string(choices_of(about).at(static_cast<std::size_t>(value)));
+  else if constexpr (std::is_arithmetic_v<T>) return value_text(value);
+  else return std::string("\"").append(value).append("\"");
+}
+
+struct lister : visitor {
+  std::string text = {};
+
+  template <class T>
+  void value(const member_description& about, const place& at, const T& x) {
+    text.append(at.text(about.unit)).append(" = ").append(text_of(about, x)).append("\n");
+  }
+};
+
+struct remarker : visitor {
+  std::string text = {};
+
+  template <class T>
+  void value(const member_description& about, const place& at, const T& x) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      if (!range::finite.contains(x) || about.plausible.contains(x)) return;
+      text.append(at.text(about.unit)).append(" = ").append(value_text(x));
+      text.append(", usually ").append(to_text(about.plausible)).append("\n");
+    }
+  }
+};
+
+}  // namespace detail
+
+/// A line for each value: "length_1 [m] = 0.15". Six digits of a number.
+template <Parameters P>
+std::string to_text(const P& p) {
+  detail::lister list;
+  detail::visit(p, nullptr, list);
+  return list.text;
+}
+
+/// A line for each finite number outside of its plausible range, "length_1 [m] = 15, usually 0.01 to 2";
+/// empty if there is none. What is plausible is a device on a desk; nothing is refused for it.
+template <Parameters P>
+std::string remarks(const P& p) {
+  detail::remarker remark;
+  detail::visit(p, nullptr, remark);
+  return remark.text;
+}
+
+}  // namespace passive_haptics

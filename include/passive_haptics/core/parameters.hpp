@@ -1,0 +1,234 @@
+/// @file
+/// Parameters, described once: a table of each struct's members, and what follows from it.
+#pragma once
+
+#include <passive_haptics/core/range.hpp>
+#include <passive_haptics/core/text.hpp>
+
+#include <boost/hana/for_each.hpp>
+#include <boost/hana/tuple.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+namespace passive_haptics {
+
+/// What is said about a member, whatever its type.
+struct member_description {
+  const char* name;          ///< As in the code.
+  const char* unit;          ///< "m", "1" for a ratio, "" where there is none.
+  range hard;                ///< Outside of it the value is an error.
+  range plausible;           ///< Outside of it the value is worth a remark.
+  const char* choices = "";  ///< The names of an enumeration's values, which count from 0: "left, right".
+};
+
+/// A member of P. Of a vector or array the ranges hold for each element.
+template <class P, class V>
+struct member : member_description {
+  V P::* pointer;  ///< Where it is.
+
+  /// No unit or range: nothing is said of it.
+  constexpr member(const char* called, V P::* where, const char* in = "",
+                   const range& within = range::anything, const range& usually = range::anything)
+      : member_description{called, in, within, usually}, pointer(where) {}
+};
+
+/// A member that is an enumeration: these are the names of its values.
+template <class P, class V>
+constexpr member<P, V> choice(const char* called, V P::* where, const char* among) {
+  member<P, V> m(called, where);
+  m.choices = among;
+  return m;
+}
+
+/// The table of a struct of parameters, for its
+///
+///     static constexpr auto members() { using p = ...; return member_table(member("mass", &p::mass, "kg",
+///     ...), ...); }
+///
+/// A member may be a number, a vector or matrix, an array, another such struct, an enumeration, a bool or a
+/// std::string. What no range can say (a direction that is read only for some values of another member, a
+/// sum) is the struct's own `std::string rules() const`: an error, or empty. It may take the members to be
+/// valid. A `static constexpr const char* owner = "a ball"` makes errors say whose radius it is.
+template <class... Members>
+constexpr auto member_table(const Members&... members) {
+  return boost::hana::make_tuple(members...);
+}
+
+/// A struct of parameters that has a table.
+template <class P>
+concept Parameters = requires { P::members(); };
+
+/// Its table.
+template <Parameters P>
+inline constexpr auto members_of = P::members();
+
+/// Calls f(member, value) for each member, in the order of the table.
+template <class P, class F>
+  requires Parameters<std::remove_const_t<P>>
+constexpr void for_each_member(P& p, F&& f) {
+  boost::hana::for_each(members_of<std::remove_const_t<P>>, [&](const auto& m) { f(m, p.*m.pointer); });
+}
+
+namespace detail {
+
+// Where a value stands: "brakes[1].table[2].current of a curve".
+struct place {
+  const place* outer = nullptr;
+  const char* name = "";
+  const char* owner = "";
+  int row = -1, column = -1;  // of a vector or matrix
+
+  std::string text() const {
+    std::string all = outer == nullptr ? "" : outer->text();
+    if (!all.empty() && *name != '\0') all.append(".");
+    all.append(name);
+    if (row < 0) return all;
+    if (column < 0) return indexed(all.append("["), row, "]");
+    return indexed(indexed(all.append("("), row, ", "), column, ")");
+  }
+  // With bars for a length, whose it is and the unit.
+  std::string text(const char* unit, const char* bars = "") const {
+    std::string all = std::string(bars).append(text()).append(bars);
+    if (*owner != '\0') all.append(" of ").append(owner);
+    if (*unit != '\0') all.append(" [").append(unit).append("]");
+    return all;
+  }
+};
+
+template <class P>
+constexpr const char* owner_of() {
+  if constexpr (requires { P::owner; }) return P::owner;
+  else return "";
+}
+
+// Neither overflows nor underflows before the length does.
+template <class Vector>
+auto length_of(const Vector& direction) {
+  auto length = std::abs(direction[0]);
+  for (std::size_t i = 1; i < static_cast<std::size_t>(direction.size()); ++i)
+    length = std::hypot(length, direction[i]);
+  return length;
+}
+
+// What a visit() calls; overload what is of interest.
+struct visitor {
+  // Each single number, bool, enumeration or text
+  template <class T>
+  void value(const member_description&, const place&, const T&) {}
+  // The length of a direction
+  template <class T>
+  void length(const member_description&, const place&, const T&) {}
+  // A struct, after all its members
+  template <class P>
+  void whole(const place*, const P&) {}
+};
+
+template <Parameters P, class Visitor>
+void visit(const P& p, const place* at, Visitor& to);
+
+template <class V, class Visitor>
+void visit_member(const member_description& about, place at, const V& value, Visitor& to) {
+  if constexpr (Parameters<V>) {
+    visit(value, &at, to);
+  } else if constexpr (requires { V::ColsAtCompileTime; }) {
+    for (at.row = 0; at.row < static_cast<int>(value.rows()); ++at.row) {
+      if constexpr (V::ColsAtCompileTime == 1) to.value(about, at, value[at.row]);
+      else
+        for (at.column = 0; at.column < static_cast<int>(value.cols()); ++at.column)
+          to.value(about, at, value(at.row, at.column));
+    }
+    if constexpr (V::ColsAtCompileTime == 1)
+      if (about.hard.is_direction) to.length(about, place{at.outer, at.name, at.owner}, length_of(value));
+  } else if constexpr (requires { std::tuple_size<V>::value; }) {
+    for (at.row = 0; at.row < static_cast<int>(value.size()); ++at.row) {
+      const auto& element = value[static_cast<std::size_t>(at.row)];
+      if constexpr (requires { element.size(); }) visit_member(about, place{&at, "", at.owner}, element, to);
+      else visit_member(about, at, element, to);
+    }
+    if constexpr (std::is_floating_point_v<typename V::value_type>)
+      if (about.hard.is_direction) to.length(about, place{at.outer, at.name, at.owner}, length_of(value));
+  } else {
+    to.value(about, at, value);
+  }
+}
+
+template <Parameters P, class Visitor>
+void visit(const P& p, const place* at, Visitor& to) {
+  for_each_member(p, [&](const member_description& about, const auto& value) {
+    visit_member(about, place{at, about.name, owner_of<P>()}, value, to);
+  });
+  to.whole(at, p);
+}
+
+// The first error.
+struct checker : visitor {
+  std::string error = {};
+
+  template <class T>
+  void value(const member_description& about, const place& at, const T& x) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      if (!error.empty() || about.hard.is_direction || about.hard.contains(x)) return;
+      error = error_text(at.text(about.unit), x, to_text(about.hard, std::is_integral_v<T>));
+    }
+  }
+  template <class T>
+  void length(const member_description& about, const place& at, const T& x) {
+    if (!error.empty() || about.hard.contains(x)) return;
+    error = error_text(at.text("", "|"), x, to_text(about.hard));
+  }
+  template <class P>
+  void whole(const place* at, const P& p) {
+    if constexpr (requires { p.rules(); }) {
+      if (!error.empty()) return;
+      error = p.rules();
+      if (!error.empty() && at != nullptr) error.insert(0, at->text().append("."));
+    }
+  }
+};
+
+}  // namespace detail
+
+/// What is wrong with the parameters; empty if nothing: "length_1 [m] = -1, expected a finite number > 0".
+template <Parameters P>
+std::string validate(const P& p) {
+  detail::checker check;
+  detail::visit(p, nullptr, check);
+  return check.error;
+}
+
+/// The same of a value by itself, a number, vector, matrix or array; owner: whose it is.
+template <class V>
+std::string check_value(const char* name, const V& value, const char* unit, const range& hard,
+                        const char* owner = "") {
+  detail::checker check;
+  detail::visit_member(member_description{name, unit, hard, range::anything},
+                       detail::place{.name = name, .owner = owner}, value, check);
+  return check.error;
+}
+
+/// Throws std::invalid_argument with this error unless it is empty; under -fno-exceptions prints it and ends
+/// the program. For constructors, never for a control cycle.
+inline void require_no_error(const std::string& error) {
+  if (error.empty()) return;
+#if defined(__cpp_exceptions)
+  throw std::invalid_argument("passive_haptics: " + error);
+#else
+  std::fprintf(stderr, "passive_haptics: %s\n", error.c_str());
+  std::abort();
+#endif
+}
+
+/// The parameters themselves, if validate(parameters) has no error; else see require_no_error().
+template <class P>
+const P& require_valid(const P& parameters) {
+  require_no_error(validate(parameters));
+  return parameters;
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,75 @@
+/// @file
+/// Texts about wrong values. Without streams, which cost a microcontroller 170 KB of flash (std::to_chars of
+/// a double: 130 KB); in no locale.
+#pragma once
+
+#include <concepts>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace passive_haptics {
+namespace detail {
+
+/// Six digits, as "%g" writes them in the C locale, but 1e7 for 1e+07.
+inline std::string number_text(long double value) {
+  constexpr int digit_count = 6;
+  constexpr long double whole = 100'000;  // six digits before the point
+  if (value != value) return "nan";
+  std::string text(value < 0 ? 1 : 0, '-');
+  if (value < 0) value = -value;
+  if (value > std::numeric_limits<long double>::max()) return text.append("inf");
+  if (value == 0) return "0";
+  int exponent = 0;
+  for (; value >= 10; value /= 10) ++exponent;
+  for (; value < 1; value *= 10) --exponent;
+  auto rounded = static_cast<long>(value * whole + 0.5L);
+  if (rounded >= 10 * static_cast<long>(whole)) {
+    rounded /= 10;
+    ++exponent;
+  }
+  std::string digits = std::to_string(rounded);
+  digits.erase(digits.find_last_not_of('0') + 1);
+  const bool scientific = exponent < -4 || exponent >= digit_count;
+  const int before_point = scientific ? 1 : exponent + 1;
+  if (before_point <= 0) digits.insert(0, static_cast<std::size_t>(1 - before_point), '0');
+  const auto point = static_cast<std::size_t>(before_point <= 0 ? 1 : before_point);
+  if (digits.size() < point) digits.append(point - digits.size(), '0');
+  if (digits.size() > point) digits.insert(point, 1, '.');
+  text.append(digits);
+  if (!scientific) return text;
+  return text.append("e").append(std::to_string(exponent));
+}
+
+/// A number, true or false, or the text itself.
+template <class T>
+std::string value_text(const T& value) {
+  if constexpr (std::same_as<T, bool>) return value ? "true" : "false";
+  else if constexpr (std::integral<T>) return std::to_string(value);
+  else if constexpr (std::is_arithmetic_v<T>) return number_text(static_cast<long double>(value));
+  else return std::string(value);
+}
+
+template <class T>
+std::string error_text(std::string_view name, T value, std::string_view expected) {
+  return std::string(name).append(" = ").append(value_text(value)).append(", expected ").append(expected);
+}
+
+/// "before i after". (A literal + std::string makes g++ 12 warn of overlapping memory at -O3.)
+template <class Index>
+std::string indexed(std::string_view before, Index i, std::string_view after) {
+  return std::string(before).append(value_text(i)).append(after);
+}
+
+/// The first error that is not empty.
+template <class... Strings>
+std::string first_error(Strings... errors) {
+  std::string first;
+  ((first.empty() ? void(first = std::move(errors)) : void()), ...);
+  return first;
+}
+
+}  // namespace detail
+}  // namespace passive_haptics

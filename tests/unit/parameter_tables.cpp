@@ -1,0 +1,264 @@
+// What follows from a table of parameters: errors, remarks, text.
+#include "support.hpp"
+
+#include <passive_haptics/core/parameter_text.hpp>
+
+#include <array>
+#include <clocale>
+#include <cstdint>
+#include <limits>
+#include <locale>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using ph::member, ph::range, ph::plausible;
+
+enum class side { left, right };
+
+struct spring {
+  double stiffness = 100;
+  std::array<double, 2> direction{3, 4};
+  side where = side::right;
+
+  static constexpr const char* owner = "a spring";
+  static constexpr auto members() {
+    using p = spring;
+    return ph::member_table(member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(1, 1e4)),
+                            member("direction", &p::direction, "1", range::direction),
+                            ph::choice("where", &p::where, "left, right"));
+  }
+};
+
+template <class T>
+struct machine {
+  T mass = T(0.5);
+  ph::vector<T, 2> limit{1, 2};
+  ph::matrix<T, 2, 2> gain = ph::matrix<T, 2, 2>::Identity();
+  std::array<spring, 2> springs{};
+  std::array<ph::vector<T, 2>, 2> corners{ph::vector<T, 2>(0, 0), ph::vector<T, 2>(1, 1)};
+  int cycles = 3;
+  std::uint64_t seed = 1;
+  bool on = true;
+  std::string name = "bench";
+  T unlisted = T(0);
+
+  static constexpr auto members() {
+    using p = machine;
+    return ph::member_table(member("mass", &p::mass, "kg", range::positive, plausible(0.1, 10)),
+                            member("limit", &p::limit, "N", range::finite, plausible(0, 5)),
+                            member("gain", &p::gain, "1", range::finite), member("springs", &p::springs),
+                            member("corners", &p::corners, "m", range::finite),
+                            member("cycles", &p::cycles, "", range::at_least(1), plausible(1, 10)),
+                            member("seed", &p::seed), member("on", &p::on), member("name", &p::name));
+  }
+  std::string rules() const { return mass > 100 * T(cycles) ? "too heavy, expected less" : ""; }
+};
+
+template <class T>
+struct parameter_table : ::testing::Test {
+  static constexpr T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
+
+  template <class Change>
+  static std::string error(Change change) {
+    machine<T> m;
+    change(m);
+    return ph::validate(m);
+  }
+};
+TYPED_TEST_SUITE(parameter_table, scalars);
+
+TYPED_TEST(parameter_table, names_each_wrong_value_where_it_stands) {
+  using fixture = parameter_table<TypeParam>;
+  EXPECT_EQ(fixture::error([](auto&) {}), "");
+  EXPECT_EQ(fixture::error([](auto& m) { m.mass = -1; }), "mass [kg] = -1, expected a finite number > 0");
+  EXPECT_EQ(fixture::error([](auto& m) { m.mass = fixture::nan; }),
+            "mass [kg] = nan, expected a finite number > 0");
+  EXPECT_EQ(fixture::error([](auto& m) { m.limit[1] = -fixture::infinity; }),
+            "limit[1] [N] = -inf, expected a finite number");
+  EXPECT_EQ(fixture::error([](auto& m) { m.gain(1, 0) = fixture::nan; }),
+            "gain(1, 0) [1] = nan, expected a finite number");
+  EXPECT_EQ(fixture::error([](auto& m) { m.springs[1].stiffness = -2; }),
+            "springs[1].stiffness of a spring [N/m] = -2, expected a finite number >= 0");
+  EXPECT_EQ(fixture::error([](auto& m) { m.springs[0].direction = {0, 0}; }),
+            "|springs[0].direction| of a spring = 0, expected a direction");
+  EXPECT_EQ(fixture::error([](auto& m) { m.corners[1][0] = fixture::nan; }),
+            "corners[1][0] [m] = nan, expected a finite number");
+  EXPECT_EQ(fixture::error([](auto& m) { m.cycles = 0; }), "cycles = 0, expected a whole number >= 1");
+  EXPECT_EQ(fixture::error([](auto& m) { m.unlisted = fixture::nan; }), "");
+  try {
+    machine<TypeParam> wrong;
+    wrong.cycles = -1;
+    ph::require_valid(wrong);
+    ADD_FAILURE();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "passive_haptics: cycles = -1, expected a whole number >= 1");
+  }
+}
+
+TYPED_TEST(parameter_table, tells_the_first_error_and_asks_rules_of_valid_members_alone) {
+  using fixture = parameter_table<TypeParam>;
+  EXPECT_EQ(fixture::error([](auto& m) {
+              m.mass = fixture::infinity;
+              m.cycles = 0;
+            }),
+            "mass [kg] = inf, expected a finite number > 0");
+  EXPECT_EQ(fixture::error([](auto& m) { m.mass = 301; }), "too heavy, expected less");
+}
+
+TYPED_TEST(parameter_table, remarks_on_what_is_not_wrong_but_unusual) {
+  machine<TypeParam> m;
+  EXPECT_EQ(ph::remarks(m), "");
+  m.mass = 20;
+  m.limit[0] = -1;
+  m.springs[1].stiffness = 0.5;
+  m.cycles = 11;
+  EXPECT_EQ(ph::validate(m), "");
+  EXPECT_EQ(ph::remarks(m),
+            "mass [kg] = 20, usually 0.1 to 10\n"
+            "limit[0] [N] = -1, usually 0 to 5\n"
+            "springs[1].stiffness of a spring [N/m] = 0.5, usually 1 to 10000\n"
+            "cycles = 11, usually 1 to 10\n");
+  m = {};
+  m.mass = parameter_table<TypeParam>::nan;  // an error, not a remark
+  EXPECT_EQ(ph::remarks(m), "");
+}
+
+TYPED_TEST(parameter_table, lists_all_values) {
+  EXPECT_EQ(ph::to_text(machine<TypeParam>()),
+            "mass [kg] = 0.5\n"
+            "limit[0] [N] = 1\n"
+            "limit[1] [N] = 2\n"
+            "gain(0, 0) [1] = 1\n"
+            "gain(0, 1) [1] = 0\n"
+            "gain(1, 0) [1] = 0\n"
+            "gain(1, 1) [1] = 1\n"
+            "springs[0].stiffness of a spring [N/m] = 100\n"
+            "springs[0].direction[0] of a spring [1] = 3\n"
+            "springs[0].direction[1] of a spring [1] = 4\n"
+            "springs[0].where of a spring = right\n"
+            "springs[1].stiffness of a spring [N/m] = 100\n"
+            "springs[1].direction[0] of a spring [1] = 3\n"
+            "springs[1].direction[1] of a spring [1] = 4\n"
+            "springs[1].where of a spring = right\n"
+            "corners[0][0] [m] = 0\n"
+            "corners[0][1] [m] = 0\n"
+            "corners[1][0] [m] = 1\n"
+            "corners[1][1] [m] = 1\n"
+            "cycles = 3\n"
+            "seed = 1\n"
+            "on = true\n"
+            "name = \"bench\"\n");
+}
+
+TYPED_TEST(parameter_table, gives_members_to_read_and_to_write) {
+  using T = TypeParam;
+  machine<T> m;
+  ph::for_each_member(m, [](const auto& described, auto& value) {
+    if constexpr (std::is_same_v<decltype(value), T&>) {
+      EXPECT_STREQ(described.name, "mass");
+      value = T(7);
+    }
+  });
+  EXPECT_EQ(m.mass, T(7));
+  int count = 0;
+  ph::for_each_member(std::as_const(m), [&](const auto&, const auto&) { ++count; });
+  EXPECT_EQ(count, 9);
+}
+
+// In its own type, that a bound of double does not let the next float pass
+TYPED_TEST(parameter_table, compares_in_the_type_of_the_value) {
+  using T = TypeParam;
+  const range acute{0, std::numbers::pi / 2};
+  const T right = static_cast<T>(std::numbers::pi / 2);
+  EXPECT_FALSE(acute.contains(right));
+  EXPECT_TRUE(acute.contains(std::nextafter(right, T(0))));
+}
+
+TEST(a_range, has_ends_that_are_in_or_out) {
+  constexpr double inf = range::infinity, nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(range::anything.contains(nan));
+  for (const double x : {nan, inf, -inf}) {
+    for (const range& r :
+         {range::finite, range::positive, range::not_negative, range::between(-1, 1), range::at_least(-1)})
+      EXPECT_FALSE(r.contains(x)) << to_text(r) << x;
+  }
+  EXPECT_TRUE(range::not_negative.contains(0.0) && range::not_negative.contains(-0.0));
+  EXPECT_FALSE(range::positive.contains(0.0));
+  EXPECT_TRUE(range::positive.contains(5e-324) && range::positive.contains(1e308));
+  EXPECT_TRUE(range::between(1, 2).contains(1) && range::between(1, 2).contains(2));
+  EXPECT_FALSE(range::between(1, 2).contains(0) || range::between(1, 2).contains(3));
+  const range endless{.lower = 0, .open_above = false};
+  EXPECT_TRUE(endless.contains(inf));
+  EXPECT_FALSE(endless.contains(nan));
+  static_assert(range::positive.contains(1) && !range::positive.contains(0));
+}
+
+TEST(a_range, says_what_is_expected) {
+  EXPECT_EQ(to_text(range::anything), "anything");
+  EXPECT_EQ(to_text(range::finite), "a finite number");
+  EXPECT_EQ(to_text(range::positive), "a finite number > 0");
+  EXPECT_EQ(to_text(range::not_negative), "a finite number >= 0");
+  EXPECT_EQ(to_text(range::direction), "a direction");
+  EXPECT_EQ(to_text(range::between(0.004, 10)), "0.004 to 10");
+  EXPECT_EQ(to_text(range::at_least(2), true), "a whole number >= 2");
+  EXPECT_EQ(to_text(range{.lower = 0, .open_above = false}), "a number > 0, or inf");
+  EXPECT_EQ(to_text(range{.upper = 1, .open_above = false}), "a finite number <= 1");
+  EXPECT_EQ(to_text(range{.lower = 0, .upper = 3, .open_below = false}), "a finite number >= 0 and < 3");
+  EXPECT_EQ(to_text(range::between(0, 99).as("0 (none) to 99")), "0 (none) to 99");
+}
+
+struct decimal_comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(a_number, is_written_in_six_digits_whatever_the_locale) {
+  const std::locale before = std::locale::global(std::locale(std::locale(), new decimal_comma));
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // where there is one
+  for (const auto& [number, text] : {std::pair{0.15, "0.15"},
+                                     {-0.5, "-0.5"},
+                                     {0.0, "0"},
+                                     {-0.0, "0"},
+                                     {8192.0, "8192"},
+                                     {123456.7, "123457"},
+                                     {999999.4, "999999"},
+                                     {999999.6, "1e6"},
+                                     {1e7, "1e7"},
+                                     {-1.25e9, "-1.25e9"},
+                                     {0.0001, "0.0001"},
+                                     {0.00001234567, "1.23457e-5"},
+                                     {9.9999996, "10"},
+                                     {0.1 + 0.2, "0.3"},
+                                     {5e-324, "4.94066e-324"},
+                                     {1.7976931348623157e308, "1.79769e308"},
+                                     {2e-9, "2e-9"}})
+    EXPECT_EQ(ph::detail::number_text(number), text);
+  EXPECT_EQ(ph::detail::value_text(1'000'000), "1000000");
+  std::setlocale(LC_ALL, "C");
+  std::locale::global(before);
+}
+
+// Users' own types go on as they are
+struct own {
+  int value = 0;
+};
+std::string validate(const own& o) { return o.value < 0 ? "value = " + std::to_string(o.value) : ""; }
+
+struct own_and_described {
+  int value = 0;
+  static constexpr auto members() { return ph::member_table(member("value", &own_and_described::value)); }
+};
+std::string validate(const own_and_described&) { return "my own"; }
+
+TEST(a_type_of_a_user, may_have_its_own_validate) {
+  EXPECT_EQ(ph::require_valid(own{2}).value, 2);
+  EXPECT_THROW(ph::require_valid(own{-1}), std::invalid_argument);
+  EXPECT_THROW(ph::require_valid(own_and_described{}), std::invalid_argument);
+  static_assert(!ph::Parameters<own> && ph::Parameters<own_and_described> && !ph::Parameters<int>);
+}
+
+}  // namespace
