@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 
 namespace {
@@ -70,6 +71,8 @@ int main(int argc, char** argv) try {
   const arguments chosen = parse(argc, argv);
   example::configuration c = example::read_configuration(chosen.config);
   if (chosen.simulate) c = example::simulated(c);
+  std::istringstream remarks(example::remarks(c));
+  for (std::string line; std::getline(remarks, line);) std::cerr << "remark: " << line << "\n";
   if (chosen.check) {
     std::cout << (chosen.config.empty() ? "the built-in configuration" : chosen.config)
               << " is right: " << c.mechanism << ", " << c.port << " device, " << c.sensor

@@ -242,6 +242,20 @@ configuration read_configuration(const std::string& path) {
   return c;
 }
 
+std::string remarks(const configuration& c) {
+  std::string all;
+  const auto add = [&](const auto&... parameters) { (all.append(ph::remarks(parameters)), ...); };
+  if (c.mechanism == "tendon_two_link") add(c.tendon_two_link);
+  else if (c.mechanism == "xy_table") add(c.xy_table);
+  else add(c.five_bar);
+  add(c.brakes, c.curves[0], c.curves[1], c.encoders, c.rates, c.homing, c.force, c.loop, c.real_time,
+      c.safety, c.supervisor);
+  if (c.port == "simulated") add(c.simulation);
+  if (c.port == "serial") add(c.serial);
+  if (c.sensor == "net_ft") add(c.net_ft);
+  return all;
+}
+
 configuration simulated(configuration c) {
   c.port = "simulated";
   if (c.sensor != "none") c.sensor = "simulated";

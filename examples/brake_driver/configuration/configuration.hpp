@@ -71,6 +71,9 @@ struct configuration {
 /// expectation.
 configuration read_configuration(const std::string& path);
 
+/// A line for each value that is allowed but unusual; empty if there is none.
+std::string remarks(const configuration& c);
+
 /// The device and the sensor replaced by simulated ones.
 configuration simulated(configuration c);
 

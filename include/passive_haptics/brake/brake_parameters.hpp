@@ -4,8 +4,6 @@
 
 #include <passive_haptics/brake/brake_concepts.hpp>
 
-#include <string>
-
 namespace passive_haptics {
 
 /// The m brakes of a device, each value on the brake's own axis. For a sliding brake read N for N m and m/s

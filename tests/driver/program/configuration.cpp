@@ -99,6 +99,17 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
   }
 }
 
+TEST_F(a_configuration, that_is_unusual_is_remarked_upon) {
+  const outcome o = check(
+      "[mechanism]\nlength_1 = 15\n[loop]\nperiod = 0.5\n[safety]\nhold_over = 2\n"
+      "supervisor_timeout = 2");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(
+      o.err.starts_with("remark: arm.length_1 [m] = 15, usually 0.01 to 2\n"
+                        "remark: period [s] = 0.5, usually 1e-5 to 0.1\n"))
+      << o.err;
+}
+
 TEST_F(a_configuration, that_is_no_file_is_named) {
   fs::create_directory(directory / "folder");
   EXPECT_EQ(run({"--config", "none.toml"}).err, "error: none.toml: no such file\n");

@@ -10,7 +10,6 @@
 #include <passive_haptics/force/desired_force.hpp>
 
 #include <cmath>
-#include <string>
 
 namespace passive_haptics {
 

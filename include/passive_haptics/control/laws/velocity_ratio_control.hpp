@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 
 namespace passive_haptics {
 

@@ -6,7 +6,6 @@
 #include <passive_haptics/scene/shape.hpp>
 
 #include <limits>
-#include <string>
 
 namespace passive_haptics {
 

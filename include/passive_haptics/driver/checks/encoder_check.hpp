@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 namespace passive_haptics {
 
@@ -25,8 +24,7 @@ struct encoder_limits {
   static constexpr auto members() {
     using p = encoder_limits;
     return member_table(
-        member("largest_rate", &p::largest_rate, "counts/s", range::positive,
-               plausible(1000, 1e9)),
+        member("largest_rate", &p::largest_rate, "counts/s", range::positive, plausible(1000, 1e9)),
         member("frozen_travel", &p::frozen_travel, "counts", range::not_negative, plausible(0, 1e8)));
   }
 };

@@ -2,6 +2,7 @@
 /// Detents: periodic positions along a direction that resist being left.
 #pragma once
 
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/effect.hpp>
 #include <passive_haptics/force/effects/resistance.hpp>
 

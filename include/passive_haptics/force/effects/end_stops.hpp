@@ -2,6 +2,7 @@
 /// End stops: limits of the joints.
 #pragma once
 
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/effects/resistance.hpp>
 
 #include <limits>

@@ -2,6 +2,7 @@
 /// Guidance along a line or in a plane by resistance to what leaves it.
 #pragma once
 
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/effect.hpp>
 #include <passive_haptics/force/effects/resistance.hpp>
 

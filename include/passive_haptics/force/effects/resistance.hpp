@@ -3,9 +3,6 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/parameters.hpp>
-
-#include <limits>
 
 namespace passive_haptics {
 

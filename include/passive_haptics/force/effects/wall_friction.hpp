@@ -2,6 +2,7 @@
 /// Friction on a wall: dry and viscous resistance to motion along it.
 #pragma once
 
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/effects/resistance.hpp>
 
 #include <type_traits>

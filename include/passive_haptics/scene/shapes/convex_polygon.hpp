@@ -29,9 +29,16 @@ double twice_area(const std::array<point<2>, K>& corners) {
 /// The corners, one after the other, either way round.
 template <int K>
 struct convex_polygon_parameters {
-  std::array<point<2>, static_cast<std::size_t>(K)> corners;  ///< [m]; three on a line are allowed.
+  std::array<point<2>, static_cast<std::size_t>(K)> corners =
+      nowhere();  ///< [m]; three on a line are allowed.
 
   static constexpr const char* owner = "a convex_polygon";  ///< In errors.
+  /// All corners in one place, which is refused.
+  static std::array<point<2>, static_cast<std::size_t>(K)> nowhere() {
+    std::array<point<2>, static_cast<std::size_t>(K)> all;
+    all.fill(point<2>::Zero());
+    return all;
+  }
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = convex_polygon_parameters;
