@@ -154,6 +154,7 @@ TEST(net_ft, parameters_are_checked_by_name) {
   p = at(1);
   p.silence = -1;
   EXPECT_TRUE(has(validate(p), "silence [s] = -1"));
+  p = at(1);
   p.host = "";
   EXPECT_TRUE(has(validate(p), "host"));
 }

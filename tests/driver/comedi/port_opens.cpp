@@ -24,7 +24,7 @@ TEST_F(opening_a_comedi_port, names_what_is_wrong_with_its_parameters) {
          "brakes[1].channel = 0, expected a channel other than that of [0]");
   expect([](auto& w) { w.brakes[0].range = -1; }, "brakes[0].range = -1, expected an index >= 0");
   expect([](auto& w) { w.brakes[0] = {}; },
-         "brakes[0].amperes_per_volt [A/V], the amplifier's gain = 0, expected a finite number > 0");
+         "brakes[0].amperes_per_volt [A/V] = 0, expected a finite number > 0, the amplifier's gain");
   expect([](auto& w) { w.brakes[0].largest_current = -1; },
          "brakes[0].largest_current [A] = -1, expected a finite number >= 0");
   expect([](auto& w) { w.encoders[1].subdevice = 2; },
