@@ -146,6 +146,8 @@ std::string tables() {
   p.table<ph::wall_friction_parameters<T>>("wall_friction_parameters", effects + "wall_friction.hpp");
   p.table<ph::end_stops_parameters<T, 2>>("end_stops_parameters", effects + "end_stops.hpp");
   p.stage("Control");
+  p.table<ph::approximation_parameters<T>>("approximation_parameters", "force/approximation.hpp");
+  p.table<ph::direct_control>("direct_control", "control/direct_control.hpp");
   const std::string laws = "control/laws/", sensorless = "control/sensorless/";
   p.table<ph::velocity_direct_control_parameters>("velocity_direct_control_parameters",
                                                   laws + "velocity_direct_control.hpp");

@@ -9,6 +9,7 @@
 #include <passive_haptics/driver/port.hpp>
 
 #include <bit>
+#include <sstream>
 #include <string>
 #include <utility>
 

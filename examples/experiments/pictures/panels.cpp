@@ -4,6 +4,7 @@
 
 #include <output.hpp>
 
+#include <sstream>
 #include <stdexcept>
 
 namespace experiments {

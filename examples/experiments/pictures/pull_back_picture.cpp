@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <cstdio>
+#include <sstream>
 
 namespace experiments {
 

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>
-#include <passive_haptics/core/validate.hpp>
-
-#include <string>
+#include <passive_haptics/core/parameters.hpp>
 
 namespace passive_haptics {
 
@@ -52,6 +50,13 @@ struct direct_control {
 
   double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is the law as printed.
 
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = direct_control;
+    return member_table(
+        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::not_negative, plausible(0, 0.1)));
+  }
+
   /// alpha = -Fh . Fd / (Fc . Fd) in [0, 1] if n . v > -v_dead, else 1 (step 2 of section 4).
   /// @equation{12}
   template <class T, int D>
@@ -62,10 +67,5 @@ struct direct_control {
     return pressing < c.desired_magnitude ? pressing / c.desired_magnitude : T(1);
   }
 };
-
-/// What is wrong with the law's dead band; empty if nothing.
-inline std::string validate(const direct_control& law) {
-  return detail::check_not_negative("velocity_dead_band [m/s]", law.velocity_dead_band);
-}
 
 }  // namespace passive_haptics

@@ -2,7 +2,6 @@
 /// Why a driver releases the brakes.
 #pragma once
 
-#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -77,17 +76,16 @@ struct fault_record {
 
 /// The fault_record in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.
 inline std::string to_string(const fault_record& i) {
-  std::ostringstream text;
+  std::string text;
   switch (i.source) {
     case fault_source::loop: break;
-    case fault_source::encoders: text << (i.channel < 0 ? "encoders" : "encoder"); break;
-    case fault_source::force_sensor: text << (i.channel < 0 ? "force sensor" : "force channel"); break;
-    case fault_source::brakes: text << (i.channel < 0 ? "brakes" : "brake"); break;
+    case fault_source::encoders: text = i.channel < 0 ? "encoders" : "encoder"; break;
+    case fault_source::force_sensor: text = i.channel < 0 ? "force sensor" : "force channel"; break;
+    case fault_source::brakes: text = i.channel < 0 ? "brakes" : "brake"; break;
   }
-  if (i.channel >= 0) text << ' ' << i.channel + 1;
-  if (i.source != fault_source::loop) text << ": ";
-  text << to_string(i.what);
-  return text.str();
+  if (i.channel >= 0) text.append(" ").append(std::to_string(i.channel + 1));
+  if (i.source != fault_source::loop) text.append(": ");
+  return text.append(to_string(i.what));
 }
 
 }  // namespace passive_haptics

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
-#include <passive_haptics/core/validate.hpp>
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/classification.hpp>
 #include <passive_haptics/force/nearest_force.hpp>
 
@@ -18,16 +18,15 @@ struct approximation_parameters {
   /// Beyond this angle between desired and producible force nothing is displayed [rad]: 1 / cos^2 explodes
   /// near 90 degrees. In (0, pi/2).
   T max_approximation_angle = radians(T(89));
-};
 
-/// What is wrong with the parameters; empty if nothing.
-template <class T>
-std::string validate(const approximation_parameters<T>& p) {
-  const T angle = p.max_approximation_angle;
-  return angle > T(0) && angle < radians(T(90))
-             ? ""
-             : detail::error_text("max_approximation_angle [rad]", angle, "an angle between 0 and pi/2");
-}
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = approximation_parameters;
+    return member_table(member("max_approximation_angle", &p::max_approximation_angle, "rad",
+                               range{0, std::numbers::pi / 2}.as("an angle between 0 and pi/2"),
+                               plausible(radians(60.0), radians(89.9))));
+  }
+};
 
 /// A force that brakes can display and the torques that make it.
 template <class T, int D, int Brakes>

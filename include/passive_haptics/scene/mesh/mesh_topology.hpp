@@ -70,20 +70,17 @@ std::string check_ridge(const ridge* first, const ridge* last) {
   int turns = 0;
   for (const ridge* r = first; r != last; ++r) turns += r->turn;
   if (turns == 0) return {};  // each facet has its partner, also where two bodies touch in an edge
-  std::ostringstream text;
-  text << (D == 2 ? "vertex " : "edge between vertices ") << first->low;
-  if (D == 3) text << " and " << first->high;
-  if (last - first == 1) {
-    text << " of a mesh_solid belongs to facet " << first->facet
-         << " alone, expected a closed surface; close the hole, or take mesh_surface";
-  } else if (last - first == 2) {
-    text << " of a mesh_solid: facets " << first->facet << " and " << first[1].facet
-         << " run the same way, expected opposite ways; swap two vertices of one of them";
-  } else {
-    text << " of a mesh_solid belongs to " << last - first
-         << " facets, expected as many that run one way as the other; remove what is within the solid";
-  }
-  return text.str();
+  std::string text = indexed(D == 2 ? "vertex " : "edge between vertices ", first->low, "");
+  if (D == 3) text = indexed(text.append(" and "), first->high, "");
+  text.append(" of a mesh_solid");
+  if (last - first == 1)
+    return indexed(text.append(" belongs to facet "), first->facet,
+                   " alone, expected a closed surface; close the hole, or take mesh_surface");
+  if (last - first == 2)
+    return indexed(indexed(text.append(": facets "), first->facet, " and "), first[1].facet,
+                   " run the same way, expected opposite ways; swap two vertices of one of them");
+  return indexed(text.append(" belongs to "), last - first,
+                 " facets, expected as many that run one way as the other; remove what is within the solid");
 }
 
 /// The angle of a facet at a corner [rad]; in the plane all facets count alike.
