@@ -45,8 +45,7 @@ struct brake_curve {
     using p = brake_curve;
     return member_table(
         member("residual_torque", &p::residual_torque, "N m", range::not_negative, plausible(0, 100)),
-        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive,
-               plausible(0.001, 1000)),
+        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive, plausible(0.001, 1000)),
         member("current_limit", &p::current_limit, "A", range::positive, plausible(0.001, 100)),
         member("points", &p::points, "",
                range::between(0, most_points).as("0 for a straight line, or 2 to 16")),
