@@ -5,9 +5,6 @@
 #include <passive_haptics/core/range.hpp>
 #include <passive_haptics/core/text.hpp>
 
-#include <boost/hana/for_each.hpp>
-#include <boost/hana/tuple.hpp>
-
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -57,7 +54,8 @@ constexpr member<P, V> choice(const char* called, V P::* where, const char* amon
 /// valid. A `static constexpr const char* owner = "a ball"` makes errors say whose radius it is.
 template <class... Members>
 constexpr auto member_table(const Members&... members) {
-  return boost::hana::make_tuple(members...);
+  // Not a Hana tuple: that made the umbrella header 3.1 % dearer to compile, this 1.3 %
+  return [=](auto&& f) { (f(members), ...); };
 }
 
 /// A struct of parameters that has a table.
@@ -72,7 +70,7 @@ inline constexpr auto members_of = P::members();
 template <class P, class F>
   requires Parameters<std::remove_const_t<P>>
 constexpr void for_each_member(P& p, F&& f) {
-  boost::hana::for_each(members_of<std::remove_const_t<P>>, [&](const auto& m) { f(m, p.*m.pointer); });
+  members_of<std::remove_const_t<P>>([&](const auto& m) { f(m, p.*m.pointer); });
 }
 
 namespace detail {

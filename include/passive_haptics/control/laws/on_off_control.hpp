@@ -7,7 +7,6 @@
 #include <passive_haptics/core/parameters.hpp>
 
 #include <array>
-#include <string>
 
 namespace passive_haptics {
 

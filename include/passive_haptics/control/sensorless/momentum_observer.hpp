@@ -12,7 +12,6 @@
 #include <passive_haptics/mechanism/jacobian.hpp>
 
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace passive_haptics {

@@ -6,7 +6,6 @@
 #include <passive_haptics/driver/port.hpp>
 
 #include <algorithm>
-#include <string>
 
 namespace passive_haptics {
 
