@@ -2,7 +2,7 @@
 /// Where the joints of a serial chain are in a pose.
 #pragma once
 
-#include <passive_haptics/core/linear/rigid_body_algebra.hpp>
+#include <passive_haptics/mechanism/chains/rigid_body_algebra.hpp>
 
 #include <array>
 #include <cmath>

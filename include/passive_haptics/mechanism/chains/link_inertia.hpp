@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/cholesky.hpp>
-#include <passive_haptics/core/linear/rigid_body_algebra.hpp>
+#include <passive_haptics/mechanism/chains/rigid_body_algebra.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_parameters.hpp>
 
 namespace passive_haptics {

@@ -2,7 +2,7 @@
 /// The constraint of legs that meet at the handle: the distal link of each keeps its length.
 #pragma once
 
-#include <passive_haptics/core/linear/rigid_body_algebra.hpp>
+#include <passive_haptics/core/matrix.hpp>
 #include <passive_haptics/mechanism/models/closed_chain.hpp>
 
 #include <algorithm>
