@@ -1,7 +1,7 @@
 // The projection onto a cone against an oracle in 50 digits.
 #include "cone_oracle.hpp"
 
-#include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>

@@ -2,11 +2,15 @@
 /// Projection onto a polyhedral cone given by half-spaces.
 #pragma once
 
-#include <passive_haptics/core/linear/active_set.hpp>
 #include <passive_haptics/core/linear/plane_cone.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 
 namespace passive_haptics {
+
+namespace detail {
+// Of cones in space and beyond: space_cone.hpp, which a device in the plane need not read.
+template <int Rows>
+struct cone_solver;
+}  // namespace detail
 
 /// Nearest point p of the cone { p : B^T p <= 0 } to f.
 ///
@@ -26,8 +30,11 @@ half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T,
   static_assert(Columns <= 32, "passive_haptics: a cone has at most 32 half-spaces.");
   if constexpr (Rows == 1) return detail::nearest_on_line(B, f);
   else if constexpr (Rows == 2) return detail::nearest_in_plane(B, f);
-  else if constexpr (Rows == 3 && Columns == 3) return detail::nearest_in_space(B, f, active);
-  else return detail::active_set<T, Rows, Columns>(B, f).nearest(active);
+  else if constexpr (requires { sizeof(detail::cone_solver<Rows>); })
+    return detail::cone_solver<Rows>::nearest(B, f, active);
+  else
+    static_assert(Rows < 3,
+                  "passive_haptics: forces in space need <passive_haptics/core/linear/space_cone.hpp>.");
 }
 
 }  // namespace passive_haptics

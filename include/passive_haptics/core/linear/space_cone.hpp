@@ -4,8 +4,8 @@
 
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/active_set.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/difference_of_products.hpp>
-#include <passive_haptics/core/linear/plane_cone.hpp>
 
 #include <array>
 
@@ -140,14 +140,20 @@ class space_cone {
   vector<T, 3> beyond_next_, beyond_previous_;     // |b_j|^2 b . p_j of the column after and before j
 };
 
-/// The nearest point of { p : B^T p <= 0 } to f: in closed form, or where that will not do by an active set
-/// from those that were `active` before.
-template <class T>
-half_space_projection<T, 3, 3> nearest_in_space(const matrix<T, 3, 3>& B, const vector<T, 3>& f,
-                                                half_space_set active) {
-  half_space_projection<T, 3, 3> answer;
-  if (space_cone<T>(B, f).nearest(answer)) return answer;
-  return active_set<T, 3, 3>(B, f).nearest(active);
-}
+/// The nearest point of { p : B^T p <= 0 } to f: of three half-spaces in space in closed form, else, and
+/// where that will not do, by an active set that starts with the `active` half-spaces.
+template <int Rows>
+struct cone_solver {
+  /// The nearest point.
+  template <class T, int Columns>
+  static half_space_projection<T, Rows, Columns> nearest(const matrix<T, Rows, Columns>& B,
+                                                         const vector<T, Rows>& f, half_space_set active) {
+    if constexpr (Rows == 3 && Columns == 3) {
+      half_space_projection<T, 3, 3> answer;
+      if (space_cone<T>(B, f).nearest(answer)) return answer;
+    }
+    return active_set<T, Rows, Columns>(B, f).nearest(active);
+  }
+};
 
 }  // namespace passive_haptics::detail

@@ -6,7 +6,7 @@
 /// environments, SIGGRAPH 1997, pp. 345-352.
 #pragma once
 
-#include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/scene/mesh/facet_slab.hpp>
 #include <passive_haptics/scene/mesh/mesh.hpp>
 
