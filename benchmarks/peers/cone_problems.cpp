@@ -1,6 +1,6 @@
 #include "cone_problems.hpp"
 
-#include "../../tests/unit/cone_oracle.hpp"
+#include "../../tests/unit/core/cone_oracle.hpp"
 
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>

@@ -1,5 +1,5 @@
 // More brakes than joints: the torques are feasible, nearest, of least norm, and continuous.
-#include "../unit/priorities_oracle.hpp"
+#include "../unit/force/priorities_oracle.hpp"
 
 #include <passive_haptics/passive_haptics.hpp>
 

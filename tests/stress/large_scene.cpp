@@ -2,7 +2,7 @@
 // a cycle.
 #include "effort.hpp"
 
-#include "../unit/many_shapes.hpp"
+#include "../unit/scene/many_shapes.hpp"
 
 #include <gtest/gtest.h>
 

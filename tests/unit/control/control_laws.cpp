@@ -1,0 +1,290 @@
+// What each law commands, by hand on the XY table, where E = I and forces are torques.
+#include "../support.hpp"
+
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/laws/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
+#include <passive_haptics/control/laws/velocity_ratio_control.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/plant/wall_following.hpp>
+#include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <Eigen/LU>
+
+#include <stdexcept>
+
+namespace {
+
+using table = ph::xy_table<double>;
+using V2 = Eigen::Vector2d;
+
+// The wall is above, free below.
+ph::contact<2> above(double depth, double stiffness = 1000) {
+  return {.normal = {0, -1}, .depth = depth, .stiffness = stiffness};
+}
+// Out of this wall is to the right and mostly down.
+ph::contact<2> slanted(double depth, double stiffness = 1000) {
+  return {.normal = V2(0.6, -0.8), .depth = depth, .stiffness = stiffness};
+}
+
+// A law with what it remembers, on the table with brakes of 10 N and a dead band of 2 mm/s.
+template <class L>
+struct on_table {
+  L law = {};
+  ph::step_memory<L> memory = {};
+  ph::brakes_of<table> brakes = [] {
+    ph::brakes_of<table> b;
+    b.torque_limit.setConstant(10);
+    b.rate_dead_band.setConstant(0.002);
+    return b;
+  }();
+
+  template <class... Walls>
+  ph::step_result<table> operator()(const V2& v, const V2& hand, const Walls&... walls) {
+    ph::contacts<2, 2> touched;
+    (touched.push_back(walls), ...);
+    return ph::step(table(), brakes, touched, law, state_of<table>({0, 0}, v, hand), memory);
+  }
+};
+
+constexpr double rounding = 1e-12;
+
+// ---- direct control with a dead band
+
+TEST(direct_control_dead_band, nulls_a_handle_that_sinks_slowly) {
+  const V2 n(0, -1), hand(0, 1);  // presses with 1 N against 4 N
+  const auto alpha = [&](const ph::direct_control& law, double outward) {
+    return law.scale(ph::contact_situation<double, 2>{n, 4, outward, hand});
+  };
+  const ph::direct_control as_printed, early{.velocity_dead_band = 0.005};
+  for (const double outward : {0.1, 0.006}) {
+    EXPECT_EQ(alpha(as_printed, outward), 0.25);
+    EXPECT_EQ(alpha(early, outward), 0.25);
+  }
+  for (const double outward : {0.0, -0.0, -0.001, -0.0049}) {
+    EXPECT_EQ(alpha(as_printed, outward), 1) << outward;
+    EXPECT_EQ(alpha(early, outward), 0.25) << outward;
+  }
+  for (const double outward : {-0.005, -0.1}) {
+    EXPECT_EQ(alpha(as_printed, outward), 1) << outward;
+    EXPECT_EQ(alpha(early, outward), 1) << outward;
+  }
+  on_table<ph::direct_control> step{.law = early};
+  EXPECT_DOUBLE_EQ(step({0.1, 0.004}, hand, above(0.004)).alpha, 0.25);
+}
+
+// ---- coercive force approximation
+
+TEST(coercive_force_approximation, is_the_desired_force_in_passive_region_1) {
+  on_table<ph::coercive_force_approximation> law;
+  const auto result = law({-0.1, 0.1}, {0, 0}, slanted(0.005));  // 5 N
+  EXPECT_LE((result.torque - V2(3, -4)).norm(), rounding);
+  EXPECT_EQ(result.display, ph::display_class::exact);
+}
+
+TEST(coercive_force_approximation, holds_brakes_that_move_in_and_releases_those_that_move_out) {
+  on_table<ph::coercive_force_approximation> law;
+  EXPECT_LE((law({0.1, 0.1}, {0, 0}, slanted(0.005)).torque - V2(0, -4)).norm(), rounding);
+  EXPECT_LE((law({-0.1, -0.1}, {0, 0}, slanted(0.005)).torque - V2(3, 0)).norm(), rounding);
+  EXPECT_TRUE(law({0.1, -0.1}, {0, 0}, slanted(0.005)).capacity.isZero(0)) << "both move out";
+}
+
+TEST(coercive_force_approximation, judges_brakes_at_rest_by_the_hand) {
+  on_table<ph::coercive_force_approximation> law;
+  EXPECT_LE((law({0, 0}, {1, 1}, slanted(0.005)).capacity - V2(0, 4)).norm(), rounding);
+  EXPECT_LE((law({0, 0}, {0, 0}, slanted(0.005)).capacity - V2(3, 4)).norm(), rounding)
+      << "nobody pushes: both";
+  EXPECT_EQ(law({0, 0}, {1, 1}, slanted(1)).capacity, V2(0, 10)) << "the limit";
+}
+
+TEST(coercive_force_approximation, of_two_walls_takes_the_larger_part) {
+  on_table<ph::coercive_force_approximation> law;
+  EXPECT_LE((law({-0.1, 0.1}, {0, 0}, slanted(0.005), above(0.003)).torque - V2(3, -4)).norm(), rounding);
+  EXPECT_LE((law({-0.1, 0.1}, {0, 0}, slanted(0.005), above(0.006)).torque - V2(3, -6)).norm(), rounding);
+}
+
+// Brakes that it holds move in, those that it releases move out: so also where the cone has nothing to
+// display.
+TEST(coercive_force_approximation, leaves_no_motion_into_the_wall_where_nothing_can_be_displayed) {
+  using device = ph::tendon_two_link<double>;
+  const device arm;
+  ph::testing::random_source random(1);
+  int coerced = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const auto state = state_of<device>({random.uniform(-3.0, 3.0), random.uniform(0.3, 2.8)},
+                                        {random.wide(0.1, 3.0), random.wide(0.1, 3.0)});
+    const auto contact = asking_for<2>(5 * random.direction<double, 2>());
+    const auto none = step_once<ph::no_direct_control>(arm, ph::brakes_of<device>(), state, contact);
+    const auto result =
+        step_once<ph::coercive_force_approximation>(arm, ph::brakes_of<device>(), state, contact);
+    const auto E = ph::brake_jacobian(arm, state.q);
+    V2 w = ph::brake_rates(arm, state.q, state.qd);
+    for (int i = 0; i < 2; ++i) {
+      if (result.capacity[i] > 0) w[i] = 0;
+    }
+    EXPECT_GE(contact.normal.dot(E * w), -1e-12);
+    if (none.display == ph::display_class::none && result.capacity.norm() > 0) ++coerced;
+  }
+  EXPECT_GT(coerced, 10);
+}
+
+// ---- single-degree-of-freedom control
+
+using sdof = on_table<ph::single_degree_of_freedom_control>;
+constexpr ph::single_degree_of_freedom_parameters band{.reference_depth = 1e-3, .band = 0.2e-3};
+
+TEST(single_degree_of_freedom, locks_for_the_flattest_path_that_fits) {
+  // Moving by (1, 1): with x locked straight in (0, 1), with y locked out by (1, 0)
+  const V2 v(0.1, 0.1);
+  EXPECT_EQ(sdof{.law = {band}}(v, {0, 0}, slanted(1e-3)).torque, V2(0, -10)) << "flattest";
+  EXPECT_EQ(sdof{.law = {band}}(v, {0, 0}, slanted(2e-3)).torque, V2(0, -10)) << "too deep: the path out";
+  EXPECT_EQ(sdof{.law = {band}}(v, {0, 0}, slanted(0.1e-3)).torque, V2(-10, 0)) << "too far out: the path in";
+  // By (-1, 1) both lead in, by (1, -1) both lead out
+  EXPECT_EQ(sdof{.law = {band}}({-0.1, 0.1}, {0, 0}, slanted(2e-3)).torque, V2(10, -10)) << "no way out: all";
+  EXPECT_EQ(sdof{.law = {band}}({-0.1, 0.1}, {0, 0}, slanted(1e-3)).torque, V2(0, -10));
+  EXPECT_EQ(sdof{.law = {band}}({0.1, -0.1}, {0, 0}, slanted(0.1e-3)).torque, V2(0, 10))
+      << "no way in: flattest";
+}
+
+TEST(single_degree_of_freedom, keeps_its_brake_within_the_band) {
+  sdof law{.law = {band}};
+  const V2 v(0.1, 0.1), x_locked(-10, 0), y_locked(0, -10);
+  EXPECT_EQ(law(v, {0, 0}, slanted(0.7e-3)).torque, x_locked);
+  EXPECT_EQ(law(v, {0, 0}, slanted(1.1e-3)).torque, x_locked) << "within";
+  EXPECT_EQ(law(v, {0, 0}, slanted(1.3e-3)).torque, y_locked) << "over it";
+  EXPECT_EQ(law(v, {0, 0}, slanted(0.9e-3)).torque, y_locked) << "within";
+  EXPECT_EQ(law(v, {0, 0}, slanted(0.7e-3)).torque, x_locked);
+  law.law.released(law.memory.law, 0);
+  EXPECT_EQ(law(v, {0, 0}, slanted(1e-3)).torque, y_locked) << "after free space the flattest";
+}
+
+TEST(single_degree_of_freedom, asks_the_hand_where_brakes_are_at_rest) {
+  EXPECT_EQ(sdof{.law = {band}}({0, 0}, {1, 1}, slanted(2e-3)).capacity, V2(0, 10));
+  EXPECT_EQ(sdof{.law = {band}}({0, 0}, {-1, 1}, slanted(2e-3)).capacity, V2(10, 10));
+}
+
+// ---- velocity ratio control
+
+using ratio = on_table<ph::velocity_ratio_control>;
+constexpr ph::velocity_ratio_parameters ratios{
+    .reference_depth = 1e-3, .approach_length = 10e-3, .steepest_slope = 0.2, .gain = 1};
+
+TEST(velocity_ratio, brakes_who_is_too_fast_in_proportion) {
+  const auto torque = [](const V2& v, double depth) {
+    return ratio{.law = {ratios}}(v, {0, 0}, above(depth)).torque;
+  };
+  const auto expect = [](const V2& t, double x, double y) {
+    EXPECT_LE((t - V2(x, y)).norm(), 1e-9) << t.transpose();
+  };
+  expect(torque({0.1, 0.1}, 1e-3), 0, -10);    // along the wall is wanted: y turns the wrong way
+  expect(torque({0.1, -0.1}, 1e-3), 0, 10);    // the same outwards
+  expect(torque({0.1, -0.02}, 2e-3), 0, 5);    // out by 0.1 is wanted: y is twice too fast
+  expect(torque({0.1, -0.005}, 2e-3), -5, 0);  // and here x
+  expect(torque({0.1, -0.01}, 2e-3), 0, 0);    // and here nobody
+  expect(torque({0.1, -0.02}, 9e-3), 0, 0);    // no steeper than 0.2
+  expect(torque({0, 0.1}, 1e-3), 0, -10);      // straight in: nothing along the wall
+}
+
+TEST(velocity_ratio, holds_at_rest_what_the_hand_would_move_the_wrong_way) {
+  EXPECT_EQ((ratio{.law = {ratios}}({0, 0}, {0, 1}, above(1e-3)).capacity), V2(0, 10));
+  EXPECT_TRUE((ratio{.law = {ratios}}({0, 0}, {0, 0}, above(1e-3)).capacity.isZero(0)));
+}
+
+// ---- on-off control
+
+using relay = on_table<ph::on_off_control>;
+constexpr ph::on_off_parameters on_off{.reference_depth = 1e-3, .hysteresis = 0.1e-3, .lead = 0.01};
+
+TEST(on_off, switches_with_hysteresis_about_the_depth_to_come) {
+  relay law{.law = {on_off}};
+  const auto works = [&](double depth, double outward) {
+    const auto result = law({0, -outward}, {0, 1}, above(depth));
+    EXPECT_TRUE(result.capacity.isZero(0) || (result.capacity - V2(0, 1000 * depth)).norm() < rounding);
+    return result.capacity[1] > 0;
+  };
+  EXPECT_FALSE(works(1e-3, 0)) << "off at first";
+  EXPECT_TRUE(works(0.5e-3, -0.1)) << "1.5 mm to come";
+  EXPECT_TRUE(works(0.95e-3, 0)) << "within";
+  EXPECT_FALSE(works(0.85e-3, 0));
+  EXPECT_FALSE(works(1.05e-3, 0)) << "within";
+  EXPECT_TRUE(works(1.15e-3, 0));
+  law.law.released(law.memory.law, 0);
+  EXPECT_FALSE(works(1.05e-3, 0)) << "off again after free space";
+}
+
+TEST(on_off, lets_a_hand_go_that_leaves) {
+  relay law{.law = {on_off}};
+  EXPECT_GT(law({0, 0.1}, {0, 1}, above(2e-3)).capacity[1], 0);
+  EXPECT_TRUE(law({0, -0.2}, {0, -1}, above(2e-3)).capacity.isZero(0));
+}
+
+TEST(on_off, displays_what_no_direct_control_does) {
+  relay law{.law = {on_off}};
+  on_table<ph::no_direct_control> plain;
+  for (const V2& v : {V2(0.1, 0.1), V2(-0.1, 0.1)}) {
+    EXPECT_EQ(law(v, {0, 0}, slanted(5e-3)).capacity, plain(v, {0, 0}, slanted(5e-3)).capacity);
+    EXPECT_EQ(law(v, {0, 0}, slanted(1)).capacity, plain(v, {0, 0}, slanted(1)).capacity);
+    EXPECT_EQ(law(v, {0, 0}, slanted(5e-3), above(4e-3)).capacity,
+              plain(v, {0, 0}, slanted(5e-3), above(4e-3)).capacity);
+  }
+}
+
+// ---- parameters
+
+TEST(control_law_parameters, say_what_is_wrong) {
+  EXPECT_EQ(validate(ph::direct_control{}), "");
+  EXPECT_EQ(validate(ph::direct_control{.velocity_dead_band = -1}),
+            "velocity_dead_band [m/s] = -1, expected a finite number >= 0");
+  EXPECT_EQ(validate(ph::single_degree_of_freedom_parameters{}), "");
+  EXPECT_EQ(validate(ph::single_degree_of_freedom_parameters{.band = -1}),
+            "band [m] = -1, expected a finite number >= 0");
+  EXPECT_EQ(validate(ph::velocity_ratio_parameters{}), "");
+  EXPECT_EQ(validate(ph::velocity_ratio_parameters{.approach_length = 0}),
+            "approach_length [m] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(ph::on_off_parameters{}), "");
+  EXPECT_EQ(validate(ph::on_off_parameters{.lead = -1}), "lead [s] = -1, expected a finite number >= 0");
+}
+
+TEST(control_law_parameters, are_checked_by_a_controller) {
+  const ph::scene walls(ph::wall(ph::half_space<2>({0, 0}, {0, -1})));
+  const table device;
+  const ph::brakes_of<table> brakes;
+  EXPECT_THROW(ph::controller(device, brakes, walls, ph::direct_control{.velocity_dead_band = -1}),
+               std::invalid_argument);
+  EXPECT_THROW(ph::controller(device, brakes, walls, ph::on_off_control{{.hysteresis = -1}}),
+               std::invalid_argument);
+  EXPECT_NO_THROW(ph::controller(device, brakes, walls, ph::direct_control{}));
+}
+
+// ---- along the wall of the paper (example 03)
+
+template <class L>
+struct along_the_wall : ::testing::Test {};
+using rivals = ::testing::Types<ph::coercive_force_approximation, ph::single_degree_of_freedom_control,
+                                ph::velocity_ratio_control, ph::on_off_control>;
+TYPED_TEST_SUITE(along_the_wall, rivals);
+
+TYPED_TEST(along_the_wall, the_hand_arrives_near_its_surface) {
+  using device_type = ph::tendon_two_link<double>;
+  const ph::half_space<2> wall({0, 0.225}, {0, -1});
+  const device_type arm;
+  const ph::brakes_of<device_type> brakes;
+  const auto q = arm.inverse({0.045, 0.221}, ph::elbow::left).q;
+  for (const double rate : {1000.0, 20.0}) {
+    ph::controller control(arm, brakes, ph::held_scene(ph::scene(ph::wall(wall)), 1 / rate), TypeParam());
+    const ph::following_hand<double, 2> hand({1, 0}, arm.position(q));
+    ph::simulated_device<device_type> device(arm, brakes, hand.parameters().mass, q);
+    device.set_motion(q, ph::jacobian(arm, q).inverse() * V2(0.05, 0.1));
+    const auto figures = ph::follow_wall(device, control, wall, hand, {});
+    EXPECT_TRUE(figures.arrived) << rate << " Hz";
+    EXPECT_LT(figures.depth_max, rate > 100 ? 2e-3 : 5e-3) << rate << " Hz";
+    EXPECT_LT(figures.depth_range, rate > 100 ? 4e-3 : 8e-3) << rate << " Hz";
+    EXPECT_LT(figures.retarding_force, 3) << rate << " Hz";
+  }
+}
+
+}  // namespace

@@ -1,0 +1,244 @@
+// The momentum observer: on paper, and against what a simulated device's sensor feels.
+#include "../support.hpp"
+
+#include <passive_haptics/control/sensorless/momentum_observer.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/plant/simulated_device.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include "../../property/chain_cases.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace {
+
+constexpr double period = 1e-3, time_step = 1e-4;
+
+template <class M>
+using sensorless = ph::sensorless_device_state<M>;
+
+// ---- on paper
+
+using table = ph::xy_table<double>;  // 0.5 kg each way
+
+TEST(momentum_observer, sees_the_force_that_accelerates) {
+  ph::momentum_observer<table> observer{table(), ph::brakes_of<table>(), {.gain = 100}};
+  observer.update(sensorless<table>{0, {0, 0}, {0, 0}}, {0, 0});
+  EXPECT_EQ(observer.estimate().force, Eigen::Vector2d::Zero());
+  const auto& hand = observer.update(sensorless<table>{0.001, {0, 0}, {0.01, -0.02}}, {0, 0});
+  const double fresh = 1 - std::exp(-0.1);  // 0.5 kg in 1 ms to 10 mm/s: 5 N
+  EXPECT_NEAR(hand.force[0], 5 * fresh, 1e-12);
+  EXPECT_NEAR(hand.force[1], -10 * fresh, 1e-12);
+  EXPECT_EQ(hand.unknown_torque, Eigen::Vector2d::Zero());
+  EXPECT_EQ(hand.generators, Eigen::Matrix2d::Identity());
+}
+
+// At 3 m/s against a brake of 4 N without acceleration the hand must push with 4 N; the other holds up to 2
+// N.
+TEST(momentum_observer, knows_what_slipping_brakes_make_and_what_stuck_ones_might) {
+  ph::brakes_of<table> brakes;
+  brakes.torque_limit.setConstant(10);
+  brakes.time_constant.setZero();
+  ph::momentum_observer<table> observer{table(), brakes, {.gain = 100}};
+  for (int k = 0; k <= 1000; ++k) observer.update(sensorless<table>{k * period, {0, 0}, {3, 0}}, {4, 2});
+  const auto& hand = observer.estimate();
+  EXPECT_NEAR(hand.force[0], 4, 1e-9);
+  EXPECT_EQ(hand.force[1], 0);
+  EXPECT_NEAR(hand.unknown_torque[0], 0, 1e-9);
+  EXPECT_NEAR(hand.unknown_torque[1], 2, 1e-9);
+  EXPECT_NEAR(hand.half_width({0, 1}), 2, 1e-9);
+  EXPECT_NEAR(hand.half_width({1, 0}), 0, 1e-9);
+  EXPECT_NEAR(hand.half_width(Eigen::Vector2d(1, 1).normalized()), std::sqrt(2.0), 1e-9);
+}
+
+TEST(momentum_observer, takes_a_brake_that_turned_round_for_unknown) {
+  ph::brakes_of<table> brakes;
+  brakes.torque_limit.setConstant(10);
+  brakes.time_constant.setZero();
+  ph::momentum_observer<table> observer{table(), brakes};
+  for (int k = 0; k <= 1000; ++k)
+    observer.update(sensorless<table>{k * period, {0, 0}, {k % 2 == 0 ? 1.0 : -1.0, 0}}, {4, 0});
+  EXPECT_NEAR(observer.estimate().unknown_torque[0], 4, 1e-9);
+}
+
+TEST(momentum_observer, starts_anew_after_faults_and_pauses) {
+  ph::momentum_observer<table> observer{table(), ph::brakes_of<table>()};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto push = [&](double from) {
+    for (int k = 0; k < 100; ++k)
+      observer.update(sensorless<table>{from + k * period, {0, 0}, {k * 1e-3, 0}}, {0, 0});
+    EXPECT_NEAR(observer.estimate().force[0], 0.5, 1e-3);
+  };
+  push(0);
+  EXPECT_EQ(observer.update(sensorless<table>{0.1, {0, nan}, {0, 0}}, {0, 0}).outcome,
+            ph::status::state_not_finite);
+  EXPECT_TRUE(observer.estimate().force.isZero(0));
+  push(0.2);
+  EXPECT_TRUE(observer.update(sensorless<table>{1, {0, 0}, {0, 0}}, {0, 0}).force.isZero(0)) << "0.7 s later";
+  push(2);
+  EXPECT_TRUE(observer.update(sensorless<table>{1, {0, 0}, {0, 0}}, {0, 0}).force.isZero(0))
+      << "time ran back";
+  push(1.5);
+  const auto before = observer.estimate().force;
+  EXPECT_EQ(observer.update(sensorless<table>{1.599, {0, 0}, {7, 0}}, {0, 0}).force, before)
+      << "the same instant";
+  push(3);
+  EXPECT_EQ(observer.update(sensorless<table>{3.1, {0, 0}, {0, 0}}, {0, nan}).outcome,
+            ph::status::state_not_finite);
+  push(3.2);
+  observer.reset();
+  EXPECT_TRUE(observer.estimate().force.isZero(0));
+}
+
+TEST(momentum_observer, knows_no_force_at_a_singular_pose) {
+  using arm = ph::two_link<double>;
+  ph::momentum_observer<arm> observer{arm(), ph::brakes_of<arm>()};
+  EXPECT_EQ(observer.update(sensorless<arm>{0, {0.3, 0}, {0, 0}}, {0, 0}).outcome,
+            ph::status::singular_jacobian);
+  EXPECT_TRUE(observer.estimate().force.isZero(0));
+  EXPECT_EQ(observer.update(sensorless<arm>{0.001, {0.3, 0.5}, {0, 0}}, {0, 0}).outcome, ph::status::ok);
+}
+
+TEST(momentum_observer, complains_of_its_gain) {
+  EXPECT_EQ(validate(ph::momentum_observer_parameters{}), "");
+  EXPECT_EQ(validate(ph::momentum_observer_parameters{.gain = 0}),
+            "gain [1/s] = 0, expected a finite number > 0");
+  EXPECT_THROW((ph::momentum_observer<table>{table(), {}, {.gain = -1}}), std::invalid_argument);
+}
+
+// ---- against the simulated device
+
+// What an observer should see: the joint torques of the true force, with the lag 1 / K, from 0.
+template <class M>
+struct lagged {
+  ph::joint_vector<M> torque = ph::joint_vector<M>::Zero();
+  void add(const ph::joint_vector<M>& tau, double gain) {
+    torque -= std::expm1(-gain * time_step) * (tau - torque);
+  }
+};
+
+struct errors {
+  double worst = 0, size = 0, over_bound = 0, stuck_share = 0;
+};
+
+// A hand that pushes about on a device whose brakes are told `capacity`.
+template <class M, class Capacity>
+errors push_about(const M& arm, const ph::joint_vector<M>& q, double force, unsigned seed,
+                  Capacity&& capacity) {
+  constexpr int d = M::task_dimension;
+  ph::testing::random_source random(seed);
+  ph::brakes_of<M> brakes;
+  brakes.rate_dead_band.setConstant(0.005);
+  ph::simulated_device<M> device(arm, brakes, 0.5, q);
+  const ph::momentum_observer_parameters p{.gain = 100};
+  ph::momentum_observer<M> observer(arm, brakes, p);
+  const ph::vector<double, d> direction = random.direction<double, d>();
+  const double turn = random.uniform(5.0, 15.0), phase = random.uniform(0.0, 6.0);
+  lagged<M> truth;
+  errors found;
+  ph::brake_vector<M> told = ph::brake_vector<M>::Zero();
+  int samples = 0;
+  for (int k = 0; k < 10000; ++k) {
+    if (k % 10 == 0) {
+      const auto& hand = observer.update(sensorless<M>{k * time_step, device.q(), device.qd()}, told);
+      EXPECT_EQ(hand.outcome, ph::status::ok);
+      // r + T^T t = the lagged torque, so t = T^-T (lagged - r)
+      ph::matrix<double, M::brake_count, M::dof> A = ph::matrix<double, M::brake_count, M::dof>::Identity();
+      if constexpr (ph::detail::has_exact_transmission<M>)
+        A = ph::matrix<double, M::brake_count, M::dof>(ph::transmission(arm, device.q()));
+      const ph::joint_vector<M> off = truth.torque - observer.joint_torques();
+      const ph::brake_vector<M> missing = A.transpose().inverse() * off;
+      found.worst = std::max(found.worst, off.norm());
+      found.size = std::max(found.size, truth.torque.norm());
+      found.over_bound = std::max(found.over_bound, (missing.cwiseAbs() - hand.unknown_torque).maxCoeff());
+      found.stuck_share += (hand.unknown_torque.array() > 1e-3).any() ? 1 : 0;
+      ++samples;
+      told = capacity(k * time_step);
+    }
+    const ph::vector<double, d> wish =
+        force * std::sin(turn * k * time_step + phase) * direction - 3.0 * device.velocity();
+    const ph::matrix<double, d, M::dof> J(ph::jacobian(arm, device.q()));
+    device.advance(time_step, told, wish);
+    truth.add(J.transpose() * device.sensed_force(), p.gain);
+  }
+  found.stuck_share /= samples;
+  return found;
+}
+
+using tendon = ph::tendon_two_link<double>;
+using chain = chains::irregular_chain<double, 3, 2>;
+using chain_in_space = chains::irregular_chain<double, 3, 3>;
+
+TEST(momentum_observer_simulated, follows_a_free_hand_with_its_lag) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto none = [](double) { return Eigen::Vector2d(0, 0); };
+    const auto none3 = [](double) { return Eigen::Vector3d(0, 0, 0); };
+    for (const errors& e :
+         {push_about(tendon(), {1.0, 1.2}, 3, seed, none), push_about(table(), {0, 0}, 3, seed, none),
+          push_about(chain::make(), {0.5, 0.1, 0.7}, 3, seed, none3),
+          push_about(chain_in_space::make(), {0.5, 0.1, 0.7}, 3, seed, none3)}) {
+      EXPECT_LE(e.worst, 0.02 * e.size);
+      EXPECT_LE(e.stuck_share, 0);
+    }
+  }
+}
+
+// Brakes so weak that the hand mostly moves them: known torques while they slip.
+TEST(momentum_observer_simulated, bounds_what_slipping_and_sticking_brakes_hide) {
+  double least = 1, most = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    for (const double strength : {0.02, 0.1, 0.4}) {
+      const auto told = [&](double time) -> Eigen::Vector2d {
+        return strength * Eigen::Vector2d(1 + std::sin(20 * time), 1 + std::cos(13 * time));
+      };
+      const errors e = push_about(tendon(), {1.0, 1.2}, 3, seed, told);
+      EXPECT_LE(e.over_bound, 0.02 * e.size) << "strength " << strength;
+      least = std::min(least, e.stuck_share);
+      most = std::max(most, e.stuck_share);
+    }
+  }
+  EXPECT_LT(least, 0.7);
+  EXPECT_GT(most, 0.99);
+}
+
+// A hand that drags the handle round against slipping brakes is known as well as a free one.
+TEST(momentum_observer_simulated, knows_a_hand_that_drags_slipping_brakes) {
+  const tendon arm;
+  ph::brakes_of<tendon> brakes;
+  ph::simulated_device<tendon> device(arm, brakes, 0.5, {0.2, 1.2});
+  ph::momentum_observer<tendon> observer(arm, brakes);
+  lagged<tendon> truth;
+  Eigen::Vector2d told(0, 0);
+  double worst = 0, worst_force = 0;
+  for (int k = 0; k < 10000; ++k) {
+    const double time = k * time_step;
+    if (k % 10 == 0) {
+      const auto& hand = observer.update(sensorless<tendon>{time, device.q(), device.qd()}, told);
+      if (k > 3000) {
+        worst = std::max(worst, (truth.torque - observer.joint_torques()).norm() / truth.torque.norm());
+        EXPECT_LE(hand.unknown_torque.norm(), 1e-3) << time;
+        const Eigen::Vector2d F = ph::jacobian(arm, device.q()).transpose().inverse() * truth.torque;
+        worst_force = std::max(worst_force, (F - hand.force).norm() / F.norm());
+      }
+      told = {0.05 + 0.03 * std::sin(30 * time), 0.1};
+    }
+    // towards growing q1 and q2, at constant rates
+    const Eigen::Vector2d rate(0.5, 0.5);
+    const auto J = ph::jacobian(arm, device.q());
+    const Eigen::Vector2d wish = J.transpose().inverse() * Eigen::Vector2d(2 * (rate - device.qd()));
+    device.advance(time_step, told, wish);
+    truth.add(J.transpose() * device.sensed_force(), 100);
+  }
+  EXPECT_LE(worst, 0.02);
+  EXPECT_LE(worst_force, 0.02);
+}
+
+}  // namespace

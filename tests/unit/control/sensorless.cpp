@@ -1,0 +1,233 @@
+// Without a force sensor: the probe on paper, and simulated hands that want to leave a wall.
+#include "../support.hpp"
+
+#include <passive_haptics/control/laws/velocity_direct_control.hpp>
+#include <passive_haptics/control/sensorless/sensorless_controller.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/plant/simulated_device.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+
+namespace {
+
+// ---- the probe
+
+using probe = ph::release_probe<2>;
+using phase = probe::phase;
+constexpr ph::release_probe_parameters quick{
+    .probe_period = 0.1, .probe_time = 0.05, .motion_threshold = 1e-5};
+const ph::point<2> out(0, -1);
+
+struct handle {
+  probe p{quick};
+  phase at(double time, double outward, double rest) {
+    return p.update(time, {0.3, 0.2 - outward}, out, rest);
+  }
+};
+
+TEST(release_probe, waits_for_the_rest_and_ends_when_nothing_moves) {
+  handle h;
+  EXPECT_EQ(h.at(0, 0, 0), phase::watching);
+  EXPECT_EQ(h.at(0.05, 0, 0.05), phase::watching);
+  EXPECT_EQ(h.at(0.1, 0, 0.1), phase::probing);
+  EXPECT_EQ(h.at(0.12, 0.9e-5, 0.12), phase::probing) << "less than the threshold";
+  EXPECT_EQ(h.at(0.149, -0.9e-5, 0.14), phase::probing);
+  EXPECT_EQ(h.at(0.151, 0, 0.15), phase::watching);
+}
+
+TEST(release_probe, holds_again_when_the_handle_sinks) {
+  handle h;
+  h.at(0.1, 0, 0.1);
+  EXPECT_EQ(h.at(0.11, -1.1e-5, 0), phase::watching);
+}
+
+TEST(release_probe, stays_released_until_the_handle_moves_in_again) {
+  handle h;
+  h.at(0.1, 0, 0.1);
+  EXPECT_EQ(h.at(0.11, 1.1e-5, 0), phase::released);
+  EXPECT_EQ(h.at(5, 1e-3, 0), phase::released);
+  EXPECT_EQ(h.at(6, 1e-3 - 0.9e-5, 9), phase::released);
+  EXPECT_EQ(h.at(7, 1e-3 - 1.1e-5, 0), phase::watching) << "from the farthest point out";
+}
+
+TEST(release_probe, forgets) {
+  handle h;
+  h.at(0.1, 0, 0.1);
+  h.p.clear();
+  EXPECT_EQ(h.p.now(), phase::watching);
+  EXPECT_EQ(h.at(0.11, 1, 0), phase::watching);
+}
+
+TEST(release_probe, complains_of_its_times) {
+  EXPECT_EQ(validate(quick), "");
+  EXPECT_EQ(validate(ph::release_probe_parameters{.probe_time = 0}),
+            "probe_time [s] = 0, expected a finite number > 0");
+  EXPECT_THROW(probe({.probe_period = -1}), std::invalid_argument);
+  EXPECT_DOUBLE_EQ(ph::worst_release_time(quick), 0.2);
+}
+
+// ---- the controller
+
+using device = ph::tendon_two_link<double>;
+using state = ph::sensorless_device_state<device>;
+const ph::half_space<2> wall({0, 0.225}, {0, -1});
+
+template <class L>
+auto controller_with(L law = {}, const ph::sensorless_parameters& p = {}) {
+  return ph::sensorless_controller(device(), ph::brakes_of<device>(), ph::scene(ph::wall(wall)), law, p);
+}
+
+TEST(sensorless_controller, is_as_its_law_in_motion_and_releases_on_faults) {
+  const device arm;
+  auto control = controller_with(ph::no_direct_control());
+  ph::controller plain(arm, ph::brakes_of<device>(), ph::scene(ph::wall(wall)), ph::no_direct_control());
+  const auto q = arm.inverse({0.1, 0.226}, ph::elbow::left).q;
+  for (int k = 0; k < 5; ++k) {
+    const state now{k * 1e-3, q, {-0.3, 0.5}};
+    EXPECT_EQ(control(now).capacity, plain(now).capacity);
+  }
+  EXPECT_GT(control(state{0.005, q, {-0.3, 0.5}}).capacity.norm(), 0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const state& bad : {state{nan, q, {0, 0}}, state{0, {nan, 0}, {0, 0}}, state{0, q, {0, nan}}}) {
+    const auto result = control(bad);
+    EXPECT_NE(result.outcome, ph::status::ok);
+    EXPECT_TRUE(result.capacity.isZero(0));
+  }
+  EXPECT_EQ(control(state{0.007, q, {-0.3, 0.5}}).outcome, ph::status::ok);
+}
+
+// Held at rest inside: both brakes hold, are probed, and hold again as nothing moves.
+TEST(sensorless_controller, probes_brakes_that_hold) {
+  const device arm;
+  const ph::sensorless_parameters p{.observer = {}, .probe = quick};
+  auto control = controller_with(ph::direct_control(), p);
+  const auto q = arm.inverse({0.1, 0.226}, ph::elbow::left).q;
+  int told_0 = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const auto result = control(state{k * 1e-3, q, {0, 0}});
+    ASSERT_EQ(result.outcome, ph::status::ok);
+    EXPECT_TRUE(result.signs.isZero(0));
+    const bool probing = control.probing() == phase::probing;
+    EXPECT_TRUE(result.capacity.isZero(0) || !probing);
+    EXPECT_TRUE(probing || result.capacity.norm() > 0);
+    told_0 += probing ? 1 : 0;
+  }
+  EXPECT_NEAR(told_0, 1000 * 0.05 / 0.15, 30);
+}
+
+TEST(sensorless_controller, takes_any_state_and_reads_no_force) {
+  const device arm;
+  auto one = controller_with(ph::direct_control()), other = controller_with(ph::direct_control());
+  const auto q = arm.inverse({0.1, 0.226}, ph::elbow::left).q;
+  for (int k = 0; k < 20; ++k) {
+    const Eigen::Vector2d qd(0.3, -0.5 + 0.02 * k);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto a = one(state{k * 1e-3, q, qd});
+    const auto b = other(ph::device_state<device>{k * 1e-3, q, qd, {nan, nan}});
+    EXPECT_EQ(a.capacity, b.capacity);
+    EXPECT_EQ(b.outcome, ph::status::ok);
+  }
+}
+
+// ---- a simulated hand that presses on the wall, and then wants to leave
+
+struct escape {
+  double depth_at_reversal = 0, deepest = 0;
+  double to_release =
+      -1;  // from the reversal until the probe released the brakes for good, or the handle was out
+  double to_leave = -1;  // until the handle was out; -1 if it never was
+};
+
+template <class Control>
+escape press_and_pull(Control& control, double press, double pull, double along, double reversal) {
+  const device arm;
+  ph::brakes_of<device> brakes;
+  ph::simulated_device<device> handle(arm, brakes, 0.5, arm.inverse({0.1, 0.224}, ph::elbow::left).q);
+  const double dt = 1e-4;
+  Eigen::Vector2d told(0, 0);
+  escape found;
+  bool released = false;
+  for (int k = 0; k * dt < reversal + 3; ++k) {
+    const double time = k * dt;
+    const bool leaves = time >= reversal;
+    if (k % 10 == 0) {
+      told = control(state{time, handle.q(), handle.qd()}).capacity;
+      if constexpr (requires { control.probing(); }) {
+        if (leaves && !released && control.probing() == phase::released) found.to_release = time - reversal;
+        released = leaves && control.probing() == phase::released;
+      }
+    }
+    // Fingers damp what they hold
+    const Eigen::Vector2d wish =
+        Eigen::Vector2d(leaves ? 0 : along, leaves ? -pull : press) - 5.0 * handle.velocity();
+    handle.advance(dt, told, wish);
+    const double depth = -wall.distance(handle.position());
+    if (!leaves) found.depth_at_reversal = depth;
+    found.deepest = std::max(found.deepest, depth);
+    if (leaves && depth < 0) {
+      found.to_leave = time - reversal;
+      if (found.to_release < 0) found.to_release = found.to_leave;
+      break;
+    }
+  }
+  return found;
+}
+
+template <class L>
+struct sensorless_escape : ::testing::Test {};
+using laws = ::testing::Types<ph::no_direct_control, ph::direct_control, ph::velocity_direct_control>;
+TYPED_TEST_SUITE(sensorless_escape, laws);
+
+TYPED_TEST(sensorless_escape, is_within_the_stated_time) {
+  const ph::sensorless_parameters p;
+  const double stated = ph::worst_release_time(p.probe);
+  double worst_release = 0, worst_leave = 0, deepest = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    ph::testing::random_source random(seed);
+    const double press = random.uniform(0.5, 3.0), along = random.uniform(-1.0, 1.0);
+    const double reversal = random.uniform(0.3, 1.5);
+    SCOPED_TRACE(::testing::Message() << "seed " << seed << ", press " << press << " N, along " << along
+                                      << " N, reversal at " << reversal << " s");
+    auto control = controller_with(TypeParam(), p);
+    const escape e = press_and_pull(control, press, 1.0, along, reversal);
+    EXPECT_GT(e.deepest, 0);
+    ASSERT_GE(e.to_leave, 0) << "locked inside";
+    EXPECT_LE(e.to_release, stated);
+    // 1 N moves handle and hand, less than 1.5 kg, out of this depth; twice for what the brakes lag
+    EXPECT_LE(e.to_leave, stated + 2 * std::sqrt(2 * e.deepest * 1.5) + 0.06);
+    worst_release = std::max(worst_release, e.to_release);
+    worst_leave = std::max(worst_leave, e.to_leave);
+    deepest = std::max(deepest, e.deepest);
+  }
+  std::printf("released within %.3f s (stated %.3f), out within %.3f s, deepest %.2f mm\n", worst_release,
+              stated, worst_leave, 1e3 * deepest);
+}
+
+// What the probe is for: without it and without a sensor the brakes hold the hand inside for good.
+TEST(sensorless_escape_without_probe, never_ends) {
+  const device arm;
+  ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(wall)), ph::no_direct_control());
+  EXPECT_LT(press_and_pull(control, 2, 1, 0, 0.5).to_leave, 0);
+}
+
+// A hand that only presses sinks by its probes; this is how much.
+TEST(sensorless_pressing, sinks_slowly) {
+  auto control = controller_with(ph::direct_control());
+  const escape two = press_and_pull(control, 2, 1, 0, 2), ten = [&] {
+    auto again = controller_with(ph::direct_control());
+    return press_and_pull(again, 2, 1, 0, 10);
+  }();
+  const double rate = (ten.depth_at_reversal - two.depth_at_reversal) / 8;
+  std::printf("pressed with 2 N: %.2f mm deep after 2 s, then %.3f mm/s\n", 1e3 * two.depth_at_reversal,
+              1e3 * rate);
+  EXPECT_LT(rate, 2e-3);
+}
+
+}  // namespace

@@ -1,0 +1,114 @@
+// What is said of meshes that are wrong.
+#include <passive_haptics/scene/mesh/mesh_solid.hpp>
+
+#include <gtest/gtest.h>
+
+#include "../../property/sample_meshes.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+ph::mesh_parameters<3> cube() { return sample_meshes::box<3>({0, 0, 0}, {1, 1, 1}); }
+ph::mesh_parameters<2> square() { return sample_meshes::box<2>({0, 0}, {1, 1}); }
+
+template <int D>
+std::string error_of_solid(const ph::mesh_parameters<D>& p) {
+  return validate(ph::mesh_solid_parameters<D>{ph::mesh<D>(p)});
+}
+
+TEST(mesh_parameters, say_what_is_wrong) {
+  EXPECT_EQ(validate(cube()), "");
+  EXPECT_EQ(validate(square()), "");
+  EXPECT_EQ(validate(ph::mesh_parameters<3>{}), "facets of a mesh are none, expected one or more");
+  auto p = cube();
+  p.vertices[3][1] = no_number;
+  EXPECT_EQ(validate(p), "vertex 3 of a mesh is not finite, expected metres");
+  p = cube();
+  p.facets[7][2] = 8;
+  EXPECT_EQ(validate(p), "facet 7 of a mesh: index of a vertex = 8, expected 0 or more and less than 8");
+  p.facets[7][2] = -1;
+  EXPECT_EQ(validate(p), "facet 7 of a mesh: index of a vertex = -1, expected 0 or more and less than 8");
+  p.facets[7][2] = p.facets[7][0];
+  EXPECT_EQ(
+      validate(p),
+      "facet 7 of a mesh: height by longest edge = 0, expected > 1e-10; remove the facet, without_slivers() "
+      "does");
+  auto s = square();
+  s.vertices[1] = s.vertices[0];
+  EXPECT_EQ(
+      validate(s),
+      "facet 0 of a mesh: height by longest edge = 0, expected > 1e-10; remove the facet, without_slivers() "
+      "does");
+  EXPECT_EQ(validate(without_slivers(s)), "");
+  EXPECT_EQ(without_slivers(s).facets.size(), 3u);
+  EXPECT_THROW(ph::triangle_mesh(ph::mesh_parameters<3>{}), std::invalid_argument);
+}
+
+TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
+  EXPECT_EQ(error_of_solid(cube()), "");
+  EXPECT_EQ(error_of_solid(square()), "");
+
+  auto p = cube();
+  p.facets.pop_back();  // 3, 7, 5
+  EXPECT_EQ(error_of_solid(p),
+            "edge between vertices 3 and 5 of a mesh_solid belongs to facet 10 alone, expected a closed "
+            "surface; close "
+            "the hole, or take mesh_surface");
+  auto s = square();
+  s.facets.pop_back();  // 2, 0
+  EXPECT_EQ(
+      error_of_solid(s),
+      "vertex 0 of a mesh_solid belongs to facet 0 alone, expected a closed surface; close the hole, or take "
+      "mesh_surface");
+
+  p = cube();
+  std::swap(p.facets[1][0], p.facets[1][1]);
+  EXPECT_EQ(error_of_solid(p),
+            "edge between vertices 1 and 2 of a mesh_solid: facets 0 and 1 run the same way, expected "
+            "opposite ways; "
+            "swap two vertices of one of them");
+  s = square();
+  std::swap(s.facets[1][0], s.facets[1][1]);
+  EXPECT_EQ(error_of_solid(s),
+            "vertex 1 of a mesh_solid: facets 0 and 1 run the same way, expected opposite ways; swap two "
+            "vertices of "
+            "one of them");
+
+  p = cube();
+  p.vertices.push_back({0.5, 0.5, 0.5});
+  p.facets.push_back({0, 1, 8});
+  EXPECT_EQ(error_of_solid(p),
+            "edge between vertices 0 and 1 of a mesh_solid belongs to 3 facets, expected as many that run "
+            "one way as "
+            "the other; remove what is within the solid");
+
+  EXPECT_EQ(error_of_solid(sample_meshes::inside_out(cube())),
+            "volume of a mesh_solid [m^3] = -1, expected > 0; swap two vertices of every facet, or take "
+            "complement() "
+            "for a room");
+  EXPECT_EQ(error_of_solid(sample_meshes::inside_out(square())),
+            "area of a mesh_solid [m^2] = -1, expected > 0; swap two vertices of every facet, or take "
+            "complement() for "
+            "a room");
+  EXPECT_THROW(ph::mesh_solid<3>{ph::triangle_mesh(sample_meshes::inside_out(cube()))},
+               std::invalid_argument);
+}
+
+TEST(a_mesh, may_touch_itself_along_an_edge_or_at_a_corner) {
+  const auto stair = sample_meshes::both(cube(), sample_meshes::box<3>({1, 1, 0}, {2, 2, 1}));
+  EXPECT_EQ(error_of_solid(stair), "");
+  const ph::mesh_solid<3> solid{ph::triangle_mesh(stair)};
+  EXPECT_NEAR(solid.distance({0.9, 1.1, 0.5}), 0.1, 1e-15);
+  EXPECT_NEAR(solid.distance({0.9, 0.8, 0.5}), -0.1, 1e-15);
+  EXPECT_NEAR(solid.distance({1.1, 1.1, 0.5}), -0.1, 1e-15);
+  EXPECT_EQ(error_of_solid(sample_meshes::both(cube(), sample_meshes::box<3>({1, 1, 1}, {2, 2, 2}))), "");
+  EXPECT_EQ(error_of_solid(sample_meshes::both(square(), sample_meshes::box<2>({1, 1}, {2, 2}))), "");
+}
+
+}  // namespace

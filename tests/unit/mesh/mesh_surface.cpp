@@ -1,0 +1,521 @@
+// A proxy on a mesh: what stops it, what it feels, and that it never gets to the other side.
+#include <passive_haptics/scene/mesh/mesh_solid.hpp>
+#include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <gtest/gtest.h>
+
+#include "../../property/sample_meshes.hpp"
+#include "tracked_handle.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <tuple>
+
+namespace ph = passive_haptics;
+using ph::testing::random_source;
+using tracked::handle;
+
+namespace {
+
+constexpr unsigned seed = 20040627;
+constexpr double skin = 1e-7, lip = 1e-10;
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+static_assert(ph::TrackedShape<ph::mesh_surface<2>> && ph::TrackedShape<ph::mesh_surface<3>>);
+static_assert(!ph::TrackedShape<ph::mesh_solid<3>>);
+
+template <class Dimension>
+struct a_mesh_surface : ::testing::Test {
+  static constexpr int dimension = Dimension::value;
+};
+using dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(a_mesh_surface, dimensions);
+
+template <int D>
+ph::mesh_surface<D> surface_of(const ph::mesh_parameters<D>& p) {
+  return ph::mesh_surface<D>(ph::mesh<D>(p));
+}
+
+template <int D>
+ph::mesh_parameters<D> cube(double r = 1) {
+  return sample_meshes::box<D>(ph::point<D>::Constant(-r), ph::point<D>::Constant(r));
+}
+
+// A plate at height 0, free above; 2 wide.
+template <int D>
+ph::mesh_parameters<D> plate() {
+  if constexpr (D == 2) return {{{-1, 0}, {1, 0}}, {{1, 0}}};
+  else return {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+// At height h over a point a little aside.
+template <int D>
+ph::point<D> at_height(double h, double aside = 0.1) {
+  ph::point<D> x = ph::point<D>::Constant(aside);
+  x[D - 1] = h;
+  return x;
+}
+
+TYPED_TEST(a_mesh_surface, stops_what_comes_from_the_front) {
+  constexpr int D = TestFixture::dimension;
+  handle<D> h(surface_of(plate<D>()));
+  EXPECT_NEAR(h.go(at_height<D>(0.5)), 0.5, 1e-6);
+  EXPECT_TRUE(h.felt.empty());
+  EXPECT_EQ(h.go(at_height<D>(-0.3, 0.2)), 0);
+  ASSERT_EQ(h.felt.size(), 1u);
+  EXPECT_EQ(h.felt[0].normal, ph::point<D>::Unit(D - 1));
+  EXPECT_EQ(h.felt[0].depth, 0.3);
+  EXPECT_GT(h.go(at_height<D>(0.01)), 0);
+  EXPECT_TRUE(h.felt.empty());
+  EXPECT_EQ(h.proxy(), at_height<D>(0.01));
+}
+
+TYPED_TEST(a_mesh_surface, is_free_from_the_back_and_beside_its_rim) {
+  constexpr int D = TestFixture::dimension;
+  handle<D> h(surface_of(plate<D>()));
+  h.go(at_height<D>(-0.5));
+  EXPECT_NEAR(h.go(at_height<D>(-1e-3)), 1e-3, 1e-6);
+  EXPECT_TRUE(h.felt.empty());
+  h.go(at_height<D>(0.5));
+  EXPECT_TRUE(h.felt.empty());
+  h.go(at_height<D>(0.5, 1.01));
+  h.go(at_height<D>(-0.5, 1.01));
+  EXPECT_TRUE(h.felt.empty());
+  h.go(at_height<D>(-0.5));  // under the plate now
+  EXPECT_TRUE(h.felt.empty());
+  h.go(at_height<D>(0.1));
+  EXPECT_TRUE(h.felt.empty());
+  h.go(at_height<D>(-0.1));
+  EXPECT_EQ(h.felt.size(), 1u);
+  h.go(at_height<D>(-0.1, 1.01));  // pushed off the rim
+  EXPECT_TRUE(h.felt.empty());
+}
+
+// Two opposed faces 1 mm apart, and even none apart.
+TYPED_TEST(a_mesh_surface, that_is_thin_is_not_popped_through) {
+  constexpr int D = TestFixture::dimension;
+  for (const double thickness : {1e-3, 0.0}) {
+    auto under = sample_meshes::inside_out(plate<D>());
+    for (auto& v : under.vertices) v[D - 1] -= thickness;
+    handle<D> h(surface_of(sample_meshes::both(plate<D>(), under)));
+    for (const int side : {1, -1}) {
+      const double face = side > 0 ? 0 : -thickness;
+      h = handle<D>(h.shape);
+      h.go(at_height<D>(face + side * 1e-2));
+      for (int k = 1; k <= 25; ++k) {
+        h.go(at_height<D>(face - side * 1e-3 * k, 0.01 * k));
+        ASSERT_EQ(h.felt.size(), 1u) << thickness;
+        EXPECT_EQ(h.felt[0].normal, side * ph::point<D>::Unit(D - 1));
+        EXPECT_NEAR(h.felt[0].depth, 1e-3 * k, 1e-15);
+      }
+      h.go(at_height<D>(face + side * 1e-6));
+      EXPECT_TRUE(h.felt.empty());
+    }
+  }
+}
+
+TYPED_TEST(a_mesh_surface, stops_a_leap_through_all_of_it) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  const auto shape = surface_of(cube<D>(0.3));
+  for (int k = 0; k < 1000; ++k) {
+    const auto aside = [&](double along) {
+      ph::point<D> x = random.between<double, D>(ph::point<D>::Constant(-0.25), ph::point<D>::Constant(0.25));
+      x[k % D] = along;
+      return x;
+    };
+    const double side = k % 2 == 0 ? 1 : -1;
+    handle<D> h(shape);
+    h.go(aside(side));
+    h.go(aside(-side));
+    ASSERT_EQ(h.felt.size(), 1u) << "seed " << seed << ", leap " << k;
+    EXPECT_EQ(h.felt[0].normal, side * ph::point<D>::Unit(k % D));
+    EXPECT_NEAR(h.felt[0].depth, 1.3, 1e-15);
+    h.go(aside(side));
+    EXPECT_TRUE(h.felt.empty());
+  }
+}
+
+TYPED_TEST(a_mesh_surface, takes_a_handle_within_it_for_come_through_the_nearest_facet) {
+  constexpr int D = TestFixture::dimension;
+  for (const bool hollow : {false, true}) {
+    handle<D> h(surface_of(hollow ? sample_meshes::inside_out(cube<D>()) : cube<D>()));
+    const double side = hollow ? -1 : 1;
+    h.go((1 - side * 0.2) * ph::point<D>::UnitX());
+    ASSERT_EQ(h.felt.size(), 1u);
+    EXPECT_EQ(h.felt[0].normal, side * ph::point<D>::UnitX());
+    EXPECT_NEAR(h.felt[0].depth, 0.2, 1e-15);
+    handle<D> outside(h.shape);
+    EXPECT_NEAR(outside.go((1 + side * 0.2) * ph::point<D>::UnitX()), 0.2, 1e-6);
+  }
+}
+
+TYPED_TEST(a_mesh_surface, takes_any_handle_within_a_star_for_come_through_a_facet) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  for (const int around : {5, 9, 24}) {
+    const auto shape = surface_of(sample_meshes::star<D>(random, around));
+    for (int k = 0; k < 2000; ++k) {
+      const ph::point<D> x = random.uniform(0.0, 1.0) * random.direction<double, D>();
+      const double distance = shape.surface().signed_distance(x, shape.surface().nearest(x));
+      handle<D> h(shape);
+      h.go(x);
+      ASSERT_GT(h.distance_of_proxy(), -lip) << "seed " << seed << ", handle " << k;
+      ASSERT_EQ(h.felt.empty(), distance >= 0) << "seed " << seed << ", handle " << k;
+      if (distance < 0) {
+        ASSERT_LE((h.proxy() - x).norm(), 1e-5 - distance) << "handle " << k;
+      }
+    }
+  }
+}
+
+TYPED_TEST(a_mesh_surface, lets_the_handle_come_round_a_convex_edge) {
+  constexpr int D = TestFixture::dimension;
+  handle<D> h(surface_of(cube<D>()));
+  h.go(1.5 * ph::point<D>::UnitX());
+  for (int k = 0; k <= 200; ++k) {  // 10 mm deep, along one face and past its end
+    ph::point<D> x = ph::point<D>::Zero();
+    x[0] = 0.99;
+    x[1] = 0.9 + 1e-3 * k;
+    h.go(x);
+    if (x[1] > 1) {
+      EXPECT_TRUE(h.felt.empty()) << k;
+      continue;
+    }
+    ASSERT_EQ(h.felt.size(), 1u) << k;
+    EXPECT_EQ(h.felt[0].normal, ph::point<D>::UnitX());
+  }
+  h.go(0.99 * ph::point<D>::UnitX() + 0.98 * ph::point<D>::UnitY());  // back, now through the other face
+  ASSERT_EQ(h.felt.size(), 1u);
+  EXPECT_EQ(h.felt[0].normal, ph::point<D>::UnitY());
+  EXPECT_NEAR(h.felt[0].depth, 0.02, 1e-15);
+}
+
+TYPED_TEST(a_mesh_surface, hit_at_its_edges_and_corners_holds) {
+  constexpr int D = TestFixture::dimension;
+  const auto shape = surface_of(cube<D>());
+  // Straight down on every corner, the middle of every edge and of every face, and back out.
+  for (int code = 0; code < (D == 2 ? 9 : 27); ++code) {
+    ph::point<D> target;
+    for (int i = 0, rest = code; i < D; ++i, rest /= 3) target[i] = rest % 3 - 1;
+    if (target.isZero()) continue;
+    for (const ph::point<D>& from :
+         {ph::point<D>(2 * target), ph::point<D>(target + 0.5 * target.cwiseAbs())}) {
+      handle<D> h(shape);
+      h.go(from);
+      h.go(target);
+      h.go(0.99 * target);
+      EXPECT_GE(h.felt.size(), 1u) << "target " << target.transpose();
+      EXPECT_GE(h.distance_of_proxy(), 0);
+      h.go(-0.3 * target);
+      EXPECT_GE(h.felt.size(), 1u) << "target " << target.transpose();
+      EXPECT_GE(h.distance_of_proxy(), 0);
+      h.go(2 * target);
+      EXPECT_TRUE(h.felt.empty());
+    }
+  }
+}
+
+// The smooth hollow of a ball: one contact, through whichever facets it is felt.
+TYPED_TEST(a_mesh_surface, that_is_smooth_makes_one_contact) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  const auto p = [&] {
+    const auto same = [&](const auto&) { return 1.0; };
+    if constexpr (D == 2) return sample_meshes::ring(200, same);
+    else return sample_meshes::globe(200, 100, same);
+  }();
+  const double error = sample_meshes::sagitta(p, 1);
+  for (const bool hollow : {false, true}) {
+    handle<D> h(surface_of(hollow ? sample_meshes::inside_out(p) : p));
+    const double side = hollow ? -1 : 1;
+    ph::point<D> u = ph::point<D>::UnitX(), before = u;
+    h.go((1 + side * 0.1) * u);
+    for (int k = 0; k < 3000; ++k) {
+      u = (u + 3e-3 * random.normal_vector<double, D>()).normalized();
+      const double depth = random.uniform(1e-3, 1e-2);
+      h.go((1 - side * depth) * u);
+      ASSERT_EQ(h.felt.size(), 1u) << "seed " << seed << ", cycle " << k;
+      // Where the proxy is, the normal is off by half the angle between neighbours or by how far the proxy
+      // lags.
+      EXPECT_GT(h.felt[0].normal.dot(side * u), std::cos(hollow ? 0.03 : 0.07)) << "cycle " << k;
+      EXPECT_NEAR(h.felt[0].depth, depth, error + 1e-4) << "cycle " << k;
+      before = u;
+    }
+  }
+}
+
+// A leap across several facets of it: the proxy gets there in the same cycle.
+TEST(a_smooth_hollow, is_followed_over_many_facets_at_once) {
+  random_source random(seed);
+  const auto p = sample_meshes::globe(60, 30, [](const auto&) { return 1.0; });
+  for (const bool hollow : {false, true}) {
+    handle<3> h(surface_of(hollow ? sample_meshes::inside_out(p) : p));
+    const double side = hollow ? -1 : 1;
+    ph::point<3> u = ph::point<3>::UnitX();
+    h.go((1 + side * 0.1) * u);
+    for (int k = 0; k < 300; ++k) {
+      u = (u + 0.3 * random.direction<double, 3>()).normalized();
+      h.go((1 - side * 0.05) * u);
+      ASSERT_EQ(h.felt.size(), 1u);
+      EXPECT_LE((h.proxy() - u).norm(), 0.1) << "seed " << seed << ", leap " << k;
+    }
+  }
+}
+
+// Round and round a pencil: over each edge the proxy sinks towards the next face, and rises again.
+TYPED_TEST(a_mesh_surface, keeps_its_proxy_at_the_height_of_the_skin) {
+  constexpr int D = TestFixture::dimension;
+  const auto p = [] {
+    const auto same = [](const auto&) { return 1.0; };
+    if constexpr (D == 2) return sample_meshes::ring(7, same);
+    else return sample_meshes::globe(7, 3, same);
+  }();
+  handle<D> h(surface_of(p));
+  h.go(2 * ph::point<D>::UnitX());
+  for (int k = 0; k < 5000; ++k) {
+    const double angle = 0.03 * k;
+    h.go(0.7 * (std::cos(angle) * ph::point<D>::UnitX() + std::sin(angle) * ph::point<D>::UnitY()));
+    ASSERT_EQ(h.felt.size(), 1u) << k;
+    ASSERT_NEAR(h.distance_of_proxy(), skin, 0.11 * skin) << k;
+  }
+}
+
+// Two rims that meet at 1e-6 rad, each a lip wider, would meet 0.1 mm further on.
+TEST(a_needle, ends_at_its_tip) {
+  handle<3> h(surface_of(ph::mesh_parameters<3>{{{0, 0, 0}, {1, 0, 0}, {0, 1e-6, 0}}, {{0, 1, 2}}}));
+  for (const auto& [x, y, contacts] :
+       {std::tuple(0.5, 0.2e-6, 1u), {1 - 1e-6, 1e-13, 1u}, {1 + 1e-6, 0.0, 0u}, {0.5, 0.7e-6, 0u}}) {
+    h.go({x, y, 0.1});
+    h.go({x, y, -0.1});
+    EXPECT_EQ(h.felt.size(), contacts) << x;
+    h.go({2, 0, 0.1});
+  }
+  h.go({1 - 1e-6, 1e-13, 0.1});
+  h.go({1 - 1e-6, 1e-13, -1e-3});
+  EXPECT_EQ(h.felt.size(), 1u);
+  h.go({1 + 1e-6, 0, -1e-3});
+  EXPECT_TRUE(h.felt.empty()) << "slid off the tip";
+}
+
+// 10^6 steps of any size in all on a star with deep valleys: the proxy stays outside, whatever the handle
+// does.
+template <int D>
+void slide(const ph::mesh_parameters<D>& p, int steps, double largest_step) {
+  random_source random(seed);
+  handle<D> h(surface_of(p));
+  ph::point<D> x = 2 * ph::point<D>::UnitX();
+  int touched = 0;
+  for (int k = 0; k < steps; ++k) {
+    const ph::point<D> step = random.positive(1e-9, largest_step) * random.direction<double, D>();
+    x = k % 1000 == 0 ? ph::point<D>(1.5 * random.direction<double, D>()) : ph::point<D>(0.999 * (x + step));
+    if (k % 1009 == 0) x = p.vertices[static_cast<std::size_t>(k) % p.vertices.size()];
+    h.go(x);
+    touched += !h.felt.empty();
+    ASSERT_LE(h.felt.size(), static_cast<std::size_t>(D));
+    ASSERT_GT(h.distance_of_proxy(), -lip) << "seed " << seed << ", step " << k;
+    for (const auto& c : h.felt) {
+      ASSERT_NEAR(c.normal.norm(), 1, 1e-12);
+      ASSERT_GT(c.depth, 0);
+      ASSERT_GT(c.normal.dot(h.proxy() - x), -lip) << "seed " << seed << ", step " << k;
+      ASSERT_LE(c.depth, (h.proxy() - x).norm() + skin);
+    }
+  }
+  EXPECT_GT(touched, steps / 20);
+  EXPECT_LT(touched, steps);
+}
+
+TYPED_TEST(a_mesh_surface, is_never_passed_by_its_proxy) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  for (const int around : {5, 9, 24}) {
+    slide<D>(sample_meshes::star<D>(random, around), PASSIVE_HAPTICS_LONG_TESTS ? 100'000 : 10'000, 0.3);
+    slide<D>(sample_meshes::star<D>(random, around), PASSIVE_HAPTICS_LONG_TESTS ? 100'000 : 10'000, 1e-3);
+  }
+}
+
+// Bodies that run through each other are as good.
+TYPED_TEST(a_mesh_surface, of_two_bodies_in_each_other_keeps_the_proxy_out_of_both) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  const auto one = sample_meshes::star<D>(random, 9);
+  auto other = sample_meshes::star<D>(random, 12);
+  for (auto& v : other.vertices) v[0] += 0.3;
+  const ph::mesh_solid<D> first{ph::mesh<D>(one)}, second{ph::mesh<D>(other)};
+  handle<D> h(surface_of(sample_meshes::both(one, other)));
+  ph::point<D> x = 2 * ph::point<D>::UnitX();
+  h.go(x);
+  int touched = 0;
+  for (int k = 0; k < 50'000; ++k) {
+    x = 0.998 * (x + random.positive(1e-6, 0.3) * random.direction<double, D>());
+    h.go(x);
+    touched += !h.felt.empty();
+    ASSERT_GT(first.distance(h.proxy()), -lip) << "seed " << seed << ", step " << k;
+    ASSERT_GT(second.distance(h.proxy()), -lip) << "seed " << seed << ", step " << k;
+  }
+  EXPECT_GT(touched, 10'000);
+}
+
+// Needles of any width on a flat lid, which the handle slides over and presses on.
+TEST(a_lid_of_needles, holds) {
+  random_source random(seed);
+  ph::mesh_parameters<3> lid;  // strips between y = -1 and y = 1, each of two needles
+  double edge = -1;
+  for (int k = 0; edge < 1; ++k) {
+    lid.vertices.push_back({edge, -1, 0});
+    lid.vertices.push_back({edge, 1, 0});
+    if (k > 0) {
+      const int i = 2 * k;
+      lid.facets.push_back({i - 2, i, i + 1});
+      lid.facets.push_back({i - 2, i + 1, i - 1});
+    }
+    edge += random.positive(1e-8, 1e-1);
+  }
+  handle<3> h(surface_of(lid));
+  h.go({0, 0, 0.1});
+  for (int k = 0; k < 20'000; ++k) {
+    const ph::point<3> x(random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9), random.uniform(-0.1, -0.001));
+    h.go(k % 2 == 0 ? x : ph::point<3>(h.x + random.positive(1e-9, 1e-3) * ph::point<3>(1, 1, 0)));
+    ASSERT_EQ(h.felt.size(), 1u) << "seed " << seed << ", step " << k;
+    ASSERT_NEAR(h.felt[0].normal[2], 1, 1e-12);
+    ASSERT_NEAR(h.felt[0].depth, -h.x[2], 1e-9);
+    ASSERT_NEAR(h.proxy()[2], skin, 2 * lip);
+  }
+}
+
+// A floor and a ramp that meet at 120 deg, touched along the floor towards the ramp at a depth of 2 mm.
+TEST(an_obtuse_corner, begins_to_press_without_a_jump) {
+  const double c = std::cos(std::numbers::pi / 3), s = std::sin(std::numbers::pi / 3);
+  handle<2> h(surface_of(ph::mesh_parameters<2>{{{-1, 0}, {0, 0}, {c, s}}, {{1, 0}, {2, 1}}}));
+  h.go({-0.1, 0.01});
+  double ramp = 0, along = 0;
+  for (int k = 0; k <= 1000; ++k) {
+    h.go({-0.005 + 1e-5 * k, -0.002});
+    ASSERT_GE(h.felt.size(), 1u);
+    double now = 0;
+    ph::point<2> push = ph::point<2>::Zero();
+    for (const auto& t : h.felt) {
+      if (t.normal[0] != 0) now = t.depth;
+      push += t.depth * t.normal;
+    }
+    EXPECT_NEAR(now, ramp, 1.2e-5) << k;
+    EXPECT_LE((push - (h.proxy() - h.x)).norm(), 4 * skin) << "both together push to the proxy";
+    along = std::max(along, now);
+    ramp = now;
+  }
+  EXPECT_GT(along, 1e-3);
+}
+
+TEST(a_room_of_triangles, is_never_left_through_its_corners) {
+  random_source random(seed);
+  handle<3> h(surface_of(sample_meshes::inside_out(cube<3>())));
+  h.go({0, 0, 0});
+  int corners = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const ph::point<3> x =
+        random.between<double, 3>(ph::point<3>::Constant(-1.5), ph::point<3>::Constant(1.5));
+    h.go(x);
+    int behind = 0;
+    for (int i = 0; i < 3; ++i) behind += std::abs(x[i]) > 1;
+    ASSERT_EQ(h.felt.size(), static_cast<std::size_t>(behind)) << "seed " << seed << ", step " << k;
+    corners += behind == 3;
+    for (const auto& c : h.felt) {
+      int axis = 0;
+      ASSERT_EQ(c.normal.cwiseAbs().maxCoeff(&axis), 1);
+      ASSERT_NEAR(c.depth, std::abs(x[axis]) - 1, 1e-15);
+      ASSERT_LT(c.normal[axis] * x[axis], 0);
+    }
+  }
+  EXPECT_GT(corners, 500);
+}
+
+TYPED_TEST(a_mesh_surface, gives_no_number_for_no_number_and_remembers_what_it_knew) {
+  constexpr int D = TestFixture::dimension;
+  handle<D> h(surface_of(cube<D>()));
+  h.go(1.5 * ph::point<D>::UnitX());
+  h.go(0.5 * ph::point<D>::UnitX());
+  const auto before = h.memory;
+  for (const double bad : {no_number, infinity, -infinity}) {
+    ph::point<D> x = h.x;
+    x[D - 1] = bad;
+    EXPECT_EQ(h.shape.follow(h.x, x, h.memory, h.adder()), 0);
+    ASSERT_EQ(h.felt.size(), 1u);
+    EXPECT_TRUE(std::isnan(h.felt[0].depth));
+    EXPECT_EQ(h.memory.position, before.position);
+    EXPECT_EQ(h.memory.facet_count, before.facet_count);
+  }
+  h.go(0.4 * ph::point<D>::UnitX());
+  ASSERT_EQ(h.felt.size(), 1u);
+  EXPECT_NEAR(h.felt[0].depth, 0.6, 1e-15);
+  // From nowhere, and to far away and back.
+  handle<D> lost(h.shape);
+  lost.go(2 * ph::point<D>::UnitX());
+  lost.x = ph::point<D>::Constant(no_number);
+  lost.go(3 * ph::point<D>::UnitX());
+  EXPECT_TRUE(lost.felt.empty());
+  lost.go(-1e300 * ph::point<D>::UnitX());
+  ASSERT_EQ(lost.felt.size(), 1u);
+  EXPECT_EQ(lost.felt[0].depth, 1e300);
+  lost.go(3 * ph::point<D>::UnitX());
+  EXPECT_TRUE(lost.felt.empty());
+}
+
+TYPED_TEST(a_mesh_surface, says_how_far_the_handle_may_go) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  const auto p = sample_meshes::star<D>(random, 12);
+  handle<D> often(surface_of(p)), seldom(often.shape);
+  ph::point<D> x = 2 * ph::point<D>::UnitX(), asked = x;
+  double may_go = 0;
+  int calls = 0, touched = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const ph::point<D> before = x;
+    x += 2e-3 * random.direction<double, D>() - 2e-4 * x;
+    often.go(x);
+    if (!((x - asked).norm() < may_go)) {
+      seldom.x = before;
+      may_go = seldom.go(x);
+      asked = x;
+      ++calls;
+    } else {
+      seldom.felt.clear();
+    }
+    touched += !often.felt.empty();
+    ASSERT_EQ(seldom.felt.size(), often.felt.size()) << "seed " << seed << ", cycle " << k;
+    for (std::size_t i = 0; i < often.felt.size(); ++i) ASSERT_EQ(seldom.felt[i].depth, often.felt[i].depth);
+  }
+  EXPECT_GT(touched, 500);
+  EXPECT_LT(calls - touched, 4000);
+}
+
+// Two planes that face each other, and nothing between them: each gets what it can.
+TEST(shares_of_displacement, of_planes_that_contradict_are_their_depths) {
+  ph::matrix<double, 2, 4> N = ph::matrix<double, 2, 4>::Zero();
+  N.col(0) = ph::point<2>::UnitX();
+  N.col(1) = -ph::point<2>::UnitX();
+  const ph::vector<double, 4> feasible(0.3, -0.3, 0, 0), contradicting(0.3, -0.2, 0, 0);
+  EXPECT_NEAR(ph::detail::shares_of_displacement(N, feasible)[0], 0.3, 1e-12);
+  EXPECT_EQ(ph::detail::shares_of_displacement(N, contradicting)[0], 0.3);
+}
+
+TEST(mesh_surface, says_what_is_wrong_with_its_parameters) {
+  const ph::triangle_mesh m(cube<3>(2));
+  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m}), "");
+  const std::string skin_text =
+      ", expected a finite number > 0 and at least 2e-9, 1e-9 of the largest coordinate";
+  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-9}),
+            "skin of a mesh_surface [m] = 1e-9" + skin_text);
+  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, no_number}),
+            "skin of a mesh_surface [m] = nan" + skin_text);
+  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, infinity}),
+            "skin of a mesh_surface [m] = inf" + skin_text);
+  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-7, -0.1}),
+            "crease_angle of a mesh_surface [rad] = -0.1, expected 0 or more and less than pi");
+  EXPECT_THROW(ph::mesh_surface<3>(ph::mesh_surface_parameters<3>{m, 0}), std::invalid_argument);
+}
+
+}  // namespace

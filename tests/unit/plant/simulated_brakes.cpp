@@ -1,0 +1,189 @@
+// Real brakes against closed forms: gain, residual torque, drag, saturation.
+#include "../support.hpp"
+
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/plant/simulated_device.hpp>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using M = ph::xy_table<double>;  // 0.5 kg each way
+using pair = ph::vector<double, 2>;
+
+ph::simulated_brakes_of<M> at_once() {
+  ph::simulated_brakes_of<M> real;
+  real.time_constant.setZero();
+  real.torque_limit.setConstant(10);
+  return real;
+}
+
+TEST(simulated_brakes, are_ideal_where_only_the_controllers_are_given) {
+  ph::brakes_of<M> believed;
+  believed.torque_limit = {2, 3};
+  believed.time_constant = {0.01, 0.03};
+  const auto real = ph::ideal_brakes(believed);
+  EXPECT_EQ(real.torque_limit, believed.torque_limit);
+  EXPECT_EQ(real.time_constant, believed.time_constant);
+  EXPECT_EQ(real.gain, pair(1, 1));
+  EXPECT_EQ(real.residual_torque, pair(0, 0));
+  EXPECT_EQ(real.viscous_drag, pair(0, 0));
+  ph::simulated_device device(M(), believed, 0.5, {0, 0}), same(M(), real, 0.5, {0, 0});
+  for (int k = 0; k < 100; ++k) {
+    device.advance(1e-3, {0.5, 1}, {3, 4});
+    same.advance(1e-3, {0.5, 1}, {3, 4});
+    ASSERT_EQ(device.q(), same.q());
+  }
+}
+
+TEST(simulated_brakes, name_what_is_wrong_with_them) {
+  const auto error_of = [](auto&& change) {
+    ph::simulated_brakes_of<M> real;
+    change(real);
+    const std::string text = validate(real);
+    try {
+      ph::simulated_device<M>(M(), real, 0.0, {0, 0});
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(), "passive_haptics: " + text);
+      return text;
+    }
+    return text.empty() ? text : "was not thrown: " + text;
+  };
+  EXPECT_EQ(error_of([](auto&) {}), "");
+  EXPECT_EQ(error_of([](auto& p) { p.torque_limit[0] = -1; }),
+            "torque_limit[0] [N m] = -1, expected a finite number >= 0");
+  EXPECT_EQ(error_of([](auto& p) { p.time_constant[1] = -1; }),
+            "time_constant[1] [s] = -1, expected a finite number >= 0");
+  EXPECT_EQ(error_of([](auto& p) { p.gain[1] = -0.5; }), "gain[1] [1] = -0.5, expected a finite number >= 0");
+  EXPECT_EQ(error_of([](auto& p) { p.residual_torque[0] = std::numeric_limits<double>::infinity(); }),
+            "residual_torque[0] [N m] = inf, expected a finite number >= 0");
+  EXPECT_EQ(error_of([](auto& p) { p.viscous_drag[1] = -2; }),
+            "viscous_drag[1] [N m s] = -2, expected a finite number >= 0");
+}
+
+TEST(simulated_brakes, gain_acts_before_the_lag_and_the_limit_on_what_is_real) {
+  auto real = at_once();
+  real.time_constant.setConstant(0.02);
+  real.gain = {0.8, 3};
+  ph::simulated_device device(M(), real, 0.0, {0, 0});
+  for (int k = 1; k <= 100; ++k) {
+    device.advance(1e-3, {2, 4}, {0, 0});
+    const double rise = 1 - std::exp(-k * 1e-3 / 0.02);
+    EXPECT_NEAR(device.brake_strength()[0], 0.8 * 2 * rise, 1e-13);
+    EXPECT_NEAR(device.brake_strength()[1], 10 * rise, 1e-13) << "12 wanted, 10 is all";
+  }
+}
+
+// 0.8 of 2 N on 0.5 kg: v = v0 - 3.2 t, to rounding; all kinetic energy goes into the brake.
+TEST(simulated_brakes, gain_error_slows_down_with_the_real_force) {
+  auto real = at_once();
+  real.gain[0] = 0.8;
+  ph::simulated_device device(M(), real, 0.0, {0, 0});
+  device.set_motion({0, 0}, {1, 0});
+  for (int k = 1; k <= 300; ++k) {
+    device.advance(1e-3, {2, 0}, {0, 0});
+    EXPECT_NEAR(device.qd()[0], 1 - 3.2e-3 * k, 1e-13);
+    EXPECT_NEAR(device.brake_torque()[0], -1.6, 1e-12);
+    EXPECT_NEAR(device.brake_power()[0], -1.6 * device.qd()[0], 1e-12);
+  }
+  for (int k = 0; k < 50; ++k) device.advance(1e-3, {2, 0}, {0, 0});
+  EXPECT_NEAR(device.energy().brakes, 0.25, 1e-13) << "m v^2 / 2";
+  EXPECT_EQ(device.energy().residual_friction, 0);
+  EXPECT_NEAR(device.energy().imbalance(), 0, 1e-14);
+}
+
+// Without current 0.3 N on 0.5 kg: stops after v0 / 0.6 = 1.67 s, and holds less than 0.3 N.
+TEST(simulated_brakes, residual_torque_is_there_without_current_and_sticks) {
+  auto real = at_once();
+  real.residual_torque[0] = 0.3;
+  ph::simulated_device device(M(), real, 0.0, {0, 0});
+  device.set_motion({0, 0}, {1, 0});
+  for (int k = 1; k <= 1600; ++k) {
+    device.advance(1e-3, {0, 0}, {0, 0});
+    ASSERT_NEAR(device.qd()[0], 1 - 0.6e-3 * k, 1e-12);
+  }
+  EXPECT_EQ(device.brake_strength()[0], 0) << "nothing is commanded";
+  for (int k = 0; k < 100; ++k) device.advance(1e-3, {0, 0}, {0.29, 0});
+  EXPECT_GT(device.qd()[0], 0.01) << "0.01 N are left to stop it";
+  device.set_motion({0, 0}, {0, 0});
+  for (int k = 0; k < 100; ++k) device.advance(1e-3, {0, 0}, {0.299, 0});
+  EXPECT_LE(std::abs(device.qd()[0]), 1e-15);
+  EXPECT_NEAR(device.brake_torque()[0], -0.299, 1e-12);
+  for (int k = 0; k < 100; ++k) device.advance(1e-3, {0, 0}, {0.301, 0});
+  EXPECT_NEAR(device.qd()[0], 0.001 / 0.5 * 0.1, 1e-12);
+}
+
+// Commanded and residual friction share what is dissipated as their strengths.
+TEST(simulated_brakes, the_energy_balance_splits_friction_by_its_source) {
+  auto real = at_once();
+  real.residual_torque[0] = 0.5;
+  ph::simulated_device device(M(), real, 0.0, {0, 0});
+  device.set_motion({0, 0}, {1, 0});
+  for (int k = 0; k < 400; ++k) device.advance(1e-3, {1.5, 0}, {0, 0});
+  EXPECT_NEAR(device.energy().brakes, 0.75 * 0.25, 1e-13);
+  EXPECT_NEAR(device.energy().residual_friction, 0.25 * 0.25, 1e-13);
+  EXPECT_NEAR(device.energy().friction(), 0.25, 1e-13);
+  EXPECT_EQ(device.energy().drag, 0);
+}
+
+// m dv/dt = -b v: v = v0 exp(-b t / m); by implicit Euler v0 (1 + b dt / m)^-k, which is never unstable.
+TEST(simulated_brakes, drag_decays_exponentially_to_first_order) {
+  auto real = at_once();
+  real.viscous_drag[0] = 2;
+  const auto error = [&](double dt) {
+    ph::simulated_device device(M(), real, 0.0, {0, 0});
+    device.set_motion({0, 0}, {1, 0});
+    const long steps = std::lround(0.25 / dt);
+    for (long k = 0; k < steps; ++k) device.advance(dt, {0, 0}, {0, 0});
+    EXPECT_NEAR(device.qd()[0], std::pow(1 + real.viscous_drag[0] / 0.5 * dt, -static_cast<double>(steps)),
+                1e-13);
+    EXPECT_NEAR(device.energy().drag, (1 - device.qd()[0] * device.qd()[0]) / 4, 1e-13);
+    EXPECT_EQ(device.energy().friction(), 0);
+    return device.qd()[0] - std::exp(-1.0);
+  };
+  EXPECT_NEAR(error(1e-3), std::exp(-1.0) * 2e-3, 2e-5) << "(b/m)^2 t dt / 2 of it";
+  EXPECT_NEAR(error(1e-3) / error(5e-4), 2, 0.01);
+  real.viscous_drag[0] = 1e6;
+  EXPECT_LT(std::abs(error(1e-3) + std::exp(-1.0)), 1e-12) << "stopped, without ringing";
+}
+
+TEST(simulated_brakes, drag_acts_on_the_brakes_own_axes) {
+  using five = ph::five_bar<double, 4>;  // brake 3 turns with q1 - q2, brake 4 with q1 + q2
+  ph::simulated_brakes_of<five> real;
+  real.viscous_drag[2] = 0.01;
+  ph::simulated_device device(five(), real, 0.0, {2.3, 0.8});
+  device.set_motion({2.3, 0.8}, {1, 1});
+  device.advance(1e-6, ph::vector<double, 4>::Zero(), {0, 0});
+  EXPECT_LT(device.energy().drag, 1e-12) << "both together do not turn brake 3";
+  device.set_motion({2.3, 0.8}, {1, -1});
+  device.advance(1e-6, ph::vector<double, 4>::Zero(), {0, 0});
+  EXPECT_NEAR(device.energy().drag, 0.01 * std::pow(device.rates()[2], 2) * 1e-6, 1e-10);
+}
+
+TEST(simulated_brakes, nan_and_negative_commands_release) {
+  ph::simulated_device device(M(), at_once(), 0.0, {0, 0});
+  device.advance(1e-3, {std::numeric_limits<double>::quiet_NaN(), -1}, {1, 1});
+  EXPECT_TRUE(device.brake_strength().isZero(0));
+  EXPECT_NEAR(device.qd()[0], 2e-3, 1e-15);
+}
+
+// Four brakes on two joints: strong ones hold exactly, and share the load with next to the least torques.
+TEST(simulated_brakes, redundant_brakes_hold_exactly_with_nearly_the_least_torques) {
+  using five = ph::five_bar<double, 4>;
+  auto real = ph::ideal_brakes(ph::brakes_of<five>());
+  real.time_constant.setZero();
+  ph::simulated_device device(five(), real, 0.2, {2.3, 0.8});
+  const pair start = device.q(), F(1, -2);
+  for (int k = 0; k < 2000; ++k) device.advance(1e-4, ph::vector<double, 4>::Ones(), F);
+  EXPECT_LE(device.rates().norm(), 1e-14);
+  EXPECT_LE((device.q() - start).norm(), 1e-14);
+  const ph::vector<double, 4> least = -(ph::brake_jacobian(device.mechanism(), start).transpose() * F);
+  EXPECT_LE((device.brake_torque() - least).norm(), 1e-6 * least.norm());
+  EXPECT_LE((device.brake_force() + F).norm(), 1e-9);
+}
+
+}  // namespace

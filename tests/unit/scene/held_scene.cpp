@@ -1,0 +1,102 @@
+// A scene that is sampled more slowly than it is asked.
+#include "../support.hpp"
+
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+
+#include <limits>
+
+namespace {
+
+const ph::scene walls{ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 1.0)};
+
+// The depth that the held scene shows at a time when the true one is `depth`.
+template <class Held>
+double shown(Held& held, double depth, double time) {
+  const auto& touched = sense(held, {0, -depth}, time);
+  return touched.empty() ? 0 : touched[0].depth;
+}
+
+// 20 Hz against 1 kHz, times as a loop makes them (a multiple, or a sum that gathers rounding).
+TEST(held_scene, samples_every_fiftieth_cycle_without_drift) {
+  for (const bool summed : {false, true}) {
+    ph::held_scene held(walls, 0.05);
+    double sum = 0;
+    for (int k = 0; k < 100000; ++k) {
+      const double time = summed ? sum : k * 1e-3;
+      const double cycle = k + 1;  // a depth that tells the cycles apart
+      ASSERT_EQ(shown(held, cycle, time), cycle - k % 50) << "cycle " << k << (summed ? ", summed" : "");
+      sum += 1e-3;
+    }
+  }
+}
+
+TEST(held_scene, samples_once_a_period_where_the_loop_does_not_divide_it) {
+  ph::held_scene held(walls, 1.0);
+  EXPECT_EQ(shown(held, 1, 10.0), 1);
+  EXPECT_EQ(shown(held, 2, 10.7), 1);
+  EXPECT_EQ(shown(held, 3, 11.4), 3);
+  EXPECT_EQ(shown(held, 4, 12.1), 3) << "the period counts from the last sample";
+  EXPECT_EQ(shown(held, 5, 12.4), 5);
+}
+
+TEST(held_scene, a_hair_before_the_period_is_the_period_but_a_millionth_is_not) {
+  ph::held_scene held(walls, 1.0);
+  EXPECT_EQ(shown(held, 1, 0), 1);
+  EXPECT_EQ(shown(held, 2, 1 - 1e-6), 1);
+  EXPECT_EQ(shown(held, 3, 1 - 1e-12), 3);
+}
+
+TEST(held_scene, period_zero_samples_every_time) {
+  ph::held_scene held(walls, 0);
+  for (const double time : {0.0, 0.0, 1e-9, 5.0, 5.0}) {
+    static double depth = 0;
+    depth += 1;
+    EXPECT_EQ(shown(held, depth, time), depth) << "time " << time;
+  }
+}
+
+TEST(held_scene, samples_anew_where_time_runs_backwards) {
+  ph::held_scene held(walls, 1.0);
+  EXPECT_EQ(shown(held, 1, 100), 1);
+  EXPECT_EQ(shown(held, 2, 3), 2);
+  EXPECT_EQ(shown(held, 3, 3.5), 2);
+  EXPECT_EQ(shown(held, 4, 4), 4);
+}
+
+TEST(held_scene, samples_at_once_whatever_the_origin_of_time) {
+  for (const double origin : {-1e9, 0.0, 1e9}) {
+    ph::held_scene held(walls, 1.0);
+    EXPECT_EQ(shown(held, 1, origin), 1) << origin;
+  }
+}
+
+TEST(held_scene, recovers_from_a_time_that_is_not_finite) {
+  ph::held_scene held(walls, 1.0);
+  shown(held, 1, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(shown(held, 2, 0), 2);
+  EXPECT_EQ(shown(held, 3, 0.5), 2);
+}
+
+// The controller keeps faulty states from the held scene: the next good cycle sees what was held before.
+TEST(held_scene, is_not_shown_a_state_that_is_not_finite) {
+  using M = ph::xy_table<double>;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  ph::brakes_of<M> brakes;
+  brakes.torque_limit.setConstant(100);
+  ph::controller control(M(), brakes, ph::held_scene(walls, 1.0), ph::no_direct_control{});
+  const auto depth = [&](double time, double y) {
+    const auto result = control(ph::device_state<M>{time, {0, y}, {0, 0}, {0, 0}});
+    return result.outcome == ph::status::ok ? result.desired_force.norm() : -1;
+  };
+  EXPECT_DOUBLE_EQ(depth(0, -3), 3);
+  EXPECT_EQ(depth(nan, -4), -1);
+  EXPECT_EQ(depth(0.3, nan), -1);
+  EXPECT_EQ(depth(2.0, nan), -1) << "would have been a sampling instant";
+  EXPECT_DOUBLE_EQ(depth(0.5, -5), 3);
+  EXPECT_DOUBLE_EQ(depth(1.0, -6), 6);
+}
+
+}  // namespace

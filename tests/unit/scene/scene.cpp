@@ -1,0 +1,162 @@
+// Scenes: what is touched, how deep, in which order.
+#include "../support.hpp"
+
+#include <passive_haptics/force/desired_force.hpp>
+#include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <bit>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+namespace {
+
+const ph::half_space<2> floor_below({0, 0}, {0, 1});
+
+TEST(shapes, plane_measures_along_its_normal) {
+  const ph::half_space<2> plane({1, 1}, {3, 4});  // n = (0.6, 0.8)
+  EXPECT_DOUBLE_EQ(plane.distance({1, 1}), 0);
+  EXPECT_DOUBLE_EQ(plane.distance({1.6, 1.8}), 1);
+  EXPECT_DOUBLE_EQ(plane.distance({0.4, 0.2}), -1);
+  EXPECT_TRUE(plane.gradient({7, 7}).isApprox(ph::point<2>(0.6, 0.8)));
+}
+
+TEST(shapes, solid_ball_is_free_outside_and_hollow_ball_inside) {
+  const ph::ball<3> solid({1, 0, 0}, 2), hollow({1, 0, 0}, 2, ph::filling::hollow);
+  EXPECT_DOUBLE_EQ(solid.distance({4, 0, 0}), 1);
+  EXPECT_DOUBLE_EQ(hollow.distance({4, 0, 0}), -1);
+  EXPECT_DOUBLE_EQ(solid.distance({1, 0.5, 0}), -1.5);
+  EXPECT_DOUBLE_EQ(hollow.distance({1, 0.5, 0}), 1.5);
+  EXPECT_EQ(solid.gradient({4, 0, 0}), ph::point<3>(1, 0, 0));
+  EXPECT_EQ(hollow.gradient({4, 0, 0}), ph::point<3>(-1, 0, 0));
+}
+
+TEST(shapes, gradient_at_the_centre_of_a_ball_is_some_unit_vector) {
+  const ph::disc solid({1, 2}, 0.5), hollow({1, 2}, 0.5, ph::filling::hollow);
+  EXPECT_EQ(solid.gradient({1, 2}), ph::point<2>(1, 0));
+  EXPECT_EQ(hollow.gradient({1, 2}), ph::point<2>(-1, 0));
+}
+
+TEST(sensing, nothing_is_touched_on_the_surface_itself) {
+  const ph::scene walls{ph::wall(floor_below)};
+  EXPECT_TRUE(sense(walls, {5, 0}).empty());
+  EXPECT_TRUE(sense(walls, {5, 1e-300}).empty());
+  const auto touched = sense(walls, {5, -1e-300});
+  ASSERT_EQ(touched.size(), 1);
+  EXPECT_EQ(touched[0].depth, 1e-300);
+}
+
+TEST(sensing, a_contact_says_all_about_its_wall) {
+  const ph::scene walls{ph::wall(floor_below, 1e4), ph::wall(ph::disc({0, 0}, 1, ph::filling::hollow), 2e4)};
+  static_assert(decltype(walls)::wall_count == 2 && decltype(walls)::dimension == 2);
+  const auto touched = sense(walls, {-1.5, 0.5});
+  ASSERT_EQ(touched.size(), 1);
+  EXPECT_EQ(touched[0].wall, 1);
+  EXPECT_EQ(touched[0].stiffness, 2e4);
+  EXPECT_DOUBLE_EQ(touched[0].depth, std::sqrt(2.5) - 1);
+  EXPECT_TRUE(touched[0].normal.isApprox(ph::point<2>(1.5, -0.5).normalized()));
+  EXPECT_EQ(touched[0].wall_velocity, ph::point<2>(0, 0));
+}
+
+// All subsets of walls, by points all over the place.
+TEST(sensing, gives_exactly_the_touched_walls_in_the_order_of_construction) {
+  const ph::half_space<3> ground({0, 0, 0}, {0, 0, 1}), side({0.5, 0, 0}, {-1, 0, 0});
+  const ph::ball<3> stone({0, 0, 0.2}, 0.4), room({0, 0, 0}, 1, ph::filling::hollow);
+  const ph::scene walls{ph::wall(ground, 1), ph::wall(stone, 2), ph::wall(side, 3), ph::wall(room, 4)};
+  ph::testing::random_source random(8);
+  unsigned seen = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const ph::point<3> x = random.between<double, 3>({-1, -1, -1}, {1, 1, 1});
+    const double distances[] = {ground.distance(x), stone.distance(x), side.distance(x), room.distance(x)};
+    const auto touched = sense(walls, x);
+    int next = 0;
+    unsigned pattern = 0;
+    for (int wall = 0; wall < 4; ++wall) {
+      if (distances[wall] >= 0) continue;
+      ASSERT_LT(next, touched.size()) << "seed 8, x = " << x.transpose();
+      EXPECT_EQ(touched[next].wall, wall);
+      EXPECT_EQ(touched[next].depth, -distances[wall]);
+      EXPECT_EQ(touched[next].stiffness, wall + 1);
+      pattern |= 1u << wall;
+      ++next;
+    }
+    EXPECT_EQ(touched.size(), next);
+    EXPECT_EQ(touched.end() - touched.begin(), next);
+    EXPECT_EQ(touched.empty(), next == 0);
+    seen |= 1u << pattern;
+  }
+  EXPECT_EQ(std::popcount(seen), 10) << "all combinations that this room allows";
+}
+
+TEST(sensing, a_position_that_is_not_finite_touches_with_a_depth_that_is_not) {
+  const ph::scene walls{ph::wall(floor_below), ph::wall(ph::disc({0, 0}, 1))};
+  const auto touched = sense(walls, {0.0, std::numeric_limits<double>::quiet_NaN()});
+  ASSERT_EQ(touched.size(), 2);
+  for (const auto& c : touched) EXPECT_TRUE(std::isnan(c.depth));
+}
+
+TEST(contact_list, holds_up_to_its_capacity_and_says_when_it_is_full) {
+  ph::contacts<2, 2> list;
+  EXPECT_TRUE(list.empty());
+  EXPECT_TRUE(list.push_back({.depth = 1}));
+  EXPECT_TRUE(list.push_back({.depth = 2}));
+  EXPECT_FALSE(list.push_back({.depth = 3}));
+  ASSERT_EQ(list.size(), 2);
+  EXPECT_EQ(list[0].depth, 1);
+  EXPECT_EQ(list[1].depth, 2);
+}
+
+TEST(governing_contact, is_the_one_that_asks_for_most) {
+  const auto governing = [](std::initializer_list<double> forces) {
+    ph::contacts<2, 4> list;
+    for (const double f : forces) list.push_back({.depth = f / 100, .stiffness = 100});
+    return ph::governing_contact(list);
+  };
+  EXPECT_EQ(governing({}), -1);
+  EXPECT_EQ(governing({0}), 0);
+  EXPECT_EQ(governing({1, 3, 2}), 1);
+  EXPECT_EQ(governing({3, 3}), 0);
+  EXPECT_EQ(governing({-5e4}), 0) << "hand-made contacts may hold nonsense";
+  EXPECT_EQ(governing({-5, -7, 1}), 2);
+}
+
+// Whatever is not finite governs, wherever it stands, so that the step reports it.
+TEST(governing_contact, is_the_one_that_is_not_finite) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()}) {
+    for (int place = 0; place < 3; ++place) {
+      for (const bool in_depth : {true, false}) {
+        ph::contacts<2, 3> list;
+        for (int i = 0; i < 3; ++i) {
+          ph::contact<2> c{.depth = 1, .stiffness = 1e7};
+          if (i == place) (in_depth ? c.depth : c.stiffness) = bad;
+          list.push_back(c);
+        }
+        EXPECT_EQ(ph::governing_contact(list), place) << bad;
+      }
+    }
+  }
+}
+
+TEST(desired_force, is_stiffness_times_depth_along_the_normal) {
+  const auto Fd = ph::force_of<float>(ph::contact<2>{.normal = {0, -1}, .depth = 5e-3, .stiffness = 1e7});
+  EXPECT_EQ(Fd.magnitude, 5e4f);
+  EXPECT_EQ(Fd.direction, (ph::vector<float, 2>(0, -1)));
+}
+
+TEST(contacts, have_room_for_so_many) {
+  ph::contacts<2, 2> touched;
+  for (const double depth : {1.0, 2.0}) {
+    ph::contact<2>* room = touched.append();
+    ASSERT_NE(room, nullptr);
+    room->depth = depth;
+  }
+  EXPECT_EQ(touched.append(), nullptr);
+  EXPECT_EQ(touched.size(), 2);
+  EXPECT_EQ(touched[1].depth, 2.0);
+}
+
+}  // namespace
