@@ -7,6 +7,9 @@ endif()
 set(expected "${CMAKE_MATCH_1}")
 
 list(TRANSFORM includes PREPEND -I)
+if(prelude AND NOT text MATCHES "#define")  # what it defines must come first
+  list(APPEND includes -include ${prelude})
+endif()
 execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${includes} ${source}
   RESULT_VARIABLE status ERROR_VARIABLE errors)
 if(status EQUAL 0)

@@ -1,56 +1,8 @@
-// A mesh_solid keeps the laws of shapes, a mesh_surface those of tracked shapes.
-#include <passive_haptics/scene/mesh/height_field.hpp>
-#include <passive_haptics/scene/mesh/mesh_solid.hpp>
-#include <passive_haptics/scene/mesh/mesh_surface.hpp>
-#include <passive_haptics/scene/shapes/complement.hpp>
-#include <passive_haptics/testing/shape_properties.hpp>
-#include <passive_haptics/testing/tracked_shape_properties.hpp>
+#include "mesh_cases.hpp"
 
-#include "sample_meshes.hpp"
-
-namespace ph = passive_haptics;
 using namespace passive_haptics::testing;
 
-namespace {
-
-template <int D>
-ph::mesh<D> star() {
-  random_source random(1985);
-  return ph::mesh<D>(sample_meshes::star<D>(random, 12));
-}
-
-template <class Shape>
-struct about_a_star {
-  using shape = Shape;
-  using point = ph::point<Shape::dimension>;
-  static point lower() { return point::Constant(-1.2); }
-  static point upper() { return point::Constant(1.2); }
-};
-
-template <int D>
-struct solid_star : about_a_star<ph::mesh_solid<D>> {
-  static ph::mesh_solid<D> make() { return ph::mesh_solid<D>(star<D>()); }
-};
-struct room_in_a_star : about_a_star<ph::complement<ph::mesh_solid<3>>> {
-  static shape make() { return shape(solid_star<3>::make()); }
-};
-
-template <int D>
-struct surface_of_a_star : about_a_star<ph::mesh_surface<D>> {
-  static ph::mesh_surface<D> make() { return ph::mesh_surface<D>(star<D>()); }
-};
-struct hills : about_a_star<ph::mesh_surface<3>> {
-  static shape make() {
-    random_source random(1985);
-    ph::height_field_parameters p{11, 11, 0.2, 0.2, {}, {-1, -1, 0}};
-    for (int k = 0; k < 121; ++k) p.heights.push_back(random.uniform(-0.3, 0.3));
-    return shape(ph::triangle_mesh(ph::height_field(p)));
-  }
-};
-
-}  // namespace
-
-using solids = ::testing::Types<solid_star<2>, solid_star<3>, room_in_a_star>;
-INSTANTIATE_TYPED_TEST_SUITE_P(meshes, shape_properties, solids);
-using surfaces = ::testing::Types<surface_of_a_star<2>, surface_of_a_star<3>, hills>;
-INSTANTIATE_TYPED_TEST_SUITE_P(meshes, tracked_shape_properties, surfaces);
+using solid = ::testing::Types<meshes::solid_star<3>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(meshes, shape_properties, solid);
+using surface = ::testing::Types<meshes::surface_of_a_star<3>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(meshes, tracked_shape_properties, surface);

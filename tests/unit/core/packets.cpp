@@ -46,10 +46,9 @@ struct packets : ::testing::Test {
   }
 };
 
-using sizes = ::testing::Types<size<double, 1>, size<double, 2>, size<double, 3>, size<double, 6>,
-                               size<double, 7>, size<double, 8>, size<float, 1>, size<float, 2>,
-                               size<float, 3>, size<float, 4>, size<float, 6>, size<float, 7>,
-                               size<float, 32>, size<long double, 1>, size<long double, 4>>;
+// Shorter than a packet, one packet, several with and without a rest, and a number without packets
+using sizes = ::testing::Types<size<double, 3>, size<float, 4>, size<double, 8>, size<float, 7>,
+                               size<long double, 2>>;
 TYPED_TEST_SUITE(packets, sizes);
 
 TYPED_TEST(packets, hold_their_numbers_and_zeros) {

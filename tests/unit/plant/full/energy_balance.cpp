@@ -1,5 +1,5 @@
 // The energy balance of a simulated device: it closes, and no brake ever gives energy.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>

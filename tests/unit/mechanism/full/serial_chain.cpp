@@ -2,8 +2,8 @@
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
-#include "../../property/chain_cases.hpp"
-#include "../high_precision.hpp"
+#include "../../../property/chain_cases.hpp"
+#include "../../high_precision.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>

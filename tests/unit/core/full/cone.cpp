@@ -1,5 +1,5 @@
 // The projection onto a cone against an oracle in 50 digits.
-#include "cone_oracle.hpp"
+#include "../cone_oracle.hpp"
 
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>

@@ -1,5 +1,5 @@
 // Following a mesh and asking it for distances allocates nothing.
-#include "allocations.hpp"
+#include "../allocations.hpp"
 
 #include <passive_haptics/scene/mesh/mesh_solid.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../property/sample_meshes.hpp"
+#include "../../property/sample_meshes.hpp"
 
 #include <limits>
 

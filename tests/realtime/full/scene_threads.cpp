@@ -1,6 +1,6 @@
 // A control loop against a thread that owns its scene: every snapshot is whole, the loop allocates nothing
 // and never waits. Built with ThreadSanitizer, where the compiler has it.
-#include "allocations.hpp"
+#include "../allocations.hpp"
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>

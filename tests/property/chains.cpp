@@ -5,5 +5,5 @@
 
 using namespace passive_haptics::testing;
 
-INSTANTIATE_TYPED_TEST_SUITE_P(planar_chains, mechanism_properties, chains::planar<float>);
-INSTANTIATE_TYPED_TEST_SUITE_P(planar_chains, dynamics_properties, chains::planar<float>);
+INSTANTIATE_TYPED_TEST_SUITE_P(chains, mechanism_properties, chains::some);
+INSTANTIATE_TYPED_TEST_SUITE_P(chains, dynamics_properties, chains::some);

@@ -1,5 +1,5 @@
 // Control cycles of closed chains obey the same laws as those of the first devices.
-#include "closed_chain_cases.hpp"
+#include "../closed_chain_cases.hpp"
 
 #include <passive_haptics/testing/fault_properties.hpp>
 #include <passive_haptics/testing/step_properties.hpp>

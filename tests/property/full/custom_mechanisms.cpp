@@ -1,4 +1,4 @@
-#include "custom_cases.hpp"
+#include "../custom_cases.hpp"
 
 #include <passive_haptics/testing/dynamics_properties.hpp>
 #include <passive_haptics/testing/mechanism_properties.hpp>

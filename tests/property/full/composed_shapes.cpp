@@ -1,7 +1,7 @@
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/testing/shape_properties.hpp>
 
-#include "user_shapes.hpp"
+#include "../user_shapes.hpp"
 
 namespace ph = passive_haptics;
 using namespace passive_haptics::testing;

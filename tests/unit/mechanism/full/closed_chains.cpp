@@ -1,4 +1,4 @@
-#include "closed_chain_oracles.hpp"
+#include "../closed_chain_oracles.hpp"
 
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/step.hpp>

@@ -1,5 +1,5 @@
 // Kinematics, E and reference forces of the tendon device against the same formulas in 50 digits.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/brake/reference_forces.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>

@@ -1,5 +1,5 @@
 // The momentum observer: on paper, and against what a simulated device's sensor feels.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/control/sensorless/momentum_observer.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
@@ -8,7 +8,7 @@
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
-#include "../../property/chain_cases.hpp"
+#include "../../../property/chain_cases.hpp"
 
 #include <Eigen/LU>
 

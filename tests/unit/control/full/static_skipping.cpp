@@ -1,6 +1,6 @@
 // What a scene, a law, a state or the brakes do not need does not exist: counted on each rung of the ladder
 // (benchmarks/ladder), and its absence changes no result.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>

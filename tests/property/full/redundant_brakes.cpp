@@ -1,5 +1,5 @@
 // More brakes than joints: the torques are feasible, nearest, of least norm, and continuous.
-#include "../unit/force/priorities_oracle.hpp"
+#include "../../unit/force/priorities_oracle.hpp"
 
 #include <passive_haptics/passive_haptics.hpp>
 
@@ -12,7 +12,7 @@ namespace ph = passive_haptics;
 namespace {
 
 using device = ph::five_bar<double, 4>;
-constexpr int steps = PASSIVE_HAPTICS_LONG_TESTS ? 1000000 : 20000, sampled_every = 100;
+constexpr int steps = 1000000, sampled_every = 100;
 
 struct sample {
   ph::device_state<device> state;
@@ -112,7 +112,7 @@ TEST(redundant_brakes, get_neighbouring_torques_for_neighbouring_forces) {
   std::mt19937_64 engine(8);
   const device mechanism;
   const auto unlimited = ph::vector<double, 4>::Constant(HUGE_VAL);
-  for (int path = 0; path < (PASSIVE_HAPTICS_LONG_TESTS ? 50 : 5); ++path) {
+  for (int path = 0; path < 50; ++path) {
     SCOPED_TRACE(::testing::Message() << "path " << path << ", seed 8");
     const auto start = draw(mechanism, engine).state;
     const auto s = ph::brake_signs<double, 4>(ph::brake_rates(mechanism, start.q, start.qd),
@@ -143,7 +143,7 @@ TEST(redundant_brakes, get_neighbouring_torques_for_neighbouring_forces) {
 TEST(redundant_brakes, come_nearer_than_any_of_their_subsets) {
   std::mt19937_64 engine(9);
   const device mechanism;
-  for (int k = 0; k < (PASSIVE_HAPTICS_LONG_TESTS ? 2000 : 200); ++k) {
+  for (int k = 0; k < 2000; ++k) {
     SCOPED_TRACE(::testing::Message() << "case " << k << ", seed 9");
     const auto [state, touched] = draw(mechanism, engine);
     const auto G = ph::force_generators(mechanism, state.q);

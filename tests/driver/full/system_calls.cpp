@@ -1,6 +1,6 @@
 // What a cycle of the whole driver asks of the kernel: to sleep, and nothing else.
-#include "../realtime/allocations.hpp"
-#include "system_call_filter.hpp"
+#include "../../realtime/allocations.hpp"
+#include "../system_call_filter.hpp"
 
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/calibration/device_calibration.hpp>

@@ -1,0 +1,15 @@
+#include "device_cases.hpp"
+
+#include <passive_haptics/testing/dynamics_properties.hpp>
+#include <passive_haptics/testing/fault_properties.hpp>
+#include <passive_haptics/testing/mechanism_properties.hpp>
+#include <passive_haptics/testing/projection_properties.hpp>
+#include <passive_haptics/testing/step_properties.hpp>
+
+using namespace passive_haptics::testing;
+
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, mechanism_properties, some_devices);
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, dynamics_properties, some_devices);
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, step_properties, some_devices);
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, projection_properties, some_devices);
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, fault_properties, some_devices);
