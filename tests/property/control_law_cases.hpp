@@ -19,6 +19,6 @@ template <class Law>
 using on_tendon_device = ::testing::Types<
     passive_haptics::testing::law_case<device_case<passive_haptics::tendon_two_link<double>>, Law>>;
 template <class Law>
-using on_other_devices = ::testing::Types<
-    passive_haptics::testing::law_case<device_case<passive_haptics::xy_table<float>>, Law>,
-    passive_haptics::testing::law_case<custom_case<custom::spatial_arm<double>>, Law>>;
+using on_other_devices =
+    ::testing::Types<passive_haptics::testing::law_case<device_case<passive_haptics::xy_table<float>>, Law>,
+                     passive_haptics::testing::law_case<custom_case<custom::spatial_arm<double>>, Law>>;

@@ -1,4 +1,5 @@
-// Meshes as cases of the property suites: a mesh_solid keeps the laws of shapes, a mesh_surface those of tracked shapes.
+// Meshes as cases of the property suites: a mesh_solid keeps the laws of shapes, a mesh_surface those of
+// tracked shapes.
 #pragma once
 
 #include <passive_haptics/scene/mesh/height_field.hpp>

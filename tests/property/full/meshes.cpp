@@ -2,7 +2,7 @@
 
 using namespace passive_haptics::testing;
 
-using solids = ::testing::Types<meshes::solid_star<2>, meshes::room_in_a_star>;
-INSTANTIATE_TYPED_TEST_SUITE_P(other_meshes, shape_properties, solids);
-using surfaces = ::testing::Types<meshes::surface_of_a_star<2>, meshes::hills>;
-INSTANTIATE_TYPED_TEST_SUITE_P(other_meshes, tracked_shape_properties, surfaces);
+using mesh_solids = ::testing::Types<meshes::solid_star<2>, meshes::room_in_a_star>;
+INSTANTIATE_TYPED_TEST_SUITE_P(other_meshes, shape_properties, mesh_solids);
+using mesh_surfaces = ::testing::Types<meshes::surface_of_a_star<2>, meshes::hills>;
+INSTANTIATE_TYPED_TEST_SUITE_P(other_meshes, tracked_shape_properties, mesh_surfaces);

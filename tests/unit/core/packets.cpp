@@ -47,8 +47,8 @@ struct packets : ::testing::Test {
 };
 
 // Shorter than a packet, one packet, several with and without a rest, and a number without packets
-using sizes = ::testing::Types<size<double, 3>, size<float, 4>, size<double, 8>, size<float, 7>,
-                               size<long double, 2>>;
+using sizes =
+    ::testing::Types<size<double, 3>, size<float, 4>, size<double, 8>, size<float, 7>, size<long double, 2>>;
 TYPED_TEST_SUITE(packets, sizes);
 
 TYPED_TEST(packets, hold_their_numbers_and_zeros) {

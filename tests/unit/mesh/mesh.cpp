@@ -1,7 +1,6 @@
 // The nearest point of a mesh and the side of it, against a scan over all facets and against what the mesh
 // approximates.
 #include <passive_haptics/scene/mesh/mesh_solid.hpp>
-#include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/box.hpp>
 #include <passive_haptics/scene/shapes/convex_polygon.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -187,29 +186,6 @@ TYPED_TEST(a_mesh, that_has_a_bubble_is_solid_between_the_two_surfaces) {
   EXPECT_EQ(shell.distance(ph::point<D>::Zero()), 0.5);
   EXPECT_EQ(shell.distance(0.75 * ph::point<D>::UnitX()), -0.25);
   EXPECT_EQ(shell.distance(2 * ph::point<D>::UnitX()), 1);
-}
-
-TYPED_TEST(a_mesh, of_a_ball_is_the_ball_within_its_sagitta) {
-  constexpr int D = TestFixture::dimension;
-  random_source random(seed);
-  const double radius = 0.7;
-  const auto p = [&] {
-    const auto same = [&](const auto&) { return radius; };
-    if constexpr (D == 2) return sample_meshes::ring(10'000, same);
-    else return sample_meshes::globe(320, 158, same);
-  }();
-  const ph::mesh_solid<D> solid{ph::mesh<D>(p)};
-  const ph::ball<D> ball(ph::point<D>::Zero(), radius);
-  const double error = sample_meshes::sagitta(p, radius);
-  ASSERT_GE(solid.surface().size(), D == 2 ? 10'000 : 100'000);
-  ASSERT_LT(error, 2e-4);
-  std::vector<ph::point<D>> points(D == 3 ? 100'000 : 10'000);
-  for (auto& x : points) x = random.uniform(0.0, 1.1) * random.direction<double, D>();
-  for (const auto& x : points) {
-    const double beyond = solid.distance(x) - ball.distance(x);  // the mesh lies inside
-    ASSERT_GE(beyond, -4 * eps) << "seed " << seed << ", x = " << x.transpose();
-    ASSERT_LE(beyond, error + 4 * eps) << "seed " << seed << ", x = " << x.transpose();
-  }
 }
 
 TEST(a_polyline, of_a_polygon_is_the_polygon) {

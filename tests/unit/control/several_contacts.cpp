@@ -1,5 +1,5 @@
 // Several walls at once in a whole step: what the law wants of each, and what is reported of it.
-#include "support.hpp"
+#include "../support.hpp"
 
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>

@@ -1,6 +1,6 @@
 // A law that asks for it is told of each cycle that commands nothing: free space, a wall without force, a
 // fault.
-#include "support.hpp"
+#include "../support.hpp"
 
 #include <passive_haptics/control/laws/torque_law.hpp>
 

@@ -1,0 +1,59 @@
+// A control cycle allocates nothing, on any device and by any law.
+#include "../allocations.hpp"
+
+#include "../../property/custom_mechanisms.hpp"
+#include "../ways.hpp"
+
+namespace {
+
+TEST(no_allocation, in_a_step_of_two_links) { run_all(ph::two_link<float>(), 0.3); }
+TEST(no_allocation, in_a_step_of_the_table) { run_all(ph::xy_table<double>(), 0.3); }
+TEST(no_allocation, in_a_step_with_automatic_derivatives_and_self_motion) {
+  run_all(custom::planar_arm<double>(), 0.6);
+}
+TEST(no_allocation, in_a_step_in_space) { run_all(custom::spatial_arm<double>(), 0.4); }
+TEST(no_allocation, in_a_step_with_a_transmission_that_depends_on_the_pose) {
+  run_all(custom::coupled_arm<double>(), 1.5);
+}
+
+// The laws that command torques, and the cycle without a force sensor.
+template <class M>
+void run_torque_laws(const M& mechanism, double size) {
+  constexpr int d = M::task_dimension;
+  const ph::scene walls{
+      ph::wall(ph::half_space<d>(ph::point<d>::UnitX() * (size / 3), ph::point<d>::UnitX()), 1e3),
+      ph::wall(ph::ball<d>(ph::point<d>::Zero(), size, ph::filling::hollow), 2e3)};
+  ways seen;
+  using walls_type = decltype(walls);
+  using felt = ph::device_state<M>;
+  run<M, ph::coercive_force_approximation, walls_type, felt>(mechanism, walls, {}, seen);
+  run<M, ph::single_degree_of_freedom_control, walls_type, felt>(mechanism, walls, {}, seen);
+  run<M, ph::velocity_ratio_control, walls_type, felt>(mechanism, walls, {}, seen);
+  run<M, ph::on_off_control, walls_type, felt>(mechanism, walls, {}, seen);
+  EXPECT_TRUE(seen.free && seen.fault && seen.exact);
+}
+
+TEST(no_allocation, in_laws_that_command_torques) {
+  run_torque_laws(ph::tendon_two_link<double>(), 0.3);
+  run_torque_laws(ph::xy_table<float>(), 0.3);
+  run_torque_laws(custom::spatial_arm<double>(), 0.4);
+}
+
+TEST(no_allocation, in_a_cycle_without_a_force_sensor) {
+  using M = ph::tendon_two_link<double>;
+  ph::sensorless_controller control(M(), ph::brakes_of<M>(),
+                                    ph::scene(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1}))),
+                                    ph::velocity_direct_control());
+  bool probed = false, touched = false;
+  for (int k = 0; k < 2000; ++k) {
+    ph::sensorless_device_state<M> state{k * 1e-3, {1.0, 1.0}, {k < 1000 ? std::sin(0.1 * k) : 0.0, 0.0}};
+    if (k % 500 == 99) state.q[0] = std::numeric_limits<double>::quiet_NaN();
+    ph::step_result<M> result;
+    ASSERT_EQ(allocations_in([&] { result = control(state); }), 0) << "cycle " << k;
+    touched |= result.wall >= 0;
+    probed |= control.probing() == decltype(control)::probe_phase::probing;
+  }
+  EXPECT_TRUE(touched && probed);
+}
+
+}  // namespace
