@@ -10,6 +10,7 @@
 #include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
 #include <passive_haptics/control/laws/velocity_ratio_control.hpp>
 #include <passive_haptics/testing/control_law_properties.hpp>
+#include <passive_haptics/testing/fault_properties.hpp>
 
 struct nulling_early : passive_haptics::direct_control {
   nulling_early() { velocity_dead_band = 0.05; }

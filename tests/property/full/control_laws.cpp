@@ -13,3 +13,12 @@ INSTANTIATE_TYPED_TEST_SUITE_P(velocity_ratio_elsewhere, control_law_properties,
                                on_other_devices<ph::velocity_ratio_control>);
 INSTANTIATE_TYPED_TEST_SUITE_P(on_off_elsewhere, control_law_properties,
                                on_other_devices<ph::on_off_control>);
+
+INSTANTIATE_TYPED_TEST_SUITE_P(direct_control_elsewhere, fault_properties, on_other_devices<nulling_early>);
+INSTANTIATE_TYPED_TEST_SUITE_P(coercive_elsewhere, fault_properties,
+                               on_other_devices<ph::coercive_force_approximation>);
+INSTANTIATE_TYPED_TEST_SUITE_P(single_dof_elsewhere, fault_properties,
+                               on_other_devices<ph::single_degree_of_freedom_control>);
+INSTANTIATE_TYPED_TEST_SUITE_P(velocity_ratio_elsewhere, fault_properties,
+                               on_other_devices<ph::velocity_ratio_control>);
+INSTANTIATE_TYPED_TEST_SUITE_P(on_off_elsewhere, fault_properties, on_other_devices<ph::on_off_control>);
