@@ -1,5 +1,5 @@
 // What follows from a table of parameters: errors, remarks, text.
-#include "support.hpp"
+#include "../support.hpp"
 
 #include <passive_haptics/core/parameter_text.hpp>
 
