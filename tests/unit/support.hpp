@@ -5,6 +5,7 @@
 #include <passive_haptics/control/extensions/generator_form.hpp>
 #include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/step.hpp>
+#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/print.hpp>
 
 #include <gtest/gtest.h>
