@@ -85,4 +85,12 @@ struct only_contact {
   constexpr const contact<D>& operator[](int) const { return wall; }
 };
 
+/// The contacts at x [m] of a scene that tells them by touched_at(x), or by touched_at(x, time) at a time
+/// [s].
+template <class Scene, class... Time>
+  requires requires(Scene& scene, point<Scene::dimension> x, Time... time) { scene.touched_at(x, time...); }
+decltype(auto) sense(Scene& scene, const point<Scene::dimension>& x, Time... time) {
+  return scene.touched_at(x, time...);
+}
+
 }  // namespace passive_haptics

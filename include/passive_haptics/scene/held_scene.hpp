@@ -33,8 +33,9 @@ class held_scene {
     require_valid(hold_parameters{period});
   }
 
-  /// The contacts at the latest sample. It samples anew if a period has passed, or if time runs backwards.
-  const contacts_type& sample(const point<dimension>& x, double time) {
+  /// The contacts of the latest sample at or before time [s]. It samples anew if a period has passed, or if
+  /// time runs backwards.
+  const contacts_type& touched_at(const point<dimension>& x, double time) {
     const double slack = 1e-9 * period_;  // a loop whose period divides this one must not sample a cycle late
     if (!(time - sampled_at_ < period_ - slack) || time < sampled_at_) {
       contacts_ = sense(scene_, x);
@@ -52,12 +53,5 @@ class held_scene {
   double sampled_at_ = -std::numeric_limits<double>::infinity();
   contacts_type contacts_{};
 };
-
-/// The contacts of the latest sample at or before time [s].
-template <class Scene>
-const typename Scene::contacts_type& sense(held_scene<Scene>& held, const point<Scene::dimension>& x,
-                                           double time) {
-  return held.sample(x, time);
-}
 
 }  // namespace passive_haptics

@@ -13,18 +13,14 @@
 
 namespace passive_haptics {
 
-namespace detail {
-template <class S>
-concept names_tracker = requires { typename S::tracker; };
-}  // namespace detail
-
 /// A shape that resists with F = stiffness * depth along its gradient; frictionless. One with a tracker is
 /// for a world (scene/world/tracked_shape.hpp).
 template <class S>
 struct wall {
-  static_assert(Shape<S> || detail::names_tracker<S>,
-                "passive_haptics: a wall needs a Shape: `static constexpr int dimension`, "
-                "`double distance(x) const`, `point<dimension> gradient(x) const`.");
+  static_assert(
+      Shape<S> || requires { typename S::tracker; },
+      "passive_haptics: a wall needs a Shape: `static constexpr int dimension`, "
+      "`double distance(x) const`, `point<dimension> gradient(x) const`.");
   /// Throws std::invalid_argument if the stiffness [N/m] is negative or not finite; section 5.1: 1e7 N/m.
   explicit wall(S geometry, double newton_per_metre = 1e7)
       : shape(std::move(geometry)), stiffness(newton_per_metre) {
@@ -40,6 +36,17 @@ struct wall {
     return member_table(member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(0, 1e9)));
   }
 };
+
+/// All that a contact of this wall at x [m] tells, but the wall's number.
+template <class S>
+void describe(const wall<S>& w, const point<S::dimension>& x, double distance, contact<S::dimension>& c) {
+  c.normal = w.shape.gradient(x);
+  c.depth = -distance;
+  c.stiffness = w.stiffness;
+  c.wall_velocity = surface_velocity(w.shape, x);
+  c.position = x;
+  c.curvature = surface_curvature(w.shape, x);
+}
 
 /// Fixed walls of any shapes and one dimension. Only the code for the shapes it names exists.
 template <class First, class... Rest>
@@ -59,10 +66,22 @@ class scene {
   /// The walls, in the order of their numbers.
   explicit scene(wall<First> first, wall<Rest>... rest) : walls_(std::move(first), std::move(rest)...) {}
 
-  /// Calls f(wall) for each wall, in the order of construction.
-  template <class F>
-  void for_each_wall(F&& f) const {
-    boost::hana::for_each(walls_, std::forward<F>(f));
+  /// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a
+  /// contact with a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for
+  /// each contact.
+  contacts_type touched_at(const point<dimension>& x) const {
+    contacts_type touched;
+    int number = 0;
+    boost::hana::for_each(walls_, [&](const auto& w) {
+      const double distance = w.shape.distance(x);
+      if (!(distance >= 0)) {
+        auto& c = *touched.append();  // in place: a copy would wait for its parts to be stored
+        describe(w, x, distance, c);
+        c.wall = number;
+      }
+      ++number;
+    });
+    return touched;
   }
 
   /// Carries each shape that can be on for this time [s] (moving.hpp).
@@ -83,36 +102,5 @@ class scene {
  private:
   boost::hana::tuple<wall<First>, wall<Rest>...> walls_;
 };
-
-/// All that a contact of this wall at x [m] tells, but the wall's number.
-template <class S>
-void describe(const wall<S>& w, const point<S::dimension>& x, double distance, contact<S::dimension>& c) {
-  c.normal = w.shape.gradient(x);
-  c.depth = -distance;
-  c.stiffness = w.stiffness;
-  c.wall_velocity = surface_velocity(w.shape, x);
-  c.position = x;
-  c.curvature = surface_curvature(w.shape, x);
-}
-
-/// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a
-/// contact with a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for each
-/// contact.
-template <class... Shapes>
-typename scene<Shapes...>::contacts_type sense(const scene<Shapes...>& walls,
-                                               const point<scene<Shapes...>::dimension>& x) {
-  typename scene<Shapes...>::contacts_type touched;
-  int number = 0;
-  walls.for_each_wall([&](const auto& w) {
-    const double distance = w.shape.distance(x);
-    if (!(distance >= 0)) {
-      auto& c = *touched.append();  // in place: a copy would wait for its parts to be stored
-      describe(w, x, distance, c);
-      c.wall = number;
-    }
-    ++number;
-  });
-  return touched;
-}
 
 }  // namespace passive_haptics

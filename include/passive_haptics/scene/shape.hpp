@@ -46,11 +46,8 @@ concept MovingShape = Shape<S> && requires(const S shape, const point<S::dimensi
 /// Velocity [m/s] of the surface of a shape nearest to x; zero for one that does not move.
 template <Shape S>
 point<S::dimension> surface_velocity(const S& shape, const point<S::dimension>& x) {
-  if constexpr (MovingShape<S>) {
-    return shape.velocity(x);
-  } else {
-    return point<S::dimension>::Zero();
-  }
+  if constexpr (MovingShape<S>) return shape.velocity(x);
+  else return point<S::dimension>::Zero();
 }
 
 /// A shape that tells its curvature. Minimal complete definition, beyond Shape:

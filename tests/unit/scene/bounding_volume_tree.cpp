@@ -75,7 +75,7 @@ TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
   for (int k = 0; k < 100; ++k) {
     const ph::point<D> x = 3 * random.normal_vector<double, D>();
     double limit = everything;
-    const ph::squared_distance_from<D> bound(x);
+    const auto bound = ph::squared_distance_from<D>(x);
     auto search = all.start();
     int looks = 0;
     for (; !search.done(); ++looks)

@@ -16,21 +16,20 @@ struct bounding_box {
   point<D> upper = point<D>::Constant(-std::numeric_limits<double>::infinity());  ///< [m]
 
   /// Grows until it holds x, too.
-  void extend(const point<D>& x) {
-    lower = lower.cwiseMin(x);
-    upper = upper.cwiseMax(x);
-  }
+  void extend(const point<D>& x) { extend(bounding_box{x, x}); }
   /// Grows until it holds another box, too.
   void extend(const bounding_box& other) {
     lower = lower.cwiseMin(other.lower);
     upper = upper.cwiseMax(other.upper);
   }
+  /// The same box with each face moved out by r [m].
+  bounding_box grown(double r) const { return {lower.array() - r, upper.array() + r}; }
 };
 
 /// The box of half-width r [m] about x.
 template <int D>
 bounding_box<D> box_about(const point<D>& x, double r) {
-  return {x - point<D>::Constant(r), x + point<D>::Constant(r)};
+  return bounding_box<D>{x, x}.grown(r);
 }
 
 /// All of space.
@@ -57,12 +56,5 @@ template <class S>
 concept BoundedShape = Shape<S> && requires(const S shape) {
   { shape.bounds() } -> std::same_as<bounding_box<S::dimension>>;
 };
-
-/// The bounds of a shape; everywhere() for one that does not tell.
-template <int D, class S>
-bounding_box<D> bounds_of(const S& shape) {
-  if constexpr (requires { shape.bounds(); }) return shape.bounds();
-  else return everywhere<D>();
-}
 
 }  // namespace passive_haptics

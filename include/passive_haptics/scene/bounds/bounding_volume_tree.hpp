@@ -17,14 +17,8 @@
 
 namespace passive_haptics {
 
-/// A box in float, grown by what its arithmetic may lose: a bound all the same.
-template <int D>
-struct outer_box {
-  vector<float, D> lower;  ///< [m]
-  vector<float, D> upper;  ///< [m]
-};
-
-/// Four such boxes side by side, looked at together.
+/// Four boxes in float side by side, looked at together. Each is grown by what its arithmetic may lose: a
+/// bound all the same.
 template <int D>
 struct four_outer_boxes {
   using four = Eigen::Array<float, 4, 1>;  ///< One value of each box.
@@ -32,17 +26,7 @@ struct four_outer_boxes {
   Eigen::Array<float, 4, D> lower;  ///< A column for each axis [m].
   Eigen::Array<float, 4, D> upper;  ///< A column for each axis [m].
 
-  /// Box k, 0 <= k < 4.
-  outer_box<D> operator[](int k) const {
-    outer_box<D> box;
-    unrolled<D>([&](auto i) {
-      box.lower[i] = lower(k, i);
-      box.upper[i] = upper(k, i);
-    });
-    return box;
-  }
-
-  /// Makes box k hold b, whose coordinates are up to `scale` [m].
+  /// Makes box k, 0 <= k < 4, hold b, whose coordinates are up to `scale` [m].
   void set(int k, const bounding_box<D>& b, double scale) {
     const double margin = 4 * epsilon * scale;
     unrolled<D>([&](auto i) {
@@ -64,19 +48,12 @@ struct four_outer_boxes {
   static constexpr float epsilon = std::numeric_limits<float>::epsilon();
 };
 
-/// How far boxes are from a point: what limits a search for what is near.
+/// How far each of four boxes is from x [m^2]: what limits a search for what is near.
 template <int D>
-class squared_distance_from {
- public:
-  /// From x [m].
-  explicit squared_distance_from(const point<D>& x) : x_(x.template cast<float>()) {}
-
-  /// To each of four boxes [m^2].
-  auto operator()(const four_outer_boxes<D>& boxes) const { return boxes.squared_distances(x_); }
-
- private:
-  vector<float, D> x_;
-};
+auto squared_distance_from(const point<D>& x) {
+  const vector<float, D> from = x.template cast<float>();
+  return [from](const four_outer_boxes<D>& boxes) { return boxes.squared_distances(from); };
+}
 
 /// A balanced tree of four branches a node over items 0 .. n-1, each known by its box. Immutable: any number
 /// of threads may search it. A search is limited by a function of four_outer_boxes: for each, the least that
@@ -107,10 +84,9 @@ class bounding_volume_tree {
   explicit bounding_volume_tree(const std::vector<bounding_box<D>>& boxes) : items_(boxes.size()) {
     if (boxes.empty()) return;
     std::iota(items_.begin(), items_.end(), 0);
-    bounding_box<D> all;
-    for (const auto& b : boxes) all.extend(b);
-    scale_ = detail::largest_coordinate(all);
-    build(boxes, {0, static_cast<std::int32_t>(boxes.size())});
+    const range all{0, static_cast<std::int32_t>(boxes.size())};
+    scale_ = detail::largest_coordinate(box_of(boxes, all));
+    build(boxes, all);
     nodes_.shrink_to_fit();
   }
 
@@ -182,17 +158,16 @@ class bounding_volume_tree {
     s.stack_[static_cast<std::size_t>(at)] = e;
   }
 
-  static bounding_box<D> box_of(const std::vector<bounding_box<D>>& boxes,
-                                const std::vector<std::int32_t>& items, range r) {
+  bounding_box<D> box_of(const std::vector<bounding_box<D>>& boxes, range r) const {
     bounding_box<D> all;
-    for (std::int32_t i = r.first; i < r.first + r.count; ++i)
-      all.extend(boxes[static_cast<std::size_t>(items[static_cast<std::size_t>(i)])]);
+    for (auto item = items_.begin() + r.first; item != items_.begin() + r.first + r.count; ++item)
+      all.extend(boxes[static_cast<std::size_t>(*item)]);
     return all;
   }
 
   // Two halves along the longest side of the box about all
   std::array<range, 2> halves(const std::vector<bounding_box<D>>& boxes, range r) {
-    const bounding_box<D> all = box_of(boxes, items_, r);
+    const bounding_box<D> all = box_of(boxes, r);
     int axis = 0;
     if (r.count > 0) (all.upper - all.lower).maxCoeff(&axis);
     const auto begin = items_.begin() + r.first;
@@ -211,7 +186,7 @@ class bounding_volume_tree {
     const auto low = halves(boxes, two[0]), high = halves(boxes, two[1]);
     const std::array<range, 4> four{low[0], low[1], high[0], high[1]};
     for (std::size_t k = 0; k < 4; ++k) {
-      nodes_[at].boxes.set(static_cast<int>(k), box_of(boxes, items_, four[k]), scale_);
+      nodes_[at].boxes.set(static_cast<int>(k), box_of(boxes, four[k]), scale_);
       const bool leaf = four[k].count <= leaf_size;
       const std::int32_t first = leaf ? four[k].first : build(boxes, four[k]);
       nodes_[at].first[k] = first;

@@ -16,8 +16,8 @@ struct height_field_parameters {
   int rows = 0;          ///< Points along y, 2 or more.
   double spacing_x = 0;  ///< Between columns [m], > 0.
   double spacing_y = 0;  ///< Between rows [m], > 0.
-  std::vector<double>
-      heights;  ///< z over the origin [m], row by row: that of column i and row j is [j columns + i].
+  /// z over the origin [m], row by row: that of column i and row j is [j columns + i].
+  std::vector<double> heights;
   point<3> origin = point<3>::Zero();  ///< Of column 0 and row 0, at height 0 [m].
 
   static constexpr const char* grid = "2 or more, and at most 2^31 triangles in all";  ///< In errors.
@@ -64,15 +64,11 @@ mesh_parameters<3> height_field(const height_field_parameters& p) {
   const auto z = [&](int k) { return p.heights[static_cast<std::size_t>(k)]; };
   for (int j = 0; j + 1 < p.rows; ++j) {
     for (int i = 0; i + 1 < p.columns; ++i) {
-      const int a = j * p.columns + i, b = a + 1, c = b + p.columns,
-                d = a + p.columns;  // counterclockwise from above
-      if (std::abs(z(a) - z(c)) <= std::abs(z(b) - z(d))) {
-        m.facets.push_back({a, b, c});
-        m.facets.push_back({a, c, d});
-      } else {
-        m.facets.push_back({a, b, d});
-        m.facets.push_back({b, c, d});
-      }
+      // Counterclockwise from above
+      const int a = j * p.columns + i, b = a + 1, c = b + p.columns, d = a + p.columns;
+      const bool from_a_to_c = std::abs(z(a) - z(c)) <= std::abs(z(b) - z(d));
+      m.facets.push_back({a, b, from_a_to_c ? c : d});
+      m.facets.push_back({from_a_to_c ? a : b, c, d});
     }
   }
   return m;

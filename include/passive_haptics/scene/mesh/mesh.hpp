@@ -77,10 +77,7 @@ class mesh {
   const point<D>& normal_at(const mesh_point<D>& p) const {
     const auto f = static_cast<std::size_t>(p.facet), i = static_cast<std::size_t>(p.index);
     if (p.part == facet_part::interior) return data_->facets[f].normal;
-    if constexpr (D == 3) {
-      if (p.part == facet_part::edge)
-        return data_->edge_normals[static_cast<std::size_t>(data_->edges[f][i])];
-    }
+    if (p.part == facet_part::edge) return data_->edge_normals[static_cast<std::size_t>(data_->edges[f][i])];
     return data_->vertex_normals[static_cast<std::size_t>(data_->vertices[f][i])];
   }
 
@@ -101,7 +98,7 @@ class mesh {
     std::string hole;
     double content = 0;
 
-    explicit data(const mesh_parameters<D>& p) : vertices(p.facets) {
+    explicit data(const mesh_parameters<D>& p) : vertices(p.facets), edges(p.facets.size()) {
       const std::vector<int> first = detail::welded<D>(p.vertices);
       std::vector<bounding_box<D>> boxes(p.facets.size());
       facets.reserve(p.facets.size());
@@ -135,18 +132,16 @@ class mesh {
 
     void find_edges() {
       const auto ridges = detail::sorted_ridges<D>(vertices);
-      if (D == 3) edges.resize(facets.size());
       for (const detail::ridge *r = ridges.data(), *end = r + ridges.size(); r != end;) {
         const detail::ridge* const first = r;
         point<D> sum = point<D>::Zero();
         for (; r != end && r->same_place(*first); ++r) {
           const auto f = static_cast<std::size_t>(r->facet);
           sum += facets[f].normal;
-          if (D == 3) edges[f][static_cast<std::size_t>(r->index)] = static_cast<int>(edge_normals.size());
+          edges[f][static_cast<std::size_t>(r->index)] = static_cast<int>(edge_normals.size());
         }
-        if (D == 3)
-          edge_normals.push_back(
-              detail::direction_or<D>(sum, facets[static_cast<std::size_t>(first->facet)].normal));
+        edge_normals.push_back(
+            detail::direction_or<D>(sum, facets[static_cast<std::size_t>(first->facet)].normal));
         if (hole.empty()) hole = detail::check_ridge<D>(first, r);
       }
     }

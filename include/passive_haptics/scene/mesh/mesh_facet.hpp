@@ -51,12 +51,14 @@ namespace detail {
 
 // Templates throughout, so that who includes this and has no mesh pays nothing for it.
 
-/// Index of the longest edge of a triangle: it runs from corner i to the next.
+/// The corners of a triangle, counted round so that its longest edge runs from the first to the second.
 template <int D>
-int longest_edge(const facet_corners<D>& c) {
+facet_corners<D> longest_edge_first(facet_corners<D> c) {
   const std::array<double, 3> square{(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(),
                                      (c[0] - c[2]).squaredNorm()};
-  return static_cast<int>(std::max_element(square.begin(), square.end()) - square.begin());
+  const auto longest = std::max_element(square.begin(), square.end()) - square.begin();
+  std::rotate(c.begin(), c.begin() + longest, c.end());
+  return c;
 }
 
 /// How far a facet reaches in its narrowest direction, by its longest: |b - a| > 0 of a segment gives 1, a
@@ -67,11 +69,9 @@ double slenderness(const facet_corners<D>& c) {
     const double length = (c[1] - c[0]).stableNorm();
     return length / length > 0 ? 1 : 0;
   } else {
-    const int i = longest_edge<D>(c);
-    const auto at = [&](int k) { return c[static_cast<std::size_t>(k % 3)]; };
-    const point<D> along = (at(i + 1) - at(i)).stableNormalized(), up = at(i + 2) - at(i);
-    const double height = (up - along.dot(up) * along).stableNorm(),
-                 length = (at(i + 1) - at(i)).stableNorm();
+    const auto [a, b, tip] = longest_edge_first<D>(c);
+    const point<D> along = (b - a).stableNormalized(), up = tip - a;
+    const double height = (up - along.dot(up) * along).stableNorm(), length = (b - a).stableNorm();
     return length > 0 ? height / length : 0;
   }
 }
@@ -84,11 +84,9 @@ point<D> normal_of(const facet_corners<D>& c) {
     const point<D> along = (c[1] - c[0]).stableNormalized();
     return {along[1], -along[0]};
   } else {
-    const int i = longest_edge<D>(c);
-    const auto at = [&](int k) { return c[static_cast<std::size_t>(k % 3)]; };
-    const point<D> along = (at(i + 1) - at(i)).stableNormalized();
-    point<D> n =
-        cross<double>((at(i + 2) - at(i + 1)).stableNormalized(), (at(i) - at(i + 2)).stableNormalized());
+    const auto [a, b, tip] = longest_edge_first<D>(c);
+    const point<D> along = (b - a).stableNormalized();
+    point<D> n = cross<double>((tip - b).stableNormalized(), (a - tip).stableNormalized());
     for (int pass = 0; pass < 2; ++pass) {
       n -= along.dot(n) * along;
       n.normalize();

@@ -64,10 +64,7 @@ class mesh_surface {
   explicit mesh_surface(mesh<D> surface) : mesh_surface(mesh_surface_parameters<D>{std::move(surface)}) {}
 
   /// The box about the surface and what a proxy stays away from it.
-  bounding_box<D> bounds() const {
-    const point<D> margin = point<D>::Constant(slab_reach * skin_);
-    return {surface_.bounds().lower - margin, surface_.bounds().upper + margin};
-  }
+  bounding_box<D> bounds() const { return surface_.bounds().grown(slab_reach * skin_); }
 
   /// See TrackedShape. While it touches, `from` is not read. Cost: free, a search for the way and one for the
   /// nearest facet; in contact, a search or two of the few facets near the proxy.
@@ -79,7 +76,7 @@ class mesh_surface {
     }
     if (!t.held) {
       const point<D> start = t.known && all_finite(from) ? near(from) : entry(x, t);
-      std::copy(start.data(), start.data() + D, t.position.begin());
+      point<D>::Map(t.position.data()) = start;
     }
     t.known = true;
     detail::proxy_way<D>(surface_, skin_, t).go_to(near(x));
@@ -103,16 +100,12 @@ class mesh_surface {
 
   // Where a handle that was not seen before is taken to come from.
   point<D> entry(const point<D>& x, const tracker& t) const {
-    if (!encloses(surface_)) return near(x);
+    constexpr double flat = 1e-9;  // of the box about it: all folded flat, such a mesh encloses nothing
+    const double box = (surface_.bounds().upper - surface_.bounds().lower).prod();
+    if (!surface_.closed() || !(std::abs(surface_.content()) > flat * box)) return near(x);
     const auto nearest = surface_.nearest(x, t.nearest);
     if (surface_.signed_distance(x, nearest) >= 0) return near(x);
     return nearest.position + skin_ * surface_.normal_at(nearest);
-  }
-
-  // Closed, and not all folded flat.
-  static bool encloses(const mesh<D>& m) {
-    constexpr double flat = 1e-9;  // of the box about it
-    return m.closed() && std::abs(m.content()) > flat * (m.bounds().upper - m.bounds().lower).prod();
   }
 
   mesh<D> surface_;

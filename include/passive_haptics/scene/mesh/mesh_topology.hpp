@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace passive_haptics::detail {
@@ -19,11 +19,8 @@ std::vector<int> welded(const std::vector<point<D>>& vertices) {
   std::vector<int> order(vertices.size()), stands_for(vertices.size());
   std::iota(order.begin(), order.end(), 0);
   const auto at = [&](int i) -> const point<D>& { return vertices[static_cast<std::size_t>(i)]; };
-  std::sort(order.begin(), order.end(), [&](int i, int j) {
-    for (int k = 0; k < D; ++k) {
-      if (at(i)[k] != at(j)[k]) return at(i)[k] < at(j)[k];
-    }
-    return i < j;
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
+    return std::lexicographical_compare(at(i).begin(), at(i).end(), at(j).begin(), at(j).end());
   });
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool same = k > 0 && at(order[k]) == at(order[k - 1]);
@@ -37,9 +34,10 @@ std::vector<int> welded(const std::vector<point<D>>& vertices) {
 /// low = high).
 struct ridge {
   int low, high;  // vertices
-  int turn;       // 1 or -1: which way round the facet runs along it
   int facet, index;
+  int turn;  // 1 or -1: which way round the facet runs along it
 
+  auto operator<=>(const ridge&) const = default;
   bool same_place(const ridge& other) const { return low == other.low && high == other.high; }
 };
 
@@ -53,14 +51,10 @@ std::vector<ridge> sorted_ridges(const std::vector<std::array<int, static_cast<s
       const int from = facets[f][static_cast<std::size_t>(i)];
       const int to = D == 2 ? from : facets[f][static_cast<std::size_t>((i + 1) % D)];
       const int turn = D == 2 ? 1 - 2 * i : (from < to ? 1 : -1);
-      all.push_back({std::min(from, to), std::max(from, to), turn, static_cast<int>(f), i});
+      all.push_back({std::min(from, to), std::max(from, to), static_cast<int>(f), i, turn});
     }
   }
-  std::sort(all.begin(), all.end(), [](const ridge& a, const ridge& b) {
-    return std::pair(a.low, a.high) != std::pair(b.low, b.high)
-               ? std::pair(a.low, a.high) < std::pair(b.low, b.high)
-               : std::pair(a.facet, a.index) < std::pair(b.facet, b.index);
-  });
+  std::sort(all.begin(), all.end());
   return all;
 }
 

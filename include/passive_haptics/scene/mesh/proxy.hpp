@@ -10,6 +10,7 @@
 #include <passive_haptics/scene/mesh/facet_slab.hpp>
 #include <passive_haptics/scene/mesh/mesh.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace passive_haptics {
@@ -76,17 +77,14 @@ class proxy_way {
   double lip() const { return lip_by_skin * skin_; }
   facet_slab<D> slab(int facet) const { return {surface_[facet], skin_, lip()}; }
   int& resting(int k) { return tracker_.facets[static_cast<std::size_t>(k)]; }
-  void keep(const point<D>& at) {
-    for (int i = 0; i < D; ++i) tracker_.position[static_cast<std::size_t>(i)] = at[i];
-  }
+  void keep(const point<D>& at) { point<D>::Map(tracker_.position.data()) = at; }
 
   // Facets that the proxy has slid off hold it no longer.
   void leave_facets() {
-    int kept = 0;
-    for (int k = 0; k < tracker_.facet_count; ++k) {
-      if (slab(resting(k)).holds(p_)) resting(kept++) = resting(k);
-    }
-    tracker_.facet_count = kept;
+    const auto begin = tracker_.facets.begin();
+    const auto left = [&](int facet) { return !slab(facet).holds(p_); };
+    tracker_.facet_count =
+        static_cast<int>(std::remove_if(begin, begin + tracker_.facet_count, left) - begin);
   }
 
   // The part of the wanted step that enters no facet on which the proxy rests: its projection on { s : n . s
@@ -113,10 +111,8 @@ class proxy_way {
   }
 
   bool rests_on(int facet) {
-    for (int k = 0; k < tracker_.facet_count; ++k) {
-      if (resting(k) == facet) return true;
-    }
-    return false;
+    const auto begin = tracker_.facets.begin(), end = begin + tracker_.facet_count;
+    return std::find(begin, end, facet) != end;
   }
 
   // Which slab the step enters first; those of the facets on which the proxy rests only if told so.
@@ -124,11 +120,10 @@ class proxy_way {
     const auto entry = [&](const four_outer_boxes<D>& boxes) {
       Eigen::Array<double, 4, 1> times;
       for (int k = 0; k < 4; ++k) {
-        const outer_box<D> box = boxes[k];
         part_of_way way;
         for (int i = 0; i < D; ++i)
-          way.keep_between(p_[i], step[i], double(box.lower[i]) - 2 * skin_,
-                           double(box.upper[i]) + 2 * skin_);
+          way.keep_between(p_[i], step[i], double(boxes.lower(k, i)) - 2 * skin_,
+                           double(boxes.upper(k, i)) + 2 * skin_);
         times[k] = way.empty() ? 2.0 : way.first;
       }
       return times;

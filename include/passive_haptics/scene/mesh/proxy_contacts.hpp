@@ -6,6 +6,7 @@
 #include <passive_haptics/scene/mesh/proxy.hpp>
 
 #include <algorithm>
+#include <bit>
 
 namespace passive_haptics::detail {
 
@@ -55,6 +56,8 @@ class proxy_contacts {
  private:
   static constexpr int most = proxy_tracker<D>::most_facets;
 
+  static bool holds(half_space_set set, int k) { return (set >> k & 1u) != 0; }
+
   // The first of `left` and what is connected with it by angles less than the crease angle.
   half_space_set smooth_group(half_space_set left) const {
     half_space_set group = left & (~left + 1u);
@@ -62,9 +65,8 @@ class proxy_contacts {
       before = group;
       for (int i = 0; i < most; ++i) {
         for (int j = 0; j < most; ++j) {
-          if ((group >> i & 1u) != 0 && (left >> j & 1u) != 0 &&
-              normals_.col(i).dot(normals_.col(j)) > cos_crease_)
-            group |= 1u << j;
+          const double cos_angle = normals_.col(i).dot(normals_.col(j));
+          if (holds(group, i) && holds(left, j) && cos_angle > cos_crease_) group |= 1u << j;
         }
       }
     }
@@ -76,26 +78,22 @@ class proxy_contacts {
   // depth of the first then begins with depth zero.
   template <class Add>
   void add_group(half_space_set group, const vector<double, most>& shares, Add&& add) const {
-    matrix<double, D, most> N = matrix<double, D, most>::Zero();
-    vector<double, most> depths = vector<double, most>::Zero();
-    point<D> share = point<D>::Zero();
-    int last = 0, count = 0;
+    matrix<double, D, most> N = normals_;
+    vector<double, most> depths = depths_;
     for (int k = 0; k < most; ++k) {
-      if ((group >> k & 1u) == 0) continue;
-      N.col(k) = normals_.col(k);
-      depths[k] = depths_[k];
-      share += shares[k] * normals_.col(k);
-      last = k;
-      ++count;
+      if (holds(group, k)) continue;
+      N.col(k).setZero();
+      depths[k] = 0;
     }
     if (!(depths.maxCoeff() > 0)) return;
-    if (count == 1) {
-      add(point<D>(N.col(last)), std::min(depths[last], shares[last]));
+    if (std::has_single_bit(group)) {
+      const int only = std::countr_zero(group);
+      add(point<D>(N.col(only)), std::min(depths[only], shares[only]));
       return;
     }
     const point<D> way = N * shares_of_displacement<D, most>(N, depths);
     const double depth = way.norm();
-    if (depth > 0) add(point<D>(way / depth), std::min(depth, share.norm()));
+    if (depth > 0) add(point<D>(way / depth), std::min(depth, (N * shares).norm()));
   }
 
   double cos_crease_;

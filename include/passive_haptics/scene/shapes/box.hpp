@@ -76,14 +76,13 @@ class box {
 
   /// The 2 D faces as walls whose common inside is the box: axis 0 positive and negative, axis 1, ...
   std::array<half_space<D>, 2 * D> faces() const {
-    const auto face = [this](std::size_t k) {
-      const auto i = static_cast<int>(k / 2);
-      const point<D> normal = (k % 2 == 0 ? 1 : -1) * axes_.col(i);
-      return half_space<D>(centre_ + half_extents_[i] * normal, normal);
+    const auto face = [this](int k) {
+      const point<D> normal = (k % 2 == 0 ? 1 : -1) * axes_.col(k / 2);
+      return half_space<D>(centre_ + half_extents_[k / 2] * normal, normal);
     };
-    return [&]<std::size_t... k>(std::index_sequence<k...>) {
-      return std::array<half_space<D>, 2 * D>{face(k)...};
-    }(std::make_index_sequence<2 * D>());
+    return [&]<int... k>(std::integer_sequence<int, k...>) {
+      return std::array{face(k)...};
+    }(std::make_integer_sequence<int, 2 * D>());
   }
 
   /// The box along the base frame about this one.

@@ -27,8 +27,7 @@ struct capsule_parameters {
   }
   /// The length does not overflow.
   std::string rules() const {
-    const double length = (to - from).stableNorm();
-    return check_value("length", length, "m", range::finite, owner);
+    return check_value("length", (to - from).stableNorm(), "m", range::finite, owner);
   }
 };
 
@@ -60,9 +59,9 @@ class capsule {
 
   /// The box about the ends, wider by the radius.
   bounding_box<D> bounds() const {
-    bounding_box<D> box = box_about(from_, radius_);
-    box.extend(box_about<D>(from_ + length_ * axis_, radius_));
-    return box;
+    bounding_box<D> box{from_, from_};
+    box.extend(from_ + length_ * axis_);
+    return box.grown(radius_);
   }
 
  private:

@@ -11,7 +11,7 @@
 #include <concepts>
 #include <limits>
 #include <string>
-#include <utility>
+#include <tuple>
 
 namespace passive_haptics {
 
@@ -29,8 +29,8 @@ double twice_area(const std::array<point<2>, K>& corners) {
 /// The corners, one after the other, either way round.
 template <int K>
 struct convex_polygon_parameters {
-  std::array<point<2>, static_cast<std::size_t>(K)> corners =
-      nowhere();  ///< [m]; three on a line are allowed.
+  /// [m]; three on a line are allowed.
+  std::array<point<2>, static_cast<std::size_t>(K)> corners = nowhere();
 
   static constexpr const char* owner = "a convex_polygon";  ///< In errors.
   /// All corners in one place, which is refused.
@@ -101,9 +101,8 @@ class convex_polygon {
 
   /// The edges as walls whose common inside is the polygon, in the order of the corners they start at.
   std::array<half_space<2>, corner_count> faces() const {
-    return [this]<std::size_t... i>(std::index_sequence<i...>) {
-      return std::array<half_space<2>, corner_count>{half_space<2>(edges_[i].start, edges_[i].normal)...};
-    }(std::make_index_sequence<corner_count>());
+    const auto walls = [](const auto&... e) { return std::array{half_space<2>(e.start, e.normal)...}; };
+    return std::apply(walls, edges_);
   }
 
   /// The rectangle about the corners.

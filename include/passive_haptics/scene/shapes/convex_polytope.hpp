@@ -10,25 +10,10 @@
 #include <array>
 #include <concepts>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace passive_haptics {
-
-/// The planes of the faces; the polytope is what lies behind all of them. It may be unbounded, planes may be
-/// redundant.
-template <int D, int K>
-struct convex_polytope_parameters {
-  std::array<half_space_parameters<D>, static_cast<std::size_t>(K)> faces;  ///< Normals out of the polytope.
-
-  static constexpr const char* owner = "a convex_polytope";  ///< In errors.
-  /// The table of core/parameters.hpp.
-  static constexpr auto members() {
-    using p = convex_polytope_parameters;
-    return member_table(member("faces", &p::faces));
-  }
-  /// There is something behind all of them.
-  std::string rules() const;
-};
 
 namespace detail {
 
@@ -52,9 +37,7 @@ vector<double, static_cast<int>(K)> distances_from(const std::array<half_space<D
 /// Half-spaces from their parameters.
 template <int D, std::size_t K>
 std::array<half_space<D>, K> half_spaces(const std::array<half_space_parameters<D>, K>& p) {
-  return [&]<std::size_t... i>(std::index_sequence<i...>) {
-    return std::array<half_space<D>, K>{half_space<D>(p[i])...};
-  }(std::make_index_sequence<K>());
+  return std::apply([](const auto&... face) { return std::array{half_space<D>(face)...}; }, p);
 }
 
 /// Error about half-spaces without a common inside. Planes within 1e-8 rad of parallel count as parallel.
@@ -70,10 +53,21 @@ std::string check_common_inside(const std::array<half_space<D>, K>& faces) {
 
 }  // namespace detail
 
+/// The planes of the faces; the polytope is what lies behind all of them. It may be unbounded, planes may be
+/// redundant.
 template <int D, int K>
-std::string convex_polytope_parameters<D, K>::rules() const {
-  return detail::check_common_inside(detail::half_spaces(faces));
-}
+struct convex_polytope_parameters {
+  std::array<half_space_parameters<D>, static_cast<std::size_t>(K)> faces;  ///< Normals out of the polytope.
+
+  static constexpr const char* owner = "a convex_polytope";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = convex_polytope_parameters;
+    return member_table(member("faces", &p::faces));
+  }
+  /// There is something behind all of them.
+  std::string rules() const { return detail::check_common_inside(detail::half_spaces(faces)); }
+};
 
 /// distance(x) = max_i n_i . (x - p_i) inside, the distance to the nearest point of the polytope outside.
 /// Exact on both sides, to the rounding of n_i . (x - p_i) divided by the sine of the sharpest angle between
@@ -114,16 +108,14 @@ class convex_polytope {
   std::pair<double, point<D>> nearest(const point<D>& x) const {
     const vector<double, K> g = detail::distances_from(faces_, x);
     int nearest_plane = 0;
-    for (int i = 1; i < K; ++i) {
-      if (g[i] > g[nearest_plane]) nearest_plane = i;
-    }
-    if (g[nearest_plane] > 0) {
+    const double largest = g.maxCoeff(&nearest_plane);
+    if (largest > 0) {
       // To the nearest point leads the shortest way to behind all planes
       const least_distance<double, D, K> least(normals_, g);
       const double length = least.way.norm(), distance = least.multipliers.dot(g) / length;
-      if (distance > g[nearest_plane]) return {distance, least.way / length};
+      if (distance > largest) return {distance, least.way / length};
     }
-    return {g[nearest_plane], normals_.col(nearest_plane)};
+    return {largest, normals_.col(nearest_plane)};
   }
 
   std::array<half_space<D>, face_count> faces_;

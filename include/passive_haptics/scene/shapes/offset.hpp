@@ -42,9 +42,7 @@ class offset : public shape_wrapper<S> {
   bounding_box<dimension> bounds() const
     requires BoundedShape<S>
   {
-    bounding_box<dimension> box = this->shape_.bounds();
-    const auto margin = point<dimension>::Constant(growth_ > 0 ? growth_ : 0);
-    return {box.lower - margin, box.upper + margin};
+    return this->shape_.bounds().grown(growth_ > 0 ? growth_ : 0);
   }
 
  private:

@@ -6,8 +6,7 @@
 #include <passive_haptics/scene/shapes/complement.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
-#include <array>
-#include <utility>
+#include <tuple>
 
 namespace passive_haptics {
 
@@ -26,11 +25,8 @@ concept PlaneFaced = Shape<S> && requires(const S shape) {
 /// side of its plane. Stiffness in N/m, the same for all faces.
 template <PlaneFaced S>
 auto room(const S& shape, double stiffness = 1e7) {
-  const auto faces = shape.faces();
-  constexpr auto count = std::tuple_size_v<std::remove_const_t<decltype(faces)>>;
-  return [&]<std::size_t... i>(std::index_sequence<i...>) {
-    return scene(wall(complement(faces[i]), stiffness)...);
-  }(std::make_index_sequence<count>());
+  const auto walls = [&](const auto&... face) { return scene(wall(complement(face), stiffness)...); };
+  return std::apply(walls, shape.faces());
 }
 
 }  // namespace passive_haptics

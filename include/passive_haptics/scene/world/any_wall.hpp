@@ -23,7 +23,7 @@ class any_wall {
 
   /// A wall within the bounds that its shape tells, else anywhere.
   template <class S>
-  explicit any_wall(const wall<S>& w) : any_wall(w, bounds_within_world(w.shape)) {}
+  any_wall(const wall<S>& w) : any_wall(w, bounds_of(w.shape)) {}
 
   /// A box that holds all of the wall.
   const bounding_box<D>& bounds() const { return bounds_; }
@@ -37,19 +37,20 @@ class any_wall {
   /// Makes a tracker of a handle that was not seen yet, in tracker_size() bytes aligned for any type.
   void start_tracker(void* storage) const { held_->start_tracker(storage); }
 
-  /// How far [m] the handle may go from x without touching the wall; 0 if it touches it, then its contacts
-  /// are added to `found`, without what the shape does not know: the wall's number and, of a TrackedShape,
-  /// the position. In the cycle before the handle was at `from`.
+  /// How far [m] the handle may go from x without touching the wall; in the cycle before it was at `from`.
+  /// 0 if it touches it: then its contacts are added to `found`, which has been empty. They lack what the
+  /// shape does not know: the wall's number and, of a TrackedShape, the position.
   double look(const point<D>& from, const point<D>& x, void* tracker, contacts<D, D>& found) const {
     return held_->look(from, x, tracker, found);
   }
 
  private:
   template <class S>
-  static bounding_box<D> bounds_within_world(const S& shape) {
+  static bounding_box<D> bounds_of(const S& shape) {
     static_assert(S::dimension == D, "passive_haptics: all walls of a world need the world's dimension.");
-    if constexpr (S::dimension == D) return bounds_of<D>(shape);
-    else return {};
+    if constexpr (S::dimension != D) return {};
+    else if constexpr (requires { shape.bounds(); }) return shape.bounds();
+    else return everywhere<D>();
   }
 
   struct any_model {
@@ -77,20 +78,14 @@ class any_wall {
     double look(const point<D>& from, const point<D>& x, void* tracker,
                 contacts<D, D>& found) const override {
       if constexpr (TrackedShape<S>) {
-        contact<D> c;
-        c.stiffness = held.stiffness;
-        return held.shape.follow(from, x, *static_cast<typename S::tracker*>(tracker),
-                                 [&](const point<D>& normal, double depth) {
-                                   c.normal = normal;
-                                   c.depth = depth;
-                                   found.push_back(c);
-                                 });
+        const auto add = [&](const point<D>& normal, double depth) {
+          found.push_back({.normal = normal, .depth = depth, .stiffness = held.stiffness});
+        };
+        return held.shape.follow(from, x, *static_cast<typename S::tracker*>(tracker), add);
       } else {
         const double distance = held.shape.distance(x);
         if (distance >= 0) return distance;
-        contact<D> c;
-        describe(held, x, distance, c);
-        found.push_back(c);
+        describe(held, x, distance, *found.append());
         return 0;
       }
     }

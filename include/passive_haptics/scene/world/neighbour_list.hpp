@@ -43,10 +43,39 @@ class neighbour_list {
 
   /// Calls look(item) for each item that the handle can have reached on its way to x: those and no others may
   /// be touched. look returns the distance [m] that the handle may go from x without touching the item; 0 if
-  /// it touches it. x finite.
+  /// it touches it. For a finite x that is not idle.
   template <class Look>
   void visit(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
-    if (!idle(x)) look_around(tree, x, look);
+    const double step = (x - last_).norm();
+    if (step < unbounded)
+      travelled_ = (travelled_ + step) * (1 + 4 * epsilon);  // rather too far than too short
+    else reset();
+    last_ = x;
+    if (collecting_) collect(tree, nodes_per_cycle);
+    double from_centre = (x - near().centre).norm();
+    if (!(from_centre < near().reach)) {
+      start_collecting(tree, x);
+      collect(tree, std::numeric_limits<int>::max());
+      from_centre = 0;
+    } else if (!collecting_ && from_centre > start_early * near().reach) {
+      start_collecting(tree, x);
+    }
+
+    const double slack = rounding(x);
+    const auto next_due = [&](int item) {
+      const double distance = look(item);
+      return travelled_ + std::max(distance * (1 - relative_rounding) - slack, 0.0);
+    };
+    look_at_near(next_due);
+    look_at_others(next_due);
+    if (near().reach == 0) {  // more items about x than the list holds
+      tree.visit_within(squared_distance_from<D>(x), 0.0, [&](int item, double) { look(item); });
+    }
+    double clearance = std::min(near().size > 0 ? near().items[0].due : unbounded, first_other_) - travelled_;
+    // The next list in time; and while one is collected, every cycle takes its share
+    clearance = collecting_ ? 0 : std::min(clearance, start_early * near().reach - from_centre);
+    clearance = std::max(clearance - slack, 0.0);
+    squared_clearance_ = clearance * clearance;
   }
 
   /// True if x is nearer than any item can be: nothing need be looked at. False where x is not finite.
@@ -102,40 +131,6 @@ class neighbour_list {
   // Of a distance at x, beside its own share, and of the way [m]
   double rounding(const point<D>& x) const {
     return relative_rounding * (scale_ + x.cwiseAbs().maxCoeff() + travelled_);
-  }
-
-  template <class Look>
-  void look_around(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
-    const double step = (x - last_).norm();
-    if (step < unbounded)
-      travelled_ = (travelled_ + step) * (1 + 4 * epsilon);  // rather too far than too short
-    else reset();
-    last_ = x;
-    if (collecting_) collect(tree, nodes_per_cycle);
-    double from_centre = (x - near().centre).norm();
-    if (!(from_centre < near().reach)) {
-      start_collecting(tree, x);
-      collect(tree, std::numeric_limits<int>::max());
-      from_centre = 0;
-    } else if (!collecting_ && from_centre > start_early * near().reach) {
-      start_collecting(tree, x);
-    }
-
-    const double slack = rounding(x);
-    const auto next_due = [&](int item) {
-      const double distance = look(item);
-      return travelled_ + std::max(distance * (1 - relative_rounding) - slack, 0.0);
-    };
-    look_at_near(next_due);
-    look_at_others(next_due);
-    if (near().reach == 0) {  // more items about x than the list holds
-      tree.visit_within(squared_distance_from<D>(x), 0.0, [&](int item, double) { look(item); });
-    }
-    double clearance = std::min(near().size > 0 ? near().items[0].due : unbounded, first_other_) - travelled_;
-    // The next list in time; and while one is collected, every cycle takes its share
-    clearance = collecting_ ? 0 : std::min(clearance, start_early * near().reach - from_centre);
-    clearance = std::max(clearance - slack, 0.0);
-    squared_clearance_ = clearance * clearance;
   }
 
   // The list is in the order in which its items are due: those that are stand at its head.

@@ -4,12 +4,11 @@
 
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/core/status.hpp>
-#include <passive_haptics/scene/shape.hpp>
+#include <passive_haptics/scene/contacts.hpp>
 
 #include <array>
 #include <atomic>
 #include <optional>
-#include <string>
 #include <utility>
 
 namespace passive_haptics {
@@ -26,8 +25,6 @@ class scene_exchange {
 
   /// With a first scene, as it was at a time [s] on the clock of the control loop's states.
   scene_exchange(Scene first, double time) { slots_[reading_] = {std::move(first), time}; }
-  scene_exchange(const scene_exchange&) = delete;
-  scene_exchange& operator=(const scene_exchange&) = delete;
 
   /// Hands over a scene as it is at this time [s]. To be called by one thread at a time; it may take as long
   /// as it likes.
@@ -108,8 +105,10 @@ class latest_scene {
     return sense(exchange_->scene(), x);
   }
 
-  /// Whether the scene of the latest cycle was new enough.
-  status state() const { return age_ <= parameters_.stale_after ? status::ok : status::scene_stale; }
+  /// Why what the scene told in the latest cycle cannot be displayed; status::ok if it was new enough.
+  friend status scene_status(const latest_scene& latest) {
+    return latest.age_ <= latest.parameters_.stale_after ? status::ok : status::scene_stale;
+  }
 
  private:
   static constexpr bool can_extrapolate = requires(Scene& s) { s.extrapolate(0.0); };
@@ -118,17 +117,5 @@ class latest_scene {
   latest_scene_parameters parameters_;
   double age_ = 0;  // of the scene in the latest cycle [s]
 };
-
-/// The contacts of the latest scene.
-template <class Scene>
-decltype(auto) sense(latest_scene<Scene>& latest, const point<Scene::dimension>& x, double time) {
-  return latest.touched_at(x, time);
-}
-
-/// Why what a scene told cannot be displayed; status::ok if it can.
-template <class Scene>
-status scene_status(const latest_scene<Scene>& latest) {
-  return latest.state();
-}
 
 }  // namespace passive_haptics

@@ -9,14 +9,6 @@
 
 namespace passive_haptics {
 
-namespace detail {
-/// What a tracked shape tells its contacts to.
-template <int D>
-struct any_adder {
-  void operator()(const point<D>& /*normal*/, double /*depth*/) const {}
-};
-}  // namespace detail
-
 /// A wall's geometry that a handle is followed along, so that it may be thin, open and touched at several
 /// places at once.
 ///
@@ -38,7 +30,7 @@ template <class S>
 concept TrackedShape = detail::names_dimension<S> && std::is_trivially_copyable_v<typename S::tracker> &&
                        std::default_initializable<typename S::tracker> &&
                        requires(const S shape, const point<S::dimension> x, typename S::tracker t,
-                                detail::any_adder<S::dimension> add) {
+                                void (*add)(const point<S::dimension>&, double)) {
                          { shape.bounds() } -> std::same_as<bounding_box<S::dimension>>;
                          { shape.follow(x, x, t, add) } -> std::same_as<double>;
                        };

@@ -41,9 +41,11 @@ class world {
   const contacts_type& touched_at(const point<D>& x) {
     found_.clear();
     if (!near_.idle(x)) {
-      if (!all_finite(x)) return undefined_contact();
-      near_.visit(geometry_->tree, x,
-                  [&](int item) { return item < 0 ? look_at_other(item, x) : look(item, x); });
+      if (!all_finite(x)) {
+        found_.add({.depth = std::numeric_limits<double>::quiet_NaN()});
+        return found_.in_order();
+      }
+      near_.visit(geometry_->tree, x, [&](int item) { return look(item, x); });
     }
     previous_ = x;
     return found_.in_order();
@@ -95,9 +97,6 @@ class world {
     }
   }
 
-  /// The walls.
-  const world_walls<D>& walls() const { return geometry_->walls; }
-
  private:
   // What never changes
   struct geometry {
@@ -130,8 +129,8 @@ class world {
     std::vector<int> in_tree;  // numbers of the walls in the tree
     bounding_volume_tree<D> tree;
     std::vector<int> others;  // numbers of those outside, the moving ones first
-    std::vector<std::size_t> trackers{
-        0};  // where the tracker of each of these begins, and the last ends [max_align_t]
+    // Where the tracker of each of these begins, and the last ends [max_align_t]
+    std::vector<std::size_t> trackers{0};
   };
 
   struct motion {
@@ -153,40 +152,29 @@ class world {
   }
   void* tracker(std::size_t other) { return trackers_.data() + geometry_->trackers[other]; }
 
+  // At an item of near_: those outside the tree have negative numbers
   double look(int item, const point<D>& x) {
     touched_.clear();
-    const int number = geometry_->in_tree[static_cast<std::size_t>(item)];
-    const double distance = geometry_->at(number).look(x, x, nullptr, touched_);
-    add_touched(number, x);
-    return distance;
-  }
-
-  double look_at_other(int item, const point<D>& x) {
-    const auto k = static_cast<std::size_t>(-1 - item);
-    const int number = geometry_->others[k];
-    motion fixed;
-    motion& m = k < motions_.size() ? motions_[k] : fixed;
-    touched_.clear();
-    const double distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), touched_);
-    for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
-    add_touched(number, x);
-    m.seen = m.now;
-    return distance;
-  }
-
-  void add_touched(int number, const point<D>& x) {
+    int number;
+    double distance;
+    if (item >= 0) {
+      number = geometry_->in_tree[static_cast<std::size_t>(item)];
+      distance = geometry_->at(number).look(x, x, nullptr, touched_);
+    } else {
+      const auto k = static_cast<std::size_t>(-1 - item);
+      number = geometry_->others[k];
+      motion fixed;
+      motion& m = k < motions_.size() ? motions_[k] : fixed;
+      distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), touched_);
+      for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
+      m.seen = m.now;
+    }
     for (contact<D>& c : touched_) {
       c.wall = number;
       c.position = x;
       found_.add(c);
     }
-  }
-
-  const contacts_type& undefined_contact() {
-    contact<D> c;
-    c.depth = std::numeric_limits<double>::quiet_NaN();
-    found_.add(c);
-    return found_.in_order();
+    return distance;
   }
 
   std::shared_ptr<const geometry> geometry_;
@@ -197,11 +185,5 @@ class world {
   contacts<D, D> touched_;  // of one wall
   strongest_contacts<D, Capacity> found_;
 };
-
-/// The contacts of a world at x [m].
-template <int D, int Capacity>
-const contacts<D, Capacity>& sense(world<D, Capacity>& walls, const point<D>& x) {
-  return walls.touched_at(x);
-}
 
 }  // namespace passive_haptics

@@ -20,16 +20,10 @@ class world_walls {
     walls_.push_back(std::move(w));
     return static_cast<int>(walls_.size()) - 1;
   }
-  /// The same of a shape that is to be wrapped.
-  template <class S>
-  int add(const wall<S>& w) {
-    return add(any_wall<D>(w));
-  }
 
   /// Adds a wall that world::set_motion can move, and returns its number.
-  template <class S>
-  int add_moving(const wall<S>& w) {
-    moving_.push_back(add(w));
+  int add_moving(any_wall<D> w) {
+    moving_.push_back(add(std::move(w)));
     return moving_.back();
   }
 
