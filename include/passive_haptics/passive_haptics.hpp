@@ -39,11 +39,13 @@
 #include <passive_haptics/force/effects/detents.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>
+#include <passive_haptics/force/effects/rough_walls.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/force/effects/wall_friction.hpp>
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/effects/with_effects.hpp>
 #include <passive_haptics/control/extensions/generator_form.hpp>
 #include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>

@@ -37,7 +37,7 @@ Answer respond(const cycle_parts<M, B, L>& with, const State& state, const Pose&
   const auto Fc = displayed(with, now, Fd, touched, memory);
   const auto alpha = scale(with, now, Fd, Fc);
   const auto Fc_scaled = alpha * Fc;
-  const auto td = limited(with, Fc_scaled.torque);
+  const auto td = add_effects(with, now, touched, limited(with, Fc_scaled.torque));
 
   // What the mechanism will feel
   const brake_vector<M> t = passive_torque(td.torque, w, th, s, brakes);
@@ -56,7 +56,7 @@ Answer cycle(const cycle_parts<M, B, L>& with, S& scene, const State& state, ste
   if (const status s = status_of(scene); s != status::ok)
     return released<Answer>(with, state.time, s, memory);
   if constexpr (ScalingLaw<L> && std::remove_cvref_t<decltype(touched)>::capacity > 1)
-    if (touched.size() == 1) return respond<Answer>(with, state, at, x, only_contact{touched[0]}, memory);
+    if (touched.size() == 1) return respond<Answer>(with, state, at, x, alone(touched), memory);
   return respond<Answer>(with, state, at, x, touched, memory);
 }
 

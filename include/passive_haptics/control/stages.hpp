@@ -8,6 +8,8 @@
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 
+#include <type_traits>
+
 namespace passive_haptics {
 
 /// What a cycle works with, all but the scene, the state and the memory. A controller owns it, step() is
@@ -28,6 +30,18 @@ decltype(auto) walls_at(S& scene, const point<D>& x, double time) {
   else if constexpr (requires { sense(scene, x); }) return sense(scene, x);
   else return (scene);
 }
+
+namespace detail {
+template <class S>
+struct contacts_given : std::type_identity<S> {};
+template <class S>
+  requires requires { typename S::contacts_type; }
+struct contacts_given<S> : std::type_identity<typename S::contacts_type> {};
+}  // namespace detail
+
+/// The contacts that a scene gives; contacts give themselves.
+template <class S>
+using contacts_of = typename detail::contacts_given<S>::type;
 
 /// Fh [N]; zero where the state has none.
 template <class M, class State>
@@ -78,6 +92,13 @@ saturated_torque<T, Brakes> limited(const cycle_parts<M, B, L>& with, const vect
   if constexpr (LimitedBrakes<B, T, Brakes>)
     return saturate(t, with.brakes.torque_limit, with.options.limits);
   else return {t, false};
+}
+
+/// The torques as the walls want them: no effects stand beside these walls. control/effects/ has those that
+/// do.
+template <class Parts, class Now, class Walls, class Torques>
+Torques add_effects(const Parts&, const Now&, const Walls&, const Torques& td) {
+  return td;
 }
 
 }  // namespace passive_haptics

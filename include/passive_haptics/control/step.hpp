@@ -70,7 +70,7 @@ step_result_for<M, Contacts> step(
     const M& mechanism, const B& brakes, const Contacts& touched, const L& law, const State& state,
     step_memory<L>& memory,
     const step_options<typename M::scalar>& options = step_options<typename M::scalar>()) noexcept {
-  static_assert(detail::step_requirements<M, Contacts, L, State, B>::met);
+  static_assert(detail::step_requirements<M, contacts_of<Contacts>, L, State, B>::met);
   const brake_jacobian_evaluator<M> brake_jacobian(mechanism);
   const cycle_parts<M, B, L> with{mechanism, brakes, law, brake_jacobian, options};
   return run_cycle<step_result_for<M, Contacts>>(with, check_parameters<L>(brakes, options), touched, state,

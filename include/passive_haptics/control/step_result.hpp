@@ -73,10 +73,21 @@ struct step_result_of_contacts : step_result<M> {
   int contact_count = 0;  ///< Reports in contacts: 0 unless several walls were touched.
 };
 
-/// What step() returns for these contacts: a step_result<M>, with reports if there can be several.
+namespace detail {
 template <class M, class Contacts>
-using step_result_for = std::conditional_t<(Contacts::capacity > 1),
-                                           step_result_of_contacts<M, Contacts::capacity>, step_result<M>>;
+struct result_of : std::conditional<(Contacts::capacity > 1), step_result_of_contacts<M, Contacts::capacity>,
+                                    step_result<M>> {};
+template <class M, class Contacts>
+  requires requires { typename Contacts::template result_type<M>; }
+struct result_of<M, Contacts> {
+  using type = typename Contacts::template result_type<M>;
+};
+}  // namespace detail
+
+/// What step() returns for these contacts: a step_result<M>, with reports if there can be several; or what
+/// the contacts themselves name as `result_type<M>`.
+template <class M, class Contacts>
+using step_result_for = typename detail::result_of<M, Contacts>::type;
 
 /// All brakes released, and why: in free space (ok), or for a fault. A step_result or a brake_command.
 template <class Answer>

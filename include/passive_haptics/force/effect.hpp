@@ -2,19 +2,19 @@
 /// The Effect concept: a force that resists motion, and so one that brakes can do.
 #pragma once
 
-#include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/scene/contacts.hpp>
 
 #include <type_traits>
 
 namespace passive_haptics {
 
-/// A desired force beside that of the walls.
+/// A desired force beside that of the walls (control/effects/with_effects.hpp brings it into a control
+/// cycle).
 ///
 /// Minimal complete definition:
 ///   - `scalar` and `static constexpr int dimension` (d);
 ///   - `vector<scalar, d> force(x, v, hand_force) const`: force on the handle [N] at position x [m], velocity
-///   v [m/s]
-///     and hand force [N] (zero where none is known), all in the base frame.
+///     v [m/s] and hand force [N] (zero where none is known), all in the base frame.
 ///
 /// Laws: with hand_force = 0, F . v <= 0 for all x and v, and F = 0 for v = 0: an effect returns no energy.
 /// With a hand force the same outside the dead bands that the effect states; inside one it may hold against
@@ -22,6 +22,28 @@ namespace passive_haptics {
 template <class E>
 concept Effect = requires(const E effect, const vector<typename E::scalar, E::dimension> u) {
   { effect.force(u, u, u) } -> ExactVector<typename E::scalar, E::dimension>;
+};
+
+/// An effect of the walls that are touched, such as friction. As Effect, but for
+///   - `vector<scalar, d> force_at(touched, v, hand_force) const`, a template over contacts: any type with
+///     `size()` and `[j]`, which gives a contact<d>.
+///
+/// Laws: those of Effect, with velocities relative to each wall.
+template <class E>
+concept WallEffect = requires(const E effect, const contacts<E::dimension, 1> touched,
+                              const vector<typename E::scalar, E::dimension> u) {
+  { effect.force_at(touched, u, u) } -> ExactVector<typename E::scalar, E::dimension>;
+};
+
+/// An effect on the joints. Minimal complete definition:
+///   - `scalar` and `static constexpr int dof` (n);
+///   - `vector<scalar, n> torque(q, qd, hand_torque) const`: desired torques of the joints [N m] at positions
+///     q [rad], rates qd [rad/s] and the hand's torques J^T Fh [N m].
+///
+/// Laws: with no hand torque t_i qd_i <= 0 for each joint, and t = 0 at rest.
+template <class E>
+concept JointEffect = requires(const E effect, const vector<typename E::scalar, E::dof> u) {
+  { effect.torque(u, u, u) } -> ExactVector<typename E::scalar, E::dof>;
 };
 
 /// Sum of the forces of several effects [N]; at least one. Arguments as Effect::force.

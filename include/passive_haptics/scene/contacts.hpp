@@ -93,4 +93,10 @@ decltype(auto) sense(Scene& scene, const point<Scene::dimension>& x, Time... tim
   return scene.touched_at(x, time...);
 }
 
+/// The wall, where one is touched.
+template <int D, int Capacity>
+only_contact<D> alone(const contacts<D, Capacity>& touched) {
+  return {touched[0]};
+}
+
 }  // namespace passive_haptics

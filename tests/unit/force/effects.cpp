@@ -88,6 +88,8 @@ std::pair<vector_of<E>, vector_of<E>> draw(random_source& random, int k) {
 
 static_assert(ph::Effect<ph::detents<float, 2>> && ph::Effect<ph::guide<double, 3>>);
 static_assert(ph::Effect<ph::viscous_field<double, 2>> && !ph::Effect<ph::end_stops<double, 2>>);
+static_assert(ph::JointEffect<ph::end_stops<double, 2>> && !ph::JointEffect<ph::guide<double, 2>>);
+static_assert(ph::WallEffect<ph::rough_walls<float, 3>> && !ph::Effect<ph::rough_walls<float, 3>>);
 static_assert(!ph::Effect<ph::box<2>>);
 
 }  // namespace
@@ -213,6 +215,20 @@ TEST(wall_friction, is_mu_times_the_load_against_the_motion_along_the_wall) {
 TEST(wall_friction, takes_the_load_that_the_hand_presses) {
   EXPECT_EQ((ph::pressing_force(ph::vector<double, 2>(0, 1), {3, -2})), 2);
   EXPECT_EQ((ph::pressing_force(ph::vector<double, 2>(0, 1), {3, 2})), 0);
+}
+
+TEST(rough_walls, have_the_friction_of_each_touched_wall) {
+  const ph::wall_friction_parameters<double> p{.coefficient = 0.5, .viscosity = 10};
+  const ph::rough_walls<double, 2> rough(p);
+  const ph::vector<double, 2> v(0.3, -0.2), Fh(-4, -7), first(0, 1), second(1, 0), moving(0.1, 0.4);
+  ph::contacts<2, 3> touched;
+  EXPECT_EQ(rough.force_at(touched, v, Fh), (ph::vector<double, 2>(0, 0)));
+  touched.push_back({.normal = first, .depth = 1e-3, .stiffness = 1e3});
+  EXPECT_EQ(rough.force_at(touched, v, Fh), ph::wall_friction(p, first, 7, v, Fh));
+  touched.push_back({.normal = second, .depth = 1e-3, .stiffness = 1e3, .wall_velocity = moving});
+  const ph::vector<double, 2> both = ph::wall_friction(p, first, 7, v, Fh) +
+                                     ph::wall_friction(p, second, 4, ph::vector<double, 2>(v - moving), Fh);
+  EXPECT_LE((rough.force_at(touched, v, Fh) - both).norm(), 16 * eps);
 }
 
 // A mass of 0.5 kg on the wall, pushed along it for a second at 10 kHz: how far it gets [m].

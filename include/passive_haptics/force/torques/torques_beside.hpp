@@ -1,0 +1,51 @@
+/// @file
+/// Brake torques for effects, beside what walls already have.
+#pragma once
+
+#include <passive_haptics/force/torques/contact_forces.hpp>
+
+#include <algorithm>
+
+namespace passive_haptics {
+
+/// What effects ask of the brakes.
+template <class T, int D, int Brakes, int Joints>
+struct effect_demand {
+  vector<T, D> force;                    ///< Fe, wanted force at the end effector [N].
+  matrix<T, Joints, Brakes> joint_rows;  ///< Rows of T^T for joints with a torque of their own, else 0.
+  vector<T, Joints> joint_torque;        ///< What these joints shall have more than t gives them [N m].
+};
+
+/// Torques in the box that keep n_j . G t, the normal forces that t displays, and with what is left do, in
+/// this order of priority: the torques of joints; no self-motion; the force G t nearest to Fe; the least |t|.
+///
+/// normals: n_j in rows, 0 beyond the walls. t in the box. Solved for the change of t, so that a wall of 5e4
+/// N leaves none of its rounding on an effect of 2 N, nor an effect any on the wall. Cost:
+/// core/linear/prioritised_least_squares.hpp, five levels, of which those with nothing to say are left out.
+template <class T, int D, int Brakes, int Walls, int Joints>
+vector<T, Brakes> torques_beside(const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
+                                 const vector<T, Brakes>& t, const matrix<T, Walls, D>& normals,
+                                 const effect_demand<T, D, Brakes, Joints>& wanted) {
+  using solver = prioritised_least_squares<T, Brakes, Walls + Joints + Brakes + D>;
+  constexpr int rows = solver::row_count;
+  const typename solver::targets nothing = solver::targets::Zero();
+  solver change(box.lower - t, box.upper - t);
+  vector<T, D> missing = wanted.force - map.G * t;
+  if (!normals.isZero(T(0))) {
+    change.minimise(padded<rows>(matrix<T, Walls, Brakes>(normals * map.G)), nothing);
+    // Along the walls alone: the rest is not to be had
+    const orthogonal_decomposition<T, Walls, D> walls(normals, rounding_tolerance<T>(Walls));
+    missing = walls.without_row_space(missing);
+  }
+  if (!wanted.joint_rows.isZero(T(0)))
+    change.minimise(padded<rows>(wanted.joint_rows), padded<rows>(wanted.joint_torque));
+  if (map.self_motion) change.minimise(padded<rows>(map.P), nothing);
+  change.minimise(padded<rows>(map.G), padded<rows>(missing));
+  change.minimise(solver::rows::Identity(), padded<rows>(vector<T, Brakes>(-t)));
+
+  vector<T, Brakes> sum = t + change.solution();
+  for (int i = 0; i < Brakes; ++i) sum[i] = std::clamp(sum[i], box.lower[i], box.upper[i]);
+  return sum;
+}
+
+}  // namespace passive_haptics
