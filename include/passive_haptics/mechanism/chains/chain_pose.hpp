@@ -2,6 +2,7 @@
 /// Where the joints of a serial chain are in a pose.
 #pragma once
 
+#include <passive_haptics/core/linear/sine_cosine.hpp>
 #include <passive_haptics/mechanism/chains/rigid_body_algebra.hpp>
 
 #include <array>
@@ -146,18 +147,6 @@ class chain_frames<T, N, 3> {
     vector<T, 3> to_next;                      // to the next joint's point, or to the handle [m], this frame
     bool turns;
   };
-
-  [[gnu::always_inline]] static matrix<T, 3, 3> turned_about_z(const matrix<T, 3, 3>& A, T cosine, T sine) {
-    matrix<T, 3, 3> B;
-    B << cosine * A.col(0) + sine * A.col(1), cosine * A.col(1) - sine * A.col(0), A.col(2);
-    return B;
-  }
-
-  [[gnu::always_inline]] static matrix<T, 3, 3> turned_about_x(const matrix<T, 3, 3>& A, T cosine, T sine) {
-    matrix<T, 3, 3> B;
-    B << A.col(0), cosine * A.col(1) + sine * A.col(2), cosine * A.col(2) - sine * A.col(1);
-    return B;
-  }
 
   // B turned so that z points along the axis; how, is left in `to`.
   static matrix<T, 3, 3> aligned(const matrix<T, 3, 3>& B, const vector<T, 3>& axis, body& to) {

@@ -2,6 +2,7 @@
 /// Serial chains in space from standard Denavit-Hartenberg parameters.
 #pragma once
 
+#include <passive_haptics/core/linear/sine_cosine.hpp>
 #include <passive_haptics/mechanism/chains/rigid_body_algebra.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_parameters.hpp>
 
@@ -33,9 +34,10 @@ serial_chain_parameters<T, int(N), 3> from_denavit_hartenberg(
   for (std::size_t i = 0; i < N; ++i) {
     const dh_joint<T>& row = table[i];
     p.joints[i] = {row.kind, A.col(2), origin};
-    A = A * detail::rigid_body_algebra<T, 3>::rotation(vector<T, 3>::UnitZ(), row.angle);
+    const auto [theta, alpha] = sine_cosine(row.angle, row.twist);
+    A = detail::turned_about_z<T>(A, theta.cosine, theta.sine);
     origin += A * vector<T, 3>(row.length, T(0), row.offset);
-    A = A * detail::rigid_body_algebra<T, 3>::rotation(vector<T, 3>::UnitX(), row.twist);
+    A = detail::turned_about_x<T>(A, alpha.cosine, alpha.sine);
   }
   p.handle = origin + A * tool;
   return p;

@@ -38,8 +38,8 @@ template <class T, int D>
 struct link_inertia {
   T mass = T(0);                               ///< [kg], > 0.
   vector<T, D> centre = vector<T, D>::Zero();  ///< Centre of mass [m].
-  inertia_matrix<T, D> about_centre =
-      inertia_matrix<T, D>::Zero();  ///< [kg m^2]; symmetric; 1 x 1 in the plane.
+  /// [kg m^2]; symmetric; 1 x 1 in the plane.
+  inertia_matrix<T, D> about_centre = inertia_matrix<T, D>::Zero();
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -74,8 +74,8 @@ link_inertia<T, D> joined(const link_inertia<T, D>& a, const link_inertia<T, D>&
 template <class T, int N, int D>
 struct serial_chain_inertia {
   std::array<link_inertia<T, D>, N> links = {};  ///< Link i moves with joint i.
-  vector<T, N> rotor_inertia =
-      vector<T, N>::Constant(T(5e-5));          ///< On the joints' axes [kg m^2, or kg]; that of two_link.
+  /// On the joints' axes [kg m^2, or kg]; that of two_link.
+  vector<T, N> rotor_inertia = vector<T, N>::Constant(T(5e-5));
   T handle_mass = T(0.1);                       ///< Point mass at the end effector [kg]; that of two_link.
   vector<T, D> gravity = vector<T, D>::Zero();  ///< [m/s^2]; zero: horizontal or counterbalanced.
 

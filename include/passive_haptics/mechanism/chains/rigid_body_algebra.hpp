@@ -2,7 +2,6 @@
 /// The vector algebra of rotating bodies, the same expressions in the plane and in space.
 #pragma once
 
-#include <passive_haptics/core/linear/sine_cosine.hpp>
 #include <passive_haptics/core/matrix.hpp>
 
 #include <cmath>
@@ -22,6 +21,22 @@ template <class T, int D>
 using inertia_matrix = matrix<T, angular_size<D>, angular_size<D>>;
 
 namespace detail {
+
+/// A turned about its own z axis.
+template <class T>
+[[gnu::always_inline]] inline matrix<T, 3, 3> turned_about_z(const matrix<T, 3, 3>& A, T cosine, T sine) {
+  matrix<T, 3, 3> B;
+  B << cosine * A.col(0) + sine * A.col(1), cosine * A.col(1) - sine * A.col(0), A.col(2);
+  return B;
+}
+
+/// A turned about its own x axis.
+template <class T>
+[[gnu::always_inline]] inline matrix<T, 3, 3> turned_about_x(const matrix<T, 3, 3>& A, T cosine, T sine) {
+  matrix<T, 3, 3> B;
+  B << A.col(0), cosine * A.col(1) + sine * A.col(2), cosine * A.col(2) - sine * A.col(1);
+  return B;
+}
 
 /// The products that rotating bodies need. One name a role, so that Eigen expressions convert without doubt.
 template <class T, int D>
@@ -48,15 +63,6 @@ struct rigid_body_algebra<T, 2> {
     const S c = cos(angle), s = sin(angle);
     return {c * r[0] - s * r[1], s * r[0] + c * r[1]};
   }
-
-  /// The matrix of turned().
-  static turn rotation(const linear&, T angle) {
-    const auto [s, c] = sine_cosine(angle);
-    return turn{{c, -s}, {s, c}};
-  }
-
-  /// The axis of a joint after the turn: z stays.
-  static angular axis(const turn&, const linear&) { return angular(T(1)); }
 
   /// Inertia of a body after the turn: the number it was.
   static inertia_matrix<T, 2> inertia(const turn&, const inertia_matrix<T, 2>& i) { return i; }
@@ -90,20 +96,6 @@ struct rigid_body_algebra<T, 3> {
     const S s = sin(angle), v = S(T(1)) - cos(angle);
     return r + s * across + v * cross(w, across);
   }
-
-  /// The matrix of turned().
-  static turn rotation(const angular& w, T angle) {
-    const auto [sine, c] = sine_cosine(angle);
-    const T v = T(1) - c;
-    const angular s = sine * w;
-    const T xy = v * w[0] * w[1], yz = v * w[1] * w[2], zx = v * w[2] * w[0];
-    return turn{{c + v * w[0] * w[0], xy - s[2], zx + s[1]},
-                {xy + s[2], c + v * w[1] * w[1], yz - s[0]},
-                {zx - s[1], yz + s[0], c + v * w[2] * w[2]}};
-  }
-
-  /// The axis of a joint after the turn.
-  static angular axis(const turn& A, const linear& w) { return A * w; }
 
   /// Inertia of a body after the turn, A I A^T.
   static inertia_matrix<T, 3> inertia(const turn& A, const inertia_matrix<T, 3>& i) {

@@ -22,8 +22,8 @@ enum class joint_kind {
 template <class T, int D>
 struct chain_joint {
   joint_kind kind = joint_kind::revolute;  ///< Turns or slides.
-  vector<T, D> axis =
-      vector<T, D>::Zero();  ///< Direction, any length > 0; not read in a revolute planar joint.
+  /// Direction, any length > 0; not read in a revolute planar joint.
+  vector<T, D> axis = vector<T, D>::Zero();
   vector<T, D> point = vector<T, D>::Zero();  ///< On the axis [m]; not read in a prismatic joint.
 
   /// The table of core/parameters.hpp.
@@ -63,8 +63,8 @@ chain_joint<T, D> prismatic_joint(const vector<T, D>& axis) {
 template <class T, int N, int D>
 struct serial_chain_parameters {
   std::array<chain_joint<T, D>, N> joints = {};  ///< No default fits.
-  vector<T, D> handle = vector<T, D>::Constant(
-      std::numeric_limits<T>::quiet_NaN());  ///< End effector, zero pose [m]; no default.
+  /// End effector, zero pose [m]; no default.
+  vector<T, D> handle = vector<T, D>::Constant(std::numeric_limits<T>::quiet_NaN());
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {

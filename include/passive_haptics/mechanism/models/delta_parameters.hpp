@@ -27,8 +27,8 @@ struct delta_parameters {
   T upper_arm_mass = T(0.05);                       ///< A uniform rod [kg].
   T forearm_mass = T(0.03);                         ///< Both rods of one parallelogram [kg].
   T platform_mass = T(0.1);                         ///< With what the hand holds [kg].
-  vector<T, 3> rotor_inertia =
-      vector<T, 3>::Constant(T(5e-5));          ///< On the base joints' axes [kg m^2]; that of two_link.
+  /// On the base joints' axes [kg m^2]; that of two_link.
+  vector<T, 3> rotor_inertia = vector<T, 3>::Constant(T(5e-5));
   vector<T, 3> gravity = vector<T, 3>::Zero();  ///< [m/s^2]; zero: the device is counterbalanced.
 
   /// The table of core/parameters.hpp.

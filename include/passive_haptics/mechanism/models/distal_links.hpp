@@ -32,17 +32,13 @@ struct distal_links {
 
   /// |B_ii| / (|r_i| |a'_i|), the least, and |det A| / prod |r_i|.
   chain_conditioning<T> conditioning() const {
-    const vector<T, N> B = drive();
-    matrix<T, N, N> unit = link;
-    T sine = T(1);
-    for (int i = 0; i < N; ++i) {
-      const T length = link.row(i).norm();
-      unit.row(i) /= length;
-      const T ratio = std::abs(B[i]) / length / tangent.col(i).norm();
-      if (ratio < sine || ratio != ratio) sine = ratio;  // a NaN stays
-    }
+    const vector<T, N> length = link.rowwise().norm();
+    const matrix<T, N, N> unit = link.array().colwise() / length.array();
+    const vector<T, N> arm = tangent.colwise().norm();
+    const vector<T, N> sines = drive().cwiseAbs().cwiseQuotient(length).cwiseQuotient(arm);
+    const T least = sines.template minCoeff<Eigen::PropagateNaN>();
     // In this order std::min keeps a NaN
-    return {sine, std::min(std::abs(determinant(unit)), T(1))};
+    return {std::min(least, T(1)), std::min(std::abs(determinant(unit)), T(1))};
   }
 
   /// Jd qd [m/s^2] from the constraint's second derivative, r_i . (xdd + a_i qd_i^2) + |v - a'_i qd_i|^2 = 0.

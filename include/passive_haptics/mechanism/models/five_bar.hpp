@@ -119,17 +119,14 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   template <class S>
   vector<S, 2> handle(const vector<S, 2>& P1, const vector<S, 2>& P2) const {
     using std::sqrt;
-    const vector<S, 2> apart(P2[0] - P1[0], P2[1] - P1[1]);
-    const S square = apart[0] * apart[0] + apart[1] * apart[1];
-    const S distance = sqrt(square);
+    const vector<S, 2> apart = P2 - P1;
+    const S square = apart.squaredNorm(), distance = sqrt(square);
     const S sum = S(p_.distal_1) + S(p_.distal_2), difference = S(p_.distal_1) - S(p_.distal_2);
     const S along = difference * sum / (T(2) * square);
     const S stretched = (sum - distance) * (sum + distance);
     const S folded = (distance - difference) * (distance + difference);
     const S across = side_ * sqrt(S(stretched * folded)) / (T(2) * square);
-    const T half = T(1) / T(2);
-    return {half * (P1[0] + P2[0]) + along * apart[0] - across * apart[1],
-            half * (P1[1] + P2[1]) + along * apart[1] + across * apart[0]};
+    return (P1 + P2) * S(T(1) / T(2)) + along * apart + across * vector<S, 2>(-apart[1], apart[0]);
   }
 
   // With the handle at x, or else where it is
