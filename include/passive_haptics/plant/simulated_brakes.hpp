@@ -4,8 +4,6 @@
 
 #include <passive_haptics/brake/brake_parameters.hpp>
 
-#include <algorithm>
-
 namespace passive_haptics {
 
 /// The m real brakes of a simulated device, each value on the brake's own axis. Brake i resists with
@@ -30,10 +28,7 @@ struct simulated_brakes {
   /// Strength [N m] that commanded capacities [N m] end in; a capacity that is negative or NaN releases its
   /// brake.
   vector<T, Brakes> strength(const vector<T, Brakes>& capacity) const {
-    vector<T, Brakes> y;
-    for (int i = 0; i < Brakes; ++i)
-      y[i] = capacity[i] > T(0) ? std::min(gain[i] * capacity[i], torque_limit[i]) : T(0);
-    return y;
+    return (capacity.array() > T(0)).select(gain.cwiseProduct(capacity).cwiseMin(torque_limit), T(0));
   }
 
   /// The table of core/parameters.hpp.

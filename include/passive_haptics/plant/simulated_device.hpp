@@ -68,8 +68,7 @@ class simulated_device {
     const joint_vector<M> drive = J_.transpose() * handle_force - mechanism_.bias_torque(q_, qd_);
     const matrix<scalar, M::dof, M::brake_count> Tt = transposed_transmission(mechanism_, q_);
     const transmission_matrix<M> T = transposed(Tt);
-    transmission_matrix<M> drag = T;
-    for (int i = 0; i < M::brake_count; ++i) drag.row(i) *= dt * brakes_.viscous_drag[i];
+    const transmission_matrix<M> drag = (dt * brakes_.viscous_drag).asDiagonal() * T;
     const cholesky<scalar, M::dof> inverse_mass(mass_ + Tt * drag);
 
     const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(mass_ * qd_ + dt * drive));

@@ -21,8 +21,8 @@ namespace passive_haptics {
 /// Timing and sensing of a wall-following experiment.
 struct wall_following_parameters {
   double time_step = 1e-4;  ///< Of the simulation [s].
-  double control_period =
-      1e-3;  ///< Of brakes and sensors [s]; section 5.1: 1 kHz. Rounded to whole time steps.
+  /// Of brakes and sensors [s]; section 5.1: 1 kHz. Rounded to whole time steps.
+  double control_period = 1e-3;
   double sensor_corner = 200;    ///< Low-pass of the force sensor [Hz]; 0 for none.
   double sensor_noise = 0;       ///< Standard deviation of each component of each reading [N].
   std::uint64_t noise_seed = 1;  ///< Of that noise.
@@ -75,11 +75,14 @@ struct wall_following_sample {
 namespace detail {
 
 // What is kept of a controller's decision: step_result<M> of all that is one.
-template <class M, class Control>
-using decision_of = std::conditional_t<
-    std::is_base_of_v<step_result<M>,
-                      std::remove_cvref_t<std::invoke_result_t<Control&, const device_state<M>&>>>,
-    step_result<M>, std::remove_cvref_t<std::invoke_result_t<Control&, const device_state<M>&>>>;
+template <class M, class Control,
+          class Answer = std::remove_cvref_t<std::invoke_result_t<Control&, const device_state<M>&>>>
+using decision_of = std::conditional_t<std::is_base_of_v<step_result<M>, Answer>, step_result<M>, Answer>;
+
+// Looks at nothing.
+struct no_observer {
+  void operator()(const auto&) const {}
+};
 
 }  // namespace detail
 
@@ -91,10 +94,10 @@ using decision_of = std::conditional_t<
 /// brake_vector<M> `capacity`. observe(wall_following_sample) is called once a time step. Depth and figures
 /// are the true ones, not those read. Throws std::invalid_argument with the text of validate(parameters), or
 /// if there is no watched_brake.
-template <class M, class Shape, class Control, class Observer>
+template <class M, class Shape, class Control, class Observer = detail::no_observer>
 contact_metrics follow_wall(simulated_device<M>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,
-                            const wall_following_parameters& parameters, Observer&& observe) {
+                            const wall_following_parameters& parameters, Observer&& observe = {}) {
   using T = typename M::scalar;
   const wall_following_parameters& p = require_valid(parameters);
   if (p.watched_brake < 0 || p.watched_brake >= M::brake_count) {
@@ -146,14 +149,6 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
     if (progress >= p.path_end) break;
   }
   return meter.result();
-}
-
-/// The same without an observer.
-template <class M, class Shape, class Control>
-contact_metrics follow_wall(simulated_device<M>& device, Control&& control, const Shape& shape,
-                            const following_hand<typename M::scalar, M::task_dimension>& hand,
-                            const wall_following_parameters& parameters) {
-  return follow_wall(device, control, shape, hand, parameters, [](const auto&) {});
 }
 
 }  // namespace passive_haptics
