@@ -8,10 +8,12 @@
 ///     port make();                             // one to this device, not open
 ///     port make_releasing();                   // one as a supervisor has it
 ///     std::string open(port&);                 // port.open(), while the device lives
-///     void live();                             // a millisecond of the device: samples go out, currents
-///     arrive std::array<double, N> currents();        // what the brakes have [A] static constexpr double
-///     resolution;      // of a current [A] static std::string missing();            // optional: why there
-///     can be no device here; the tests are then skipped
+///     void live();                             // a millisecond: samples go out, currents arrive
+///     std::array<double, N> currents();        // what the brakes have [A]
+///     static constexpr double resolution;      // of a current [A]
+///     static std::string missing();            // optional: why there can be no device here
+///
+/// Where a device is missing, the tests are skipped.
 #pragma once
 
 #include <passive_haptics/driver/clock.hpp>

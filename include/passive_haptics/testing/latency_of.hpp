@@ -24,8 +24,8 @@ namespace passive_haptics::testing {
 /// How many cycles are timed one by one, for the percentiles.
 struct latency_options {
   int hot_samples = 10'000;  ///< In the rows hot and chain.
-  int cold_samples =
-      1000;  ///< In the row cold; each costs an eviction, some milliseconds for a cache of 32 MB.
+  /// In the row cold; each costs an eviction, some milliseconds for a cache of 32 MB.
+  int cold_samples = 1000;
 };
 
 namespace detail {
@@ -75,8 +75,7 @@ class cache_eviction {
   }
 
  private:
-  static constexpr std::size_t least = std::size_t{1}
-                                       << 22;  // where the machine does not tell its caches [byte]
+  static constexpr std::size_t least = 1u << 22;  // where the machine does not tell its caches [byte]
   static std::size_t largest_cache() {
     int most = 0;
     for (const auto& cache : benchmark::CPUInfo::Get().caches) most = std::max(most, cache.size);
@@ -101,8 +100,8 @@ class measured_loop {
   /// Each state waits for the capacities of the cycle before: the time is that from one end to the other.
   void chain(benchmark::State& run) {
     warm(run, [](State state, const brake_vector<M>& capacity) {
-      state.q.array() +=
-          typename M::scalar(0) * capacity.sum();  // adds nothing, yet the compiler cannot know
+      // Adds nothing, yet the compiler cannot know
+      state.q.array() += typename M::scalar(0) * capacity.sum();
       return state;
     });
   }
@@ -195,8 +194,8 @@ void latency_of(const std::string& name, const controller<M, S, L>& control, std
                                   " samples; give at least one");
   }
   using loop = detail::measured_loop<M, S, L, State>;
-  const loop measured(control, std::move(states),
-                      options);  // each row has its own copy, so no row sees another's memory
+  // Each row has its own copy, so no row sees another's memory
+  const loop measured(control, std::move(states), options);
   benchmark::RegisterBenchmark((name + "/hot").c_str(),
                                [=](benchmark::State& run) { loop(measured).hot(run); });
   benchmark::RegisterBenchmark((name + "/chain").c_str(),

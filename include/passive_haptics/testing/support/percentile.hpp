@@ -15,8 +15,8 @@ namespace passive_haptics::testing {
 template <class T>
 T percentile(const std::vector<T>& ascending, double share) {
   assert(!ascending.empty() && std::is_sorted(ascending.begin(), ascending.end()));
-  const double rank =
-      std::ceil(share * static_cast<double>(ascending.size()) * (1 - 1e-12));  // 0.999 * 1000 is 999
+  // Rounded down by a little: 0.999 * 1000 is 999
+  const double rank = std::ceil(share * static_cast<double>(ascending.size()) * (1 - 1e-12));
   return ascending[std::clamp(static_cast<std::size_t>(rank), std::size_t{1}, ascending.size()) - 1];
 }
 

@@ -8,6 +8,7 @@
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -37,15 +38,11 @@ void for_each_sign_pattern(Visit&& visit) {
   signs.fill(-1);
   for (bool more = true; more;) {
     visit(signs);
-    more = false;
-    for (int& s : signs) {
-      if (s < 1) {
-        ++s;
-        more = true;
-        break;
-      }
-      s = -1;
-    }
+    // Counts up: what is at its largest starts again, the next one grows
+    const auto next = std::find_if(signs.begin(), signs.end(), [](int s) { return s < 1; });
+    std::fill(signs.begin(), next, -1);
+    more = next != signs.end();
+    if (more) ++*next;
   }
 }
 
