@@ -22,10 +22,10 @@ struct velocity_direct_control_parameters {
   double velocity_lag = 0.010;     ///< tau_v [s], in which the normal velocity reaches its reference.
   double landing_velocity = 0.01;  ///< Sinking slower than this counts as landed [m/s].
   double horizon = 0.005;          ///< eta [s], over which the brakes' lag is inverted.
-  double rest_depth =
-      1e-3;  ///< Depth at which the handle comes to rest, or deeper where it came too fast [m].
-  double margin =
-      0;  ///< By which the scene's walls are grown (scene/shapes/offset.hpp) to be seen beforehand [m].
+  /// Depth at which the handle comes to rest, or deeper where it came too fast [m].
+  double rest_depth = 1e-3;
+  /// By which the scene's walls are grown (scene/shapes/offset.hpp) to be seen beforehand [m].
+  double margin = 0;
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {

@@ -13,8 +13,8 @@ namespace passive_haptics {
 struct release_probe_parameters {
   double probe_period = 0.3;  ///< Brakes that have been at rest for this long are probed [s].
   double probe_time = 0.12;   ///< A probe that nothing moves ends after this [s]; several lags of the brakes.
-  double motion_threshold =
-      20e-6;  ///< Least motion of the handle that counts [m]; over the encoders' resolution.
+  /// Least motion of the handle that counts [m]; over the encoders' resolution.
+  double motion_threshold = 20e-6;
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -78,8 +78,6 @@ class release_probe {
 
   /// As of the last update.
   phase now() const { return phase_; }
-  /// When this phase began [s].
-  double since() const { return since_; }
 
  private:
   void begin(phase next, double time, const point<D>& x) {
