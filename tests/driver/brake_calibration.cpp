@@ -205,14 +205,6 @@ TEST(brake_calibration, is_back_at_rest_after_a_restart) {
   EXPECT_DOUBLE_EQ(calibration.currents({0.1, 0.1})[0], 0.1);
 }
 
-TEST(brake_calibration, tells_the_torque_of_currents_for_logs) {
-  ph::brake_calibration<2> calibration({ph::brake_curve{.residual_torque = 0.05, .torque_per_ampere = 2},
-                                        ph::brake_curve{.loss_per_kelvin = 0.01}});
-  const auto torque = calibration.rising_torque({0.5, 0.5}, {NAN, 303.15});
-  EXPECT_DOUBLE_EQ(torque[0], 1.05);
-  EXPECT_DOUBLE_EQ(torque[1], 0.45);
-}
-
 TEST(brake_calibration, names_what_is_wrong) {
   const auto error = [](auto change) {
     ph::brake_curves<2> curves{};

@@ -134,16 +134,11 @@ template <class V, class Visitor>
 void visit_member(const member_description& about, place at, const V& value, Visitor& to) {
   if constexpr (Parameters<V>) {
     visit(value, &at, to);
-  } else if constexpr (requires { V::ColsAtCompileTime; }) {
-    for (at.row = 0; at.row < static_cast<int>(value.rows()); ++at.row) {
-      if constexpr (V::ColsAtCompileTime == 1) to.value(about, at, value[at.row]);
-      else
-        for (at.column = 0; at.column < static_cast<int>(value.cols()); ++at.column)
-          to.value(about, at, value(at.row, at.column));
-    }
-    if constexpr (V::ColsAtCompileTime == 1)
-      if (about.hard.is_direction) to.length(about, place{at.outer, at.name, at.owner}, length_of(value));
-  } else if constexpr (requires { std::tuple_size<V>::value; }) {
+  } else if constexpr (requires { requires V::ColsAtCompileTime != 1; }) {
+    for (at.row = 0; at.row < static_cast<int>(value.rows()); ++at.row)
+      for (at.column = 0; at.column < static_cast<int>(value.cols()); ++at.column)
+        to.value(about, at, value(at.row, at.column));
+  } else if constexpr (requires { value.begin(); } && !requires { value.c_str(); }) {
     for (at.row = 0; at.row < static_cast<int>(value.size()); ++at.row) {
       const auto& element = value[static_cast<std::size_t>(at.row)];
       if constexpr (requires { element.size(); }) visit_member(about, place{&at, "", at.owner}, element, to);

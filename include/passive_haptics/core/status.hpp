@@ -2,7 +2,7 @@
 /// What can go wrong inside a control cycle, as a value.
 #pragma once
 
-#include <string_view>
+#include <passive_haptics/core/text.hpp>
 
 namespace passive_haptics {
 
@@ -23,19 +23,11 @@ enum class status {
 
 /// The status in words, for a log or a message.
 constexpr std::string_view to_string(status s) {
-  switch (s) {
-    case status::ok: return "ok";
-    case status::state_not_finite: return "NaN or infinity in the device state";
-    case status::contact_not_finite: return "NaN or infinity in a contact";
-    case status::parameters_invalid: return "invalid brake parameters or options";
-    case status::pose_undefined: return "no finite position or Jacobian at this pose";
-    case status::scale_out_of_range: return "the law's scale is not in [0, 1]";
-    case status::result_not_finite: return "overflow";
-    case status::singular_jacobian: return "singular Jacobian";
-    case status::out_of_reach: return "out of reach";
-    case status::scene_stale: return "the scene is out of date";
-  }
-  return "unknown status";
+  return detail::word_of(
+      s, {"ok", "NaN or infinity in the device state", "NaN or infinity in a contact",
+          "invalid brake parameters or options", "no finite position or Jacobian at this pose",
+          "the law's scale is not in [0, 1]", "overflow", "singular Jacobian", "out of reach",
+          "the scene is out of date", "unknown status"});
 }
 
 }  // namespace passive_haptics

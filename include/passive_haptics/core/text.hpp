@@ -4,6 +4,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -61,6 +62,13 @@ std::string error_text(std::string_view name, T value, std::string_view expected
 template <class Index>
 std::string indexed(std::string_view before, Index i, std::string_view after) {
   return std::string(before).append(value_text(i)).append(after);
+}
+
+/// The word at an enumeration's value, which counts from 0; the last word for all values beyond.
+template <class E, std::size_t N>
+constexpr std::string_view word_of(E value, const char* const (&words)[N]) {
+  const auto i = static_cast<std::size_t>(value);
+  return words[i < N ? i : N - 1];
 }
 
 /// The first error that is not empty.

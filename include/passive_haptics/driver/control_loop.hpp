@@ -19,8 +19,8 @@ namespace passive_haptics {
 struct control_loop_parameters {
   double period = 1e-3;   ///< [s]; section 5.1: 1 kHz.
   int most_overruns = 5;  ///< So many cycles in a row may end late; one more releases the brakes.
-  double longest_sleep =
-      0.1;  ///< Waking later than this releases the brakes: the machine or the process stood still [s].
+  /// Waking later than this releases the brakes: the machine or the process stood still [s].
+  double longest_sleep = 0.1;
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -78,22 +78,22 @@ class control_loop {
       if (late < 0 || begin < before || static_cast<double>(late) > 1e9 * p_.longest_sleep)
         release(fault::clock_jump);
       report.late.add(late);
+      const loop_cycle now{number, 1e-9 * static_cast<double>(begin), 1e-9 * static_cast<double>(late)};
       bool go_on = false;
 #if defined(__cpp_exceptions)
+      const auto fail = [&](const char* thrown) {
+        release(report.ended_by = fault::law_failed);
+        report.exception = thrown;
+      };
       try {
-        go_on =
-            cycle(loop_cycle{number, 1e-9 * static_cast<double>(begin), 1e-9 * static_cast<double>(late)});
+        go_on = cycle(now);
       } catch (const std::exception& e) {
-        release(fault::law_failed);
-        report.exception = e.what();
-        report.ended_by = fault::law_failed;
+        fail(e.what());
       } catch (...) {
-        release(fault::law_failed);
-        report.exception = "something that is no std::exception";
-        report.ended_by = fault::law_failed;
+        fail("something that is no std::exception");
       }
 #else
-      go_on = cycle(loop_cycle{number, 1e-9 * static_cast<double>(begin), 1e-9 * static_cast<double>(late)});
+      go_on = cycle(now);
 #endif
       const std::int64_t end = clock_.now();
       before = end;

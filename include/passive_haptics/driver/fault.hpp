@@ -2,8 +2,7 @@
 /// Why a driver releases the brakes.
 #pragma once
 
-#include <string>
-#include <string_view>
+#include <passive_haptics/core/text.hpp>
 
 namespace passive_haptics {
 
@@ -76,13 +75,8 @@ struct fault_record {
 
 /// The fault_record in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.
 inline std::string to_string(const fault_record& i) {
-  std::string text;
-  switch (i.source) {
-    case fault_source::loop: break;
-    case fault_source::encoders: text = i.channel < 0 ? "encoders" : "encoder"; break;
-    case fault_source::force_sensor: text = i.channel < 0 ? "force sensor" : "force channel"; break;
-    case fault_source::brakes: text = i.channel < 0 ? "brakes" : "brake"; break;
-  }
+  std::string text(i.channel < 0 ? detail::word_of(i.source, {"", "encoders", "force sensor", "brakes", ""})
+                                 : detail::word_of(i.source, {"", "encoder", "force channel", "brake", ""}));
   if (i.channel >= 0) text.append(" ").append(std::to_string(i.channel + 1));
   if (i.source != fault_source::loop) text.append(": ");
   return text.append(to_string(i.what));

@@ -2,11 +2,12 @@
 /// What a driver asks of hardware: a port to brakes and encoders, and a force sensor.
 #pragma once
 
+#include <passive_haptics/core/text.hpp>
+
 #include <array>
 #include <concepts>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 namespace passive_haptics {
 
@@ -20,13 +21,7 @@ enum class port_status {
 
 /// The status in words.
 constexpr std::string_view to_string(port_status s) {
-  switch (s) {
-    case port_status::ok: return "ok";
-    case port_status::no_sample: return "no new sample";
-    case port_status::bad_sample: return "damaged sample";
-    case port_status::failed: return "device lost";
-  }
-  return "unknown port status";
+  return detail::word_of(s, {"ok", "no new sample", "damaged sample", "device lost", "unknown port status"});
 }
 
 /// One reading of N channels: encoders [counts] or force channels [N or N m, in the sensor's frame].
@@ -36,9 +31,17 @@ struct port_sample {
   double time = 0;                                               ///< When it was taken [s], CLOCK_MONOTONIC.
   std::uint32_t sequence = 0;            ///< One more with each sample that the device takes, modulo 2^32.
   std::array<double, channels> value{};  ///< As the device tells them; encoders need not tell whole counts.
-  std::array<bool, channels>
-      valid{};  ///< False where the device itself says that a channel is not to be trusted.
+  /// False where the device itself says that a channel is not to be trusted.
+  std::array<bool, channels> valid{};
 };
+
+/// The same number for each of N channels or brakes.
+template <int N>
+constexpr std::array<double, static_cast<std::size_t>(N)> same_for_each(double value) {
+  std::array<double, static_cast<std::size_t>(N)> all{};
+  all.fill(value);
+  return all;
+}
 
 /// Currents for N brakes [A], each >= 0.
 template <int N>
@@ -52,13 +55,14 @@ using brake_currents = std::array<double, static_cast<std::size_t>(N)>;
 ///     port_status write(const brake_currents<brake_count>&) noexcept;
 ///     void release() noexcept;
 ///
-/// open: called once, before the loop. Empty if the device is ready, else what is missing, by name, and what
-/// to do; then
-///   nothing else but release() is called.
-/// read: the latest sample. Returns at once, whether there is a new one or not; the sample counts only with
-/// ok. write: hands over currents in [0, limit], already checked. Returns at once. release: 0 A on all
-/// brakes, as fast as the device can. May be called at any time, also before open(), twice and after a
-///   failure; the destructor calls it. A port that is still there can be written to again.
+///   - open: called once, before the loop. Empty if the device is ready. Else it says what is missing, by
+///     name, and what to do; then nothing but release() is called.
+///   - read: the latest sample. Returns at once, whether there is a new one or not. The sample counts only
+///     with ok.
+///   - write: hands over currents in [0, limit], already checked. Returns at once.
+///   - release: 0 A on all brakes, as fast as the device can. It may be called at any time, also before
+///     open(), twice and after a failure; the destructor calls it. A port that is still there can be written
+///     to again.
 ///
 /// A port whose counters wrap also has `int counter_bits() const noexcept`, their width, once it is open.
 ///

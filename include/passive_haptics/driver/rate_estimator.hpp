@@ -15,8 +15,8 @@ namespace passive_haptics {
 /// How rates are estimated.
 struct rate_estimator_parameters {
   double resolution = 1;  ///< One step of the position, in its unit: 1 count.
-  int window =
-      16;  ///< Most periods that an estimate looks back. More: smaller dead band, longer lag of slow motions.
+  /// Most periods that an estimate looks back. More: smaller dead band, longer lag of slow motions.
+  int window = 16;
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -82,8 +82,7 @@ class rate_estimator {
   /// not after the one before it, changes nothing.
   const vector<double, Axes>& add(double time, const vector<double, Axes>& position) noexcept {
     for (int i = 0; i < Axes; ++i) {
-      const bool is_new = std::isfinite(time) && std::isfinite(position[i]) && axis(i).is_after(time);
-      if (!is_new) continue;
+      if (!std::isfinite(time) || !std::isfinite(position[i]) || !axis(i).is_after(time)) continue;
       axis(i).push({time, position[i]});
       estimate(i);
     }

@@ -41,8 +41,8 @@ class safe_port {
   using currents = brake_currents<brake_count>;                          ///< [A]
   using parameters = safe_port_parameters<brake_count, channel_count>;   ///< What it allows.
   using encoder_counts = typename encoder_check<encoder_count>::counts;  ///< [counts]
-  using force_reading =
-      std::array<double, static_cast<std::size_t>(channel_count)>;  ///< As the sensor tells.
+  /// As the sensor tells.
+  using force_reading = std::array<double, static_cast<std::size_t>(channel_count)>;
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit safe_port(Port port, Sensor sensor = {}, const parameters& p = {})

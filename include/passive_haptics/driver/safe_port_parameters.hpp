@@ -7,9 +7,6 @@
 #include <passive_haptics/driver/checks/sensor_check.hpp>
 #include <passive_haptics/driver/release_policy.hpp>
 
-#include <string>
-#include <string_view>
-
 namespace passive_haptics {
 
 /// What a safe_port allows.
@@ -42,14 +39,7 @@ enum class port_state {
 
 /// The state in words.
 constexpr std::string_view to_string(port_state s) {
-  switch (s) {
-    case port_state::closed: return "closed";
-    case port_state::ready: return "ready";
-    case port_state::active: return "active";
-    case port_state::degraded: return "degraded";
-    case port_state::released: return "released";
-  }
-  return "unknown state";
+  return detail::word_of(s, {"closed", "ready", "active", "degraded", "released", "unknown state"});
 }
 
 }  // namespace passive_haptics

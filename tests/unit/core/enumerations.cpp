@@ -1,5 +1,7 @@
 // Every enumerator has words of its own.
 #include <passive_haptics/core/status.hpp>
+#include <passive_haptics/driver/calibration/steady_mean.hpp>
+#include <passive_haptics/driver/safe_port_parameters.hpp>
 #include <passive_haptics/force/classification.hpp>
 
 #include <gtest/gtest.h>
@@ -29,6 +31,8 @@ void expect_words(int count, std::string_view otherwise) {
 TEST(enumerations, have_words_for_each_status) {
   expect_words<ph::status>(static_cast<int>(ph::status::scene_stale) + 1, "unknown status");
   EXPECT_EQ(to_string(ph::status::ok), "ok");
+  EXPECT_EQ(to_string(ph::status::result_not_finite), "overflow");
+  EXPECT_EQ(to_string(ph::status::scene_stale), "the scene is out of date");
 }
 
 TEST(enumerations, have_words_for_each_power_class) {
@@ -40,6 +44,39 @@ TEST(enumerations, have_words_for_each_display_class) {
   expect_words<ph::display_class>(static_cast<int>(ph::display_class::empty_cone) + 1,
                                   "unknown display class");
   EXPECT_EQ(to_string(ph::display_class::approximate), "approximate");
+}
+
+TEST(enumerations, have_words_for_each_fault) {
+  expect_words<ph::fault>(static_cast<int>(ph::fault::user) + 1, "unknown fault");
+  EXPECT_EQ(to_string(ph::fault::none), "no fault");
+  EXPECT_EQ(to_string(ph::fault::sample_missing), "no sample");
+  EXPECT_EQ(to_string(ph::fault::device_restarted), "the device restarted");
+  EXPECT_EQ(to_string(ph::fault::encoder_jump), "jumped");
+  EXPECT_EQ(to_string(ph::fault::law_failed), "the control law failed");
+  EXPECT_EQ(to_string(ph::fault::user), "as asked");
+}
+
+TEST(enumerations, have_words_for_each_place_of_a_fault) {
+  using enum ph::fault_source;
+  EXPECT_EQ(to_string(ph::fault_record{ph::fault::user, loop, -1}), "as asked");
+  EXPECT_EQ(to_string(ph::fault_record{ph::fault::device_lost, encoders, -1}), "encoders: device lost");
+  EXPECT_EQ(to_string(ph::fault_record{ph::fault::encoder_jump, encoders, 1}), "encoder 2: jumped");
+  EXPECT_EQ(to_string(ph::fault_record{ph::fault::sample_missing, force_sensor, -1}),
+            "force sensor: no sample");
+  EXPECT_EQ(to_string(ph::fault_record{ph::fault::sensor_saturated, force_sensor, 0}),
+            "force channel 1: saturated");
+  EXPECT_EQ(to_string(ph::fault_record{ph::fault::write_refused, brakes, -1}),
+            "brakes: the device takes no currents");
+  EXPECT_EQ(to_string(ph::fault_record{ph::fault::user, brakes, 2}), "brake 3: as asked");
+}
+
+TEST(enumerations, have_words_for_each_status_of_a_driver) {
+  expect_words<ph::port_status>(static_cast<int>(ph::port_status::failed) + 1, "unknown port status");
+  EXPECT_EQ(to_string(ph::port_status::bad_sample), "damaged sample");
+  expect_words<ph::port_state>(static_cast<int>(ph::port_state::released) + 1, "unknown state");
+  EXPECT_EQ(to_string(ph::port_state::degraded), "degraded");
+  expect_words<ph::steady_status>(static_cast<int>(ph::steady_status::done) + 1, "unknown steady status");
+  EXPECT_EQ(to_string(ph::steady_status::moved), "moved: started anew");
 }
 
 }  // namespace

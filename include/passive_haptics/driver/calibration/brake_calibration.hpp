@@ -44,32 +44,17 @@ class brake_calibration {
       const vector<double, Brakes>& temperature = unknown_temperatures()) noexcept {
     brake_currents<Brakes> all{};
     for (int i = 0; i < Brakes; ++i)
-      all[static_cast<std::size_t>(i)] = current(static_cast<std::size_t>(i), capacity[i], temperature[i]);
+      all[static_cast<std::size_t>(i)] = current(i, capacity[i], temperature[i]);
     return all;
-  }
-
-  /// Torques [N m] that currents [A] make on the rising branch, for logs; the falling one is h above.
-  vector<double, Brakes> rising_torque(
-      const brake_currents<Brakes>& currents,
-      const vector<double, Brakes>& temperature = unknown_temperatures()) const noexcept {
-    vector<double, Brakes> torque;
-    for (int i = 0; i < Brakes; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      torque[i] = torque_of_current(curves_[k], currents[k], temperature[i]);
-    }
-    return torque;
   }
 
   /// Torques [N m] that the brakes are taken to have made of the last currents, when their lag is over.
-  vector<double, Brakes> torque() const noexcept {
-    vector<double, Brakes> all;
-    for (int i = 0; i < Brakes; ++i) all[i] = state_[static_cast<std::size_t>(i)].torque;
-    return all;
-  }
+  const vector<double, Brakes>& torque() const noexcept { return torque_; }
 
   /// Brakes without current and without remanence, as after a long pause.
   void restart() noexcept {
-    for (std::size_t i = 0; i < curves_.size(); ++i) state_[i] = {curves_[i].residual_torque, false};
+    for (int i = 0; i < Brakes; ++i) torque_[i] = curves_[static_cast<std::size_t>(i)].residual_torque;
+    falling_ = {};
   }
 
   /// Of brakes whose temperature nobody measures: NaN [K].
@@ -78,26 +63,23 @@ class brake_calibration {
   }
 
  private:
-  struct branch {
-    double torque = 0;
-    bool falling = false;
-  };
-
-  double current(std::size_t i, double capacity, double temperature) noexcept {
-    const brake_curve& p = curves_[i];
-    branch& at = state_[i];
+  double current(int i, double capacity, double temperature) noexcept {
+    const brake_curve& p = curves_[static_cast<std::size_t>(i)];
+    bool& falling = falling_[static_cast<std::size_t>(i)];
+    double& torque = torque_[i];
     const double asked = capacity > 0 ? capacity : 0;
-    if (asked != at.torque) at.falling = asked < at.torque;
-    const double I = current_of_torque(p, asked - (at.falling ? p.hysteresis : 0), temperature);
+    if (asked != torque) falling = asked < torque;
+    const double I = current_of_torque(p, asked - (falling ? p.hysteresis : 0), temperature);
     const double rising = torque_of_current(p, I, temperature);
     // What it makes at an end of its range; within, the very number, so that the same capacity is no change
     const bool within = I > 0 && I < p.current_limit;
-    at.torque = within ? asked : std::clamp(at.torque, rising, rising + p.hysteresis);
+    torque = within ? asked : std::clamp(torque, rising, rising + p.hysteresis);
     return I;
   }
 
   brake_curves<Brakes> curves_;
-  std::array<branch, static_cast<std::size_t>(Brakes)> state_{};
+  vector<double, Brakes> torque_;
+  std::array<bool, static_cast<std::size_t>(Brakes)> falling_;  // which branch each is on
 };
 
 }  // namespace passive_haptics

@@ -43,7 +43,8 @@ class device_calibration {
   using parameters = device_calibration_parameters<M, Channels>;                  ///< What it is made of.
 
   /// Throws std::invalid_argument with the text of validate(p), or if the transmission is singular.
-  device_calibration(const M& mechanism, const parameters& p, const Frame& frame = {})
+  device_calibration(const M& mechanism, const device_calibration_parameters<M, Channels>& p,
+                     const Frame& frame = {})
       : encoders(require_valid(p).encoders),
         rates(p.rates),
         force(p.force),
@@ -104,14 +105,5 @@ class device_calibration {
   axes axes_;
   Frame frame_;
 };
-
-/// The same with the sensor's frame deduced.
-template <class M, int Channels, class Frame>
-device_calibration(const M&, const device_calibration_parameters<M, Channels>&, const Frame&)
-    -> device_calibration<M, Channels, Frame>;
-/// The same with a frame that stays.
-template <class M, int Channels>
-device_calibration(const M&, const device_calibration_parameters<M, Channels>&)
-    -> device_calibration<M, Channels>;
 
 }  // namespace passive_haptics

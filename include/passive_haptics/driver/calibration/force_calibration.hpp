@@ -20,8 +20,8 @@ concept SensorFrame = requires(const F frame, const vector<double, Dof> q) {
 /// A sensor that does not turn, as on an xy_table.
 template <int Dimension>
 struct fixed_sensor_frame {
-  matrix<double, Dimension, Dimension> rotation =
-      matrix<double, Dimension, Dimension>::Identity();  ///< Its axes, as columns in the base frame.
+  /// Its axes, as columns in the base frame.
+  matrix<double, Dimension, Dimension> rotation = matrix<double, Dimension, Dimension>::Identity();
   /// R, in any pose.
   template <int Dof>
   matrix<double, Dimension, Dimension> operator()(const vector<double, Dof>&) const noexcept {

@@ -7,8 +7,6 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
-#include <string_view>
 
 namespace passive_haptics {
 
@@ -37,13 +35,8 @@ enum class steady_status {
 
 /// The status in words.
 constexpr std::string_view to_string(steady_status s) {
-  switch (s) {
-    case steady_status::collecting: return "collecting";
-    case steady_status::moved: return "moved: started anew";
-    case steady_status::interrupted: return "interrupted: started anew";
-    case steady_status::done: return "done";
-  }
-  return "unknown steady status";
+  return detail::word_of(
+      s, {"collecting", "moved: started anew", "interrupted: started anew", "done", "unknown steady status"});
 }
 
 /// Mean of N readings over a time in which none moved by more than a tolerance.

@@ -12,18 +12,11 @@ namespace passive_haptics {
 /// Limits of the current of each of N brakes.
 template <int N>
 struct current_limits {
-  brake_currents<N> largest = constant(1);     ///< Never more [A].
-  brake_currents<N> continuous = constant(1);  ///< May flow for ever [A].
-  brake_currents<N> heat =
-      constant(10);  ///< What may be over it: the integral of I^2 - continuous^2 [A^2 s].
-  brake_currents<N> fastest_rise = constant(0);  ///< [A/s], 0 for no limit. A fall is never slowed.
-
-  /// The same for all brakes.
-  static constexpr brake_currents<N> constant(double value) {
-    brake_currents<N> all{};
-    all.fill(value);
-    return all;
-  }
+  brake_currents<N> largest = same_for_each<N>(1);     ///< Never more [A].
+  brake_currents<N> continuous = same_for_each<N>(1);  ///< May flow for ever [A].
+  /// What may be over it: the integral of I^2 - continuous^2 [A^2 s].
+  brake_currents<N> heat = same_for_each<N>(10);
+  brake_currents<N> fastest_rise{};  ///< [A/s], 0 for no limit. A fall is never slowed.
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {

@@ -28,12 +28,9 @@ class sample_check {
     if (status != port_status::ok) return bad(fault::sample_damaged);
     // Modulo 2^32: half of all numbers are ahead of the last one
     const auto ahead = static_cast<std::int32_t>(sample.sequence - last_);
+    if (started_ && (ahead > widest_gap || ahead < -widest_gap)) return bad(fault::device_restarted);
     if (started_ && ahead == 0) return bad(fault::sample_repeated);
-    if (started_ && ahead < 0) {
-      if (-ahead > widest_gap) return bad(fault::device_restarted);
-      return bad(fault::sample_out_of_order);
-    }
-    if (started_ && ahead > widest_gap) return bad(fault::device_restarted);
+    if (started_ && ahead < 0) return bad(fault::sample_out_of_order);
     if (!(std::abs(now - sample.time) <= late_after_)) return bad(fault::sample_late);
     for (int i = 0; i < N; ++i) {
       const auto channel = static_cast<std::size_t>(i);

@@ -17,14 +17,8 @@ template <int N>
 struct sensor_limits {
   /// A channel at +-range or beyond is saturated, as the sensor tells it [N or N m, or its own unit];
   /// infinite: never.
-  std::array<double, static_cast<std::size_t>(N)> range = unlimited();
-
-  /// Infinite for all.
-  static constexpr std::array<double, static_cast<std::size_t>(N)> unlimited() {
-    std::array<double, static_cast<std::size_t>(N)> all{};
-    for (double& one : all) one = std::numeric_limits<double>::infinity();
-    return all;
-  }
+  std::array<double, static_cast<std::size_t>(N)> range =
+      same_for_each<N>(std::numeric_limits<double>::infinity());
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {

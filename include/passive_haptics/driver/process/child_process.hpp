@@ -50,17 +50,13 @@ class child_process {
   std::string start(Prepare&& prepare, Run&& run) {
     if (pid_ > 0) return "start() was called before: the process runs";
     std::array<int, 2> down{-1, -1}, up{-1, -1};
-    if (pipe2(down.data(), O_CLOEXEC) != 0) return system_error_text("pipe2");
-    if (pipe2(up.data(), O_CLOEXEC) != 0) {
-      const std::string error = system_error_text("pipe2");
-      close_both(down);
-      return error;
-    }
-    pid_ = fork();
+    const bool piped = pipe2(down.data(), O_CLOEXEC) == 0 && pipe2(up.data(), O_CLOEXEC) == 0;
+    if (piped) pid_ = fork();
     if (pid_ < 0) {
-      const std::string error = system_error_text("fork");
-      close_both(down);
-      close_both(up);
+      const std::string error =
+          std::string(piped ? "fork" : "pipe2").append(": ").append(std::strerror(errno));
+      for (const int end : {down[0], down[1], up[0], up[1]})
+        if (end >= 0) close(end);
       return error;
     }
     if (pid_ == 0) {
@@ -98,13 +94,6 @@ class child_process {
 
  private:
   static constexpr char ready = '\n';
-
-  static std::string system_error_text(const char* call) {
-    return std::string(call).append(": ").append(std::strerror(errno));
-  }
-  static void close_both(const std::array<int, 2>& ends) noexcept {
-    for (const int end : ends) close(end);
-  }
 
   // Another child's pipe, held open here, would keep that one from seeing its parent die
   static void close_all_but(int a, int b) noexcept {
