@@ -30,11 +30,7 @@ class strongest_contacts {
 
   /// Those kept, in the order of their walls.
   const contacts<D, Capacity>& in_order() {
-    // Of one wall with several contacts the deepest comes first
-    const auto rank = [](const contact<D>& c) { return std::tuple(c.wall, -c.depth); };
-    const auto comes_first = [&](const auto& a, const auto& b) { return rank(a) < rank(b); };
-    for (contact<D>* c = kept_.begin() + 1; c < kept_.end(); ++c)
-      std::rotate(std::upper_bound(kept_.begin(), c, *c, comes_first), c, c + 1);
+    if (kept_.size() > 1) sort_by_wall();
     return kept_;
   }
 
@@ -45,6 +41,13 @@ class strongest_contacts {
   static double force(const contact<D>& c) { return c.stiffness * c.depth; }
   static bool stronger(const contact<D>& a, const contact<D>& b) {
     return std::tuple(-force(a), a.wall) < std::tuple(-force(b), b.wall);
+  }
+  // Of one wall with several contacts the deepest comes first
+  static auto rank(const contact<D>& c) { return std::tuple(c.wall, -c.depth); }
+  void sort_by_wall() {
+    const auto comes_first = [](const auto& a, const auto& b) { return rank(a) < rank(b); };
+    for (contact<D>* c = kept_.begin(); c != kept_.end(); ++c)
+      std::rotate(std::upper_bound(kept_.begin(), c, *c, comes_first), c, c + 1);
   }
 
   contacts<D, Capacity> kept_;
