@@ -65,8 +65,8 @@ class proxy_contacts {
       before = group;
       for (int i = 0; i < most; ++i) {
         for (int j = 0; j < most; ++j) {
-          const double cos_angle = normals_.col(i).dot(normals_.col(j));
-          if (holds(group, i) && holds(left, j) && cos_angle > cos_crease_) group |= 1u << j;
+          if (holds(group, i) && holds(left, j) && normals_.col(i).dot(normals_.col(j)) > cos_crease_)
+            group |= 1u << j;
         }
       }
     }
