@@ -54,7 +54,7 @@ TEST(a_height_field, has_two_triangles_a_cell_that_look_up) {
   double area = 0;
   for (std::size_t f = 0; f < m.facets.size(); ++f) {
     const auto c = m.corners(f);
-    const double z = ph::cross<3>(c[1] - c[0], c[2] - c[0])[2];
+    const double z = ph::cross<double>(c[1] - c[0], c[2] - c[0])[2];
     EXPECT_GT(z, 0);
     area += z / 2;
   }
