@@ -49,7 +49,7 @@ double winding(const ph::mesh_parameters<D>& m, const ph::point<D>& x) {
     else {
       const ph::point<3> d = c[2] - x;
       const double la = a.norm(), lb = b.norm(), ld = d.norm();
-      sum += std::atan2(ph::cross<3>(a, b).dot(d),
+      sum += std::atan2(ph::cross<double>(a, b).dot(d),
                         la * lb * ld + a.dot(b) * ld + b.dot(d) * la + d.dot(a) * lb) /
              (2 * std::numbers::pi);
     }
@@ -107,7 +107,7 @@ TEST(a_needle, still_has_its_nearest_point) {
     const ph::point<3> a = anywhere<3>(random, 1), along = random.direction<double, 3>();
     const double width = random.positive(1e-9, 1e-3);
     const ph::point<3> across =
-        ph::cross<3>(along, random.direction<double, 3>()).normalized();
+        ph::cross<double>(along, random.direction<double, 3>()).normalized();
     const std::array<ph::point<3>, 3> corners{a, a + along,
                                               a + random.uniform(0.0, 1.0) * along + width * across};
     const ph::mesh_facet<3> f{corners, ph::detail::normal_of(corners)};
