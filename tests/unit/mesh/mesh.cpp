@@ -106,8 +106,7 @@ TEST(a_needle, still_has_its_nearest_point) {
   for (int k = 0; k < 1000; ++k) {
     const ph::point<3> a = anywhere<3>(random, 1), along = random.direction<double, 3>();
     const double width = random.positive(1e-9, 1e-3);
-    const ph::point<3> across =
-        ph::cross<double>(along, random.direction<double, 3>()).normalized();
+    const ph::point<3> across = ph::cross<double>(along, random.direction<double, 3>()).normalized();
     const std::array<ph::point<3>, 3> corners{a, a + along,
                                               a + random.uniform(0.0, 1.0) * along + width * across};
     const ph::mesh_facet<3> f{corners, ph::detail::normal_of(corners)};
