@@ -30,13 +30,17 @@ status check_parameters([[maybe_unused]] const B& brakes, const step_options<T>&
   return valid ? status::ok : status::parameters_invalid;
 }
 
+/// Whether a scene remembers what it was shown: sense() changes it.
+template <class S, int D>
+concept RemembersHandle = !requires(const S& fixed, const point<D>& x) { sense(fixed, x); } &&
+                          (requires(S& scene, const point<D>& x) { sense(scene, x); } ||
+                           requires(S& scene, const point<D>& x) { sense(scene, x, 0.0); });
+
 /// False for a position that is not finite. Not looked for where it costs more than it tells: where J is
-/// constant finite q gives finite x, unless the scene would remember what overflowed (one that sense() may
-/// change).
+/// constant finite q gives finite x, unless the scene would remember one that overflowed.
 template <class M, class S, int D>
 bool may_be_shown(const S&, const point<D>& x) {
-  constexpr bool remembers = requires(S& scene) { scene_remembers(scene); };
-  if constexpr (remembers || !detail::jacobian_is_constant<M>) return all_finite(x);
+  if constexpr (RemembersHandle<S, D> || !detail::jacobian_is_constant<M>) return all_finite(x);
   else return true;
 }
 

@@ -93,6 +93,15 @@ decltype(auto) sense(Scene& scene, const point<Scene::dimension>& x, Time... tim
   return scene.touched_at(x, time...);
 }
 
+/// The same of a scene that does not change, also a temporary one.
+template <class Scene, class... Time>
+  requires requires(const Scene& scene, point<Scene::dimension> x, Time... time) {
+    scene.touched_at(x, time...);
+  }
+auto sense(const Scene& scene, const point<Scene::dimension>& x, Time... time) {
+  return scene.touched_at(x, time...);
+}
+
 /// The wall, where one is touched.
 template <int D, int Capacity>
 only_contact<D> alone(const contacts<D, Capacity>& touched) {

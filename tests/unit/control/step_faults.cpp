@@ -9,6 +9,7 @@
 #include <passive_haptics/control/laws/velocity_ratio_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <limits>
@@ -179,6 +180,38 @@ TEST(a_controller, refuses_an_angle_that_is_none_whatever_its_brakes) {
   EXPECT_EQ(unlimited(state).outcome, ph::status::parameters_invalid);
   EXPECT_EQ(limited.command(state).outcome, ph::status::parameters_invalid);
   EXPECT_EQ(unlimited.command(state).outcome, ph::status::parameters_invalid);
+}
+
+// x = 1e308 q overflows though q and J are finite.
+struct long_slides {
+  using scalar = double;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
+  ph::vector<double, 2> position(const ph::vector<double, 2>& q) const { return 1e308 * q; }
+  ph::diagonal_matrix<double, 2> jacobian() const { return {1e308, 1e308}; }
+};
+
+// A scene that remembers what it was shown, as held_scene and world do.
+struct remembering_scene {
+  static constexpr int dimension = 2;
+  using contacts_type = ph::contacts<2, 1>;
+  contacts_type touched_at(const ph::point<2>& x) {
+    last = x;
+    return {};
+  }
+  ph::point<2> last = ph::point<2>::Zero();
+};
+
+TEST(a_position_that_is_not_finite, reaches_no_scene_that_remembers) {
+  ph::controller control(long_slides(), ph::brakes_of<long_slides>(), remembering_scene(),
+                         ph::no_direct_control());
+  EXPECT_EQ(control(state_of<long_slides>({0.5, 0.5}, {0, 0})).outcome, ph::status::ok);
+  EXPECT_EQ(control.scene().last, ph::point<2>(0.5e308, 0.5e308));
+  EXPECT_EQ(control(state_of<long_slides>({2, 0}, {0, 0})).outcome, ph::status::pose_undefined);
+  EXPECT_EQ(control.command(state_of<long_slides>({2, 0}, {0, 0})).outcome, ph::status::pose_undefined);
+  EXPECT_EQ(control.scene().last, ph::point<2>(0.5e308, 0.5e308));
+  static_assert(ph::RemembersHandle<ph::held_scene<ph::scene<ph::half_space<2>>>, 2>);
+  static_assert(!ph::RemembersHandle<ph::scene<ph::half_space<2>>, 2>);
+  static_assert(!ph::RemembersHandle<ph::contacts<2, 1>, 2>);
 }
 
 }  // namespace
