@@ -202,7 +202,7 @@ struct remembering_scene {
 };
 
 TEST(a_position_that_is_not_finite, reaches_no_scene_that_remembers) {
-  ph::controller control(long_slides(), ph::brakes_of<long_slides>(), remembering_scene(),
+  ph::controller control(long_slides{}, ph::brakes_of<long_slides>{}, remembering_scene{},
                          ph::no_direct_control());
   EXPECT_EQ(control(state_of<long_slides>({0.5, 0.5}, {0, 0})).outcome, ph::status::ok);
   EXPECT_EQ(control.scene().last, ph::point<2>(0.5e308, 0.5e308));
