@@ -3,6 +3,7 @@
 #include "many_shapes.hpp"
 
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/scene/shapes/moving.hpp>
 #include <passive_haptics/scene/world/scene_exchange.hpp>
 
 #include <gtest/gtest.h>
@@ -216,6 +217,19 @@ TYPED_TEST(the_memory_of_a_world, keeps_the_first_of_equals_whatever_the_order) 
     for (const double depth : {0.1, 0.3}) found.add({.depth = depth, .stiffness = 10, .wall = 7});
     EXPECT_EQ(found.in_order()[0].depth, 0.3);
   }
+}
+
+TYPED_TEST(the_memory_of_a_world, adds_the_velocity_of_a_wall_to_that_of_its_shape) {
+  constexpr int D = TestFixture::dimension;
+  ph::moving belt(ph::half_space<D>(ph::point<D>::Zero(), ph::point<D>::UnitX()));
+  belt.set_motion(ph::point<D>::Zero(), 2 * ph::point<D>::Unit(1));
+  ph::world_walls<D> walls;
+  walls.add_moving(ph::wall(belt, 10));
+  ph::world<D> w(walls);
+  ASSERT_TRUE(w.set_motion(0, ph::point<D>::Zero(), ph::point<D>::Unit(0)));
+  const auto& touched = ph::sense(w, ph::point<D>(-0.1 * ph::point<D>::UnitX()));
+  ASSERT_EQ(touched.size(), 1);
+  EXPECT_EQ(touched[0].wall_velocity, ph::point<D>(ph::point<D>::Unit(0) + 2 * ph::point<D>::Unit(1)));
 }
 
 }  // namespace
