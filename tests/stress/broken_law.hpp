@@ -2,6 +2,8 @@
 // test.
 #pragma once
 
+#include <passive_haptics/control/extensions/force_map.hpp>
+#include <passive_haptics/control/extensions/generator_form.hpp>
 #include <passive_haptics/control/step.hpp>
 
 #include <cmath>

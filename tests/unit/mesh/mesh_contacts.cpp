@@ -3,6 +3,7 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/step.hpp>
+#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
