@@ -1,5 +1,5 @@
 // Direct control at the level of velocities, and what it is made of.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/control/controller.hpp>

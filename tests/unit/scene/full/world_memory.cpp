@@ -1,6 +1,6 @@
 // What a world knows of the handle from cycle to cycle: how far it may go unseen, and on which side of a
 // sheet it is.
-#include "many_shapes.hpp"
+#include "../many_shapes.hpp"
 
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/shapes/moving.hpp>

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tracked_handle.hpp"
+#include "../tracked_handle.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,5 +1,5 @@
 // A number that is none, wherever it stands, releases the brakes and is named: every input, every law.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>

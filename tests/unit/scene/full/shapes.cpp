@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "../../property/user_shapes.hpp"
-#include "closest_points.hpp"
+#include "../../../property/user_shapes.hpp"
+#include "../closest_points.hpp"
 
 #include <limits>
 
