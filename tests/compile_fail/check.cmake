@@ -7,7 +7,8 @@ endif()
 set(expected "${CMAKE_MATCH_1}")
 
 list(TRANSFORM includes PREPEND -I)
-if(prelude AND NOT text MATCHES "#define")  # what it defines must come first
+# Not for what defines something first, or is wrong by what it does not include
+if(prelude AND NOT text MATCHES "#define" AND text MATCHES "#include <passive_haptics/passive_haptics.hpp>")
   list(APPEND includes -include ${prelude})
 endif()
 execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${includes} ${source}

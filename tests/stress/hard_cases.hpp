@@ -2,7 +2,10 @@
 // from denormal to nearly overflowing, coincident and opposed walls.
 #pragma once
 
+#include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/step.hpp>
+#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <Eigen/LU>

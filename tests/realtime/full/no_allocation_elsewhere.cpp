@@ -39,6 +39,33 @@ TEST(no_allocation, in_laws_that_command_torques) {
   run_torque_laws(custom::spatial_arm<double>(), 0.4);
 }
 
+// With effects of every kind beside the same walls.
+template <class M>
+void run_with_effects(const M& mechanism, double size) {
+  using T = typename M::scalar;
+  constexpr int d = M::task_dimension, n = M::dof;
+  ph::point<d> low = ph::point<d>::Zero(), up = ph::point<d>::UnitX();
+  low[0] = size / 3;
+  const ph::scene walls{ph::wall(ph::half_space<d>(low, up), 1e3),
+                        ph::wall(ph::ball<d>(low, size, ph::filling::hollow), 2e3)};
+  const auto scene =
+      ph::with_effects(walls, ph::viscous_field<T, d>({.viscosity = ph::matrix<T, d, d>::Identity()}),
+                       ph::detents<T, d>({.spacing = T(0.02), .strength = T(3)}),
+                       ph::guide<T, d>({.stiffness = T(100)}), ph::rough_walls<T, d>({.coefficient = T(0.4)}),
+                       ph::end_stops<T, n>({.upper = ph::vector<T, n>::Constant(T(0.5)),
+                                            .stiffness = ph::vector<T, n>::Ones()}));
+  ways seen;
+  run<M, ph::direct_control, decltype(scene), ph::device_state<M>>(mechanism, scene, {}, seen);
+  EXPECT_TRUE(seen.free && seen.fault && seen.exact && seen.approximate && seen.saturated);
+}
+
+TEST(no_allocation, in_a_cycle_with_effects) {
+  run_with_effects(ph::tendon_two_link<double>(), 0.3);
+  run_with_effects(ph::xy_table<float>(), 0.3);
+  run_with_effects(custom::spatial_arm<double>(), 0.4);
+  run_with_effects(custom::planar_arm<double>(), 0.6);
+}
+
 TEST(no_allocation, in_a_cycle_without_a_force_sensor) {
   using M = ph::tendon_two_link<double>;
   ph::sensorless_controller control(M(), ph::brakes_of<M>(),

@@ -4,6 +4,9 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/extensions/several_contacts.hpp>
+#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
