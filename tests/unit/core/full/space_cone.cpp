@@ -1,6 +1,6 @@
 // The closed form in space against an oracle in 50 digits: its error does not grow with the condition of the
 // cone.
-#include "cone_oracle.hpp"
+#include "../cone_oracle.hpp"
 
 #include <passive_haptics/core/linear/active_set.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>

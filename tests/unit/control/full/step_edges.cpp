@@ -1,5 +1,5 @@
 // One control cycle at its edges: singular poses, stiff walls, coincident walls, large angles.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>

@@ -1,6 +1,6 @@
 // Torque limits in a whole step, against the same step with brakes that have none; and what is left of a
 // law's torques.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/control/laws/torque_law.hpp>
 

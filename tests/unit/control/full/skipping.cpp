@@ -1,5 +1,5 @@
 // What a cycle does not need, it does not do.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <Eigen/LU>
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../property/sample_meshes.hpp"
+#include "../../../property/sample_meshes.hpp"
 
 #include <limits>
 #include <numbers>
