@@ -4,7 +4,9 @@
 
 #include <passive_haptics/control/extensions/force_map.hpp>
 #include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/step.hpp>
+#include <passive_haptics/core/linear/space_cone.hpp>
 
 #include <cmath>
 #include <limits>

@@ -108,9 +108,8 @@ constexpr const char* owner_of() {
 // Neither overflows nor underflows before the length does.
 template <class Vector>
 auto length_of(const Vector& direction) {
-  auto length = std::abs(direction[0]);
-  for (std::size_t i = 1; i < static_cast<std::size_t>(direction.size()); ++i)
-    length = std::hypot(length, direction[i]);
+  std::remove_cvref_t<decltype(direction[0])> length = 0;
+  for (const auto x : direction) length = std::hypot(length, x);
   return length;
 }
 
@@ -139,10 +138,11 @@ void visit_member(const member_description& about, place at, const V& value, Vis
       for (at.column = 0; at.column < static_cast<int>(value.cols()); ++at.column)
         to.value(about, at, value(at.row, at.column));
   } else if constexpr (requires { value.begin(); } && !requires { value.c_str(); }) {
-    for (at.row = 0; at.row < static_cast<int>(value.size()); ++at.row) {
-      const auto& element = value[static_cast<std::size_t>(at.row)];
+    at.row = 0;
+    for (const auto& element : value) {
       if constexpr (requires { element.size(); }) visit_member(about, place{&at, "", at.owner}, element, to);
       else visit_member(about, at, element, to);
+      ++at.row;
     }
     if constexpr (std::is_floating_point_v<typename V::value_type>)
       if (about.hard.is_direction) to.length(about, place{at.outer, at.name, at.owner}, length_of(value));
