@@ -130,7 +130,10 @@ Answer account(const cycle_parts<M, B, L>&, const Now& now, const Walls& touched
                const desired_force<T, D>& Fd, const Force& Fc, T alpha, const Force& Fc_scaled,
                const saturated_torque<T, Brakes>& td, const brake_vector<M>& t, step_memory<L>&) {
   const bool is_share = alpha >= T(0) && alpha <= T(1);
-  const status outcome = check_command<T>(touched, outward(Fd, now.v), is_share, Fc_scaled.torque);
+  status outcome = check_command<T>(touched, outward(Fd, now.v), is_share, Fc_scaled.torque);
+  // An account that overflows, though its torques do not, is none
+  if constexpr (requires(Answer answer) { answer.control_force; })
+    if (outcome == status::ok && !all_finite(Fc.force, Fc.torque)) outcome = status::result_not_finite;
   return outcome == status::ok ? detail::told<Answer, M>(now, touched, Fd, Fc, alpha, td, t)
                                : released<Answer>(outcome);
 }

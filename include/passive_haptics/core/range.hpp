@@ -12,13 +12,15 @@ namespace passive_haptics {
 
 /// An interval of numbers in a parameter's unit. An open end at infinity means that the number is finite.
 struct range {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double infinity = std::numeric_limits<double>::infinity();  ///< No end.
 
-  double lower = -infinity, upper = infinity;  ///< The ends.
-  bool open_below = true, open_above = true;   ///< Whether the ends themselves are outside.
-  bool is_checked = true;                      ///< False: everything is inside, a NaN, too.
-  bool is_direction = false;                   ///< It is the length of a vector that lies inside.
-  const char* words = "";                      ///< What is expected, where the ends do not say it best.
+  double lower = -infinity;   ///< The lower end.
+  double upper = infinity;    ///< The upper end.
+  bool open_below = true;     ///< Whether the lower end itself is outside.
+  bool open_above = true;     ///< Whether the upper end itself is outside.
+  bool is_checked = true;     ///< False: everything is inside, a NaN, too.
+  bool is_direction = false;  ///< It is the length of a vector that lies inside.
+  const char* words = "";     ///< What is expected, where the ends do not say it best.
 
   static const range anything;      ///< Of which nothing is said.
   static const range finite;        ///< Any finite number.

@@ -5,6 +5,7 @@
 #include <passive_haptics/scene/mesh/mesh_parameters.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <numeric>
@@ -37,8 +38,9 @@ struct ridge {
   int facet, index;
   int turn;  // 1 or -1: which way round the facet runs along it
 
-  auto operator<=>(const ridge&) const = default;
+  bool operator<(const ridge& other) const { return order() < other.order(); }
   bool same_place(const ridge& other) const { return low == other.low && high == other.high; }
+  std::array<int, 4> order() const { return {low, high, facet, index}; }
 };
 
 /// All of them, those in the same place one after the other.
