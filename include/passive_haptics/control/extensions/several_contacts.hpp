@@ -116,6 +116,17 @@ auto unscaled(const Now& now, displayable_forces<M, Box, desired_forces<T, D, N>
   return F;
 }
 
+// Whether brakes of these signs can make the force, to rounding: s_i t_i <= 0 for t = E^T F.
+template <class Now, class T, int D, int Brakes>
+bool is_in_cone(const Now& now, const approximated_force<T, D, Brakes>& F) {
+  const matrix<T, D, Brakes> E(now.E);
+  const vector<T, Brakes> t = E.transpose() * F.force;
+  const T tolerance = rounding_tolerance<T>(1) * F.force.norm();
+  bool all = true;
+  for (int i = 0; i < Brakes; ++i) all = all && now.s[i] * t[i] <= tolerance * E.col(i).norm();
+  return all;
+}
+
 }  // namespace detail
 
 /// The account of several walls. Its classes and alpha are those of the wall that asks for most, display is
@@ -143,7 +154,11 @@ Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<
   if constexpr (!requires(Answer answer) { answer.contacts; }) {
     return summary(Fc_scaled);
   } else {
-    Answer answer = summary(detail::unscaled(now, Fc));
+    Force whole = detail::unscaled(now, Fc);
+    // At a pose where rounding decides what brakes without limits could do, what is commanded is told
+    if (!detail::is_in_cone(now, whole))
+      whole = {display_class::approximate, Fc_scaled.force, Fc_scaled.torque, T(0)};
+    Answer answer = summary(whole);
     if (answer.outcome != status::ok) return answer;
     answer.saturated =
         (td.torque.array().abs() >= torque_limits_of<T, M::brake_count>(now.brakes).array()).any();
