@@ -156,7 +156,7 @@ Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<
   } else {
     Force whole = detail::unscaled(now, Fc);
     // At a pose where rounding decides what brakes without limits could do, what is commanded is told
-    if (!detail::is_in_cone(now, whole))
+    if (!displays_by_generators<M> && !detail::is_in_cone(now, whole))
       whole = {display_class::approximate, Fc_scaled.force, Fc_scaled.torque, T(0)};
     Answer answer = summary(whole);
     if (answer.outcome != status::ok) return answer;
