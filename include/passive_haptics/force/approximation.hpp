@@ -47,6 +47,16 @@ approximated_force<T, D, Brakes> operator*(T a, const approximated_force<T, D, B
   return {F.display, a * F.force, a * F.torque, F.cosine_squared};
 }
 
+/// cos^2 of the angle between a force [N] and the unit direction n; 0 from 90 degrees on. For accounts: it
+/// takes a root.
+template <class T, int D>
+T cosine_squared(const vector<T, D>& force, const vector<T, D>& n) {
+  const T along = n.dot(force);
+  if (!(along > T(0))) return T(0);
+  const T cosine = along / force.stableNorm();
+  return cosine * cosine;
+}
+
 /// Fc for a unit desired force n (base frame) and brakes of signs s, in half-space form.
 ///
 /// Exact (Fc = n) where all s_i t_i <= 0 for t = E^T n. Else Fc = Fp / |Fp|^2 with Fp the nearest displayable

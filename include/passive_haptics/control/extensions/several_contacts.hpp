@@ -111,8 +111,7 @@ auto unscaled(const Now& now, displayable_forces<M, Box, desired_forces<T, D, N>
   }
   if (met) F.display = display_class::exact;
   else if (!(size > T(0))) F.display = display_class::none;
-  const T cosine = size > T(0) ? Fc.Fd[Fc.Fd.governing].direction.dot(F.force) / size : T(met ? 1 : 0);
-  F.cosine_squared = cosine * cosine;
+  F.cosine_squared = cosine_squared(F.force, Fc.Fd[Fc.Fd.governing].direction);
   return F;
 }
 
@@ -157,7 +156,8 @@ Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<
     Force whole = detail::unscaled(now, Fc);
     // At a pose where rounding decides what brakes without limits could do, what is commanded is told
     if (!displays_by_generators<M> && !detail::is_in_cone(now, whole))
-      whole = {display_class::approximate, Fc_scaled.force, Fc_scaled.torque, T(0)};
+      whole = {display_class::approximate, Fc_scaled.force, Fc_scaled.torque,
+               cosine_squared(Fc_scaled.force, Fd[Fd.governing].direction)};
     Answer answer = summary(whole);
     if (answer.outcome != status::ok) return answer;
     answer.saturated =

@@ -88,12 +88,11 @@ Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<
   if constexpr (requires(Answer answer) { answer.torque; }) {
     could = displayed(as_scaled, now, Fd, touched, nothing).display == display_class::exact;
     Fc.force = force_map_of(now).G * Fc.torque;
-    const T along = Fd.direction.dot(Fc.force), size = Fc.force.norm();
+    Fc.cosine_squared = cosine_squared(Fc.force, Fd.direction);
     const T off = (Fc.force - Fd.magnitude * Fd.direction).norm();
     Fc.display = off <= rounding_tolerance<T>(D + Brakes) * Fd.magnitude ? display_class::exact
-                 : along > T(0)                                          ? display_class::approximate
+                 : Fc.cosine_squared > T(0)                              ? display_class::approximate
                                                                          : display_class::none;
-    Fc.cosine_squared = along > T(0) ? (along / size) * (along / size) : T(0);
   }
   Answer answer = check_contacts<T>(touched) == status::ok
                       ? account<Answer>(as_scaled, now, touched, Fd, approximated_force<T, D, Brakes>(Fc),
