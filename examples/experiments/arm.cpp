@@ -7,6 +7,7 @@ std::string_view name_of(law which) {
   switch (which) {
     case law::none: return "no direct control";
     case law::direct: return "direct control";
+    case law::saturated: return "direct, limits first";
     case law::direct_dead_band: return "direct, dead band";
     case law::velocity: return "velocity direct control";
     case law::velocity_on_touch: return "velocity, on touch";

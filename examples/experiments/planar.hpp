@@ -21,6 +21,7 @@ using plane_vector = ph::vector<double, 2>;
 enum class law {
   none,
   direct,             // as printed
+  saturated,          // direct, but alpha scales what the brakes can make
   direct_dead_band,   // nulling already from n . v > -v_dead
   velocity,           // walls seen beforehand
   velocity_on_touch,  // walls seen when they are touched
@@ -29,9 +30,12 @@ enum class law {
   velocity_ratio,
   on_off,
 };
-inline constexpr std::array all_laws{
-    law::none,           law::direct, law::direct_dead_band,  law::coercive, law::single_degree_of_freedom,
-    law::velocity_ratio, law::on_off, law::velocity_on_touch, law::velocity};
+inline constexpr auto all_laws = [] {
+  using enum law;
+  return std::array{
+      none,           direct, saturated,         direct_dead_band, coercive, single_degree_of_freedom,
+      velocity_ratio, on_off, velocity_on_touch, velocity};
+}();
 std::string_view name_of(law which);
 
 // A wall of any of the experiments' shapes.

@@ -10,9 +10,9 @@
 
 namespace experiments {
 
-inline constexpr double margin = 0.006;                                     // of law::velocity [m]
-inline constexpr double start_x = 0.045, end_x = 0.17, speed_along = 0.05;  // [m], [m], [m/s]
-inline constexpr double trace_period = 5e-3;                                // [s]
+inline constexpr double margin = 0.006;                 // of law::velocity [m]
+inline constexpr double start_x = 0.045, end_x = 0.17;  // [m]
+inline constexpr double trace_period = 5e-3;            // [s]
 
 // What differs between the devices.
 template <class M>
@@ -30,6 +30,7 @@ auto with_law(law which, const setup& how, F&& f) {
   switch (which) {
     case law::none: return f(ph::no_direct_control(), 0.0);
     case law::direct: return f(ph::direct_control(), 0.0);
+    case law::saturated: return f(ph::saturated_direct_control(), 0.0);
     case law::direct_dead_band:
       return f(ph::direct_control{.velocity_dead_band = how.velocity_dead_band}, 0.0);
     case law::velocity: {
@@ -59,7 +60,7 @@ run_result follow(const device<M>& d, law which, const test_wall& wall, const se
   const ph::following_hand<double, 2> hand({1, 0}, x0, how.hand);
   ph::simulated_device plant(d.real, d.real_brakes, how.hand.mass, d.start);
   const ph::matrix<double, 2, 2> J(ph::jacobian(d.real, d.start));
-  plant.set_motion(d.start, J.partialPivLu().solve(speed_along * along - how.approach * n));
+  plant.set_motion(d.start, J.partialPivLu().solve(how.hand.speed * along - how.approach * n));
 
   ph::wall_following_parameters p;
   p.time_step = how.time_step;

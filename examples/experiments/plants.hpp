@@ -9,6 +9,9 @@
 
 namespace experiments {
 
+// The torque limit [N m] that just holds a hand with this push [N] off the paper's walls.
+constexpr double weak_brake_limit(double push) { return 1.25 / 17 * push; }
+
 // Plant number k of this seed: brakes of another gain, residual torque, lag and limit, a model whose inertia
 // is off by up to 25 %, a noisy sensor, a hand that pushes and weighs more or less. The controller knows
 // limit and lag.
@@ -27,6 +30,27 @@ inline setup random_plant(std::uint64_t seed, std::size_t k) {
   how.gap = between(0.002, 0.006);
   how.hand.push = between(1, 3);
   how.hand.mass = between(0.3, 0.8);
+  return how;
+}
+
+// Hand number k of this seed for the paper's reading of direct control: brakes just strong enough for a hand
+// that yields normal to the wall (300 N/m).
+inline setup yielding_hand(std::uint64_t seed, std::size_t k) {
+  std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(k)};
+  std::mt19937_64 bits(both);
+  const auto between = [&](double low, double high) { return low + (high - low) * ph::uniform_number(bits); };
+  setup how;
+  how.hand.push = between(1, 2.5);
+  how.hand.normal_stiffness = 300;
+  how.hand.target_depth = 0.003;
+  how.hand.normal_damping = between(12, 30);
+  how.hand.mass = between(0.2, 0.8);
+  how.hand.speed = between(0.04, 0.07);
+  how.gap = between(0.003, 0.005);
+  how.approach = between(0.05, 0.12);
+  how.limit = weak_brake_limit(how.hand.push);
+  how.noise = 0.01;
+  how.seed = seed + k;
   return how;
 }
 

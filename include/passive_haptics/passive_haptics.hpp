@@ -50,6 +50,7 @@
 #include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
 #include <passive_haptics/control/laws/velocity_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity_ratio_control.hpp>

@@ -118,7 +118,7 @@ class simulation {
       if (time_ >= p_.hand_start) {
         if ((x - hand_from_).norm() > p_.path) take_hold(-sense_, time_);
         muscle =
-            hand_->force(time_ - std::max(hand_since_, p_.hand_start), x, device_.velocity(), normal_(x));
+            hand_->force(time_ - std::max(hand_since_, p_.hand_start), x, device_.velocity(), normal_(x), 0);
       }
       device_.advance(dt, strength, muscle);
       sensor_.advance(dt, device_.sensed_force());

@@ -41,6 +41,8 @@ struct contact_situation {
 ///
 /// Optional, false where it is not named:
 ///   - `static constexpr bool needs_hand_force`: the state must have a hand force, so the device a sensor;
+///   - `static constexpr bool saturates_before_scaling`: alpha scales torques that are already cut to the
+///     brakes' limits. Else they are cut after, as the paper prints it. Of one contact only;
 ///   - `static constexpr bool gives_way`: the force of a contact being left is scaled so that nothing remains
 ///     normal to the wall. Of several contacts these are then met before the others.
 template <class L>
@@ -87,6 +89,9 @@ concept ControlLaw = ScalingLaw<L> || TorqueLaw<L>;
 /// Whether a law gives way to a hand that leaves a wall.
 template <class L>
 inline constexpr bool gives_way = requires { requires L::gives_way; };
+/// Whether alpha of a law scales what the brakes can make of Fc, not Fc itself.
+template <class L>
+inline constexpr bool saturates_before_scaling = requires { requires L::saturates_before_scaling; };
 /// Whether a law reads the hand force.
 template <class L>
 inline constexpr bool needs_hand_force = requires { requires L::needs_hand_force; };

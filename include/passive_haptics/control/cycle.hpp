@@ -37,7 +37,7 @@ Answer respond(const cycle_parts<M, B, L>& with, const State& state, const Pose&
   const auto Fc = displayed(with, now, Fd, touched, memory);
   const auto alpha = scale(with, now, Fd, Fc);
   const auto Fc_scaled = alpha * Fc;
-  const auto td = add_effects(with, now, touched, limited(with, Fc_scaled.torque));
+  const auto td = add_effects(with, now, touched, commanded(with, alpha, Fc, Fc_scaled));
 
   // What the mechanism will feel
   const brake_vector<M> t = passive_torque(td.torque, w, th, s, brakes);

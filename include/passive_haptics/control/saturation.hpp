@@ -19,6 +19,12 @@ struct saturated_torque {
   bool limited;              ///< True if some torque was over its limit.
 };
 
+/// a t, of the same brakes: a in [0, 1].
+template <class T, int Brakes>
+saturated_torque<T, Brakes> operator*(T a, const saturated_torque<T, Brakes>& t) {
+  return {a * t.torque, t.limited};
+}
+
 /// Torques t [N m], finite, within limits [N m] >= 0. It may stand before or after a law's alpha: cut to what
 /// the brakes can make and then scaled, or scaled and then cut.
 template <class T, int Brakes>

@@ -94,6 +94,21 @@ saturated_torque<T, Brakes> limited(const cycle_parts<M, B, L>& with, const vect
   else return {t, false};
 }
 
+/// td: what the brakes are told (step 4), the torques of Fc_scaled = alpha Fc within their limits; or alpha
+/// times the torques of Fc within their limits, where the law says so.
+template <class M, class B, class L, class Scale, class Force, class ScaledForce>
+auto commanded(const cycle_parts<M, B, L>& with, const Scale& alpha, const Force& Fc,
+               const ScaledForce& Fc_scaled) {
+  if constexpr (saturates_before_scaling<L>) {
+    static_assert(std::is_same_v<Scale, typename M::scalar>,
+                  "passive_haptics: a law that saturates before scaling knows one wall at a time; give this "
+                  "scene a law without saturates_before_scaling (control/control_law.hpp).");
+    return alpha * limited(with, Fc.torque);
+  } else {
+    return limited(with, Fc_scaled.torque);
+  }
+}
+
 /// The torques as the walls want them: no effects stand beside these walls. control/effects/ has those that
 /// do.
 template <class Parts, class Now, class Walls, class Torques>

@@ -18,6 +18,7 @@ struct contact_metrics {
   double depth_drift = 0;          ///< Last less first depth there [m]; < 0 moves out of the wall.
   double depth_max = 0;            ///< Largest depth on the whole path [m].
   double stick_share = 0;          ///< Share of time that the watched brake is slower than 1e-3 rad/s [1].
+  double hand_force_std = 0;       ///< Standard deviation of the hand's force into the wall [N].
   double retarding_force = 0;      ///< Mean force of the brakes against the motion along the wall [N].
   double brake_energy = 0;         ///< Dissipated by the friction of all brakes [J].
   double largest_brake_power = 0;  ///< Largest that one brake gave to the device in a step [W]; 0 if none.
@@ -33,6 +34,7 @@ struct contact_sample {
   double retarding_force = 0;  ///< Of the brakes, against the motion along the wall [N].
   double brake_energy = 0;     ///< Dissipated by the brakes in this time step [J].
   double brake_power = 0;      ///< Largest of the brakes' powers t_i w_i [W].
+  double hand_force = 0;       ///< Of the hand on the handle, into the wall [N].
 };
 
 /// Collects contact_metrics sample by sample at equal time steps; no allocation.
@@ -64,6 +66,7 @@ class contact_meter {
     ++samples_;
     stuck_ += std::abs(now.rate) < stick_rate ? 1 : 0;
     force_sum_ += now.retarding_force;
+    hand_force_.add(now.hand_force);
     result_.brake_energy += now.brake_energy;
     result_.largest_brake_power = std::max(result_.largest_brake_power, now.brake_power);
     result_.depth_max = std::max(result_.depth_max, depth);
@@ -76,11 +79,12 @@ class contact_meter {
     if (samples_ > 0) {
       r.stick_share = static_cast<double>(stuck_) / static_cast<double>(samples_);
       r.retarding_force = force_sum_ / static_cast<double>(samples_);
+      r.hand_force_std = hand_force_.standard_deviation();
       r.duration = static_cast<double>(samples_) * dt_;
     }
-    if (settled_ > 0) {
-      r.depth_mean = mean_;
-      r.depth_std = std::sqrt(square_sum_ / static_cast<double>(settled_));
+    if (settled_.count() > 0) {
+      r.depth_mean = settled_.mean();
+      r.depth_std = settled_.standard_deviation();
       r.depth_range = deepest_ - shallowest_;
       r.depth_drift = last_ - first_;
     }
@@ -88,23 +92,40 @@ class contact_meter {
   }
 
  private:
-  void add_settled(double depth) {  // Welford: stable mean and sum of squared deviations
-    ++settled_;
-    const double before = depth - mean_;
-    mean_ += before / static_cast<double>(settled_);
-    square_sum_ += before * (depth - mean_);
-    deepest_ = settled_ == 1 ? depth : std::max(deepest_, depth);
-    first_ = settled_ == 1 ? depth : first_;
+  // Stable mean and sum of squared deviations, after Welford
+  class statistics {
+   public:
+    void add(double x) {
+      ++count_;
+      const double before = x - mean_;
+      mean_ += before / static_cast<double>(count_);
+      squares_ += before * (x - mean_);
+    }
+    std::size_t count() const { return count_; }
+    double mean() const { return mean_; }
+    double standard_deviation() const { return std::sqrt(squares_ / static_cast<double>(count_)); }
+
+   private:
+    std::size_t count_ = 0;
+    double mean_ = 0, squares_ = 0;
+  };
+
+  void add_settled(double depth) {
+    const bool is_first = settled_.count() == 0;
+    settled_.add(depth);
+    deepest_ = is_first ? depth : std::max(deepest_, depth);
+    first_ = is_first ? depth : first_;
     last_ = depth;
-    shallowest_ = settled_ == 1 ? depth : std::min(shallowest_, depth);
+    shallowest_ = is_first ? depth : std::min(shallowest_, depth);
   }
 
   double path_end_, dt_;
   contact_metrics result_;
   bool touched_ = false, in_contact_ = false;
   double settled_at_ = 0;
-  std::size_t samples_ = 0, stuck_ = 0, settled_ = 0;
-  double force_sum_ = 0, mean_ = 0, square_sum_ = 0, deepest_ = 0, shallowest_ = 0, first_ = 0, last_ = 0;
+  std::size_t samples_ = 0, stuck_ = 0;
+  statistics settled_, hand_force_;
+  double force_sum_ = 0, deepest_ = 0, shallowest_ = 0, first_ = 0, last_ = 0;
 };
 
 }  // namespace passive_haptics

@@ -9,16 +9,18 @@
 
 namespace passive_haptics {
 
-/// Impedance of the hand along the wall and its push on it. The paper prints neither; with these the hand
+/// Impedance of the hand along the wall and into it. The paper prints neither; with these the hand
 /// force stays below the paper's 2 N (Fig. 8) in the wall's normal direction.
 template <class T>
 struct following_hand_parameters {
-  T speed = T(0.05);         ///< Intended speed along the wall [m/s].
-  T stiffness = T(200);      ///< Towards the intended place along the wall [N/m].
-  T damping = T(20);         ///< Towards the intended speed along the wall [N s/m].
-  T push = T(2);             ///< Force into the wall [N].
-  T normal_damping = T(20);  ///< Normal to the wall [N s/m].
-  T mass = T(0.5);           ///< What moves with the handle [kg].
+  T speed = T(0.05);          ///< Intended speed along the wall [m/s].
+  T stiffness = T(200);       ///< Towards the intended place along the wall [N/m].
+  T damping = T(20);          ///< Towards the intended speed along the wall [N s/m].
+  T push = T(2);              ///< Force into the wall at target_depth [N].
+  T normal_stiffness = T(0);  ///< By which the push falls with the depth [N/m]; 0 for a constant push.
+  T target_depth = T(0);      ///< Where the hand pushes with `push`, > 0 inside the wall [m].
+  T normal_damping = T(20);   ///< Normal to the wall [N s/m].
+  T mass = T(0.5);            ///< What moves with the handle [kg].
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -28,6 +30,8 @@ struct following_hand_parameters {
         member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(0, 1e4)),
         member("damping", &p::damping, "N s/m", range::not_negative, plausible(0, 1000)),
         member("push", &p::push, "N", range::finite, plausible(-100, 100)),
+        member("normal_stiffness", &p::normal_stiffness, "N/m", range::not_negative, plausible(0, 1e4)),
+        member("target_depth", &p::target_depth, "m", range::finite, plausible(-0.1, 0.1)),
         member("normal_damping", &p::normal_damping, "N s/m", range::not_negative, plausible(0, 1000)),
         member("mass", &p::mass, "kg", range::not_negative, plausible(0, 10)));
   }
@@ -35,9 +39,12 @@ struct following_hand_parameters {
 
 /// A hand that intends to move along `direction` at constant speed while it presses on the wall:
 ///
-///     F = (K (s0 + speed t - s) / max(0.3, u . t) + B (speed - v . t)) t  -  (push + Bn (v . n)) n
+///     F = (K (s0 + speed t - s) / max(0.3, u . t) + B (speed - v . t)) t
+///         - (push + Kn (target_depth - depth) + Bn (v . n)) n
 ///
-/// with n out of the wall, t the direction u projected on the wall, s = u . x the way made.
+/// with n out of the wall, t the direction u projected on the wall, s = u . x the way made. Kn = 0 is a push
+/// of the same size at any depth; with Kn > 0 the hand is an impedance: what the device gives it in depth, it
+/// takes back in force.
 template <class T, int D>
 class following_hand {
  public:
@@ -47,13 +54,15 @@ class following_hand {
                  const following_hand_parameters<T>& p = {})
       : p_(require_valid(p)), direction_(direction.normalized()), start_(direction_.dot(x0)) {}
 
-  /// Muscle force [N] at time [s], handle at x [m] with velocity v [m/s], beside a wall with normal n.
-  vector<T, D> force(T time, const vector<T, D>& x, const vector<T, D>& v, const vector<T, D>& n) const {
+  /// Muscle force [N] at time [s], handle at x [m] with velocity v [m/s], depth [m] in a wall with normal n.
+  vector<T, D> force(T time, const vector<T, D>& x, const vector<T, D>& v, const vector<T, D>& n,
+                     T depth) const {
     const vector<T, D> t = tangent(n);
     const T lag = start_ + p_.speed * time - direction_.dot(x);
     const T along =
         p_.stiffness * lag / std::max(T(0.3), t.dot(direction_)) + p_.damping * (p_.speed - v.dot(t));
-    return along * t - (p_.push + p_.normal_damping * v.dot(n)) * n;
+    const T into = p_.push + p_.normal_stiffness * (p_.target_depth - depth) + p_.normal_damping * v.dot(n);
+    return along * t - into * n;
   }
 
   /// Unit direction along a wall with normal n; the intended direction itself where that is normal to the

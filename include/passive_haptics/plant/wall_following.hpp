@@ -124,7 +124,9 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
     const point<d> n = shape.gradient(x.template cast<double>());
     const task_vector<M> normal = n.template cast<T>();
     const double dissipated = device.energy().friction();
-    device.advance(dt, decision.capacity, hand.force(static_cast<T>(time), x, device.velocity(), normal));
+    const T depth = static_cast<T>(-shape.distance(x.template cast<double>()));
+    device.advance(dt, decision.capacity,
+                   hand.force(static_cast<T>(time), x, device.velocity(), normal, depth));
     sensor.advance(dt, device.sensed_force());
 
     const task_vector<M> moved = device.position();
@@ -144,7 +146,8 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
                .rate = static_cast<double>(now.rates[p.watched_brake]),
                .retarding_force = -static_cast<double>(now.brake_force.dot(hand.tangent(normal))),
                .brake_energy = device.energy().friction() - dissipated,
-               .brake_power = static_cast<double>(now.brake_power.maxCoeff())});
+               .brake_power = static_cast<double>(now.brake_power.maxCoeff()),
+               .hand_force = -static_cast<double>(device.sensed_force().dot(normal))});
     observe(now);
     if (progress >= p.path_end) break;
   }

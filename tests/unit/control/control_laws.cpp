@@ -4,6 +4,7 @@
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
 #include <passive_haptics/control/laws/velocity_ratio_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
@@ -52,6 +53,53 @@ struct on_table {
 };
 
 constexpr double rounding = 1e-12;
+
+// ---- the order of limits and alpha
+
+template <class Law>
+ph::step_result<table> leave_the_wall(const V2& hand, double limit, const ph::step_options<double>& options) {
+  ph::brakes_of<table> brakes;
+  brakes.torque_limit.setConstant(limit);
+  ph::contacts<2, 1> wall;
+  wall.push_back(above(0.005, 1e7));  // 5e4 N
+  ph::step_memory<Law> memory;
+  return ph::step(table(), brakes, wall, Law(), state_of<table>({0, 0}, {0.05, -0.01}, hand), memory,
+                  options);
+}
+
+TEST(order_of_saturation, alpha_scales_the_force_or_what_the_brakes_can_make_of_it) {
+  const V2 hand(0, 2);
+  for (const auto policy : {ph::saturation::keep_direction, ph::saturation::clamp_each}) {
+    const ph::step_options<double> options(ph::approximation_parameters<double>(), policy);
+    const auto printed = leave_the_wall<ph::direct_control>(hand, 10, options);
+    const auto read = leave_the_wall<ph::saturated_direct_control>(hand, 10, options);
+    for (const auto& result : {printed, read}) {
+      EXPECT_EQ(result.outcome, ph::status::ok);
+      EXPECT_NEAR(result.alpha, 2 / 5e4, 1e-12);  // as the paper prints it
+      EXPECT_NEAR(result.control_force.norm(), 5e4, 1e-6) << "before alpha and limits";
+    }
+    EXPECT_NEAR(printed.capacity[1], 2, rounding);
+    EXPECT_FALSE(printed.saturated);
+    EXPECT_NEAR(read.capacity[1], 10 * 2 / 5e4, rounding);
+    EXPECT_TRUE(read.saturated);
+    EXPECT_EQ(printed.capacity[0], 0);
+    EXPECT_EQ(read.capacity[0], 0);
+  }
+}
+
+TEST(order_of_saturation, is_the_same_where_nothing_is_cut_or_scaled) {
+  const ph::step_options<double> options;
+  const auto same = [&](const V2& hand, double limit) {
+    const auto printed = leave_the_wall<ph::direct_control>(hand, limit, options);
+    const auto read = leave_the_wall<ph::saturated_direct_control>(hand, limit, options);
+    EXPECT_EQ(printed.capacity, read.capacity);
+    EXPECT_EQ(printed.torque, read.torque);
+    EXPECT_EQ(printed.saturated, read.saturated);
+  };
+  same({0, 2}, 1e6);   // strong brakes
+  same({0, -2}, 10);   // a hand that pulls away: alpha = 0
+  same({0, 1e6}, 10);  // and one that pushes harder than the wall: alpha = 1
+}
 
 // ---- direct control with a dead band
 

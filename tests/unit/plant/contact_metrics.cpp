@@ -103,6 +103,14 @@ TEST(contact_meter, knows_whether_the_end_was_reached) {
   EXPECT_TRUE(meter.result().arrived);
 }
 
+TEST(contact_metrics, spread_of_the_hands_force_is_counted_from_the_first_contact) {
+  ph::contact_meter meter(1, 1e-3);
+  meter.add({.depth = -um, .hand_force = 100});
+  for (const double force : {1.0, 3.0, 1.0, 3.0}) meter.add({.depth = um, .hand_force = force});
+  EXPECT_NEAR(meter.result().hand_force_std, 1, 1e-12);
+  EXPECT_EQ(ph::contact_meter(1, 1e-3).result().hand_force_std, 0);
+}
+
 template <class T>
 struct following_hand : ::testing::Test {};
 using hand_scalars = ::testing::Types<float, double>;
@@ -118,13 +126,25 @@ TYPED_TEST(following_hand, pulls_along_the_wall_and_presses_on_it) {
     EXPECT_NEAR(actual[0], x, T(1e-5));
     EXPECT_NEAR(actual[1], y, T(1e-5));
   };
-  expect(hand.force(0, {T(0.1), 0}, {T(0.05), 0}, n), 0, 2);   // where and as fast as intended
-  expect(hand.force(2, {T(0.1), 0}, {T(0.05), 0}, n), 20, 2);  // 0.1 m late
-  expect(hand.force(0, {T(0.1), 0}, {0, 0}, n), 1, 2);         // too slow
-  expect(hand.force(0, {T(0.1), 0}, {T(0.05), T(0.1)}, n), 0,
+  expect(hand.force(0, {T(0.1), 0}, {T(0.05), 0}, n, 0), 0, 2);   // where and as fast as intended
+  expect(hand.force(2, {T(0.1), 0}, {T(0.05), 0}, n, 0), 20, 2);  // 0.1 m late
+  expect(hand.force(0, {T(0.1), 0}, {0, 0}, n, 0), 1, 2);         // too slow
+  expect(hand.force(0, {T(0.1), 0}, {T(0.05), T(0.1)}, n, 0), 0,
          T(2) - T(2));  // sinking: the damping holds back
   EXPECT_NEAR(hand.progress({T(0.3), T(9)}), T(0.3), T(1e-6));
   EXPECT_EQ(hand.parameters().push, T(2));
+}
+
+TYPED_TEST(following_hand, pushes_less_where_the_wall_lets_it_in) {
+  using T = TypeParam;
+  ph::following_hand_parameters<T> p;
+  p.normal_stiffness = 300;
+  p.target_depth = T(0.003);
+  const ph::following_hand<T, 2> hand({1, 0}, {0, 0}, p);
+  const auto into = [&](T depth) { return hand.force(0, {0, 0}, {T(0.05), 0}, {0, -1}, depth)[1]; };
+  EXPECT_NEAR(into(T(0.003)), T(2), T(1e-5));
+  EXPECT_NEAR(into(0), T(2.9), T(1e-5));
+  EXPECT_NEAR(into(T(0.003) + T(2) / 300), 0, T(1e-5));
 }
 
 TYPED_TEST(following_hand, follows_a_slanted_wall_no_harder_than_through_a_third) {
@@ -136,7 +156,7 @@ TYPED_TEST(following_hand, follows_a_slanted_wall_no_harder_than_through_a_third
   const ph::following_hand<T, 2> hand({1, 0}, {0, 0}, p);
   const auto along = [&](T degrees) {
     const T a = ph::radians(degrees);
-    return hand.force(2, {0, 0}, {0, 0}, V(std::sin(a), -std::cos(a))).norm();
+    return hand.force(2, {0, 0}, {0, 0}, V(std::sin(a), -std::cos(a)), 0).norm();
   };
   EXPECT_NEAR(along(60), T(20) / T(0.5), T(1e-3));
   EXPECT_NEAR(along(80), T(20) / T(0.3), T(1e-3));
