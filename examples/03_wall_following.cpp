@@ -92,8 +92,9 @@ std::string plot_script(const std::string& name, double environment_rate) {
          << "set datafile separator ','\n"
          << "none = '" << name << "_no_direct_control.csv'\ndirect = '" << name
          << "_direct_control.csv'\nvelocity = '" << name << "_velocity_direct_control.csv'\n"
-         << "set multiplot layout 5,1 margins 0.105,0.97,0.06,0.92 spacing 0.03 title 'Along the wall y = 0.225 m, environment at " << environment_rate
-         << " Hz'\n"
+         << "set multiplot layout 5,1 margins 0.105,0.97,0.06,0.92 spacing 0.03 title 'Along the wall y = "
+            "0.225 m, environment at "
+         << environment_rate << " Hz'\n"
          << R"gnuplot(set grid lc rgb '#dddddd'
 set xrange [0.04:0.175]
 set style data lines
