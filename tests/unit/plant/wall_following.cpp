@@ -3,6 +3,7 @@
 #include "../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
@@ -117,6 +118,39 @@ TYPED_TEST(wall_following, names_a_brake_that_is_not_there) {
     FAIL() << "brake 2 of two was watched";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "passive_haptics: watched_brake = 2, expected a brake of the device, from 0");
+  }
+}
+
+// Figs. 8 and 9: what the paper reports comes out where the limits stand before alpha, the brakes are weak
+// and the hand yields; as printed it does not.
+TEST(wall_following, reproduces_the_paper_where_the_limits_come_before_alpha) {
+  ph::following_hand_parameters<double> yielding;
+  yielding.push = 1.75;
+  yielding.normal_stiffness = 300;
+  yielding.target_depth = 0.003;
+  for (const double rate : {1000.0, 20.0}) {
+    for (const double time_step : {1e-4, 5e-5}) {
+      const auto run = [&](auto law) {
+        auto e = tendon_device<double>(0.020);
+        e.brakes.torque_limit.setConstant(1.25 / 17 * yielding.push);
+        experiment<ph::tendon_two_link<double>> weak(e.arm, e.brakes, e.q);
+        auto control = weak.controller(law, rate);
+        return ph::follow_wall(weak.device, control, wall,
+                               ph::following_hand<double, 2>({1, 0}, weak.arm.position(weak.q), yielding),
+                               {.time_step = time_step});
+      };
+      const auto none = run(ph::no_direct_control()), printed = run(ph::direct_control()),
+                 read = run(ph::saturated_direct_control());
+      EXPECT_GE(none.separations, 3) << rate << " Hz";
+      EXPECT_GE(printed.separations, 3) << rate << " Hz";
+      EXPECT_LE(read.separations, 1) << rate << " Hz";
+      EXPECT_LT(read.depth_std, none.depth_std);
+      EXPECT_LT(read.stick_share, none.stick_share / 2);
+      EXPECT_LT(read.hand_force_std, none.hand_force_std);
+      EXPECT_LT(read.retarding_force, none.retarding_force) << "conclusion 2";
+      EXPECT_LT(read.largest_brake_power, 1e-14);
+      EXPECT_TRUE(none.arrived && printed.arrived && read.arrived);
+    }
   }
 }
 
