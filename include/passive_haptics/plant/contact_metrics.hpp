@@ -24,6 +24,19 @@ struct contact_metrics {
   double largest_brake_power = 0;  ///< Largest that one brake gave to the device in a step [W]; 0 if none.
   double duration = 0;             ///< From the first contact to the end [s].
   bool arrived = false;            ///< The end of the path was reached.
+  bool touched = false;            ///< The wall was touched at all.
+
+  static constexpr double floating_depth = -0.5e-3;  ///< A mean depth [m] under which the handle floats.
+  static constexpr double deep_depth = 10e-3;        ///< A depth [m] over which it is deep.
+
+  /// The handle left the wall at least once.
+  bool separates() const { return separations > 0; }
+  /// It hovers in front of the wall.
+  bool floats() const { return depth_mean < floating_depth; }
+  /// It never reached the wall.
+  bool never_touches() const { return !touched; }
+  /// It went far into the wall.
+  bool is_deep() const { return depth_max > deep_depth; }
 };
 
 /// What contact_meter is told each time step.
@@ -51,9 +64,9 @@ class contact_meter {
   void add(const contact_sample& now) {
     const double progress = now.progress, depth = now.depth;
     if (progress >= path_end_) result_.arrived = true;
-    if (!touched_) {
+    if (!result_.touched) {
       if (!(depth > 0)) return;
-      touched_ = in_contact_ = true;
+      result_.touched = in_contact_ = true;
       settled_at_ = progress + settling_share * (path_end_ - progress);
     }
     if (in_contact_ && depth < -hysteresis) {
@@ -121,7 +134,7 @@ class contact_meter {
 
   double path_end_, dt_;
   contact_metrics result_;
-  bool touched_ = false, in_contact_ = false;
+  bool in_contact_ = false;
   double settled_at_ = 0;
   std::size_t samples_ = 0, stuck_ = 0;
   statistics settled_, hand_force_;

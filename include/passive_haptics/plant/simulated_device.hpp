@@ -2,7 +2,6 @@
 /// A device without hardware: a mechanism with inertia, real brakes and a hand's mass on its handle.
 #pragma once
 
-#include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
@@ -44,10 +43,7 @@ class simulated_device {
   /// The same with real brakes, which a controller may be wrong about.
   template <std::same_as<simulated_brakes_of<M>> RealBrakes>  // a template, so that {} means brakes_of<M>
   simulated_device(M mechanism, const RealBrakes& brakes, scalar hand_mass, const joint_vector<M>& q)
-      : mechanism_(std::move(mechanism)),
-        brakes_(require_valid(brakes)),
-        strength_(brakes.time_constant),
-        hand_mass_(hand_mass) {
+      : mechanism_(std::move(mechanism)), brakes_(require_valid(brakes)), hand_mass_(hand_mass) {
     require_no_error(check_value("hand_mass", hand_mass, "kg", range::not_negative));
     set_motion(q, joint_vector<M>::Zero());
   }
@@ -73,8 +69,8 @@ class simulated_device {
 
     const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(mass_ * qd_ + dt * drive));
     const matrix<scalar, M::brake_count, M::brake_count> A = T * inverse_mass.solve(Tt);
-    const brake_vector<M> commanded = strength_.advance(dt, brakes_.strength(capacity));
-    const brake_vector<M> limit = dt * (commanded + brakes_.residual_torque);
+    strength_ = brakes_.strength_after(dt, strength_, brakes_.strength(capacity));
+    const brake_vector<M> limit = dt * (strength_ + brakes_.residual_torque);
     const brake_vector<M> impulse = friction(A, T * free, limit);
 
     const joint_vector<M> next = free + inverse_mass.solve(joint_vector<M>(Tt * impulse));
@@ -91,7 +87,7 @@ class simulated_device {
     for (int i = 0; i < M::brake_count; ++i) {
       energy_.drag += as_double(dt * rates[i] * brakes_.viscous_drag[i] * middle_rates[i]);
       const double dissipated = -as_double(impulse[i] * middle_rates[i]);
-      const double share = limit[i] > scalar(0) ? as_double(dt * commanded[i] / limit[i]) : 0.0;
+      const double share = limit[i] > scalar(0) ? as_double(dt * strength_[i] / limit[i]) : 0.0;
       energy_.brakes += share * dissipated;
       energy_.residual_friction += (1 - share) * dissipated;
       brake_power_[i] = brake_torque_[i] * rates[i];
@@ -121,7 +117,7 @@ class simulated_device {
   /// t_i w_i of that friction with the rates at the end of the last step [W]: <= 0 to rounding.
   const brake_vector<M>& brake_power() const { return brake_power_; }
   /// What the brakes could hold now by command [N m], without residual torque.
-  const brake_vector<M>& brake_strength() const { return strength_.output(); }
+  const brake_vector<M>& brake_strength() const { return strength_; }
   /// Where the energy came from and went since the last set_motion, or the start.
   const energy_balance& energy() const { return energy_; }
   /// The mechanism.
@@ -157,7 +153,7 @@ class simulated_device {
 
   M mechanism_;
   simulated_brakes_of<M> brakes_;
-  first_order_lag<scalar, M::brake_count> strength_;
+  brake_vector<M> strength_ = brake_vector<M>::Zero();
   scalar hand_mass_;
   joint_vector<M> q_, qd_;
   task_matrix J_;

@@ -24,6 +24,7 @@ struct wall_following_parameters {
   /// Of brakes and sensors [s]; section 5.1: 1 kHz. Rounded to whole time steps.
   double control_period = 1e-3;
   double sensor_corner = 200;    ///< Low-pass of the force sensor [Hz]; 0 for none.
+  double sensor_scale = 1;       ///< Reading of the force sensor for each newton [1].
   double sensor_noise = 0;       ///< Standard deviation of each component of each reading [N].
   std::uint64_t noise_seed = 1;  ///< Of that noise.
   /// One count of the encoders on the brakes' axes [rad, or m of a slide]: 8192 a turn; 0 for ideal encoders.
@@ -31,7 +32,8 @@ struct wall_following_parameters {
   double encoder_resolution = encoder_parameters().resolution;
   double rate_corner = 50;  ///< Low-pass of the differenced rates [Hz]; 0 for none.
   double path_end = 0.17;   ///< Stops where the handle's progress reaches this [m].
-  double longest = 8;       ///< Stops after this time in any case [s].
+  double longest = 8;       ///< Stops after this time in any case [s],
+  double deepest = 1;       ///< or where the handle is deeper than this [m].
   int watched_brake = 1;    ///< Whose sticking is counted, from 0.
 
   /// The table of core/parameters.hpp.
@@ -41,6 +43,7 @@ struct wall_following_parameters {
         member("time_step", &p::time_step, "s", range::positive, plausible(1e-7, 0.01)),
         member("control_period", &p::control_period, "s", range::positive, plausible(1e-5, 0.1)),
         member("sensor_corner", &p::sensor_corner, "Hz", range::not_negative, plausible(0, 1e5)),
+        member("sensor_scale", &p::sensor_scale, "1", range::positive, plausible(0.1, 10)),
         member("sensor_noise", &p::sensor_noise, "N", range::not_negative, plausible(0, 10)),
         member("noise_seed", &p::noise_seed),
         member("encoder_resolution", &p::encoder_resolution, "rad or m", range::not_negative,
@@ -48,6 +51,7 @@ struct wall_following_parameters {
         member("rate_corner", &p::rate_corner, "Hz", range::not_negative, plausible(0, 10000)),
         member("path_end", &p::path_end, "m", range::finite, plausible(-10, 10)),
         member("longest", &p::longest, "s", range::positive, plausible(0.01, 1000)),
+        member("deepest", &p::deepest, "m", range::positive, plausible(0.001, 10)),
         member("watched_brake", &p::watched_brake));
   }
   /// A cycle is one time step or more.
@@ -87,7 +91,7 @@ struct no_observer {
 }  // namespace detail
 
 /// Runs the experiment: the hand moves the device beside `shape` (the wall whose depth is measured) until the
-/// end of the path, for at most `longest`.
+/// end of the path, for at most `longest`, while the depth is finite and at most `deepest`.
 ///
 /// control(device_state<M>) is called once a control period with what encoders and force sensor read, the
 /// first time at once, and returns a step_result<M>, or any default-constructible value with a
@@ -104,7 +108,7 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
     require_no_error(detail::error_text("watched_brake", p.watched_brake, "a brake of the device, from 0"));
   }
   constexpr int d = M::task_dimension;
-  force_sensor<T, d> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed});
+  force_sensor<T, d> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed, p.sensor_scale});
   contact_meter meter(p.path_end, p.time_step);
   const T dt = static_cast<T>(p.time_step);
   const long steps = std::lround(p.longest / p.time_step);
@@ -149,7 +153,7 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
                .brake_power = static_cast<double>(now.brake_power.maxCoeff()),
                .hand_force = -static_cast<double>(device.sensed_force().dot(normal))});
     observe(now);
-    if (progress >= p.path_end) break;
+    if (progress >= p.path_end || !(now.depth <= p.deepest)) break;
   }
   return meter.result();
 }
