@@ -96,7 +96,7 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
   const vector<T, 2> square = column_squares(E);
   const T area = s[0] * s[1] * area_between(E, square);
   if (area == T(0)) return approximate<matrix<T, 2, 2>>(E, s, n, min_cosine, active);
-  const plane_edge<T> r = nearest_edge(E, s, n, square, area);
+  const plane_edge<T> r = nearest_edge<T>(E, s, n, s.cwiseProduct(t), square, area);
   const T least = std::max(min_cosine, rounding_tolerance<T>(2));
   if (r.held < 0 || !(r.along * r.along >= least * least * r.square)) return {};
 

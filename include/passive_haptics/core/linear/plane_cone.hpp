@@ -36,18 +36,19 @@ struct plane_edge {
   T along;                 ///< r . f > 0
 };
 
-/// Two half-spaces s_j e_j that are not parallel have two edges: the answer lies on that which f points along
-/// more. square: |e_0|^2 and |e_1|^2; area: s_0 e_0 x s_1 e_1; s_j = -1 or 1.
+/// Two half-spaces s_j e_j that are not parallel have two edges: the answer lies on that of a half-space
+/// which f is outside of, if f points along it. No lengths are compared: near an edge that would lose half of
+/// the digits. outside: s_j e_j . f, one of them > 0; square: |e_0|^2 and |e_1|^2; area: s_0 e_0 x s_1 e_1;
+/// s_j = -1 or 1.
 template <class T>
 plane_edge<T> nearest_edge(const matrix<T, 2, 2>& e, const vector<T, 2>& s, const vector<T, 2>& f,
-                           const vector<T, 2>& square, T area) {
+                           const vector<T, 2>& outside, const vector<T, 2>& square, T area) {
   const T side = std::copysign(T(1), area), turn_0 = side * s[0], turn_1 = -side * s[1];
   const T along_0 = turn_0 * (e(1, 0) * f[0] - e(0, 0) * f[1]);
   const T along_1 = turn_1 * (e(1, 1) * f[0] - e(0, 1) * f[1]);
-  const bool first =
-      along_0 > T(0) && (!(along_1 > T(0)) || along_0 * along_0 * square[1] >= along_1 * along_1 * square[0]);
+  const bool first = outside[0] > T(0) && along_0 > T(0), second = outside[1] > T(0) && along_1 > T(0);
   const T turn = first ? turn_0 : turn_1, x = first ? e(0, 0) : e(0, 1), y = first ? e(1, 0) : e(1, 1);
-  return {first ? 0 : (along_1 > T(0) ? 1 : -1),
+  return {first ? 0 : (second ? 1 : -1),
           {turn * y, -turn * x},
           first ? square[0] : square[1],
           first ? along_0 : along_1};
@@ -158,7 +159,7 @@ half_space_projection<T, 2, Columns> nearest_in_plane(const matrix<T, 2, Columns
       const vector<T, 2> outside = B.transpose() * f;
       half_space_projection<T, 2, 2> result{f, vector<T, 2>::Zero(), 0};
       if (!(outside[0] > T(0) || outside[1] > T(0))) return result;
-      if (const auto edge = nearest_edge<T>(B, {T(1), T(1)}, f, square, area); edge.held >= 0) {
+      if (const auto edge = nearest_edge<T>(B, {T(1), T(1)}, f, outside, square, area); edge.held >= 0) {
         const T inverse = T(1) / edge.square;
         result.point = edge.along * inverse * edge.direction;
         result.coefficients[edge.held] = outside[edge.held] * inverse;

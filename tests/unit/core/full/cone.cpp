@@ -204,4 +204,32 @@ TEST(cone_on_a_line, f_or_zero) {
   EXPECT_EQ((ph::project_onto_half_spaces(ph::matrix<double, 1, 1>(1), number(-2)).point[0]), -2);
 }
 
+// Forces at distances of 1e-17 to 1 of an edge, conditions to 3e13: where lengths are compared, half of the
+// digits are lost there.
+TEST(cone_in_the_plane, is_exact_to_rounding_however_near_an_edge) {
+  using force = ph::vector<double, 2>;
+  constexpr std::uint64_t seed = 20040627;
+  ph::testing::random_source random(seed);
+  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  for (int k = 0; k < 20000; ++k) {
+    const double a = random.uniform(-3.0, 3.0), angle = random.positive(4e-14, 1.0);
+    ph::matrix<double, 2, 2> B;
+    B.col(0) = random.positive(0.01, 100.0) * force(std::cos(a), std::sin(a));
+    B.col(1) = force(std::cos(a), std::sin(a)) +
+               random.uniform(-1.0, 1.0) * angle * force(-std::sin(a), std::cos(a));
+    const double area = std::abs(ph::cross_in_plane<double>(B.col(0), B.col(1)));
+    if (area < 3e-14 * B.col(0).norm() * B.col(1).norm()) continue;
+    for (int j = 0; j < 2; ++j)
+      if (random.uniform(-1.0, 1.0) < 0) B.col(j) = -B.col(j);
+    const force n = B.col(k % 2).normalized();
+    const double off = random.positive(1e-17, 1.0);
+    const force f =
+        ((random.uniform(-1.0, 1.0) < 0 ? -1.0 : 1.0) * force(-n[1], n[0]) + off * n).normalized();
+    const auto truth = oracle::project<double, 2, 2>(B, f);
+    const auto result = ph::project_onto_half_spaces(B, f);
+    const oracle::column error{result.point[0] - truth.point[0], result.point[1] - truth.point[1]};
+    ASSERT_LE(static_cast<double>(oracle::norm(error)), 1e-15) << "B =\n" << B << "\nf = " << f.transpose();
+  }
+}
+
 }  // namespace
