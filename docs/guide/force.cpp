@@ -15,5 +15,23 @@ int main() {
   const auto Fp = ph::nearest_force(E, s, Fd).force;  // (0, 1), the projection on the cone
   std::cout << "nearest force " << Fp.transpose() << " N, gamma "
             << ph::degrees(std::acos(Fp.norm() / Fd.norm())) << " deg\n";
-  return std::abs(Fp.y() - 1) < 1e-12 ? 0 : 1;
+
+  // The paper's device along its wall y = 0.225 m, forth and back, with brakes of 0.3 N m
+  const ph::tendon_two_link<double> tendon;
+  const ph::vector<double, 2> limit(0.3, 0.3), out(0, -1);
+  const auto pose_at = [&](double x) { return tendon.inverse({x, 0.225}, ph::elbow::left).q; };
+  double share_back = 0;
+  for (const double way : {1.0, -1.0}) {
+    const auto there = ph::displayable(tendon, pose_at(0.1), {way, 0}, out, limit);
+    std::cout << "at x = 0.1 m: gamma " << ph::degrees(there.angle) << " deg, up to " << there.strongest
+              << " N, by force approximation " << there.strongest_nearest << " N\n";
+
+    const auto along = [&](double u) {
+      return ph::path_point<ph::tendon_two_link<double>>{pose_at(0.045 + 0.125 * u), {way, 0}, out};
+    };
+    share_back = ph::undisplayable_share(tendon, along);
+    std::cout << "nothing on " << share_back << " of the way, less than 2 N on "
+              << ph::undisplayable_share(tendon, along, limit, 2.0) << "\n";
+  }
+  return std::abs(Fp.y() - 1) < 1e-12 && share_back > 0.9 ? 0 : 1;
 }

@@ -36,6 +36,7 @@
 #include <passive_haptics/scene/world/scene_exchange.hpp>
 #include <passive_haptics/scene/world/world.hpp>
 
+#include <passive_haptics/force/display/undisplayable_share.hpp>
 #include <passive_haptics/force/effects/detents.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>

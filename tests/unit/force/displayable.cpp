@@ -1,0 +1,159 @@
+// What can be displayed at all: on paper, at singular poses, without an answer, along paths.
+#include <passive_haptics/force/display/undisplayable_share.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+constexpr double right_angle = std::numbers::pi / 2, infinite = std::numeric_limits<double>::infinity();
+
+using tendon = ph::tendon_two_link<double>;
+
+TEST(displayable, takes_any_length_of_direction_and_normal) {
+  const tendon arm;
+  const ph::vector<double, 2> q(0.7, 1.1), v(0.3, -0.8), n(0.6, 0.8), limit(1, 0.5);
+  const auto one = ph::displayable(arm, q, v, n, limit);
+  const auto other = ph::displayable(arm, q, 1e200 * v, 1e-200 * n, limit);
+  EXPECT_EQ(one.signs, other.signs);
+  EXPECT_DOUBLE_EQ(one.strongest, other.strongest);
+  EXPECT_NEAR(one.angle, other.angle, 1e-12);
+}
+
+TEST(displayable, is_everything_at_rest) {
+  const tendon arm;
+  const ph::vector<double, 2> q(0.7, 1.1), n(0.6, 0.8), limit(1, 0.5);
+  const auto found = ph::displayable(arm, q, {0, 0}, n, limit);
+  EXPECT_EQ(found.display, ph::display_class::exact);
+  EXPECT_EQ(found.angle, 0);
+  EXPECT_TRUE(found.signs.isZero(0));
+  const ph::vector<double, 2> per_limit = ph::force_generators(arm, q).transpose() * n;
+  EXPECT_NEAR(found.strongest, per_limit.cwiseAbs().dot(limit), 1e-12);
+}
+
+TEST(displayable, is_nothing_out_of_a_wall_and_without_bound_where_no_limit_is_given) {
+  const tendon arm;
+  const ph::vector<double, 2> q(0.7, 1.1), n(0.6, 0.8);
+  const auto out = ph::displayable(arm, q, n, n), in = ph::displayable(arm, q, -n, n);
+  EXPECT_EQ(out.display, ph::display_class::none);
+  EXPECT_EQ(out.strongest, 0);
+  EXPECT_EQ(out.strongest_nearest, 0);
+  EXPECT_EQ(out.angle, right_angle);
+  EXPECT_TRUE(ph::is_displayed(in.display));
+  EXPECT_EQ(in.strongest, infinite);
+  EXPECT_EQ(in.strongest_nearest, infinite);
+  const auto released = ph::displayable(arm, q, -n, n, {0, 0});
+  EXPECT_TRUE(ph::is_displayed(released.display));
+  EXPECT_EQ(released.strongest, 0);
+}
+
+// Two links stretched along x: what pulls along them is held by the links, and q1 + q2 / 2 alone moves the
+// handle.
+TEST(displayable, knows_singular_poses) {
+  const ph::two_link<double> arm;
+  const double length = arm.parameters().length_1 + arm.parameters().length_2;
+  const auto along = ph::displayable(arm, {0, 0}, {0, 1}, {1, 0}, {1, 1});
+  EXPECT_EQ(along.display, ph::display_class::exact);
+  EXPECT_EQ(along.strongest, infinite);
+  const auto across = ph::displayable(arm, {0, 0}, {0, -1}, {0, 1}, {1, 1});
+  EXPECT_EQ(across.display, ph::display_class::exact);
+  EXPECT_EQ(across.signs, (ph::vector<double, 2>(-1, -1)));
+  // The easiest way to move across turns the joint near the hand or that at the base, whoever has less force
+  const double to_elbow = arm.parameters().length_1;
+  EXPECT_NEAR(across.strongest, std::min(1 / length, 1 / (length - to_elbow)), 1e-12);
+  const auto impossible = ph::displayable(arm, {0, 0}, {1, 0}, {0, 1}, {1, 1});
+  EXPECT_TRUE(impossible.signs.isZero(0));
+
+  using redundant = ph::five_bar<double, 4>;
+  const redundant pantograph;
+  const auto& p = pantograph.parameters();
+  const auto leg = p.proximal_1 + p.distal_1;  // a straight leg: type 1
+  for (const double x : {-0.03, 0.01}) {
+    const ph::vector<double, 2> handle(x, std::sqrt(leg * leg - std::pow(x + p.base_distance / 2, 2)));
+    const auto pose = pantograph.inverse(handle);
+    const auto found = ph::displayable(pantograph, pose.q, {1, 0}, {0, 1});
+    EXPECT_TRUE(found.outcome == ph::status::ok || !ph::is_displayed(found.display));
+    EXPECT_FALSE(std::isnan(found.strongest));
+  }
+}
+
+TEST(displayable, says_what_is_wrong) {
+  const tendon arm;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const ph::vector<double, 2> q(0.7, 1.1), v(0, 1), n(1, 0), limit(1, 1);
+  const auto outcome = [](const auto& found) {
+    EXPECT_EQ(found.display, ph::display_class::none);
+    EXPECT_EQ(found.strongest, 0);
+    EXPECT_EQ(found.angle, right_angle);
+    return found.outcome;
+  };
+  EXPECT_EQ(outcome(ph::displayable(arm, {nan, 0}, v, n)), ph::status::state_not_finite);
+  EXPECT_EQ(outcome(ph::displayable(arm, q, {infinite, 0}, n)), ph::status::state_not_finite);
+  EXPECT_EQ(outcome(ph::displayable(arm, q, v, {nan, 0})), ph::status::contact_not_finite);
+  EXPECT_EQ(outcome(ph::displayable(arm, q, v, {0, 0})), ph::status::contact_not_finite);
+  EXPECT_EQ(outcome(ph::displayable(arm, q, v, n, {nan, 1})), ph::status::parameters_invalid);
+  EXPECT_EQ(outcome(ph::displayable(arm, q, v, n, {1, -1})), ph::status::parameters_invalid);
+  using pantograph = ph::five_bar<double>;
+  EXPECT_EQ(outcome(ph::displayable(pantograph(), {3.1, 0.0}, v, n)), ph::status::pose_undefined);
+  using redundant = ph::five_bar<double, 4>;
+  EXPECT_EQ(outcome(ph::displayable(redundant(), {3.1, 0.0}, v, n)), ph::status::pose_undefined);
+}
+
+TEST(displayable, is_the_same_in_float) {
+  using single = ph::tendon_two_link<float>;
+  ph::testing::random_source random(9);
+  for (int k = 0; k < 100; ++k) {
+    const ph::vector<double, 2> q(random.uniform(-1.0, 1.0), random.uniform(0.5, 2.5)), limit(1, 0.5);
+    const ph::vector<double, 2> v = random.direction<double, 2>(), n = random.direction<double, 2>();
+    const auto found = ph::displayable(tendon(), q, v, n, limit);
+    const auto coarse =
+        ph::displayable(single(), ph::as<float>(q), ph::as<float>(v), ph::as<float>(n), ph::as<float>(limit));
+    EXPECT_NEAR(coarse.strongest, found.strongest, 1e-4 * (1 + found.strongest));
+    EXPECT_NEAR(coarse.angle, found.angle, 1e-3);
+  }
+}
+
+// ---- along paths
+
+TEST(undisplayable_share, counts_where_nothing_or_too_little_can_be_displayed) {
+  using table = ph::xy_table<double>;
+  // Along a wall for 0.3 of the path, then out of it
+  const auto path = [](double u) {
+    return ph::path_point<table>{
+        {0, 0}, u < 0.3 ? ph::vector<double, 2>(1, 0) : ph::vector<double, 2>(0, 1), {0, 1}};
+  };
+  EXPECT_NEAR(ph::undisplayable_share(table(), path), 0.7, 1e-12);
+  EXPECT_NEAR(ph::undisplayable_share(table(), path, {1, 2}, 1.9), 0.7, 1e-12);
+  EXPECT_NEAR(ph::undisplayable_share(table(), path, {1, 2}, 2.1), 1, 1e-12);
+  const auto lost = [](double u) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    return ph::path_point<table>{{u < 0.5 ? 0 : nan, 0}, {1, 0}, {0, 1}};
+  };
+  EXPECT_NEAR(ph::undisplayable_share(table(), lost), 0.5, 1e-12);
+}
+
+// The paper's device along its wall y = 0.225 m: forth always something, back hardly ever anything.
+TEST(undisplayable_share, of_the_papers_wall) {
+  const tendon arm;
+  const auto along = [&](double way) {
+    return [&arm, way](double u) {
+      const auto pose = arm.inverse({0.045 + 0.125 * u, 0.225}, ph::elbow::left);
+      return ph::path_point<tendon>{pose.q, {way, 0}, {0, -1}};
+    };
+  };
+  EXPECT_EQ(ph::undisplayable_share(arm, along(1)), 0);
+  EXPECT_EQ(ph::undisplayable_share(arm, along(1), {1, 1}, 4), 0);
+  EXPECT_NEAR(ph::undisplayable_share(arm, along(-1)), 0.98, 0.01);
+}
+
+}  // namespace

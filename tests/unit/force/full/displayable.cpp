@@ -1,0 +1,274 @@
+// What can be displayed at all, against brute force over torques, forces and signs.
+#include <passive_haptics/force/display/displayable.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
+#include <passive_haptics/mechanism/inertial.hpp>
+#include <passive_haptics/mechanism/models/delta.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include "../../../property/chain_cases.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+constexpr double right_angle = std::numbers::pi / 2, infinite = std::numeric_limits<double>::infinity();
+
+// What sampling finds.
+struct best {
+  double angle = right_angle, strongest = 0;
+
+  template <int D>
+  void look_at(const ph::vector<double, D>& F, const ph::vector<double, D>& n) {
+    const double along = n.dot(F), across = (F - along * n).norm();
+    strongest = std::max(strongest, along);
+    if (along > 1e-9 * across) angle = std::min(angle, std::atan2(across, along));
+  }
+};
+
+template <class M>
+ph::transmission_matrix<M> transmission_of(const M& mechanism, const ph::joint_vector<M>& q) {
+  return ph::transposed(ph::transposed_transmission(mechanism, q));
+}
+
+// Rates of the brakes when the end effector moves with v and the joints as little as may be.
+template <class M>
+ph::brake_vector<M> rates_of(const M& mechanism, const ph::joint_vector<M>& q, const ph::task_vector<M>& v) {
+  const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, q));
+  const ph::joint_vector<M> qd = J.completeOrthogonalDecomposition().solve(v);
+  return transmission_of(mechanism, q) * qd;
+}
+
+// Whether torques of these signs (bit i: of brake i, > 0) take power from no brake.
+template <int Brakes>
+bool passive(unsigned signs, const ph::vector<double, Brakes>& w) {
+  for (int i = 0; i < Brakes; ++i)
+    if (std::abs(w[i]) > 1e-9 && (w[i] > 0) == ((signs >> i & 1u) != 0)) return false;
+  return true;
+}
+
+// n = d: torques of all signs, those at the limits and many between, and the forces J^T F = T^T t that they
+// make.
+template <class M>
+best by_torques(const M& mechanism, const ph::joint_vector<M>& q, const ph::task_vector<M>& v,
+                const ph::task_vector<M>& n, const ph::brake_vector<M>& limit,
+                ph::testing::random_source& random) {
+  constexpr int m = M::brake_count;
+  using torques = ph::brake_vector<M>;
+  const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, q));
+  const torques w = rates_of(mechanism, q, v);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> Jt(J.transpose());
+  const ph::brake_matrix<M> G = Jt.solve(Eigen::MatrixXd(transmission_of(mechanism, q).transpose()));
+  best all;
+  for (unsigned signs = 0; signs < 1u << m; ++signs) {
+    if (!passive<m>(signs, w)) continue;
+    const auto force_of = [&](const torques& share) -> ph::task_vector<M> {
+      torques t = share.cwiseProduct(limit);
+      for (int i = 0; i < m; ++i)
+        if ((signs >> i & 1u) == 0) t[i] = -t[i];
+      return G * t;
+    };
+    for (unsigned corner = 0; corner < 1u << m; ++corner) {
+      torques share;
+      for (int i = 0; i < m; ++i) share[i] = corner >> i & 1u;
+      all.look_at(force_of(share), n);
+    }
+    // The least angle: anywhere, and by the brakes of each subset the nearest to n, if they can push
+    for (int k = 0; k < 300; ++k) {
+      torques share;
+      for (double& x : share) x = random.uniform(0.0, 1.0);
+      all.look_at(force_of(share), n);
+    }
+    for (unsigned used = 1; used < 1u << m; ++used) {
+      ph::brake_matrix<M> forces = ph::brake_matrix<M>::Zero();
+      for (int i = 0; i < m; ++i)
+        if ((used >> i & 1u) != 0) forces.col(i) = force_of(torques::Unit(i));
+      const torques share =
+          Eigen::MatrixXd(forces).completeOrthogonalDecomposition().solve(Eigen::VectorXd(n));
+      if ((share.array() >= 0).all()) all.look_at(force_of(share / std::max(1.0, share.maxCoeff())), n);
+    }
+  }
+  return all;
+}
+
+// m = n >= d: forces whose torques are at D of the limits (the corners of all that can be displayed), and
+// forces in all directions of the plane.
+template <class M>
+best by_forces(const M& mechanism, const ph::joint_vector<M>& q, const ph::task_vector<M>& v,
+               const ph::task_vector<M>& n, const ph::brake_vector<M>& limit) {
+  constexpr int m = M::brake_count, d = M::task_dimension;
+  using torques = ph::brake_vector<M>;
+  using force = ph::task_vector<M>;
+  const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, q));
+  const torques w = rates_of(mechanism, q, v);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> Tt(transmission_of(mechanism, q).transpose());
+  const ph::matrix<double, m, d> Et = Tt.solve(Eigen::MatrixXd(J.transpose()));
+  const auto largest_share = [&](const force& F) {
+    const torques t = Et * F;
+    double share = infinite;
+    for (int i = 0; i < m; ++i) {
+      if (std::abs(t[i]) <= 1e-12 * F.norm()) continue;
+      if (std::abs(w[i]) > 1e-9 && t[i] * w[i] > 0) return 0.0;
+      share = std::min(share, limit[i] / std::abs(t[i]));
+    }
+    return share;
+  };
+  best all;
+  const auto look_at = [&](const force& F) {
+    if (const double share = largest_share(F); share > 0 && std::isfinite(share))
+      all.look_at(force(share * F), n);
+  };
+  for (unsigned held = 0; held < 1u << m; ++held) {
+    if (std::popcount(held) != d) continue;
+    for (unsigned corner = 0; corner < 3u * 3u * 3u; ++corner) {
+      ph::matrix<double, d, d> A;
+      force b;
+      unsigned digits = corner;
+      for (int i = 0, k = 0; i < m; ++i) {
+        if ((held >> i & 1u) == 0) continue;
+        A.row(k) = Et.row(i);
+        b[k++] = (static_cast<double>(digits % 3) - 1) * limit[i];
+        digits /= 3;
+      }
+      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> corner_of(A);
+      const force F = corner_of.solve(Eigen::VectorXd(b));
+      if ((A * F - b).norm() <= 1e-9 && F.norm() > 0) look_at(F);
+    }
+  }
+  if constexpr (d == 2) {
+    for (int i = 0; i < m; ++i)
+      for (const double side : {-1.0, 1.0}) look_at(force(side * Et(i, 1), -side * Et(i, 0)));
+    for (int k = 0; k < 720; ++k)
+      look_at(force(std::cos(k * ph::radians(0.5)), std::sin(k * ph::radians(0.5))));
+    look_at(n);
+  }
+  return all;
+}
+
+template <class M>
+void expect_best(const ph::displayable_force<M>& found, const best& sampled, double angle_tolerance) {
+  ASSERT_EQ(found.outcome, ph::status::ok);
+  ASSERT_NEAR(found.strongest, sampled.strongest, 1e-9 * (1 + sampled.strongest));
+  ASSERT_LE(found.strongest_nearest, found.strongest * (1 + 1e-9));
+  ASSERT_LE(found.angle, sampled.angle + angle_tolerance) << "sampling comes nearer";
+  ASSERT_GE(found.angle, sampled.angle - angle_tolerance) << "no such force was found";
+  ASSERT_EQ(ph::is_displayed(found.display), sampled.angle < right_angle);
+  ASSERT_EQ(found.display == ph::display_class::exact, found.angle < 1e-7);
+}
+
+struct counts {
+  int all = 0, nothing = 0, exact = 0;
+  template <class M>
+  void add(const ph::displayable_force<M>& found) {
+    ++all;
+    nothing += !ph::is_displayed(found.display);
+    exact += found.display == ph::display_class::exact;
+  }
+};
+
+// Random poses; the handle moves along the wall, into it, out of it, or so that only one brake turns.
+template <class M, class Sample>
+counts compare(const M& mechanism, const ph::joint_vector<M>& lower, const ph::joint_vector<M>& upper,
+               int poses, double angle_tolerance, Sample&& sample) {
+  constexpr int d = M::task_dimension;
+  ph::testing::random_source random(7);
+  counts seen;
+  for (int k = 0; k < poses; ++k) {
+    SCOPED_TRACE(::testing::Message() << "pose " << k);
+    const ph::joint_vector<M> q = random.between(lower, upper);
+    const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, q));
+    if (!ph::all_finite(J) || J.jacobiSvd().singularValues()[d - 1] < 0.01) continue;
+    const ph::task_vector<M> n = random.direction<double, d>();
+    ph::task_vector<M> v = random.direction<double, d>();
+    if (k % 4 == 0) v = (v - n.dot(v) * n).normalized();
+    if (k % 4 == 1) v = n;
+    if (k % 4 == 2) v = ph::brake_matrix<M>(ph::brake_jacobian(mechanism, q)).col(k / 4 % M::brake_count);
+    ph::brake_vector<M> limit;
+    for (double& x : limit) x = random.uniform(0.3, 2.0);
+    const auto found = ph::displayable(mechanism, q, v, n, limit);
+    expect_best(found, sample(q, v, n, limit, random), angle_tolerance);
+    if (::testing::Test::HasFatalFailure()) return seen;
+    seen.add(found);
+  }
+  return seen;
+}
+
+template <class M>
+counts compare_by_torques(const M& mechanism, const ph::joint_vector<M>& lower,
+                          const ph::joint_vector<M>& upper, int poses) {
+  return compare(mechanism, lower, upper, poses, 0.01,
+                 [&](auto&... now) { return by_torques(mechanism, now...); });
+}
+
+TEST(displayable, is_the_best_of_all_torques) {
+  using planar = ph::vector<double, 2>;
+  using spatial = ph::vector<double, 3>;
+  const planar low(1.7, 0.2), high(2.9, 1.4);
+  for (const counts& seen :
+       {compare_by_torques(ph::tendon_two_link<double>(), planar(-3, -3), planar(3, 3), 400),
+        compare_by_torques(ph::xy_table<double>(), planar(-1, -1), planar(1, 1), 200),
+        compare_by_torques(ph::five_bar<double>(), low, high, 400),
+        compare_by_torques(ph::five_bar<double, 4>(), low, high, 100),
+        compare_by_torques(ph::delta<double>(), spatial(-0.3, -0.3, -0.3), spatial(1.1, 1.1, 1.1), 200),
+        compare_by_torques(chains::irregular_chain<double, 3, 3>::make(), spatial(-2, -2, -2),
+                           spatial(2, 2, 2), 200)}) {
+    EXPECT_GT(seen.nothing, seen.all / 8);
+    EXPECT_GT(seen.exact, seen.all / 50);
+    EXPECT_GT(seen.all, 60);
+  }
+}
+
+// Devices with self-motion, which the brakes must leave alone.
+TEST(displayable, is_the_best_of_all_forces) {
+  using arm = ph::serial_chain<double, 3, 2>;
+  const arm planar(ph::planar_arm<double>(std::array<double, 3>{0.2, 0.2, 0.2}));
+  const counts seen = compare(
+      planar, {-2, -2, -2}, {2, 2, 2}, 400, 1e-6,
+      [&](auto& q, auto& v, auto& n, auto& limit, auto&) { return by_forces(planar, q, v, n, limit); });
+  EXPECT_GT(seen.nothing, seen.all / 8);
+  EXPECT_GT(seen.exact, 20);
+}
+
+TEST(displayable, is_the_strongest_of_all_corners_in_space) {
+  const auto chain = chains::irregular_chain<double, 5, 3>::make();
+  ph::testing::random_source random(3);
+  int some = 0;
+  for (int k = 0; k < 100; ++k) {
+    const ph::vector<double, 5> q = random.normal_vector<double, 5>(), limit(1, 2, 0.5, 1, 3);
+    const ph::vector<double, 3> n = random.direction<double, 3>(), v = random.direction<double, 3>();
+    const auto found = ph::displayable(chain, q, v, n, limit);
+    const best corners = by_forces(chain, q, v, n, limit);
+    ASSERT_NEAR(found.strongest, corners.strongest, 1e-9 * (1 + corners.strongest)) << "pose " << k;
+    some += found.strongest > 0;
+  }
+  EXPECT_GT(some, 10);
+}
+
+// Forces that may drive the self-motion, of brakes whose joints go as the handle pulls them.
+TEST(displayable, has_an_inertial_form) {
+  const ph::inertial arm(chains::irregular_chain<double, 3, 2>::make());
+  ph::testing::random_source random(5);
+  for (int k = 0; k < 50; ++k) {
+    const ph::vector<double, 3> q = random.normal_vector<double, 3>(), limit(1, 2, 0.5);
+    const ph::vector<double, 2> n = random.direction<double, 2>(), v = random.direction<double, 2>();
+    const ph::matrix<double, 2, 3> G = ph::inertial_force_generators(arm, q);
+    const ph::vector<double, 3> w = G.transpose() * v;
+    double strongest = 0;
+    for (int i = 0; i < 3; ++i) strongest += limit[i] * std::max(0.0, -n.dot(G.col(i)) * (w[i] > 0 ? 1 : -1));
+    EXPECT_NEAR(ph::displayable(arm, q, v, n, limit).strongest, strongest, 1e-9 * (1 + strongest));
+  }
+}
+
+}  // namespace
