@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/laws/brake_lag.hpp>
 #include <passive_haptics/control/sensorless/momentum_observer.hpp>
 #include <passive_haptics/control/sensorless/release_probe.hpp>
 
@@ -32,8 +33,8 @@ struct sensorless_parameters {
 /// that the estimate allows, the law gets the one by which the hand does to brakes at rest what it last did
 /// to them: a brake that holds hides the hand, not takes it away. That is a belief, and probes put it to the
 /// test. Laws that choose by which way a brake at rest is pushed (single_degree_of_freedom_control,
-/// velocity_ratio_control) are not told. Probes make a pressing hand sink step by step, and a law does not
-/// know that its brakes are probed.
+/// velocity_ratio_control) are not told. A law does not know that its brakes are probed: after a probe they
+/// are told more than it commands, until they make what it counts on.
 ///
 /// For mechanisms that model Dynamics. Errors: as controller. Cost: that of the law and of the observer.
 template <class M, class S, class L>
@@ -58,9 +59,10 @@ class sensorless_controller {
     const auto& hand = observer_.update(state, told_);
     result_type result =
         controller_(device_state<M>{state.time, state.q, state.qd, believed_force(hand, state.q)});
+    make_up(state.time, result);
     if (result.outcome == status::ok && result.wall >= 0) probe(state.time, state.q, state.qd, result);
     else forget_rest();
-    told_ = result.capacity;
+    tell(result.capacity);
     return result;
   }
 
@@ -73,6 +75,7 @@ class sensorless_controller {
     observer_.reset();
     controller_.reset();
     believed_.setZero();
+    of_the_law_ = of_the_device_ = brake_lag_model();
     forget_rest();
   }
   /// The scene, for example to move a wall of it before a cycle.
@@ -81,6 +84,12 @@ class sensorless_controller {
   const M& mechanism() const { return controller_.mechanism(); }
 
  private:
+  using scalar = typename M::scalar;
+  static constexpr double make_up_time = 0.002;  // [s]: two cycles at 1 kHz
+  static constexpr double negligible = 1e-3;     // of a brake's limit
+
+  const brakes_of<M>& brakes() const { return controller_.brakes(); }
+
   // The estimate does not tell which way a brake at rest is pushed: no torque of it decides a sign.
   static brakes_of<M> with_unknown_pushes(brakes_of<M> brakes) {
     brakes.torque_dead_band.setConstant(std::numeric_limits<typename M::scalar>::max());
@@ -100,13 +109,35 @@ class sensorless_controller {
     return hand.force + hand.generators * hidden;
   }
 
+  // A law counts on what its brakes make. Those that a probe has let go are told more than it commands, until
+  // they make that again.
+  void make_up(double time, result_type& result) {
+    for (brake_lag_model* model : {&of_the_law_, &of_the_device_})
+      model->advance(time, brakes().time_constant);
+    unrolled<M::brake_count>([&](auto i) {
+      const scalar lag = brakes().time_constant[i], limit = brakes().torque_limit[i], u = result.capacity[i];
+      const double missing = of_the_law_.torque(i) - of_the_device_.torque(i);
+      of_the_law_.command(i, u, lag, limit, 0.0);
+      if (!(lag > scalar(0) && missing > negligible * static_cast<double>(limit))) return;
+      const double more = missing * (1 / lag_share(make_up_time, static_cast<double>(lag)) - 1);
+      result.capacity[i] = std::min(limit, u + static_cast<scalar>(more));
+    });
+  }
+
+  void tell(const brake_vector<M>& capacity) {
+    told_ = capacity;
+    unrolled<M::brake_count>([&](auto i) {
+      of_the_device_.command(i, told_[i], brakes().time_constant[i], brakes().torque_limit[i], 0.0);
+    });
+  }
+
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {
     constexpr int m = M::brake_count;
     const brake_vector<M> w = brake_rates(mechanism(), q, qd);
     double rest = 0;
     unrolled<m>([&](auto i) {
       // Whatever it is told now: a law that switches at rest holds by the mean of its commands
-      const bool rests = !slips(w[i], controller_.brakes().rate_dead_band[i]);
+      const bool rests = !slips(w[i], brakes().rate_dead_band[i]);
       if (!rests || rest_since_[i] > time) rest_since_[i] = time;
       rest = std::max(rest, time - rest_since_[i]);
     });
@@ -135,6 +166,7 @@ class sensorless_controller {
   momentum_observer<M> observer_;
   controller<M, S, L> controller_;
   release_probe<M::task_dimension> probe_;
+  brake_lag_model of_the_law_, of_the_device_;  // what brakes would make of its commands, and what they make
   brake_vector<M> told_ = brake_vector<M>::Zero();
   brake_vector<M> believed_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
   vector<double, M::brake_count> rest_since_ =
