@@ -139,4 +139,29 @@ TYPED_TEST(several_contacts, release_the_brakes_where_pose_or_rates_are_undefine
   expect_none(step_once<ph::coercive_force_approximation>(arm(), {}, too_fast, b));
 }
 
+// Two walls of a narrow wedge: the force that meets both is far larger than what each asks for, and so is its
+// rounding. Met is met.
+TEST(narrow_wedge, is_displayed_exactly) {
+  using M = ph::xy_table<double>;
+  int met = 0;
+  for (double degrees = 90; degrees >= 0.01; degrees *= 0.97) {
+    const double a = ph::radians(degrees);
+    ph::contacts<2, 2> walls;
+    for (const double angle : {ph::radians(50.0), ph::radians(230.0) - a})
+      walls.push_back(asking_for<2>({std::cos(angle), std::sin(angle)}));
+    ph::step_memory<ph::no_direct_control> memory;
+    const auto result = ph::step(M(), ph::unlimited_brakes(), walls, ph::no_direct_control(),
+                                 state_of<M>({0, 0}, {0.1, -0.1}), memory);
+    if (!(result.control_force[0] < 0 && result.control_force[1] > 0)) continue;  // what these brakes make
+    for (int j = 0; j < 2; ++j) {
+      const auto& wall = result.contacts[static_cast<std::size_t>(j)];
+      if (std::abs(wall.wanted - wall.displayed) > 1e-12 / a) continue;
+      EXPECT_EQ(result.display, ph::display_class::exact) << degrees << " degrees";
+      EXPECT_EQ(result.approximation_angle(), result.approximation_angle()) << "not NaN";
+      ++met;
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
 }  // namespace

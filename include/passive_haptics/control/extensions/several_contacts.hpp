@@ -103,7 +103,7 @@ auto unscaled(const Now& now, displayable_forces<M, Box, desired_forces<T, D, N>
   Fc.box = torques_within(now.s, brake_vector<M>(brake_vector<M>::Constant(infinity)));
   approximated_force<T, D, M::brake_count> F = contact_scales<T, N>() * Fc;
   const T size = F.force.norm(), largest = Fc.Fd[Fc.Fd.governing].magnitude;
-  const T tolerance = rounding_tolerance<T>(M::brake_count + N) * largest;
+  const T tolerance = rounding_tolerance<T>(M::brake_count + N) * std::max(size, largest);
   bool met = true;
   for (int j = 0; j < Fc.Fd.size(); ++j) {
     const T wanted = asks(Fc.Fd[j]) ? Fc.Fd[j].magnitude : T(0);
