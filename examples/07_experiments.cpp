@@ -44,7 +44,7 @@ const named_wall planar{"planar", planar_wall()}, concave{"concave", concave_wal
     convex{"convex", convex_wall()};
 
 // Figs. 8 to 10: every law along each wall, the environment at 1 kHz and at 20 Hz.
-void follow_walls(report& table, page_tables& page, const std::filesystem::path& directory) {
+void follow_walls(report& table, page_tables& page) {
   struct cell {
     const named_wall* wall;
     double rate;
@@ -95,26 +95,6 @@ void follow_walls(report& table, page_tables& page, const std::filesystem::path&
   for (const named_wall* wall : {&concave, &convex})
     for (const law which : {law::none, law::direct, law::saturated, law::velocity})
       page["circles"] += line(wall->name + ", " + text(name_of(which)), *wall, which);
-
-  const auto shown = [&](const named_wall& wall, double rate) {
-    std::vector<named_run> chosen;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const law which = cells[k].which;
-      if (cells[k].wall == &wall && cells[k].rate == rate &&
-          (which == law::none || which == law::direct || which == law::velocity))
-        chosen.push_back({text(name_of(which)), runs[k]});
-    }
-    return chosen;
-  };
-  const auto draw = [&](const char* name, const char* title, const named_wall& wall, double rate) {
-    draw_figure(directory, name, title, wall.wall, shown(wall, rate));
-  };
-  draw("figure_8", "Fig. 8: planar wall, environment at 1 kHz", planar, 1000);
-  draw("figure_9", "Fig. 9: planar wall, environment at 20 Hz", planar, 20);
-  draw("figure_10_concave", "Fig. 10: inside of a circle, environment at 20 Hz", concave, 20);
-  draw("figure_10_convex", "Fig. 10: outside of a circle, environment at 20 Hz", convex, 20);
-  draw_filmstrip(directory, "filmstrip", "Along the planar wall, environment at 20 Hz", planar.wall,
-                 shown(planar, 20));
 }
 
 // Figs. 8 to 10 with brakes that are just strong enough and hands that yield, under both readings of alpha.
@@ -122,6 +102,28 @@ void both_readings(page_tables& page) {
   page["paper_reading"] = reading_table(read_the_paper(seed, 1e-4));
   std::printf("\nFigs. 8 to 10: %zu hands that yield, brakes just strong enough; medians\n\n%s", hand_count,
               page["paper_reading"].c_str());
+}
+
+// The same of the middle hand, drawn.
+void draw_figures(const std::filesystem::path& directory) {
+  const auto runs_along = [](const named_wall& wall, double rate) {
+    std::vector<named_run> runs;
+    for (const law which : {law::none, law::direct, law::saturated, law::velocity}) {
+      setup how = middle_hand();
+      how.environment_rate = rate;
+      runs.push_back({text(name_of(which)), follow_with_arm(which, wall.wall, how)});
+    }
+    return runs;
+  };
+  const auto draw = [&](const char* name, const char* title, const named_wall& wall, double rate) {
+    draw_figure(directory, name, title, wall.wall, runs_along(wall, rate));
+  };
+  draw("figure_8", "Fig. 8: planar wall, environment at 1 kHz", planar, 1000);
+  draw("figure_9", "Fig. 9: planar wall, environment at 20 Hz", planar, 20);
+  draw("figure_10_concave", "Fig. 10: inside of a circle, environment at 20 Hz", concave, 20);
+  draw("figure_10_convex", "Fig. 10: outside of a circle, environment at 20 Hz", convex, 20);
+  draw_filmstrip(directory, "filmstrip", "Along the planar wall, environment at 20 Hz", planar.wall,
+                 runs_along(planar, 20));
 }
 
 // The dead band of direct control with weak brakes: what a lab could tune.
@@ -463,8 +465,9 @@ int main(int argc, char** argv) try {
       "07_experiments: the paper's experiments and more, as a table, experiments.csv and pictures");
   report table;
   page_tables page;
-  follow_walls(table, page, directory);
+  follow_walls(table, page);
   both_readings(page);
+  draw_figures(directory);
   weak_brakes(table);
   slanted_walls(table, directory);
   in_space(table, page, directory);

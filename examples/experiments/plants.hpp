@@ -33,16 +33,24 @@ inline setup random_plant(std::uint64_t seed, std::size_t k) {
   return how;
 }
 
-// Hand number k of this seed for the paper's reading of direct control: brakes just strong enough for a hand
-// that yields normal to the wall (300 N/m).
+// The paper's reading of direct control: a hand that yields normal to the wall, 300 N/m towards a point 3 mm
+// beyond where it pushes, and brakes just strong enough for it. This one is in the middle of those below.
+inline setup middle_hand() {
+  setup how;
+  how.hand.push = 1.75;
+  how.hand.normal_stiffness = 300;
+  how.hand.target_depth = 0.003;
+  how.limit = weak_brake_limit(how.hand.push);
+  return how;
+}
+
+// Hand number k of this seed.
 inline setup yielding_hand(std::uint64_t seed, std::size_t k) {
   std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(k)};
   std::mt19937_64 bits(both);
   const auto between = [&](double low, double high) { return low + (high - low) * ph::uniform_number(bits); };
-  setup how;
+  setup how = middle_hand();
   how.hand.push = between(1, 2.5);
-  how.hand.normal_stiffness = 300;
-  how.hand.target_depth = 0.003;
   how.hand.normal_damping = between(12, 30);
   how.hand.mass = between(0.2, 0.8);
   how.hand.speed = between(0.04, 0.07);

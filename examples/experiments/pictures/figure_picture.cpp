@@ -74,7 +74,7 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
   };
   // At the same place beside each panel, however wide its numbers are
   const auto label = [](const std::string& text) {
-    return "set label 1 " + style::quoted(text) + " at graph -0.122,0.5 center rotate\n";
+    return "set label 1 " + style::quoted(text) + " at graph -0.145,0.5 center rotate\n";
   };
   const std::string inside = "data index " + std::to_string(runs.size()) +
                              " using 1:(0):(1e3) with filledcurves fc rgb '" + style::wall_colour +
@@ -89,7 +89,7 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
   const std::string surface = "data index " + std::to_string(runs.size()) + " using 1:(1e3*$2)";
 
   script << style::terminal(1200, 1180) << "data = '" << name << ".csv'\n"
-         << "set multiplot layout 5,2 columnsfirst margins 0.075,0.985,0.05,0.925 spacing 0.085,0.022 title "
+         << "set multiplot layout 5,2 columnsfirst margins 0.08,0.985,0.05,0.925 spacing 0.09,0.022 title "
          << style::quoted(title) << " font ',16'\n"
          << "unset key\nset xrange " << e.x.str() << "\nset format x ''\n"
          << legend_of(runs);
