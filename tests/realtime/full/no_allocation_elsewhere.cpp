@@ -66,6 +66,14 @@ TEST(no_allocation, in_a_cycle_with_effects) {
   run_with_effects(custom::planar_arm<double>(), 0.6);
 }
 
+TEST(no_allocation, in_what_can_be_displayed) {
+  const ph::five_bar<double> pantograph;
+  const ph::five_bar<double, 4> redundant;
+  const ph::vector<double, 2> q(2.2, 0.9), v(0.3, -0.4), n(0, 1), limit(1, 2);
+  EXPECT_EQ(allocations_in([&] { return ph::displayable(pantograph, q, v, n, limit); }), 0);
+  EXPECT_EQ(allocations_in([&] { return ph::displayable(redundant, q, v, n); }), 0);
+}
+
 TEST(no_allocation, in_a_cycle_without_a_force_sensor) {
   using M = ph::tendon_two_link<double>;
   ph::sensorless_controller control(M(), ph::brakes_of<M>(),

@@ -122,6 +122,37 @@ TEST(sensorless_controller, probes_brakes_that_hold) {
   EXPECT_NEAR(told_0, 1000 * 0.05 / 0.15, 30);
 }
 
+// After a probe brakes are told more than the law commands, in contact alone.
+TEST(sensorless_controller, makes_up_for_what_a_probe_took) {
+  const device arm;
+  const ph::sensorless_parameters p{.observer = {}, .probe = quick};
+  const ph::no_direct_control law;
+  const auto soft = ph::scene(ph::wall(wall, 1000.0));  // 1 N at 1 mm: below the limits
+  ph::sensorless_controller control(arm, ph::brakes_of<device>(), soft, law, p);
+  ph::controller plain(arm, ph::brakes_of<device>(), soft, law);
+  const auto inside = arm.inverse({0.1, 0.226}, ph::elbow::left).q;
+  const auto outside = arm.inverse({0.1, 0.2}, ph::elbow::left).q;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  int made_up = 0;
+  bool probed = false;
+  for (int k = 0; k < 1000; ++k) {
+    const bool probes = control.probing() == phase::probing;
+    auto again = control;
+    EXPECT_TRUE(again(state{k * 1e-3, outside, {0, 0}}).capacity.isZero(0));
+    again = control;
+    EXPECT_TRUE(again(state{k * 1e-3, inside, {nan, 0}}).capacity.isZero(0));
+    const auto result = control(state{k * 1e-3, inside, {0, 0}});
+    if (control.probing() == phase::probing) continue;
+    const Eigen::Vector2d wanted = plain(state{k * 1e-3, inside, {0, 0}}).capacity;
+    EXPECT_TRUE((result.capacity.array() >= wanted.array()).all());
+    if (probes) probed = true;
+    made_up += (result.capacity.array() > wanted.array()).any();
+    EXPECT_TRUE(probed || result.capacity == wanted);
+  }
+  EXPECT_GT(made_up, 5);
+  EXPECT_LT(made_up, 300);
+}
+
 TEST(sensorless_controller, takes_any_state_and_reads_no_force) {
   const device arm;
   auto one = controller_with(ph::direct_control()), other = controller_with(ph::direct_control());

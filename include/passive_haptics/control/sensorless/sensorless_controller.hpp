@@ -122,9 +122,10 @@ class sensorless_controller {
       const scalar lag = brakes().time_constant[i], limit = brakes().torque_limit[i], u = result.capacity[i];
       const double missing = of_the_law_.torque(i) - of_the_device_.torque(i);
       of_the_law_.command(i, u, lag, limit, 0.0);
-      if (!(lag > scalar(0) && missing > negligible * static_cast<double>(limit))) return;
+      if (!(u > scalar(0) && lag > scalar(0) && missing > negligible * static_cast<double>(limit))) return;
       const double more = missing * (1 / lag_share(make_up_time, static_cast<double>(lag)) - 1);
       result.capacity[i] = std::min(limit, u + static_cast<scalar>(more));
+      result.torque[i] = -result.signs[i] * result.capacity[i];
     });
   }
 
