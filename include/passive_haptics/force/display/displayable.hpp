@@ -23,7 +23,8 @@ struct displayable_force {
   /// (no normal), parameters_invalid (a limit), pose_undefined, singular_jacobian (redundant brakes and
   /// inertial forces alone).
   status outcome = status::ok;
-  /// As of a cycle with any max_approximation_angle: none where no producible force has a component along n.
+  /// none or empty_cone where no producible force has a component along n, at whatever angle: a cycle also
+  /// stops at its max_approximation_angle.
   display_class display = display_class::none;
   /// gamma [rad] between n and the nearest producible force: 0 where n itself is one, pi / 2 where none is.
   scalar angle = std::numbers::pi_v<scalar> / scalar(2);
