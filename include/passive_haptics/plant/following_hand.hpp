@@ -44,7 +44,7 @@ struct following_hand_parameters {
 ///
 /// with n out of the wall, t the direction u projected on the wall, s = u . x the way made. Kn = 0 is a push
 /// of the same size at any depth; with Kn > 0 the hand is an impedance: what the device gives it in depth, it
-/// takes back in force.
+/// takes back in force. In space it holds the handle sideways, too: - (K b . (x - x0) + B b . v) b, b = n x t.
 template <class T, int D>
 class following_hand {
  public:
@@ -52,7 +52,7 @@ class following_hand {
   /// validate(p).
   following_hand(const vector<T, D>& direction, const vector<T, D>& x0,
                  const following_hand_parameters<T>& p = {})
-      : p_(require_valid(p)), direction_(direction.normalized()), start_(direction_.dot(x0)) {}
+      : p_(require_valid(p)), direction_(direction.normalized()), x0_(x0), start_(direction_.dot(x0)) {}
 
   /// Muscle force [N] at time [s], handle at x [m] with velocity v [m/s], depth [m] in a wall with normal n.
   vector<T, D> force(T time, const vector<T, D>& x, const vector<T, D>& v, const vector<T, D>& n,
@@ -62,7 +62,13 @@ class following_hand {
     const T along =
         p_.stiffness * lag / std::max(T(0.3), t.dot(direction_)) + p_.damping * (p_.speed - v.dot(t));
     const T into = p_.push + p_.normal_stiffness * (p_.target_depth - depth) + p_.normal_damping * v.dot(n);
-    return along * t - into * n;
+    const vector<T, D> F = along * t - into * n;
+    if constexpr (D > 2) {
+      const vector<T, D> pull = p_.stiffness * (x - x0_) + p_.damping * v;
+      return F - (pull - t * t.dot(pull) - n * n.dot(pull));
+    } else {
+      return F;
+    }
   }
 
   /// Unit direction along a wall with normal n; the intended direction itself where that is normal to the
@@ -80,7 +86,7 @@ class following_hand {
 
  private:
   following_hand_parameters<T> p_;
-  vector<T, D> direction_;
+  vector<T, D> direction_, x0_;
   T start_;
 };
 
