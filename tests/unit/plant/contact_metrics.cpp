@@ -111,6 +111,25 @@ TEST(contact_metrics, spread_of_the_hands_force_is_counted_from_the_first_contac
   EXPECT_EQ(ph::contact_meter(1, 1e-3).result().hand_force_std, 0);
 }
 
+// After the first tenth of the path, a mean depth in mm.
+ph::contact_metrics at_depth(double mm) {
+  ph::contact_meter meter(1, 1e-3);
+  meter.add({0, um, 1, 0});
+  for (int k = 0; k < 10; ++k) meter.add({0.5, mm * 1e-3, 1, 0});
+  return meter.result();
+}
+
+TEST(contact_metrics, say_what_went_wrong) {
+  EXPECT_TRUE(figures({-50, -50}).never_touches());
+  EXPECT_FALSE(figures({-50, 1}).never_touches());
+  EXPECT_FALSE(figures({5, 20}).separates());
+  EXPECT_TRUE(figures({5, -20}).separates());
+  EXPECT_FALSE(at_depth(-0.49).floats());
+  EXPECT_TRUE(at_depth(-0.51).floats());
+  EXPECT_FALSE(at_depth(9.99).is_deep());
+  EXPECT_TRUE(at_depth(10.01).is_deep());
+}
+
 template <class T>
 struct following_hand : ::testing::Test {};
 using hand_scalars = ::testing::Types<float, double>;

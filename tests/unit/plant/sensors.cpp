@@ -143,6 +143,7 @@ TEST(sensor_parameters, are_checked) {
   };
   EXPECT_EQ(sensor({}), "nothing");
   EXPECT_EQ(sensor({.corner = -1}), "passive_haptics: corner [Hz] = -1, expected a finite number >= 0");
+  EXPECT_EQ(sensor({.scale = 0}), "passive_haptics: scale [1] = 0, expected a finite number > 0");
   EXPECT_EQ(sensor({.noise = std::numeric_limits<double>::infinity()}),
             "passive_haptics: noise [N] = inf, expected a finite number >= 0");
 }
@@ -177,6 +178,16 @@ TYPED_TEST(force_sensor, reads_without_noise_what_its_low_pass_holds) {
   at_once.advance(T(1e-3), {2, -1});
   EXPECT_EQ(sensor.read(), sensor.filtered());
   EXPECT_EQ(at_once.read(), (ph::vector<T, 2>(2, -1)));
+}
+
+TYPED_TEST(force_sensor, reads_by_its_scale_and_adds_noise_behind_it) {
+  using T = TypeParam;
+  ph::force_sensor<T, 2> off({.corner = 0, .scale = 1.5}), noisy({.corner = 0, .noise = 1, .seed = 9}),
+      both({.corner = 0, .noise = 1, .seed = 9, .scale = 1.5});
+  for (auto* sensor : {&off, &noisy, &both}) sensor->advance(T(1e-3), {2, -1});
+  EXPECT_EQ(off.read(), (ph::vector<T, 2>(3, T(-1.5))));
+  EXPECT_EQ(off.filtered(), (ph::vector<T, 2>(2, -1)));
+  expect_near(both.read(), ph::vector<T, 2>(noisy.read() + ph::vector<T, 2>(1, T(-0.5))), 1);
 }
 
 // Mean, deviation, skewness-free tails and whiteness of 20 000 readings of two components.

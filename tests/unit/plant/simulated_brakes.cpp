@@ -30,6 +30,7 @@ TEST(simulated_brakes, are_ideal_where_only_the_controllers_are_given) {
   EXPECT_EQ(real.torque_limit, believed.torque_limit);
   EXPECT_EQ(real.time_constant, believed.time_constant);
   EXPECT_EQ(real.gain, pair(1, 1));
+  EXPECT_EQ(real.fall_ratio, pair(1, 1));
   EXPECT_EQ(real.residual_torque, pair(0, 0));
   EXPECT_EQ(real.viscous_drag, pair(0, 0));
   ph::simulated_device device(M(), believed, 0.5, {0, 0}), same(M(), real, 0.5, {0, 0});
@@ -58,6 +59,8 @@ TEST(simulated_brakes, name_what_is_wrong_with_them) {
             "torque_limit[0] [N m] = -1, expected a finite number >= 0");
   EXPECT_EQ(error_of([](auto& p) { p.time_constant[1] = -1; }),
             "time_constant[1] [s] = -1, expected a finite number >= 0");
+  EXPECT_EQ(error_of([](auto& p) { p.fall_ratio[0] = 0; }),
+            "fall_ratio[0] [1] = 0, expected a finite number > 0");
   EXPECT_EQ(error_of([](auto& p) { p.gain[1] = -0.5; }), "gain[1] [1] = -0.5, expected a finite number >= 0");
   EXPECT_EQ(error_of([](auto& p) { p.residual_torque[0] = std::numeric_limits<double>::infinity(); }),
             "residual_torque[0] [N m] = inf, expected a finite number >= 0");
@@ -75,6 +78,22 @@ TEST(simulated_brakes, gain_acts_before_the_lag_and_the_limit_on_what_is_real) {
     const double rise = 1 - std::exp(-k * 1e-3 / 0.02);
     EXPECT_NEAR(device.brake_strength()[0], 0.8 * 2 * rise, 1e-13);
     EXPECT_NEAR(device.brake_strength()[1], 10 * rise, 1e-13) << "12 wanted, 10 is all";
+  }
+}
+
+// Remanence: up in 20 ms, down in 60.
+TEST(simulated_brakes, fall_at_a_time_constant_of_their_own) {
+  auto real = at_once();
+  real.time_constant.setConstant(0.02);
+  real.fall_ratio = {3, 1};
+  ph::simulated_device device(M(), real, 0.0, {0, 0});
+  for (int k = 0; k < 100; ++k) device.advance(1e-3, {2, 2}, {0, 0});
+  const double top = 2 * (1 - std::exp(-5.0));
+  EXPECT_NEAR(device.brake_strength()[0], top, 1e-13);
+  for (int k = 1; k <= 60; ++k) {
+    device.advance(1e-3, {0.5, 0.5}, {0, 0});
+    EXPECT_NEAR(device.brake_strength()[0], 0.5 + (top - 0.5) * std::exp(-k / 60.0), 1e-13);
+    EXPECT_NEAR(device.brake_strength()[1], 0.5 + (top - 0.5) * std::exp(-k / 20.0), 1e-13);
   }
 }
 

@@ -218,6 +218,20 @@ TEST(wall_following_run, stops_at_the_end_of_the_path) {
   EXPECT_GE(last, T(0.06));
 }
 
+// Nobody brakes: the hand pushes the handle through the wall.
+TEST(wall_following_run, stops_where_the_handle_is_too_deep) {
+  auto e = tendon_device(0.02);
+  ph::wall_following_parameters p;
+  p.deepest = 0.005;
+  double deepest = 0;
+  const auto figures = ph::follow_wall(
+      e.device, [](const auto&) { return ph::step_result<ph::tendon_two_link<double>>{}; }, wall, e.hand, p,
+      [&](const auto& now) { deepest = now.depth; });
+  EXPECT_FALSE(figures.arrived);
+  EXPECT_GT(deepest, 0.005);
+  EXPECT_LT(deepest, 0.0051);
+}
+
 TEST(wall_following_run, samples_fit_together) {
   using T = double;
   auto e = tendon_device<T>(T(0.02));

@@ -34,10 +34,18 @@ class brake_lag_model {
   /// It is taken for commanded from now on.
   template <class T>
   T command(int brake, T wanted, T time_constant, T limit, double horizon) {
-    const auto k = static_cast<std::size_t>(brake);
     const double lag = static_cast<double>(time_constant);
+    const double share = lag > 0 && horizon > 0 ? lag_share(horizon, lag) : 1.0;
+    return command_by_share(brake, wanted, static_cast<T>(share), limit);
+  }
+
+  /// The same, of brakes that cover `share` of the way in the horizon: lag_share(horizon, T_b), 1 without a
+  /// lag.
+  template <class T>
+  T command_by_share(int brake, T wanted, T share, T limit) {
+    const auto k = static_cast<std::size_t>(brake);
     double u = static_cast<double>(wanted);
-    if (lag > 0 && horizon > 0) u = torque_[k] + (u - torque_[k]) / lag_share(horizon, lag);
+    if (share < T(1)) u = torque_[k] + (u - torque_[k]) / static_cast<double>(share);
     command_[k] = std::clamp(u, 0.0, static_cast<double>(limit));
     return static_cast<T>(command_[k]);
   }

@@ -35,7 +35,9 @@ class contact_memory {
   }
 
   /// Forgets all walls.
-  void clear() { slots_ = {}; }
+  void clear() {
+    for (slot& s : slots_) s.known = s.touched = false;
+  }
 
  private:
   struct slot {

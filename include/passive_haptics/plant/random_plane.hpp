@@ -1,0 +1,116 @@
+/// @file
+/// A random plane in a device's workspace, with a way along it.
+#pragma once
+
+#include <passive_haptics/mechanism/jacobian.hpp>
+#include <passive_haptics/plant/random_numbers.hpp>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <random>
+
+namespace passive_haptics {
+
+/// Where a device can be used.
+template <class M>
+struct workspace {
+  joint_vector<M> lower;       ///< Least joint positions of a start [rad or m],
+  joint_vector<M> upper;       ///< and greatest.
+  double path_length;          ///< Of a way along a plane [m].
+  double brake_radius = 1;     ///< Of sliding brakes: their force at this radius is the torque [m]; else 1.
+  double most_condition = 8;   ///< |J| |J^-1| (Frobenius) on all of a way [1]; d at an isotropic pose.
+  double least_cosine = 0.17;  ///< Of a reference force against the normal, at the start [1].
+};
+
+/// A plane and a way along it.
+template <class M>
+struct random_plane {
+  task_vector<M> surface;    ///< A point of it [m], under the start.
+  task_vector<M> normal;     ///< Out of the wall, unit.
+  task_vector<M> direction;  ///< Along it, unit.
+  task_vector<M> start;      ///< Of the handle [m], in front of it.
+  joint_vector<M> q;         ///< There [rad or m],
+  joint_vector<M> qd;        ///< and their rates: along the plane and towards it.
+};
+
+namespace detail {
+
+// Joint positions that put the handle at x, by Newton's method from q; false out of reach or near a singular
+// pose.
+template <class M>
+bool reach(const M& mechanism, const workspace<M>& where, const task_vector<M>& x, joint_vector<M>& q) {
+  using square = matrix<typename M::scalar, M::dof, M::dof>;
+  for (int k = 0; k < 8; ++k) {
+    const square J(jacobian(mechanism, q)), inverse = J.inverse();
+    if (!(J.norm() * inverse.norm() <= where.most_condition)) return false;
+    const task_vector<M> off = x - mechanism.position(q);
+    if (off.norm() < 1e-9) return true;
+    q += inverse * off;
+  }
+  return false;
+}
+
+}  // namespace detail
+
+/// The largest cosine between the normal and the force of one brake, where the handle moves with velocity v
+/// along the plane; < 0 where nothing is displayable.
+template <class M>
+double best_cosine(const M& mechanism, const joint_vector<M>& q, const task_vector<M>& v,
+                   const task_vector<M>& normal) {
+  using square = matrix<typename M::scalar, M::dof, M::dof>;
+  const square inverse = square(jacobian(mechanism, q)).inverse();
+  const brake_vector<M> w = brake_rates(mechanism, q, joint_vector<M>(inverse * v));
+  const brake_matrix<M> F = inverse.transpose() * transposed_transmission(mechanism, q);
+  double best = -1;
+  for (int i = 0; i < M::brake_count; ++i) {
+    const double along = static_cast<double>(F.col(i).dot(normal) / F.col(i).norm());
+    best = std::max(best, w[i] > 0 ? -along : along);
+  }
+  return best;
+}
+
+/// Draws start poses, directions and normals until the way can be gone and something is displayable where it
+/// begins. speed along the plane, approach towards it [m/s], gap in front of it [m]. Mechanisms with as many
+/// joints as task dimensions.
+template <class M>
+random_plane<M> draw_plane(const M& mechanism, const workspace<M>& where, double speed, double gap,
+                           double approach, std::mt19937_64& bits) {
+  static_assert(M::dof == M::task_dimension);
+  using T = typename M::scalar;
+  constexpr int d = M::task_dimension;
+  const auto direction = [&] {
+    task_vector<M> u;
+    for (int i = 0; i < d; ++i) u[i] = static_cast<T>(normal_number(bits));
+    return task_vector<M>(u.normalized());
+  };
+  constexpr int most_trials = 100000;
+  for (int trial = 0; trial < most_trials; ++trial) {
+    random_plane<M> plane;
+    for (int i = 0; i < M::dof; ++i)
+      plane.q[i] = where.lower[i] + (where.upper[i] - where.lower[i]) * static_cast<T>(uniform_number(bits));
+    plane.normal = direction();
+    const task_vector<M> u = direction();
+    plane.direction = (u - plane.normal * plane.normal.dot(u)).normalized();
+    plane.start = mechanism.position(plane.q);
+    plane.surface = plane.start - static_cast<T>(gap) * plane.normal;
+    joint_vector<M> q = plane.q;
+    bool can_be_gone = all_finite(plane.start);
+    constexpr int points = 20;
+    for (int k = 0; k <= points && can_be_gone; ++k) {
+      const task_vector<M> x =
+          plane.surface + plane.direction * static_cast<T>(where.path_length * k / points);
+      can_be_gone = detail::reach(mechanism, where, x, q);
+    }
+    if (!can_be_gone) continue;
+    if (!(best_cosine(mechanism, plane.q, plane.direction, plane.normal) >= where.least_cosine)) continue;
+    const matrix<T, d, d> J(jacobian(mechanism, plane.q));
+    plane.qd =
+        J.inverse() * (static_cast<T>(speed) * plane.direction - static_cast<T>(approach) * plane.normal);
+    return plane;
+  }
+  require_no_error("no plane of this workspace can be followed");
+  return {};
+}
+
+}  // namespace passive_haptics
