@@ -8,6 +8,7 @@
 #include "experiments/plants.hpp"
 #include "experiments/report.hpp"
 #include "experiments/space.hpp"
+#include "experiments/wide_devices.hpp"
 
 #include <output.hpp>
 #include <page_tables.hpp>
@@ -265,6 +266,19 @@ void random_plants(page_tables& page, const std::filesystem::path& directory) {
   }
 }
 
+// Devices that no law was tuned for.
+void wide_devices(page_tables& page) {
+  page["wide_ranges"] = range_table();
+  page["wide_devices"] = wide_table(follow_with_wide_devices(seed, belief::data_sheet));
+  page["wide_beliefs"] = wide_table(follow_with_wide_devices(seed, belief::wrong, 0.4));
+  std::printf(
+      "\nWide devices under velocity direct control, seed %llu, limits and rise times as in the data "
+      "sheet\n\n%s"
+      "\nThe same with believed lag x 0.3 to 3 and believed inertia x 0.5 to 2\n\n%s",
+      static_cast<unsigned long long>(seed), page["wide_devices"].c_str(), page["wide_beliefs"].c_str());
+  std::fflush(stdout);
+}
+
 // Three degrees of freedom.
 void in_space(report& table, page_tables& page, const std::filesystem::path& directory) {
   struct cell {
@@ -474,6 +488,7 @@ int main(int argc, char** argv) try {
   penetration(directory);
   draw_pull_back(directory);
   random_plants(page, directory);
+  wide_devices(page);
   const bool hold = bands();
   const bool agrees = is_told(page);
   std::printf(

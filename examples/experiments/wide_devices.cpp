@@ -1,0 +1,220 @@
+#include "wide_devices.hpp"
+
+#include "batch.hpp"
+#include "markdown.hpp"
+#include "planar_run.hpp"
+
+#include <passive_haptics/force/display/undisplayable_share.hpp>
+#include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
+#include <passive_haptics/plant/random_device.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace experiments {
+
+namespace {
+
+// What came of one device.
+struct outcome {
+  ph::contact_metrics figures;
+  bool held = false;  // its residual torque alone keeps the hand off the wall
+  // Shares of the way on which nothing can be displayed, and less than the hand pushes with at 10 mm
+  double nothing = 0, weak = 0;
+};
+
+// How a kind of device is made, its inertia s times the nominal one, and where it is used.
+template <class M>
+struct kind {
+  const char* name;
+  M (*make)(double s);
+  ph::workspace<M> where;
+};
+
+template <class M, class Control>
+ph::contact_metrics follow_plane(const M& real, const ph::random_device<M>& d, Control&& control) {
+  constexpr int D = M::task_dimension;
+  ph::simulated_device<M> plant(real, d.brakes, d.hand.mass, d.plane.q);
+  plant.set_motion(d.plane.q, d.plane.qd);
+  return ph::follow_wall(plant, control, ph::half_space<D>(d.plane.surface, d.plane.normal),
+                         ph::following_hand<double, D>(d.plane.direction, d.plane.start, d.hand), d.run);
+}
+
+// Share of the way along the surface on which the brakes cannot display this push [N].
+template <class M>
+double share_without(const M& real, const kind<M>& k, const ph::random_device<M>& d, double push) {
+  ph::joint_vector<M> q = d.plane.q;
+  const auto path = [&](double u) {
+    const ph::task_vector<M> x = d.plane.surface + u * k.where.path_length * d.plane.direction;
+    ph::detail::reach(real, k.where, x, q);
+    return ph::path_point<M>{q, d.plane.direction, d.plane.normal};
+  };
+  return ph::undisplayable_share<M>(real, path, d.brakes.torque_limit, push, 40);
+}
+
+template <class M>
+outcome follow_one(const kind<M>& k, std::uint64_t seed, std::size_t number, belief what) {
+  const auto d = ph::draw_device(k.make(1), k.where, seed, number);
+  auto brakes = d.known_brakes;
+  double inertia = 1;
+  if (what == belief::wrong) {
+    std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(number), 1u};
+    std::mt19937_64 bits(both);
+    brakes.time_constant *= 0.3 * std::pow(10.0, ph::uniform_number(bits));
+    inertia = d.inertia * 0.5 * std::pow(4.0, ph::uniform_number(bits));
+  }
+  ph::velocity_direct_control_parameters constants;
+  constants.margin = margin;
+  const ph::half_space<M::task_dimension> wall(d.plane.surface, d.plane.normal);
+  ph::controller control(
+      k.make(inertia), brakes,
+      ph::held_scene(ph::scene(ph::wall(ph::offset(wall, margin), d.wall_stiffness)), 1 / d.environment_rate),
+      ph::velocity_direct_control(constants));
+  const M real = k.make(d.inertia);
+  outcome o{follow_plane(real, d, control)};
+  if (o.figures.separates() || o.figures.floats() || o.figures.never_touches()) {
+    const auto released = follow_plane(real, d, [](const auto&) { return ph::step_result<M>(); });
+    o.held = released.never_touches() || released.separates() || released.depth_mean < 0;
+  }
+  if (o.figures.is_deep()) {
+    const double push = d.hand.push + d.hand.normal_stiffness * (d.hand.target_depth - 0.01);
+    o.nothing = share_without(real, k, d, 0);
+    o.weak = share_without(real, k, d, std::max(push, 0.0));
+  }
+  return o;
+}
+
+template <class M>
+wide_row follow_all(const kind<M>& k, std::uint64_t seed, std::size_t count, belief what) {
+  const auto outcomes = on_all_cores(std::string("wide devices: ") + k.name, count,
+                                     [&](std::size_t j) { return follow_one(k, seed, j, what); });
+  wide_row row;
+  row.device = k.name;
+  row.count = count;
+  std::vector<double> spread;
+  for (const outcome& o : outcomes) {
+    row.largest_power = std::max(row.largest_power, o.figures.largest_brake_power);
+    if (o.held) {
+      ++row.held;
+      continue;
+    }
+    row.separating += o.figures.separates();
+    row.floating += o.figures.floats();
+    row.never += o.figures.never_touches();
+    row.deep += o.figures.is_deep();
+    if (o.nothing > 0.1) ++row.deep_nothing;
+    else if (o.weak > 0.1) ++row.deep_weak;
+    if (!o.figures.is_deep()) spread.push_back(o.figures.depth_std);
+  }
+  std::sort(spread.begin(), spread.end());
+  if (!spread.empty()) row.median_std = spread[spread.size() / 2];
+  return row;
+}
+
+using tendon = ph::tendon_two_link<double>;
+using arm_3r = ph::serial_chain_with_inertia<double, 3, 3>;
+
+tendon tendon_of(double s) {
+  ph::tendon_two_link_parameters<double> p;
+  auto& a = p.arm;
+  for (double* mass : {&a.mass_1, &a.mass_2, &a.handle_mass, &a.rotor_inertia_1, &a.rotor_inertia_2})
+    *mass *= s;
+  return tendon(p);
+}
+
+ph::delta<double> delta_of(double s) {
+  ph::delta_parameters<double> p;
+  p.upper_arm_mass *= s;
+  p.forearm_mass *= s;
+  p.platform_mass *= s;
+  p.rotor_inertia *= s;
+  return ph::delta<double>(p);
+}
+
+// 0.1 m of column, two links of 0.15 m.
+arm_3r arm_of(double s) {
+  using V = ph::vector<double, 3>;
+  const V base(0, 0, 0), shoulder(0, 0, 0.1), elbow(0.15, 0, 0.1), handle(0.3, 0, 0.1);
+  ph::serial_chain_parameters<double, 3, 3> g;
+  g.joints = {ph::revolute_joint<double>({0, 0, 1}, base), ph::revolute_joint<double>({0, -1, 0}, shoulder),
+              ph::revolute_joint<double>({0, -1, 0}, elbow)};
+  g.handle = handle;
+  ph::serial_chain_inertia<double, 3, 3> i;
+  i.links = {ph::uniform_rod<double, 3>(0.2 * s, base, shoulder),
+             ph::uniform_rod<double, 3>(0.2 * s, shoulder, elbow),
+             ph::uniform_rod<double, 3>(0.2 * s, elbow, handle)};
+  return arm_3r(g, i);
+}
+
+template <int Brakes>
+ph::five_bar<double, Brakes> five_bar_of(double s) {
+  ph::five_bar_parameters<double, Brakes> p;
+  p.proximal_mass *= s;
+  p.distal_mass *= s;
+  p.handle_mass *= s;
+  p.rotor_inertia *= s;
+  return ph::five_bar<double, Brakes>(p);
+}
+
+ph::xy_table<double> table_of(double s) {
+  ph::xy_table_parameters<double> p;
+  p.mass_x *= s;
+  p.mass_y *= s;
+  return ph::xy_table<double>(p);
+}
+
+}  // namespace
+
+std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, double share) {
+  const auto count = [&](double all) { return static_cast<std::size_t>(std::ceil(share * all)); };
+  const std::size_t few = count(60);
+  const kind<tendon> tendons{"tendon", tendon_of, {{-3.1, -2.5}, {3.1, -0.6}, 0.1}};
+  const kind<ph::delta<double>> deltas{"delta", delta_of, {{-0.2, -0.2, -0.2}, {1.1, 1.1, 1.1}, 0.05}};
+  const kind<arm_3r> arms{"3R arm", arm_of, {{-3, 0, -2.4}, {3, 1.6, -0.6}, 0.1}};
+  const kind<ph::five_bar<double, 2>> fives{"five-bar", five_bar_of<2>, {{1.5, 0}, {3.1, 1.6}, 0.04}};
+  const kind<ph::five_bar<double, 4>> four_brakes{
+      "five-bar, four brakes", five_bar_of<4>, {{1.5, 0}, {3.1, 1.6}, 0.04}};
+  const kind<ph::xy_table<double>> tables{"XY table", table_of, {{-0.1, -0.1}, {0.1, 0.1}, 0.1, 0.1}};
+  return {follow_all(tendons, seed, count(300), what), follow_all(deltas, seed, few, what),
+          follow_all(arms, seed, few, what),           follow_all(fives, seed, few, what),
+          follow_all(four_brakes, seed, few, what),    follow_all(tables, seed, few, what)};
+}
+
+std::string wide_table(const std::vector<wide_row>& rows) {
+  std::string table = markdown_head({"device", "devices", "held by residual torque", "separating", "floating",
+                                     "never touching", "over 10 mm deep", "of these: nothing is displayable",
+                                     "brakes too weak", "median deviation [mm]"});
+  for (const wide_row& r : rows)
+    table +=
+        markdown_row({r.device, written("%zu", r.count), written("%d", r.held), written("%d", r.separating),
+                      written("%d", r.floating), written("%d", r.never), written("%d", r.deep),
+                      written("%d", r.deep_nothing), written("%.3f", 1e3 * r.median_std)});
+  return table;
+}
+
+std::string range_table() {
+  const ph::device_ranges r;
+  using interval = ph::device_ranges::interval;
+  std::string table = markdown_head({"quantity", "from", "to"});
+  const auto row = [&](const char* what, const interval& i) {
+    table += markdown_row({what, written("%g", i.low), written("%g", i.high)});
+  };
+  row("gain of each brake [1]", r.gain);
+  row("residual torque of each brake [N m]", r.residual_torque);
+  row("rise time of the brakes [s]", r.rise_time_constant);
+  row("fall for rise [1]", r.fall_ratio);
+  row("torque limit [N m]", r.torque_limit);
+  row("inertia for the nominal one [1]", r.inertia);
+  row("scale of the force sensor [1]", r.sensor_scale);
+  row("encoder counts a turn", r.encoder_counts);
+  row("speed along the wall [m/s]", r.hand_speed);
+  row("push [N]", r.push);
+  row("target depth of every second hand, an impedance [m]", r.target_depth);
+  row("mass of the hand [kg]", r.hand_mass);
+  row("stiffness of the wall [N/m]", r.wall_stiffness);
+  table += markdown_row({"rate of the environment, one of three [Hz]", written("%g", r.environment_rates[2]),
+                         written("%g", r.environment_rates[0])});
+  return table;
+}
+
+}  // namespace experiments
