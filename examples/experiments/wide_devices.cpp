@@ -185,10 +185,10 @@ std::string wide_table(const std::vector<wide_row>& rows) {
                                      "never touching", "over 10 mm deep", "of these: nothing is displayable",
                                      "brakes too weak", "median deviation [mm]"});
   for (const wide_row& r : rows)
-    table +=
-        markdown_row({r.device, written("%zu", r.count), written("%d", r.held), written("%d", r.separating),
-                      written("%d", r.floating), written("%d", r.never), written("%d", r.deep),
-                      written("%d", r.deep_nothing), written("%.3f", 1e3 * r.median_std)});
+    table += markdown_row({r.device, written("%zu", r.count), written("%d", r.held),
+                           written("%d", r.separating), written("%d", r.floating), written("%d", r.never),
+                           written("%d", r.deep), written("%d", r.deep_nothing), written("%d", r.deep_weak),
+                           written("%.3f", 1e3 * r.median_std)});
   return table;
 }
 

@@ -31,7 +31,7 @@ struct device_ranges {
   interval inertia{0.3, 3};             ///< Of links and rotors, for each kg of the nominal device [1].
   interval sensor_scale{0.6, 1.5};      ///< Of the force sensor [1].
   interval encoder_counts{1000, 8192};  ///< A turn.
-  interval hand_speed{0.02, 0.4};       ///< Along the wall [m/s].
+  interval hand_speed{0.02, 0.4};       ///< Along the wall, but the whole way not within 0.25 s [m/s].
   interval push{0.5, 6};                ///< Into the wall at its surface [N].
   interval target_depth{0.005, 0.030};  ///< Of every second hand, which is an impedance [m].
   interval normal_damping{12, 30};      ///< Of those hands [N s/m]; of the others 20.
@@ -94,7 +94,8 @@ random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::u
   const double push = even(r.push);
   const bool impedance = uniform_number(bits) < 0.5;
   const double depth = even(r.target_depth), damping = even(r.normal_damping);
-  d.hand.speed = static_cast<T>(ratio(r.hand_speed));
+  constexpr double least_time = 0.25;  // along the way [s], so that a hand in a hurry can land at all
+  d.hand.speed = static_cast<T>(std::min(ratio(r.hand_speed), where.path_length / least_time));
   d.hand.mass = static_cast<T>(ratio(r.hand_mass));
   d.hand.push = static_cast<T>(impedance ? 0 : push);
   if (impedance) {
