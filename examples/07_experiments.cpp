@@ -430,6 +430,17 @@ bool bands() {
          }
          return true;
        }},
+      {"the same, wide devices: at most 2 % separate, at most 1 % float or never touch",
+       [&](double step) {
+         std::size_t count = 0;
+         int separating = 0, off = 0;
+         for (const wide_row& r : follow_with_wide_devices(seed, belief::data_sheet, 1, step)) {
+           count += r.count;
+           separating += r.separating;
+           off += r.floating + r.never;
+         }
+         return separating <= 0.02 * static_cast<double>(count) && off <= 0.01 * static_cast<double>(count);
+       }},
       {"the same, three degrees of freedom: 0 separations from any wall", [&](double step) {
          return at_both_rates([&](double rate) {
            for (const auto device : space_devices) {

@@ -53,8 +53,9 @@ double share_without(const M& real, const kind<M>& k, const ph::random_device<M>
 }
 
 template <class M>
-outcome follow_one(const kind<M>& k, std::uint64_t seed, std::size_t number, belief what) {
-  const auto d = ph::draw_device(k.make(1), k.where, seed, number);
+outcome follow_one(const kind<M>& k, std::uint64_t seed, std::size_t number, belief what, double time_step) {
+  auto d = ph::draw_device(k.make(1), k.where, seed, number);
+  d.run.time_step = time_step;
   auto brakes = d.known_brakes;
   double inertia = 1;
   if (what == belief::wrong) {
@@ -85,9 +86,9 @@ outcome follow_one(const kind<M>& k, std::uint64_t seed, std::size_t number, bel
 }
 
 template <class M>
-wide_row follow_all(const kind<M>& k, std::uint64_t seed, std::size_t count, belief what) {
+wide_row follow_all(const kind<M>& k, std::uint64_t seed, std::size_t count, belief what, double time_step) {
   const auto outcomes = on_all_cores(std::string("wide devices: ") + k.name, count,
-                                     [&](std::size_t j) { return follow_one(k, seed, j, what); });
+                                     [&](std::size_t j) { return follow_one(k, seed, j, what, time_step); });
   wide_row row;
   row.device = k.name;
   row.count = count;
@@ -165,7 +166,8 @@ ph::xy_table<double> table_of(double s) {
 
 }  // namespace
 
-std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, double share) {
+std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, double share,
+                                               double time_step) {
   const auto count = [&](double all) { return static_cast<std::size_t>(std::ceil(share * all)); };
   const std::size_t few = count(60);
   const kind<tendon> tendons{"tendon", tendon_of, {{-3.1, -2.5}, {3.1, -0.6}, 0.1}};
@@ -175,9 +177,9 @@ std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, 
   const kind<ph::five_bar<double, 4>> four_brakes{
       "five-bar, four brakes", five_bar_of<4>, {{1.5, 0}, {3.1, 1.6}, 0.04}};
   const kind<ph::xy_table<double>> tables{"XY table", table_of, {{-0.1, -0.1}, {0.1, 0.1}, 0.1, 0.1}};
-  return {follow_all(tendons, seed, count(300), what), follow_all(deltas, seed, few, what),
-          follow_all(arms, seed, few, what),           follow_all(fives, seed, few, what),
-          follow_all(four_brakes, seed, few, what),    follow_all(tables, seed, few, what)};
+  const auto all = [&](const auto& k, std::size_t n) { return follow_all(k, seed, n, what, time_step); };
+  return {all(tendons, count(300)), all(deltas, few),      all(arms, few),
+          all(fives, few),          all(four_brakes, few), all(tables, few)};
 }
 
 std::string wide_table(const std::vector<wide_row>& rows) {

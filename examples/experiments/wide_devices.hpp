@@ -28,7 +28,8 @@ enum class belief {
 };
 
 // 300 (scaled by `share`) tendon devices, 60 of each other kind under velocity direct control.
-std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, double share = 1);
+std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, double share = 1,
+                                               double time_step = 1e-4);
 
 // The ranges, and the rows, as tables of Markdown.
 std::string range_table();
