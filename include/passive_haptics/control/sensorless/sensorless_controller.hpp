@@ -91,6 +91,7 @@ class sensorless_controller {
   using scalar = typename M::scalar;
   static constexpr double make_up_time = 0.002;  // [s]: two cycles at 1 kHz
   static constexpr double negligible = 1e-3;     // of a brake's limit
+  static constexpr double longest_slip = 0.02;   // of a brake that rests but for moments: it creeps [s]
 
   const brakes_of<M>& brakes() const { return controller_.brakes(); }
 
@@ -142,8 +143,8 @@ class sensorless_controller {
     double rest = 0;
     unrolled<m>([&](auto i) {
       // Whatever it is told now: a law that switches at rest holds by the mean of its commands
-      const bool rests = !slips(w[i], brakes().rate_dead_band[i]);
-      if (!rests || rest_since_[i] > time) rest_since_[i] = time;
+      if (!slips(w[i], brakes().rate_dead_band[i])) rested_[i] = time;
+      if (time - rested_[i] > longest_slip || rest_since_[i] > time) rest_since_[i] = time;
       rest = std::max(rest, time - rest_since_[i]);
     });
     const auto x = as<double>(mechanism().position(q));
@@ -166,6 +167,7 @@ class sensorless_controller {
   void forget_rest() {
     probe_.clear();
     rest_since_.setConstant(std::numeric_limits<double>::infinity());
+    rested_.setConstant(-std::numeric_limits<double>::infinity());
   }
 
   momentum_observer<M> observer_;
@@ -176,6 +178,8 @@ class sensorless_controller {
   brake_vector<M> believed_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
   vector<double, M::brake_count> rest_since_ =
       vector<double, M::brake_count>::Constant(std::numeric_limits<double>::infinity());
+  vector<double, M::brake_count> rested_ =  // when each was at rest last [s]
+      vector<double, M::brake_count>::Constant(-std::numeric_limits<double>::infinity());
   std::array<bool, static_cast<std::size_t>(M::brake_count)> probed_{};
 };
 
