@@ -37,8 +37,7 @@ struct sensorless_parameters {
 /// are told more than it commands, until they make what it counts on.
 ///
 /// A hand that presses without moving along sinks by its probes: in simulation (the paper's device, 2 N) 0.1
-/// mm/s under direct_control, 0.21 to 0.25 mm/s under velocity_direct_control, up to 0.8 mm/s there where the
-/// brakes' lag is twice what it is believed.
+/// mm/s under direct_control, 0.3 mm/s under velocity_direct_control.
 ///
 /// For mechanisms that model Dynamics. Errors: as controller. Cost: that of the law and of the observer.
 template <class M, class S, class L>
