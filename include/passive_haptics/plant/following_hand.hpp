@@ -44,7 +44,8 @@ struct following_hand_parameters {
 ///
 /// with n out of the wall, t the direction u projected on the wall, s = u . x the way made. Kn = 0 is a push
 /// of the same size at any depth; with Kn > 0 the hand is an impedance: what the device gives it in depth, it
-/// takes back in force. In space it holds the handle sideways, too: - (K b . (x - x0) + B b . v) b, b = n x t.
+/// takes back in force. In space it holds the handle sideways, too, along b = n x t:
+/// - (K b . (x - x0) + B b . v) b.
 template <class T, int D>
 class following_hand {
  public:

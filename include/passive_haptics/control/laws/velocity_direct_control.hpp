@@ -3,13 +3,13 @@
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>
-#include <passive_haptics/control/laws/acceleration_display.hpp>
 #include <passive_haptics/control/laws/brake_lag.hpp>
-#include <passive_haptics/control/laws/brake_reach.hpp>
 #include <passive_haptics/control/laws/contact_memory.hpp>
-#include <passive_haptics/control/laws/least_power.hpp>
 #include <passive_haptics/control/laws/torque_law.hpp>
 #include <passive_haptics/control/laws/velocity_direct_control_parameters.hpp>
+#include <passive_haptics/control/normal_force/acceleration_display.hpp>
+#include <passive_haptics/control/normal_force/brake_reach.hpp>
+#include <passive_haptics/control/normal_force/least_power.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/control/control_law.hpp>
-#include <passive_haptics/control/laws/acceleration_display.hpp>
 #include <passive_haptics/control/laws/brake_lag.hpp>
+#include <passive_haptics/control/normal_force/acceleration_display.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 /// Brake torques of least power that give walls the normal forces they want.
 #pragma once
 
-#include <passive_haptics/control/laws/brake_reach.hpp>
+#include <passive_haptics/control/normal_force/brake_reach.hpp>
 #include <passive_haptics/core/linear/prioritised_least_squares.hpp>
 
 #include <cmath>
