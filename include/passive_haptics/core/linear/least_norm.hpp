@@ -1,0 +1,136 @@
+/// @file
+/// The shortest non-negative solution of linear equations.
+#pragma once
+
+#include <passive_haptics/core/linear/column_subset.hpp>
+#include <passive_haptics/core/linear/plane_cone.hpp>
+
+#include <bit>
+#include <limits>
+
+namespace passive_haptics::detail {
+
+/// The x >= 0 of least |x| with V x = f, found from a basic solution.
+///
+/// Its dual is x_i = max(0, v_i . l): piecewise linear in the D unknowns l, a piece for each set of columns
+/// that are used. A primal active set over the pieces: x moves to the shortest solution on its set, without
+/// the sign; a column that blocks the way leaves, all columns with v_i . l > 0 enter. V x = f at any time
+/// and |x| falls, so their number is finite. Reference: Nocedal, Wright, Numerical Optimization (2006), ch. 16.5.
+template <class T, int D, int M>
+class least_norm {
+ public:
+  /// V (D x M) and f.
+  [[gnu::always_inline]] least_norm(const matrix<T, D, M>& V, const vector<T, D>& f) : v_(V), f_(f) {
+    const matrix<T, M, D> by_rows = V.transpose();
+    unrolled<D>([&](auto k) { rows_[k] = row::load(by_rows.data() + k * M); });
+  }
+
+  /// x, of the columns in `usable` only. basis: independent columns that make f with x >= 0; they need not
+  /// be D. False, and x of no use, where rounding leaves the basis no solution: its columns are then parallel
+  /// to it. Cost: a column_subset for each piece, 2 to 4 as a rule.
+  [[gnu::always_inline]] bool solve(half_space_set basis, half_space_set usable, vector<T, M>& x) {
+    if (std::popcount(basis) < D) basis = completed(basis, usable);
+    row in_set = weights(basis);
+    const row allowed = weights(usable);
+    vector<T, M> u;
+    bool basic = true;
+    for (int piece = 0; piece < 6 * M; ++piece) {
+      const column_subset<T, D, M> subset(rows_, f_, in_set);
+      if (!subset.reaches(rounding_tolerance<T>(D * M))) return false;
+      const auto [to, size] = subset.solution();
+      packet entering{}, leaving{};
+      row entrants, rest;
+      unrolled<row::count>([&](auto i) {
+        const packet noise = T(4 * D) * std::numeric_limits<T>::epsilon() * size.p[i], one = packet{} + T(1);
+        const packet outside = allowed.p[i] - in_set.p[i];
+        entrants.p[i] = to.p[i] > noise ? outside : packet{};
+        entering += entrants.p[i];
+        const packet leavers = to.p[i] < -noise ? in_set.p[i] : packet{};
+        leaving += leavers;
+        rest.p[i] = in_set.p[i] * (one - leavers);
+      });
+      if (is_zero(leaving)) {
+        row made;
+        unrolled<row::count>([&](auto i) {
+          made.p[i] = to.p[i] > packet{} ? in_set.p[i] * to.p[i] : packet{};
+          in_set.p[i] += entrants.p[i];
+        });
+        made.store(x.data());
+        if (is_zero(entering)) return true;
+        basic = false;
+      } else if (basic) {  // x >= 0 to rounding only: what is negative is none of it
+        in_set = rest;
+      } else {
+        to.store(u.data());
+        in_set = stepped(x, u, rest, in_set);
+      }
+    }
+    return !basic;
+  }
+
+ private:
+  using subset_type = column_subset<T, D, M>;
+  using row = typename subset_type::row;
+  using packet = typename subset_type::packet;
+
+  [[gnu::always_inline]] static row weights(half_space_set set) {
+    vector<T, M> w;
+    unrolled<M>([&](auto i) { w[i] = static_cast<T>(set >> i & 1u); });
+    return row::load(w.data());
+  }
+
+  [[gnu::always_inline]] static bool is_zero(const packet& sum) {
+    if constexpr (row::width == 1) return sum == packet{};
+    else if constexpr (row::width == 2) return sum[0] + sum[1] == T(0);
+    else return (sum[0] + sum[2]) + (sum[1] + sum[3]) == T(0);
+  }
+
+  // From x towards u until the first of those that become negative is 0: it leaves the set.
+  static row stepped(vector<T, M>& x, const vector<T, M>& u, const row& staying, const row& in_set) {
+    vector<T, M> stays, member;
+    staying.store(stays.data());
+    in_set.store(member.data());
+    T step = T(1);
+    int blocking = -1;
+    for (int i = 0; i < M; ++i) {
+      if (stays[i] == member[i]) continue;
+      const T until_zero = x[i] / (x[i] - u[i]);
+      if (blocking < 0 || until_zero < step) {
+        step = until_zero;
+        blocking = i;
+      }
+    }
+    for (int i = 0; i < M; ++i) x[i] = std::max(T(0), x[i] + member[i] * step * (u[i] - x[i]));
+    x[blocking] = member[blocking] = T(0);
+    return row::load(member.data());
+  }
+
+  // The basis and, until it spans what the usable columns span, the column that depends on it least.
+  [[gnu::noinline]] half_space_set completed(half_space_set basis, half_space_set usable) const {
+    matrix<T, D, M> rest = v_;
+    half_space_set next = basis;
+    for (int k = 0; k < D; ++k) {
+      int most = -1;
+      T largest = rounding_tolerance<T>(D) * rounding_tolerance<T>(D);
+      for (int i = 0; i < M; ++i) {
+        const half_space_set candidates = next != 0 ? next : usable;
+        const T square = rest.col(i).squaredNorm(), whole = v_.col(i).squaredNorm();
+        if ((candidates >> i & 1u) == 0 || !(square > largest * whole)) continue;
+        largest = square / whole;
+        most = i;
+      }
+      if (most < 0) break;
+      next &= ~(1u << most);
+      basis |= 1u << most;
+      const vector<T, D> axis = rest.col(most).normalized();
+      for (int pass = 0; pass < 2; ++pass) rest -= axis * (axis.transpose() * rest);
+    }
+    return basis;
+  }
+
+  const matrix<T, D, M>& v_;
+  const vector<T, D>& f_;
+  typename subset_type::rows rows_;
+};
+
+}  // namespace passive_haptics::detail
