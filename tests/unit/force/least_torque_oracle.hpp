@@ -1,5 +1,5 @@
-// The nearest force of a cone of generators, in 50 digits, and the least torques that make it, by trying every
-// set of generators; by their squares, so in 100 digits.
+// The nearest force of a cone of generators, in 50 digits, and the least torques that make it, by trying
+// every set of generators; by their squares, so in 100 digits.
 #pragma once
 
 #include "../core/cone_oracle.hpp"
@@ -47,9 +47,11 @@ inline bool solve(std::vector<wide_column> A, std::vector<wide_column> B, std::v
 }
 
 // The shortest x with V_S x = F for the columns V_S, if there is one, and the condition of V_S.
-inline bool shortest_on(const std::vector<wide_column>& columns, const wide_column& F, wide_column& x, double& condition) {
+inline bool shortest_on(const std::vector<wide_column>& columns, const wide_column& F, wide_column& x,
+                        double& condition) {
   const std::size_t n = columns.size(), d = F.size(), least = std::min(n, d);
-  std::vector<wide_column> gram(least, wide_column(least, 0)), right(least, wide_column(least + 1, 0)), solution;
+  std::vector<wide_column> gram(least, wide_column(least, 0)), right(least, wide_column(least + 1, 0)),
+      solution;
   wide size = 0;
   for (const wide_column& v : columns) size += inner(v, v);
   for (std::size_t i = 0; i < least; ++i) {

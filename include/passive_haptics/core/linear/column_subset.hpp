@@ -4,6 +4,7 @@
 
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/packets.hpp>
+#include <passive_haptics/core/matrix.hpp>
 
 #include <algorithm>
 #include <array>
@@ -20,13 +21,12 @@ namespace passive_haptics::detail {
 template <class T, int D, int M>
 class column_subset {
  public:
-  using row = packets<T, M>;           ///< A number for each column of V.
-  using packet = typename row::packet;  ///< Some of them.
+  using row = packets<T, M>;                                  ///< A number for each column of V.
+  using packet = typename row::packet;                        ///< Some of them.
   using rows = std::array<row, static_cast<std::size_t>(D)>;  ///< V by rows.
 
   /// Of V by rows and f. in_set: 1 for the columns in S, else 0.
-  [[gnu::always_inline]] column_subset(const rows& V, const vector<T, D>& f, const row& in_set)
-      : r_(V) {
+  [[gnu::always_inline]] column_subset(const rows& V, const vector<T, D>& f, const row& in_set) : r_(V) {
     unrolled<D>([&](auto k) {
       z_[k] = f[k];
       before_[k] = rest_[k] = product(in_set, r_[k], r_[k]);

@@ -89,7 +89,8 @@ template <class T, int D, int M>
   const vector<T, D>& r = polar.point;
   const T square = r.squaredNorm();
   constexpr T rounding = rounding_tolerance<T>(D);
-  if (!(square > rounding * rounding * f.squaredNorm())) return {true, polar.active, all_of<M>, f, polar.coefficients};
+  if (!(square > rounding * rounding * f.squaredNorm()))
+    return {true, polar.active, all_of<M>, f, polar.coefficients};
   generated_face<T, D, M> face{false, polar.active, 0, f - r, polar.coefficients};
   const vector<T, M> above = V.transpose() * r;
   for (int i = 0; i < M; ++i) {

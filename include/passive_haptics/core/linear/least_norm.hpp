@@ -15,7 +15,8 @@ namespace passive_haptics::detail {
 /// Its dual is x_i = max(0, v_i . l): piecewise linear in the D unknowns l, a piece for each set of columns
 /// that are used. A primal active set over the pieces: x moves to the shortest solution on its set, without
 /// the sign; a column that blocks the way leaves, all columns with v_i . l > 0 enter. V x = f at any time
-/// and |x| falls, so their number is finite. Reference: Nocedal, Wright, Numerical Optimization (2006), ch. 16.5.
+/// and |x| falls, so their number is finite. Reference: Nocedal, Wright, Numerical Optimization (2006),
+/// ch. 16.5.
 template <class T, int D, int M>
 class least_norm {
  public:

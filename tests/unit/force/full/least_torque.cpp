@@ -80,8 +80,9 @@ void expect_least_torques(int cases) {
       const double error = size > 0 ? distance(x, best.x) / size / best.condition : 0;
       worst_torque = std::max(worst_torque, error);
     }
-    std::printf("%d x %d, condition %.0e: force %.1e; of eps: made %.1f of its terms, torque %.1f of condition\n",
-                D, M, condition, worst_force, worst_made / eps, worst_torque / eps);
+    std::printf(
+        "%d x %d, condition %.0e: force %.1e; of eps: made %.1f of its terms, torque %.1f of condition\n", D,
+        M, condition, worst_force, worst_made / eps, worst_torque / eps);
   }
 }
 
