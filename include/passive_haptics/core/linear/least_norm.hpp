@@ -27,46 +27,37 @@ class least_norm {
   }
 
   /// x, of the columns in `usable` only. basis: independent columns that make f with x >= 0; they need not
-  /// be D. False, and x of no use, where rounding leaves the basis no solution: its columns are then parallel
-  /// to it. Cost: a column_subset for each piece, 2 to 4 as a rule.
+  /// be D. False, and x of no use, where rounding leaves f out of what the basis makes. Cost: a column_subset
+  /// for each piece, 2 to 4 as a rule.
   [[gnu::always_inline]] bool solve(half_space_set basis, half_space_set usable, vector<T, M>& x) {
     if (std::popcount(basis) < D) basis = completed(basis, usable);
+    const int rank = std::popcount(basis);
     row in_set = weights(basis);
     const row allowed = weights(usable);
-    vector<T, M> u;
-    bool basic = true;
     for (int piece = 0; piece < 6 * M; ++piece) {
-      const column_subset<T, D, M> subset(rows_, f_, in_set);
+      const subset_type subset(rows_, f_, in_set);
       if (!subset.reaches(rounding_tolerance<T>(D * M))) return false;
-      const auto [to, size] = subset.solution();
-      packet entering{}, leaving{};
-      row entrants, rest;
+      const auto [u, size] = subset.solution();
+      row entering, leaving;
       unrolled<row::count>([&](auto i) {
-        const packet noise = T(4 * D) * std::numeric_limits<T>::epsilon() * size.p[i], one = packet{} + T(1);
-        const packet outside = allowed.p[i] - in_set.p[i];
-        entrants.p[i] = to.p[i] > noise ? outside : packet{};
-        entering += entrants.p[i];
-        const packet leavers = to.p[i] < -noise ? in_set.p[i] : packet{};
-        leaving += leavers;
-        rest.p[i] = in_set.p[i] * (one - leavers);
+        const packet noise = T(4 * D) * std::numeric_limits<T>::epsilon() * size.p[i];
+        entering.p[i] = u.p[i] > noise ? allowed.p[i] - in_set.p[i] : packet{};
+        leaving.p[i] = u.p[i] < -noise ? in_set.p[i] : packet{};
       });
-      if (is_zero(leaving)) {
-        row made;
-        unrolled<row::count>([&](auto i) {
-          made.p[i] = to.p[i] > packet{} ? in_set.p[i] * to.p[i] : packet{};
-          in_set.p[i] += entrants.p[i];
-        });
-        made.store(x.data());
-        if (is_zero(entering)) return true;
-        basic = false;
-      } else if (basic) {  // x >= 0 to rounding only: what is negative is none of it
-        in_set = rest;
-      } else {
-        to.store(u.data());
-        in_set = stepped(x, u, rest, in_set);
+      const bool any_leaves = count(leaving) > T(0);
+      // A basis has one solution: what is negative in it is rounding
+      if (any_leaves && count(in_set) > T(rank)) {
+        step_towards(u, leaving, in_set, x);
+        continue;
       }
+      take(u, in_set, x);
+      if (count(entering) == T(0)) {
+        if (any_leaves) take_without(leaving, in_set, x);
+        return true;
+      }
+      unrolled<row::count>([&](auto i) { in_set.p[i] += entering.p[i]; });
     }
-    return !basic;
+    return true;
   }
 
  private:
@@ -80,21 +71,35 @@ class least_norm {
     return row::load(w.data());
   }
 
-  [[gnu::always_inline]] static bool is_zero(const packet& sum) {
-    if constexpr (row::width == 1) return sum == packet{};
-    else if constexpr (row::width == 2) return sum[0] + sum[1] == T(0);
-    else return (sum[0] + sum[2]) + (sum[1] + sum[3]) == T(0);
+  [[gnu::always_inline]] static T count(const row& set) {
+    row ones;
+    unrolled<row::count>([&](auto i) { ones.p[i] = packet{} + T(1); });
+    return set.dot(ones);
+  }
+
+  // x = u on the set, without rounding below 0
+  [[gnu::always_inline]] static void take(const row& u, const row& in_set, vector<T, M>& x) {
+    row taken;
+    unrolled<row::count>([&](auto i) { taken.p[i] = u.p[i] > packet{} ? in_set.p[i] * u.p[i] : packet{}; });
+    taken.store(x.data());
+  }
+
+  // The same for the set without some that are 0 to rounding, so that the others make all of f.
+  [[gnu::noinline]] void take_without(const row& leaving, row in_set, vector<T, M>& x) const {
+    unrolled<row::count>([&](auto i) { in_set.p[i] -= leaving.p[i]; });
+    take(subset_type(rows_, f_, in_set).solution().first, in_set, x);
   }
 
   // From x towards u until the first of those that become negative is 0: it leaves the set.
-  static row stepped(vector<T, M>& x, const vector<T, M>& u, const row& staying, const row& in_set) {
-    vector<T, M> stays, member;
-    staying.store(stays.data());
+  static void step_towards(const row& to, const row& leaving, row& in_set, vector<T, M>& x) {
+    vector<T, M> u, leaves, member;
+    to.store(u.data());
+    leaving.store(leaves.data());
     in_set.store(member.data());
     T step = T(1);
     int blocking = -1;
     for (int i = 0; i < M; ++i) {
-      if (stays[i] == member[i]) continue;
+      if (leaves[i] == T(0)) continue;
       const T until_zero = x[i] / (x[i] - u[i]);
       if (blocking < 0 || until_zero < step) {
         step = until_zero;
@@ -103,7 +108,7 @@ class least_norm {
     }
     for (int i = 0; i < M; ++i) x[i] = std::max(T(0), x[i] + member[i] * step * (u[i] - x[i]));
     x[blocking] = member[blocking] = T(0);
-    return row::load(member.data());
+    in_set = row::load(member.data());
   }
 
   // The basis and, until it spans what the usable columns span, the column that depends on it least.

@@ -83,7 +83,56 @@ void expect_least_torques(int cases) {
     std::printf(
         "%d x %d, condition %.0e: force %.1e; of eps: made %.1f of its terms, torque %.1f of condition\n", D,
         M, condition, worst_force, worst_made / eps, worst_torque / eps);
+    EXPECT_LE(worst_made, 16 * eps);
+    // Two and three brakes are exact; four in space as sharp as the angles between the generators
+    const bool exact = D == 2 || M == 3;
+    EXPECT_LE(worst_force, exact ? 1e-15 : 8 * eps * condition + 1e-15);
+    if (exact || condition < 1e7) {
+      EXPECT_LE(worst_torque, 64 * eps);
+    }
   }
+}
+
+// Pose and force drift by a nanoradian a step, some of them over a generator: torques change by no more than
+// the condition of the generators allows.
+template <int D, int M>
+void expect_no_jumps(unsigned seed) {
+  constexpr double step = 1e-9;
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> gauss;
+  double worst = 0;
+  int paths = 0;
+  for (const double condition : {1.0, 1e2, 1e3, 1e4, 1e6}) {
+    for (int path = 0; path < 200; ++path) {
+      auto p = draw<D, M>(engine, condition);
+      if (path % 2 == 0) p.f = p.generators().col(0).normalized();
+      ph::matrix<double, D, M> drift;
+      ph::vector<double, D> turn;
+      for (auto& x : drift.reshaped()) x = gauss(engine);
+      for (auto& x : turn) x = gauss(engine);
+      // |V_S^+| (|dF| + |dV| |x|) for the worst set S of generators, whose angle is long against a step
+      const ph::matrix<double, D, M> V = p.generators();
+      const double sine = oracle::project(V, p.f).least_angle;
+      if (sine < 100 * step) continue;
+      const double inverse = 1 / sine / V.colwise().norm().minCoeff();
+      ph::vector<double, M> last;
+      for (int k = -20; k <= 20; ++k) {
+        const ph::matrix<double, D, M> G = p.G.array() * (1 + k * step * drift.array());
+        const ph::vector<double, D> f = (p.f + k * step * turn).normalized();
+        const ph::vector<double, M> t = ph::nearest_torque(G, p.s, f).torque;
+        if (k > -20) {
+          const double bound = step * inverse * (1 + V.norm() * std::max(t.norm(), last.norm()));
+          worst = std::max(worst, (t - last).norm() / bound);
+        }
+        last = t;
+      }
+      ++paths;
+    }
+  }
+  std::printf("%d x %d: on %d paths torques change by %.1f of what the condition allows\n", D, M, paths,
+              worst);
+  EXPECT_LE(worst, 32);
+  EXPECT_GT(paths, 500);
 }
 
 }  // namespace
@@ -97,4 +146,12 @@ TEST(least_torque, is_the_best_of_all_sets_of_brakes_in_50_digits) {
   expect_least_torques<3, 4>(200);
   expect_least_torques<3, 6>(60);
   expect_least_torques<3, 8>(20);
+}
+
+TEST(least_torque, changes_no_more_than_its_condition_along_a_path) {
+  expect_no_jumps<2, 3>(1);
+  expect_no_jumps<2, 4>(2);
+  expect_no_jumps<2, 8>(3);
+  expect_no_jumps<3, 4>(4);
+  expect_no_jumps<3, 6>(5);
 }
