@@ -71,9 +71,9 @@ template <class T, int M>
   T shared = T(0);
   for (int i = 0; i < M; ++i) {
     const vector<T, 2> other = V.col(i);
-    if (!(other.dot(v) > T(0)) || !are_parallel(cross_in_plane(v, other), square, other.squaredNorm()))
-      continue;
-    shared += other.squaredNorm();
+    const T length = other.squaredNorm();
+    if (!are_parallel(cross_in_plane(v, other), square, length) || !(other.dot(v) > T(0))) continue;
+    shared += length;
     face.coefficients[i] = other.dot(face.point);
   }
   face.coefficients /= shared;
