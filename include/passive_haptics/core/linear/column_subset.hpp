@@ -29,6 +29,7 @@ class column_subset {
   [[gnu::always_inline]] column_subset(const rows& V, const vector<T, D>& f, const row& in_set) : r_(V) {
     unrolled<D>([&](auto k) {
       z_[k] = f[k];
+      equation_[k] = k;
       before_[k] = rest_[k] = product(in_set, r_[k], r_[k]);
       total_ += rest_[k];
     });
@@ -52,6 +53,19 @@ class column_subset {
     return {u, size};
   }
 
+  /// The shortest solution of V_S x = g for another g; of columns outside of S what does not matter.
+  [[gnu::always_inline]] row solution_of(const vector<T, D>& g) const {
+    row u{};
+    T z[D];
+    unrolled<D>([&](auto k) {
+      z[k] = g[equation_[k]];
+      for (int l = 0; l < k; ++l) z[k] -= lower_[k][l] * z[l];
+      const T c = z[k] * inverse_[k];
+      unrolled<row::count>([&](auto i) { u.p[i] += c * r_[k].p[i]; });
+    });
+    return u;
+  }
+
  private:
   static constexpr T cancelled = T(0.1), much_shorter = T(0.01);
   static constexpr T dependent = rounding_tolerance<T>(D) * rounding_tolerance<T>(D);
@@ -67,6 +81,7 @@ class column_subset {
     const T h = product(in_set, r_[k], r_[l]) * inverse_[k];
     r_[l].subtract(h, r_[k]);
     z_[l] -= h * z_[k];
+    lower_[l][k] += h;
   }
 
   // Row k is the next of Q: those below lose their part along it
@@ -93,10 +108,14 @@ class column_subset {
     std::swap(z_[k], z_[l]);
     std::swap(rest_[k], rest_[l]);
     std::swap(before_[k], before_[l]);
+    std::swap(equation_[k], equation_[l]);
+    std::swap(lower_[k], lower_[l]);
   }
 
   rows r_;
   T z_[D], rest_[D], before_[D], inverse_[D];  // rest: |r_k|^2 on S; before: when its digits were still whole
+  T lower_[D][D] = {};                         // L below its diagonal of ones
+  int equation_[D];                            // that row k came from
   T total_ = T(0), unreached_ = T(0);          // |V_S|^2; the largest z of a row that was dropped
 };
 

@@ -53,6 +53,7 @@ class least_norm {
       take(u, in_set, x);
       if (count(entering) == T(0)) {
         if (any_leaves) take_without(leaving, in_set, x);
+        else refine(subset, in_set, x);
         return true;
       }
       unrolled<row::count>([&](auto i) { in_set.p[i] += entering.p[i]; });
@@ -84,7 +85,17 @@ class least_norm {
     taken.store(x.data());
   }
 
-  // The same for the set without some that are 0 to rounding, so that the others make all of f.
+  // x and the solution for what it leaves of f: V x = f to rounding of its terms, whatever the subset lost
+  [[gnu::always_inline]] void refine(const subset_type& subset, const row& in_set, vector<T, M>& x) const {
+    const row made = row::load(x.data());
+    vector<T, D> left;
+    unrolled<D>([&](auto k) { left[k] = f_[k] - rows_[k].dot(made); });
+    row sum = subset.solution_of(left);
+    unrolled<row::count>([&](auto i) { sum.p[i] += made.p[i]; });
+    take(sum, in_set, x);
+  }
+
+  // x on the set without some that are 0 to rounding, so that the others make all of f.
   [[gnu::noinline]] void take_without(const row& leaving, row in_set, vector<T, M>& x) const {
     unrolled<row::count>([&](auto i) { in_set.p[i] -= leaving.p[i]; });
     take(subset_type(rows_, f_, in_set).solution().first, in_set, x);
