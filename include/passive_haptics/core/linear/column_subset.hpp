@@ -67,7 +67,7 @@ class column_subset {
   }
 
  private:
-  static constexpr T cancelled = T(0.1), much_shorter = T(0.01);
+  static constexpr T cancelled = T(0.01), much_shorter = T(0.01);
   static constexpr T dependent = rounding_tolerance<T>(D) * rounding_tolerance<T>(D);
 
   [[gnu::always_inline]] static T product(const row& weight, const row& a, const row& b) {
