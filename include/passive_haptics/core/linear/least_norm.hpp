@@ -22,7 +22,7 @@ class least_norm {
  public:
   /// V (D x M) and f.
   [[gnu::always_inline]] least_norm(const matrix<T, D, M>& V, const vector<T, D>& f) : v_(V), f_(f) {
-    const matrix<T, M, D> by_rows = V.transpose();
+    const matrix<T, M, D> by_rows = transposed(V);
     unrolled<D>([&](auto k) { rows_[k] = row::load(by_rows.data() + k * M); });
   }
 
