@@ -2,7 +2,7 @@
 /// Brake torques whose force comes nearest to a desired one: the generator form.
 #pragma once
 
-#include <passive_haptics/core/linear/generated_cone.hpp>
+#include <passive_haptics/core/generators/generated_cone.hpp>
 #include <passive_haptics/core/linear/prioritised_least_squares.hpp>
 
 #include <cmath>
@@ -98,7 +98,7 @@ nearest_torque_result<T, D, Brakes> nearest_of_generators(const matrix<T, D, Bra
 /// without limits, s_i t_i <= 0, by the torques of least norm: they are unique, so that neighbouring states
 /// get neighbouring torques. G (d x m) from force_generators, Fd of moderate norm. F is the projection of Fd
 /// on the cone of displayable forces (generator form); 0 where G is not finite. Cost:
-/// core/linear/generated_cone.hpp for d <= 3, else core/linear/prioritised_least_squares.hpp.
+/// core/generators/generated_cone.hpp for d <= 3, else core/linear/prioritised_least_squares.hpp.
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G, const vector<T, Brakes>& s,
                                                    const vector<T, D>& Fd) {

@@ -2,7 +2,7 @@
 /// The shortest non-negative solution of linear equations.
 #pragma once
 
-#include <passive_haptics/core/linear/column_subset.hpp>
+#include <passive_haptics/core/generators/column_subset.hpp>
 #include <passive_haptics/core/linear/plane_cone.hpp>
 
 #include <bit>

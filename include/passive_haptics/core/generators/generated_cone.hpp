@@ -2,7 +2,7 @@
 /// Projection onto a cone given by its generators.
 #pragma once
 
-#include <passive_haptics/core/linear/least_norm.hpp>
+#include <passive_haptics/core/generators/least_norm.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 
 namespace passive_haptics {
