@@ -53,7 +53,8 @@ class prioritised_least_squares {
       const decomposition held(on_free(done_), tolerance());
       const decomposition free = reduced(A, held);
       const T made = advance(held.without_row_space(free.solve(residual(A, b))));
-      if (made == T(1)) settled = !release_worst(A, clean_residual(A, b, free), held, refused);
+      if (made == T(1))
+        settled = !any_releasable() || !release_worst(A, clean_residual(A, b, free), held, refused);
       else if (made > T(0)) refused.fill(false);
     }
     for (int i = 0; i < MaxRows && done_rows_ < MaxRows; ++i) {
@@ -78,6 +79,11 @@ class prioritised_least_squares {
 
   // b - A x
   targets residual(const rows& A, const targets& b) const { return b - A * x_; }
+
+  bool any_releasable() const {
+    return std::any_of(at_.begin(), at_.end(),
+                       [](bound at) { return at == bound::lower || at == bound::upper; });
+  }
 
   rows on_free(const rows& A) const {
     rows picked = A;
@@ -133,6 +139,7 @@ class prioritised_least_squares {
   // its targets to rounding, none does.
   bool release_worst(const rows& A, const targets& r, const decomposition& held,
                      std::array<bool, static_cast<std::size_t>(N)>& refused) {
+    if (r.isZero(T(0))) return false;
     vector<T, N> pull = A.transpose() * r;  // - gradient of |A x - b|^2 / 2
     vector<T, N> on_free_pull = pull;
     for (int i = 0; i < N; ++i) {
@@ -141,15 +148,15 @@ class prioritised_least_squares {
     // What the earlier rows take up of it
     const targets taken = held.solve_transposed(on_free_pull);
     pull -= done_.transpose() * taken;
-    const vector<T, N> terms =
-        A.cwiseAbs().transpose() * r.cwiseAbs() + done_.cwiseAbs().transpose() * taken.cwiseAbs();
-
+    const auto noise = [&](int i) {
+      return sharp * (A.col(i).cwiseAbs().dot(r.cwiseAbs()) + done_.col(i).cwiseAbs().dot(taken.cwiseAbs()));
+    };
     int worst = -1;
     T most = T(0);
     for (int i = 0; i < N; ++i) {
       const bound at = at_[idx(i)];
       const T inward = at == bound::lower ? pull[i] : (at == bound::upper ? -pull[i] : T(0));
-      if (inward > sharp * terms[i] && inward > most && !refused[idx(i)]) {
+      if (inward > most && !refused[idx(i)] && inward > noise(i)) {
         most = inward;
         worst = i;
       }
@@ -159,7 +166,8 @@ class prioritised_least_squares {
       return refused[idx(worst)] = true;
     }
     for (int i = 0; i < N; ++i) {
-      if (at_[idx(i)] != bound::none && std::abs(pull[i]) > sharp * terms[i]) at_[idx(i)] = bound::fixed;
+      if ((at_[idx(i)] == bound::lower || at_[idx(i)] == bound::upper) && std::abs(pull[i]) > noise(i))
+        at_[idx(i)] = bound::fixed;
     }
     return false;
   }
