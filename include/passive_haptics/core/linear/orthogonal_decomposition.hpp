@@ -71,12 +71,6 @@ class orthogonal_decomposition {
     return x;
   }
 
-  /// b less its part in the column space of A: A^T times it is 0.
-  vector<T, Rows> without_column_space(vector<T, Rows> b) const {
-    orthogonalise(b, u_, rank_);
-    return b;
-  }
-
   /// I - U U^T, the orthogonal projection on the b with A^T b = 0.
   matrix<T, Rows, Rows> left_null_projection() const {
     matrix<T, Rows, Rows> P = matrix<T, Rows, Rows>::Identity();

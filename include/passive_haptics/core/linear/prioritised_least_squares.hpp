@@ -51,10 +51,8 @@ class prioritised_least_squares {
     bool settled = false;
     for (int change = 0; change < 10 * (N + 1) && !settled; ++change) {
       const decomposition held(on_free(done_), tolerance());
-      const decomposition free = reduced(A, held);
-      const T made = advance(held.without_row_space(free.solve(residual(A, b))));
-      if (made == T(1))
-        settled = !any_releasable() || !release_worst(A, clean_residual(A, b, free), held, refused);
+      const T made = advance(constrained_step(A, b, held));
+      if (made == T(1)) settled = !release_worst(A, b, held, refused);
       else if (made > T(0)) refused.fill(false);
     }
     for (int i = 0; i < MaxRows && done_rows_ < MaxRows; ++i) {
@@ -73,17 +71,9 @@ class prioritised_least_squares {
   static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
   // Relative size under which a row or a multiplier is rounding.
   static constexpr T tolerance() { return T(16) * rounding_tolerance<T>(N + MaxRows); }
-  // The first level is what it was given; in those behind it stands rounding of what the others hold.
-  T rank_tolerance() const { return done_rows_ == 0 ? sharp : tolerance(); }
-  static constexpr T sharp = rounding_tolerance<T>(N);  // of a multiplier, relative to its terms
 
   // b - A x
   targets residual(const rows& A, const targets& b) const { return b - A * x_; }
-
-  bool any_releasable() const {
-    return std::any_of(at_.begin(), at_.end(),
-                       [](bound at) { return at == bound::lower || at == bound::upper; });
-  }
 
   rows on_free(const rows& A) const {
     rows picked = A;
@@ -93,24 +83,15 @@ class prioritised_least_squares {
     return picked;
   }
 
-  // b - A x without what the free variables can make: that is rounding of A x, of which a flat A would make
-  // pulls. 0 where no more than rounding is left.
-  targets clean_residual(const rows& A, const targets& b, const decomposition& free) const {
-    targets r = residual(A, b);
-    const T size = b.norm() + (A.cwiseAbs() * x_.cwiseAbs()).norm();
-    r = free.without_column_space(r);
-    return r.norm() > sharp * size ? r : targets(targets::Zero());
-  }
-
-  // A on the free variables, less what the earlier rows hold: tells the shortest step to the least |A x - b|
-  // that changes nothing of them.
-  decomposition reduced(const rows& A, const decomposition& held) const {
+  // The shortest step of the free variables to the least |A x - b| that changes nothing of the earlier rows.
+  vector<T, N> constrained_step(const rows& A, const targets& b, const decomposition& held) const {
     const rows Af = on_free(A);
-    rows rest;
-    for (int i = 0; i < MaxRows; ++i) rest.row(i) = held.without_row_space(Af.row(i)).transpose();
+    rows reduced;
+    for (int i = 0; i < MaxRows; ++i) reduced.row(i) = held.without_row_space(Af.row(i)).transpose();
     // A level that sees only rounding of itself in what is left free has nothing to say.
-    if (!(rest.norm() > tolerance() * Af.norm())) rest.setZero();
-    return decomposition(rest, rank_tolerance());
+    if (!(reduced.norm() > tolerance() * Af.norm())) return vector<T, N>::Zero();
+    const vector<T, N> step = decomposition(reduced, tolerance()).solve(residual(A, b));
+    return held.without_row_space(step);
   }
 
   // Goes along the step up to the first bound; the share of the step that was made, 1 if no bound was met.
@@ -135,28 +116,26 @@ class prioritised_least_squares {
   }
 
   // Releases the bound whose multiplier has the wrong sign by most. If there is none, fixes the bounds that
-  // hold this level back, since no later level may release them, and returns false. Where the level reached
-  // its targets to rounding, none does.
-  bool release_worst(const rows& A, const targets& r, const decomposition& held,
+  // hold this level back, since no later level may release them, and returns false.
+  bool release_worst(const rows& A, const targets& b, const decomposition& held,
                      std::array<bool, static_cast<std::size_t>(N)>& refused) {
-    if (r.isZero(T(0))) return false;
+    const targets r = residual(A, b);
     vector<T, N> pull = A.transpose() * r;  // - gradient of |A x - b|^2 / 2
     vector<T, N> on_free_pull = pull;
     for (int i = 0; i < N; ++i) {
       if (at_[idx(i)] != bound::none) on_free_pull[i] = T(0);
     }
     // What the earlier rows take up of it
-    const targets taken = held.solve_transposed(on_free_pull);
-    pull -= done_.transpose() * taken;
-    const auto noise = [&](int i) {
-      return sharp * (A.col(i).cwiseAbs().dot(r.cwiseAbs()) + done_.col(i).cwiseAbs().dot(taken.cwiseAbs()));
-    };
+    pull -= done_.transpose() * held.solve_transposed(on_free_pull);
+
+    const T size = b.norm() + r.norm();  // at least |A x|
+    const auto noise = [&](int i) { return tolerance() * A.col(i).norm() * size; };
     int worst = -1;
     T most = T(0);
     for (int i = 0; i < N; ++i) {
       const bound at = at_[idx(i)];
       const T inward = at == bound::lower ? pull[i] : (at == bound::upper ? -pull[i] : T(0));
-      if (inward > most && !refused[idx(i)] && inward > noise(i)) {
+      if (inward > noise(i) && inward > most && !refused[idx(i)]) {
         most = inward;
         worst = i;
       }
@@ -166,8 +145,7 @@ class prioritised_least_squares {
       return refused[idx(worst)] = true;
     }
     for (int i = 0; i < N; ++i) {
-      if ((at_[idx(i)] == bound::lower || at_[idx(i)] == bound::upper) && std::abs(pull[i]) > noise(i))
-        at_[idx(i)] = bound::fixed;
+      if (at_[idx(i)] != bound::none && std::abs(pull[i]) > noise(i)) at_[idx(i)] = bound::fixed;
     }
     return false;
   }
