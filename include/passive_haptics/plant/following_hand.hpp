@@ -63,13 +63,12 @@ class following_hand {
     const T along =
         p_.stiffness * lag / std::max(T(0.3), t.dot(direction_)) + p_.damping * (p_.speed - v.dot(t));
     const T into = p_.push + p_.normal_stiffness * (p_.target_depth - depth) + p_.normal_damping * v.dot(n);
-    const vector<T, D> F = along * t - into * n;
+    vector<T, D> F = along * t - into * n;
     if constexpr (D > 2) {
       const vector<T, D> pull = p_.stiffness * (x - x0_) + p_.damping * v;
-      return F - (pull - t * t.dot(pull) - n * n.dot(pull));
-    } else {
-      return F;
+      F -= pull - t * t.dot(pull) - n * n.dot(pull);
     }
+    return F;
   }
 
   /// Unit direction along a wall with normal n; the intended direction itself where that is normal to the

@@ -2,6 +2,7 @@
 /// A random plane in a device's workspace, with a way along it.
 #pragma once
 
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 

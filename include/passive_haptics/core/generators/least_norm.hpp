@@ -37,7 +37,8 @@ class least_norm {
     for (int piece = 0; piece < 6 * M; ++piece) {
       const subset_type subset(rows_, f_, in_set);
       if (!subset.reaches(rounding_tolerance<T>(D * M))) return false;
-      const auto [u, size] = subset.solution();
+      const auto solution = subset.solution();
+      const row &u = solution.first, &size = solution.second;
       row entering, leaving;
       unrolled<row::count>([&](auto i) {
         const packet noise = T(4 * D) * std::numeric_limits<T>::epsilon() * size.p[i];
