@@ -8,7 +8,6 @@
 #include <passive_haptics/control/normal_force/acceleration_display.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace passive_haptics {
@@ -16,16 +15,17 @@ namespace passive_haptics {
 /// What each brake can make a horizon from now: its sign times a magnitude from least to most.
 template <class T, int Brakes>
 struct brake_reach {
-  using flags = std::array<bool, static_cast<std::size_t>(Brakes)>;  ///< One for each brake.
+  using flags = vector<bool, Brakes>;  ///< One for each brake.
 
-  vector<T, Brakes> sign;       ///< Of its torque: -1 or 1.
-  vector<T, Brakes> share;      ///< Of the way to a command that the horizon covers [1].
-  vector<T, Brakes> least;      ///< What its lag leaves it at least [N m].
-  vector<T, Brakes> most;       ///< [N m], >= least.
-  matrix<T, Brakes, Brakes> A;  ///< T M^-1 T^T, where any is at rest [rad/s^2 per N m].
-  bool any_at_rest = false;     ///< Some brake is at rest.
-  flags at_rest{};              ///< It is at rest.
-  flags lasts{};                ///< It can push so as long as the handle slides, not only while it lands.
+  vector<T, Brakes> sign;                  ///< Of its torque: -1 or 1.
+  vector<T, Brakes> share;                 ///< Of the way to a command that the horizon covers [1].
+  vector<T, Brakes> least;                 ///< What its lag leaves it at least [N m].
+  vector<T, Brakes> most;                  ///< [N m], >= least.
+  matrix<T, Brakes, Brakes> A;             ///< T M^-1 T^T, where any is at rest [rad/s^2 per N m].
+  bool any_at_rest = false;                ///< Some brake is at rest.
+  flags at_rest = flags::Constant(false);  ///< It is at rest.
+  flags lasts =
+      flags::Constant(false);  ///< It can push so as long as the handle slides, not only while it lands.
 };
 
 /// T M^-1 T^T, how brake torques accelerate the brakes [rad/s^2 per N m].
@@ -36,8 +36,8 @@ using brake_inertia = matrix<typename M::scalar, M::brake_count, M::brake_count>
 /// they make now. Leaves A = T M^-1 T^T. Cost: a solution with M and some products of m x m.
 template <class M>
 brake_vector<M> holding_torques(const pose_dynamics<M>& device, const task_vector<M>& Fh,
-                                const std::array<bool, std::size_t(M::brake_count)>& at_rest,
-                                brake_vector<M> t, const brake_vector<M>& strength, brake_inertia<M>& A) {
+                                const vector<bool, M::brake_count>& at_rest, brake_vector<M> t,
+                                const brake_vector<M>& strength, brake_inertia<M>& A) {
   using T = typename M::scalar;
   constexpr int m = M::brake_count, sweeps = 3;
   const matrix<T, M::dof, m> per_torque = device.mass.solve(device.Tt);
@@ -48,7 +48,7 @@ brake_vector<M> holding_torques(const pose_dynamics<M>& device, const task_vecto
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (int i = 0; i < m; ++i) {
       holding[i] = t[i] - (free[i] + A.row(i).dot(t)) / A(i, i);
-      if (at_rest[std::size_t(i)]) t[i] = std::clamp(holding[i], -strength[i], strength[i]);
+      if (at_rest[i]) t[i] = std::clamp(holding[i], -strength[i], strength[i]);
     }
   }
   return holding;

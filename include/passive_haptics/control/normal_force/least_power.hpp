@@ -16,10 +16,10 @@ void beside_held(const vector<T, Brakes>& g, T missing, const brake_reach<T, Bra
                  vector<T, Brakes>& t) {
   if (!reach.any_at_rest) return;
   for (int i = 0; i < Brakes; ++i) {
-    if (!reach.at_rest[std::size_t(i)] || !(reach.sign[i] * g[i] > T(0)) || !(t[i] > T(0))) continue;
+    if (!reach.at_rest[i] || !(reach.sign[i] * g[i] > T(0)) || !(t[i] > T(0))) continue;
     for (int j = 0; j < Brakes; ++j) {
       const T gain = reach.sign[j] * (g[j] - g[i] * reach.A(i, j) / reach.A(i, i));
-      if (reach.at_rest[std::size_t(j)] || !(gain > T(0)) || !(missing > T(0))) continue;
+      if (reach.at_rest[j] || !(gain > T(0)) || !(missing > T(0))) continue;
       const T added = std::min(missing / gain, reach.most[j] - t[j]);
       t[j] += added;
       missing -= gain * added;
@@ -39,7 +39,7 @@ vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
   const vector<T, Brakes> gain = reach.sign.cwiseProduct(g);
   T missing = wanted - gain.dot(t);
   const auto comes_before = [&](int i, int j) {
-    if (reach.lasts[std::size_t(i)] != reach.lasts[std::size_t(j)]) return reach.lasts[std::size_t(i)];
+    if (reach.lasts[i] != reach.lasts[j]) return reach.lasts[i];
     return std::abs(w[i]) * gain[j] < std::abs(w[j]) * gain[i];
   };
   for (int round = 0; round < Brakes && missing > T(0); ++round) {

@@ -84,7 +84,6 @@ class orthogonal_decomposition {
   void find_row_space(const matrix<T, Rows, N>& A, T tolerance) {
     matrix<T, N, Rows> rest = transposed(A);
     const T longest = rest.colwise().norm().maxCoeff();
-    if (longest == T(0)) return;
     for (rank_ = 0; rank_ < most; ++rank_) {
       int pivot = -1;
       T length = tolerance * longest;

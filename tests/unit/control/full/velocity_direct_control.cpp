@@ -328,7 +328,7 @@ TEST(least_power_torques, make_what_is_wanted_with_the_least_power) {
       reach.sign[i] = random.uniform(-1.0, 1.0) > 0 ? 1 : -1;
       reach.least[i] = random.uniform(0.0, 0.2);
       reach.most[i] = reach.least[i] + random.uniform(0.0, 1.0);
-      reach.lasts[std::size_t(i)] = true;
+      reach.lasts[i] = true;
     }
     const V gain = reach.sign.cwiseProduct(g);
     const double wanted = random.uniform(-0.5, 2.0);
