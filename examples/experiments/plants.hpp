@@ -12,13 +12,18 @@ namespace experiments {
 // The torque limit [N m] that just holds a hand with this push [N] off the paper's walls.
 constexpr double weak_brake_limit(double push) { return 1.25 / 17 * push; }
 
+// Number k of this seed: calls draw evenly between two numbers.
+inline auto evenly(std::uint64_t seed, std::size_t k) {
+  return [bits = ph::random_bits(seed, k)](double low, double high) mutable {
+    return low + (high - low) * ph::uniform_number(bits);
+  };
+}
+
 // Plant number k of this seed: brakes of another gain, residual torque, lag and limit, a model whose inertia
 // is off by up to 25 %, a noisy sensor, a hand that pushes and weighs more or less. The controller knows
 // limit and lag.
 inline setup random_plant(std::uint64_t seed, std::size_t k) {
-  std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(k)};
-  std::mt19937_64 bits(both);
-  const auto between = [&](double low, double high) { return low + (high - low) * ph::uniform_number(bits); };
+  auto between = evenly(seed, k);
   setup how;
   how.gain = between(0.85, 1.1);
   how.residual = between(0, 0.005);
@@ -46,9 +51,7 @@ inline setup middle_hand() {
 
 // Hand number k of this seed.
 inline setup yielding_hand(std::uint64_t seed, std::size_t k) {
-  std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(k)};
-  std::mt19937_64 bits(both);
-  const auto between = [&](double low, double high) { return low + (high - low) * ph::uniform_number(bits); };
+  auto between = evenly(seed, k);
   setup how = middle_hand();
   how.hand.push = between(1, 2.5);
   how.hand.normal_damping = between(12, 30);

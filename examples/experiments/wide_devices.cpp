@@ -46,7 +46,7 @@ double share_without(const M& real, const kind<M>& k, const ph::random_device<M>
   ph::joint_vector<M> q = d.plane.q;
   const auto path = [&](double u) {
     const ph::task_vector<M> x = d.plane.surface + u * k.where.path_length * d.plane.direction;
-    ph::detail::reach(real, k.where, x, q);
+    ph::reach(real, k.where, x, q);
     return ph::path_point<M>{q, d.plane.direction, d.plane.normal};
   };
   return ph::undisplayable_share<M>(real, path, d.brakes.torque_limit, push, 40);
@@ -59,8 +59,7 @@ outcome follow_one(const kind<M>& k, std::uint64_t seed, std::size_t number, bel
   auto brakes = d.known_brakes;
   double inertia = 1;
   if (what == belief::wrong) {
-    std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(number), 1u};
-    std::mt19937_64 bits(both);
+    std::mt19937_64 bits = ph::random_bits(seed + 1, number);  // others than those of the device
     brakes.time_constant *= 0.3 * std::pow(10.0, ph::uniform_number(bits));
     inertia = d.inertia * 0.5 * std::pow(4.0, ph::uniform_number(bits));
   }

@@ -24,6 +24,17 @@ ph::device_state<M> state_of(const ph::joint_vector<M>& q, const ph::joint_vecto
   return {0.0, q, qd, hand_force};
 }
 
+// x = 1 / q: no position and no Jacobian at 0.
+template <class T>
+struct hyperbola {
+  using scalar = T;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
+  ph::vector<T, 2> position(const ph::vector<T, 2>& q) const { return q.cwiseInverse(); }
+  ph::diagonal_matrix<T, 2> jacobian(const ph::vector<T, 2>& q) const {
+    return ph::diagonal_matrix<T, 2>(-q.cwiseInverse().cwiseAbs2());
+  }
+};
+
 // A contact that asks for the force Fd [N].
 template <int D>
 ph::contact<D> asking_for(const ph::point<D>& Fd) {

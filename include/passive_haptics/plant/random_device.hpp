@@ -64,8 +64,7 @@ random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::u
                              const device_ranges& r = {}) {
   using T = typename M::scalar;
   using interval = device_ranges::interval;
-  std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(k)};
-  std::mt19937_64 bits(both);
+  std::mt19937_64 bits = random_bits(seed, k);
   const auto even = [&](const interval& i) { return i.low + (i.high - i.low) * uniform_number(bits); };
   const auto ratio = [&](const interval& i) {
     return i.low * std::pow(i.high / i.low, uniform_number(bits));

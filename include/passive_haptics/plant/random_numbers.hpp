@@ -3,10 +3,17 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <random>
 
 namespace passive_haptics {
+
+/// Bits of sequence number k of a seed. Not for control loops.
+inline std::mt19937_64 random_bits(std::uint64_t seed, std::uint64_t k) {
+  std::seed_seq both{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(k)};
+  return std::mt19937_64(both);
+}
 
 /// Uniform in [0, 1), all 53 bits of it. Not for control loops.
 inline double uniform_number(std::mt19937_64& bits) { return static_cast<double>(bits() >> 11) * 0x1p-53; }

@@ -2,6 +2,7 @@
 /// A random plane in a device's workspace, with a way along it.
 #pragma once
 
+#include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
@@ -35,10 +36,8 @@ struct random_plane {
   joint_vector<M> qd;        ///< and their rates: along the plane and towards it.
 };
 
-namespace detail {
-
-// Joint positions that put the handle at x, by Newton's method from q; false out of reach or near a singular
-// pose.
+/// Moves joint positions q [rad or m] to where the handle is at x [m], by Newton's method to 1e-9 m; false
+/// out of reach or near a singular pose, as `where` says.
 template <class M>
 bool reach(const M& mechanism, const workspace<M>& where, const task_vector<M>& x, joint_vector<M>& q) {
   using square = matrix<typename M::scalar, M::dof, M::dof>;
@@ -52,17 +51,13 @@ bool reach(const M& mechanism, const workspace<M>& where, const task_vector<M>& 
   return false;
 }
 
-}  // namespace detail
-
 /// The largest cosine between the normal and the force of one brake, where the handle moves with velocity v
 /// along the plane; < 0 where nothing is displayable.
 template <class M>
 double best_cosine(const M& mechanism, const joint_vector<M>& q, const task_vector<M>& v,
                    const task_vector<M>& normal) {
-  using square = matrix<typename M::scalar, M::dof, M::dof>;
-  const square inverse = square(jacobian(mechanism, q)).inverse();
-  const brake_vector<M> w = brake_rates(mechanism, q, joint_vector<M>(inverse * v));
-  const brake_matrix<M> F = inverse.transpose() * transposed_transmission(mechanism, q);
+  const brake_matrix<M> F = force_generators(mechanism, q);
+  const brake_vector<M> w = F.transpose() * v;  // F . v = t . w
   double best = -1;
   for (int i = 0; i < M::brake_count; ++i) {
     const double along = static_cast<double>(F.col(i).dot(normal) / F.col(i).norm());
@@ -101,7 +96,7 @@ random_plane<M> draw_plane(const M& mechanism, const workspace<M>& where, double
     for (int k = 0; k <= points && can_be_gone; ++k) {
       const task_vector<M> x =
           plane.surface + plane.direction * static_cast<T>(where.path_length * k / points);
-      can_be_gone = detail::reach(mechanism, where, x, q);
+      can_be_gone = reach(mechanism, where, x, q);
     }
     if (!can_be_gone) continue;
     if (!(best_cosine(mechanism, plane.q, plane.direction, plane.normal) >= where.least_cosine)) continue;

@@ -118,6 +118,7 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
 
   using decision_type = detail::decision_of<M, Control>;
   decision_type decision{};
+  double depth = -shape.distance(device.position().template cast<double>());
   for (long k = 0; k < steps; ++k) {
     const double time = static_cast<double>(k) * p.time_step;
     if (k % steps_per_cycle == 0) {
@@ -128,14 +129,14 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
     const point<d> n = shape.gradient(x.template cast<double>());
     const task_vector<M> normal = n.template cast<T>();
     const double dissipated = device.energy().friction();
-    const T depth = static_cast<T>(-shape.distance(x.template cast<double>()));
     device.advance(dt, decision.capacity,
-                   hand.force(static_cast<T>(time), x, device.velocity(), normal, depth));
+                   hand.force(static_cast<T>(time), x, device.velocity(), normal, static_cast<T>(depth)));
     sensor.advance(dt, device.sensed_force());
 
     const task_vector<M> moved = device.position();
+    depth = -shape.distance(moved.template cast<double>());
     const wall_following_sample<M, decision_type> now{time + p.time_step,
-                                                      -shape.distance(moved.template cast<double>()),
+                                                      depth,
                                                       moved,
                                                       device.velocity(),
                                                       device.rates(),
@@ -146,14 +147,14 @@ contact_metrics follow_wall(simulated_device<M>& device, Control&& control, cons
                                                       &decision};
     const double progress = static_cast<double>(hand.progress(moved));
     meter.add({.progress = progress,
-               .depth = now.depth,
+               .depth = depth,
                .rate = static_cast<double>(now.rates[p.watched_brake]),
                .retarding_force = -static_cast<double>(now.brake_force.dot(hand.tangent(normal))),
                .brake_energy = device.energy().friction() - dissipated,
                .brake_power = static_cast<double>(now.brake_power.maxCoeff()),
                .hand_force = -static_cast<double>(device.sensed_force().dot(normal))});
     observe(now);
-    if (progress >= p.path_end || !(now.depth <= p.deepest)) break;
+    if (progress >= p.path_end || !(depth <= p.deepest)) break;
   }
   return meter.result();
 }

@@ -109,17 +109,6 @@ TYPED_TEST(several_contacts, release_the_brakes_where_a_scale_is_outside_zero_an
   }
 }
 
-// x = 1 / q: no Jacobian at 0.
-template <class T>
-struct hyperbola {
-  using scalar = T;
-  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
-  ph::vector<T, 2> position(const ph::vector<T, 2>& q) const { return q.cwiseInverse(); }
-  ph::diagonal_matrix<T, 2> jacobian(const ph::vector<T, 2>& q) const {
-    return ph::diagonal_matrix<T, 2>(-q.cwiseInverse().cwiseAbs2());
-  }
-};
-
 // A pose without a Jacobian, and a rate that overflows on its way to the brakes: by the law of torques, too.
 TYPED_TEST(several_contacts, release_the_brakes_where_pose_or_rates_are_undefined) {
   using T = TypeParam;

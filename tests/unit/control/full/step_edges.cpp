@@ -168,17 +168,6 @@ TYPED_TEST(step_edges, forces_in_the_polar_cone_are_not_displayed_whatever_the_l
   }
 }
 
-// x = 1 / q: no position and no Jacobian at 0.
-template <class T>
-struct hyperbola {
-  using scalar = T;
-  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
-  ph::vector<T, 2> position(const ph::vector<T, 2>& q) const { return q.cwiseInverse(); }
-  ph::diagonal_matrix<T, 2> jacobian(const ph::vector<T, 2>& q) const {
-    return ph::diagonal_matrix<T, 2>(-q.cwiseInverse().cwiseAbs2());
-  }
-};
-
 TYPED_TEST(step_edges, a_pose_without_position_or_jacobian_is_a_fault_that_no_scene_sees) {
   using T = TypeParam;
   using M = hyperbola<T>;
