@@ -1,5 +1,6 @@
 // Runs a log of a device's motion through a control law and writes what the brakes would have been told.
 #include <number_list.hpp>
+#include <output_file.hpp>
 #include <replay.hpp>
 
 #include <Eigen/LU>
@@ -133,9 +134,7 @@ void run(const options& chosen, std::istream& in) {
   const ph::wall wall(wall_of<M::task_dimension>(chosen.at("--wall")),
                       example::number("--stiffness", chosen.at("--stiffness")));
 
-  const std::filesystem::path path = chosen.at("--output"), part = path.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  if (!out) throw std::runtime_error("cannot write '" + part.string() + "'");
+  example::output_file out(chosen.at("--output"));
   const auto start = std::chrono::steady_clock::now();
   auto told = start;
   const auto progress = [&](std::size_t lines) {
@@ -144,23 +143,16 @@ void run(const options& chosen, std::istream& in) {
     told = now;
     std::fprintf(stderr, "%zu lines\n", lines);
   };
-  try {
-    const auto& law = chosen.at("--law");
-    std::size_t lines = 0;
-    if (law == "direct_control")
-      lines = example::replay(in, out, M(), brakes, wall, ph::direct_control(), progress);
-    else if (law == "no_direct_control")
-      lines = example::replay(in, out, M(), brakes, wall, ph::no_direct_control(), progress);
-    else throw std::invalid_argument("--law: '" + law + "', expected direct_control or no_direct_control");
-    out.close();
-    if (!out) throw std::runtime_error("cannot write '" + part.string() + "'");
-    std::filesystem::rename(part, path);
-    std::cout << lines << " lines: " << std::filesystem::weakly_canonical(path).string() << "\n";
-  } catch (...) {
-    out.close();
-    std::filesystem::remove(part);
-    throw;
-  }
+  const auto& law = chosen.at("--law");
+  std::size_t lines = 0;
+  if (law == "direct_control")
+    lines = example::replay(in, out.stream(), M(), brakes, wall, ph::direct_control(), progress);
+  else if (law == "no_direct_control")
+    lines = example::replay(in, out.stream(), M(), brakes, wall, ph::no_direct_control(), progress);
+  else throw std::invalid_argument("--law: '" + law + "', expected direct_control or no_direct_control");
+  out.commit();
+  std::cout << lines << " lines: " << std::filesystem::weakly_canonical(chosen.at("--output")).string()
+            << "\n";
 }
 
 }  // namespace

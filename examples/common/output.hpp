@@ -2,12 +2,11 @@
 /// Where examples leave their files: whole or not at all.
 #pragma once
 
-#include <cstdio>
+#include <output_file.hpp>
+
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -43,12 +42,9 @@ inline std::filesystem::path output_directory(int argc, char** argv, std::string
 
 /// Gives `path` this content, or leaves what was there and throws std::runtime_error.
 inline void write_file(const std::filesystem::path& path, const std::string& content) {
-  const std::filesystem::path part = path.string() + ".part";
-  std::ofstream file(part, std::ios::binary);
-  file << content;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write '" + part.string() + "'");
-  std::filesystem::rename(part, path);
+  output_file file(path);
+  file.stream() << content;
+  file.commit();
 }
 
 /// Runs a gnuplot script that ends in a picture `name`.svg; it finds the name to write to in the variable
@@ -56,16 +52,17 @@ inline void write_file(const std::filesystem::path& path, const std::string& con
 /// machine.
 inline void draw(const std::filesystem::path& directory, const std::string& name, const std::string& script) {
   write_file(directory / (name + ".gp"), "if (!exists('output')) output = '" + name + ".svg'\n" + script);
-  const std::string picture = (directory / (name + ".svg")).string();
+  const std::filesystem::path picture = directory / (name + ".svg");
   const std::string run =
       "cd '" + directory.string() + "' && gnuplot -e \"output='" + name + ".svg.part'\" '" + name + ".gp'";
+  output_file file(picture);
   if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) {
     std::cout << "no picture (gnuplot is not installed): run gnuplot on "
               << (directory / (name + ".gp")).string() << "\n";
   } else if (std::system(run.c_str()) != 0) {
     std::cout << "no picture: gnuplot failed on " << (directory / (name + ".gp")).string() << "\n";
   } else {
-    std::filesystem::rename(picture + ".part", picture);
+    file.commit();
     std::cout << "picture: " << std::filesystem::weakly_canonical(picture).string() << "\n";
   }
 }

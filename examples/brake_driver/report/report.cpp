@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <sstream>
 #include <stdexcept>
 
@@ -29,7 +28,7 @@ const char* words(phase p) {
 // printf into a string.
 template <class... Arguments>
 std::string text(const char* format, Arguments... arguments) {
-  std::array<char, 400> line{};
+  std::array<char, 1000> line{};
   std::snprintf(line.data(), line.size(), format, arguments...);
   return line.data();
 }
@@ -84,8 +83,7 @@ std::string bars(const ph::duration_histogram& h) {
 }
 
 report_sink::report_sink(std::string file, bool live, const configuration& c)
-    : file_(std::move(file)),
-      part_(file_ + ".part"),
+    : name_(std::move(file)),
       title_(c.mechanism + ", " + c.port + " device, " + c.sensor + " force sensor, " + c.law),
       live_(live) {
   for (std::size_t i = 0; i < c.curves.size(); ++i) current_limit_[i] = c.curves[i].current_limit;
@@ -99,13 +97,10 @@ std::string report_sink::open() {
   if (terminal_ || (fstat(STDOUT_FILENO, &kind) == 0 && S_ISFIFO(kind.st_mode)))
     output_ = ::open("/proc/self/fd/1", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (output_ < 0) output_ = STDOUT_FILENO;
-  if (file_.empty()) return {};
-  out_ = std::fopen(part_.c_str(), "w");
-  if (out_ == nullptr) return "cannot write '" + part_ + "': " + std::strerror(errno);
-  std::fputs(
-      "t,cycle,state,reason,held_over,status,power,display,gamma,alpha,q1,q2,qd1,qd2,x,y,Fh_x,Fh_y,Fd_x,Fd_y,"
-      "capacity1,capacity2,current1,current2,late,compute\n",
-      out_);
+  if (name_.empty()) return {};
+  file_ = std::make_unique<output_file>(name_);
+  file_->stream() << "t,cycle,state,reason,held_over,status,power,display,gamma,alpha,q1,q2,qd1,qd2,x,y,Fh_x,"
+                     "Fh_y,Fd_x,Fd_y,capacity1,capacity2,current1,current2,late,compute\n";
   return {};
 }
 
@@ -114,9 +109,9 @@ void report_sink::take(const record& r) {
   ++count_;
   late_.add(std::llround(1e9 * r.late));
   compute_.add(std::llround(1e9 * r.compute));
-  if (out_ == nullptr) return;
-  std::fprintf(
-      out_,
+  if (!file_) return;
+  file_->keep();
+  file_->stream() << text(
       "%.6f,%lld,%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,"
       "%.6g,%.6g,%.3g,%.3g\n",
       r.time, static_cast<long long>(r.number), to_string(r.state).data(), field(r.reason).c_str(),
@@ -127,7 +122,7 @@ void report_sink::take(const record& r) {
 }
 
 void report_sink::rest() {
-  if (out_ != nullptr) std::fflush(out_);
+  if (file_) file_->stream().flush();
   const double interval = terminal_ ? terminal_interval : line_interval;
   write_shown();
   if (!live_ || count_ == 0 || last_.time < shown_ + interval || !pending_.empty()) return;
@@ -190,18 +185,14 @@ void report_sink::write_shown() {
 void report_sink::close() {
   write_shown();
   if (live_ && count_ > 0 && pending_.empty()) show();
-  if (out_ == nullptr) return;
+  if (!file_) return;
   // Where nothing ran, the log of a run before stays
-  if (count_ == 0) {
-    std::fclose(out_);
-    std::remove(part_.c_str());
-    return;
-  }
-  const bool written = std::ferror(out_) == 0;
-  const bool closed = std::fclose(out_) == 0;
-  if (!written || !closed) throw std::runtime_error("error: cannot write all of '" + part_ + "'");
-  if (std::rename(part_.c_str(), file_.c_str()) != 0)
-    throw std::runtime_error("error: cannot write '" + file_ + "': " + std::strerror(errno));
+  if (count_ > 0) try {
+      file_->commit();
+    } catch (const std::runtime_error& failed) {
+      throw std::runtime_error(std::string("error: ").append(failed.what()));
+    }
+  file_.reset();
 }
 
 }  // namespace example

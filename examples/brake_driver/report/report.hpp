@@ -3,13 +3,14 @@
 #pragma once
 
 #include <configuration/configuration.hpp>
+#include <output_file.hpp>
 #include <report/record.hpp>
 
 #include <passive_haptics/driver/duration_histogram.hpp>
 
 #include <array>
 #include <cstdint>
-#include <cstdio>
+#include <memory>
 #include <string>
 
 namespace example {
@@ -24,17 +25,17 @@ class report_sink {
   std::string open();
   void take(const record& r);
   void rest();
-  /// Throws std::runtime_error where the file is not whole: it keeps the name FILE.part.
+  /// Throws std::runtime_error where the file is not whole: what there is stays in FILE.part.
   void close();
 
  private:
   void show();
   void write_shown();
 
-  std::string file_, part_, title_;
+  std::string name_, title_;
   bool live_, terminal_ = false;
   std::array<double, axes> current_limit_{};
-  std::FILE* out_ = nullptr;
+  std::unique_ptr<output_file> file_;
   record last_;
   std::uint64_t count_ = 0;
   double shown_ = -1;  // time of the last record that was shown [s]

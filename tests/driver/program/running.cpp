@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <sys/stat.h>
+
 namespace {
 
 using namespace program;
@@ -92,14 +94,51 @@ TEST_F(a_running_driver, says_before_anything_starts_that_it_cannot_write_its_lo
   file("c.toml", "log = \"nowhere/log.csv\"");
   const outcome o = run({"--config", "c.toml"});
   EXPECT_EQ(o.status, 1);
-  EXPECT_EQ(o.err, "error: cannot write 'nowhere/log.csv.part': No such file or directory\n");
+  EXPECT_EQ(
+      o.err,
+      "error: cannot write 'nowhere/log.csv.part': No such file or directory, expected a folder that is "
+      "there and where you may write\n");
   EXPECT_EQ(o.out, "");
 }
 
+// Links, so that a driver that replaces them harms nothing.
+TEST_F(a_running_driver, replaces_no_device_by_its_log) {
+  fs::create_symlink("/dev/null", directory / "null.csv");
+  ASSERT_EQ(mkfifo((directory / "fifo.csv").c_str(), 0600), 0);
+  for (const auto& [name, kind] : {std::pair{"null.csv", "a device"}, {"fifo.csv", "a FIFO"}}) {
+    file("c.toml", std::string("log = \"") + name + "\"" + settings{}.text());
+    const outcome o = run({"--config", "c.toml", "--seconds", "0.1"});
+    EXPECT_EQ(o.status, 1) << o.out;
+    EXPECT_TRUE(o.err.ends_with(std::string("error: cannot write '") + name + "': it is " + kind +
+                                ", expected a regular file or a free name; choose another name\n"))
+        << o.err;
+    EXPECT_FALSE(fs::is_regular_file(directory / name));
+  }
+}
+
+TEST_F(a_running_driver, writes_to_no_log_that_another_one_writes) {
+  start(settings{});
+  ASSERT_TRUE(reaches("active")) << ended();
+  const pid_t writer = recorder();
+  EXPECT_EQ(status_of(spawn({driver, "--config", "c.toml", "--seconds", "0.1"}, "second")), 1);
+  const std::string second = text_of(directory / "second.err");
+  EXPECT_TRUE(second.ends_with("error: cannot write 'brake_driver.csv.part': it is there, and process " +
+                               std::to_string(writer) +
+                               " writes to it; wait until that ends, or choose another name\n"))
+      << second;
+  send(SIGINT);
+  EXPECT_EQ(end().status, 0);
+  EXPECT_TRUE(log().is_whole());
+  EXPECT_FALSE(fs::exists(part_path()));
+}
+
 TEST_F(a_running_driver, tells_that_the_disk_was_full) {
-  fs::create_symlink("/dev/full", part_path());
+  // A file of at most 64 KiB stands for it
   file("c.toml", settings{}.text());
-  const outcome o = run({"--config", "c.toml", "--seconds", "1"});
+  pid = spawn({"/bin/bash", "-c",
+               "trap '' XFSZ; ulimit -f 64; exec '" + driver + "' --config c.toml --seconds 1 --quiet"},
+              "driver");
+  const outcome o = end();
   EXPECT_TRUE(has(o.err, "error: cannot write all of 'brake_driver.csv.part'")) << o.err;
   EXPECT_TRUE(has(o.out, "log: brake_driver.csv.part, as far as it came")) << o.out;
   EXPECT_FALSE(fs::exists(log_path()));
