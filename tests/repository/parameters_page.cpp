@@ -99,6 +99,8 @@ class page {
       fallback = default_text(about, value);
       if (is_bool) expected = "true or false";
       if (*about.choices != '\0') expected = "one of " + std::string(about.choices);
+      if (about.large < ph::range::infinity)
+        expected += "; large over " + ph::detail::number_text(about.large);
     }
     text_ += std::string("| `") + about.name + "` | " + unit + " | " + fallback + " | " + expected + " | " +
              range_text(about.plausible) + " |\n";

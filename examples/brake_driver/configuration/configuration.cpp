@@ -6,10 +6,13 @@
 namespace example {
 namespace {
 
-// The values of a fixed-size vector or matrix, and of an array, read like each other.
+// Keys that have other names than the members that they set.
+const std::map<std::string_view, std::string_view> keys{
+    {"continuous", "continuous_current"}, {"largest", "current_limit"}, {"largest_current", "current_limit"}};
+
 template <class Parameters>
-void check(toml_section& from, const Parameters& p) {
-  from.require(validate(p));
+void check(const toml_section& from, const Parameters& p) {
+  from.check(p, keys);
 }
 
 void read_mechanism(toml_section from, configuration& c) {
@@ -90,7 +93,8 @@ void read_brakes(toml_section from, configuration& c) {
       curve.table[k] = {pairs[2 * k], pairs[2 * k + 1]};
     c.brakes.torque_limit[static_cast<int>(i)] = torque_of_current(curve, curve.current_limit);
   }
-  check(from, c.curves);
+  from.require(validate(c.curves));
+  for (const ph::brake_curve& curve : c.curves) check(from, curve);
   from.read_all(c.brakes);
 
   c.safety.currents.largest = limit;
@@ -111,6 +115,11 @@ void read_encoders(toml_section from, configuration& c) {
   from.read("frozen_travel", c.safety.encoders.frozen_travel);
   check(from, c.encoders);
   check(from, c.rates);
+  try {
+    ph::rate_estimator<axes>{c.rates};
+  } catch (const std::invalid_argument& error) {
+    from.require(without_library(error.what()));
+  }
   check(from, c.safety.encoders);
 }
 

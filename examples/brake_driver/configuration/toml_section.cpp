@@ -1,10 +1,13 @@
 #include <configuration/toml_section.hpp>
 
+#include <passive_haptics/interop/files/file_bytes.hpp>
+
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
+#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -23,10 +26,30 @@ bool speaks_of(std::string_view error, std::string_view key) {
   return false;
 }
 
+// Any whole number of TOML, the nearest double where it has over 53 bits, or any other one.
+std::optional<double> number_of(const toml::node& n) {
+  if (const auto whole = n.value_exact<std::int64_t>()) return static_cast<double>(*whole);
+  return n.value_exact<double>();
+}
+
+// toml++ bounds how deep brackets are, but takes the tables of a.b.c apart by recursion.
+void require_shallow_keys(const std::string& path, const std::string& text) {
+  constexpr std::ptrdiff_t most_dots = 200;
+  std::istringstream lines(text);
+  int number = 1;
+  for (std::string line; std::getline(lines, line); ++number)
+    if (std::count(line.begin(), line.end(), '.') > most_dots)
+      throw std::invalid_argument(path + ":" + std::to_string(number) + ": over " +
+                                  std::to_string(most_dots) +
+                                  " dots in a line, expected fewer; break it into lines");
+}
+
 }  // namespace
 
 struct toml_section::state {
   std::string file, name;  // name: "brakes" or "wall[1]"
+  std::shared_ptr<std::map<std::string, bool, std::less<>>>
+      allowed;  // large values by key: whether there was one
   std::shared_ptr<const toml::table> root;
   const toml::table* table = nullptr;  // within root; none if the section is not there
   std::set<std::string, std::less<>> known;
@@ -57,6 +80,7 @@ struct toml_section::state {
     s->file = file;
     s->name = std::move(inner_name);
     s->root = root;
+    s->allowed = allowed;
     s->table = inner_table;
     inner.push_back(s);
     return s;
@@ -68,23 +92,47 @@ toml_section::toml_section(std::shared_ptr<state> s) : state_(std::move(s)) {}
 toml_section toml_section::nothing() {
   auto s = std::make_shared<state>();
   s->file = "built-in configuration";
+  s->allowed = std::make_shared<std::map<std::string, bool, std::less<>>>();
   return toml_section(std::move(s));
 }
 
 toml_section toml_section::file(const std::string& path) {
-  auto s = std::make_shared<state>();
-  s->file = path;
-  if (std::filesystem::is_directory(path)) s->fail(nullptr, "is a directory, expected a file");
-  if (!std::filesystem::exists(path)) s->fail(nullptr, "no such file");
+  constexpr std::uintmax_t most_bytes = 1 << 20;
+  toml_section whole = nothing();
+  whole.state_->file = path;
+  std::string text;
+  if (const auto error = passive_haptics::read_file(path, text, most_bytes); !error.empty())
+    whole.state_->fail(nullptr, error);
+  require_shallow_keys(path, text);
   try {
-    s->root = std::make_shared<const toml::table>(toml::parse_file(path));
+    whole.state_->root = std::make_shared<const toml::table>(toml::parse(text, path));
   } catch (const toml::parse_error& error) {
-    std::ostringstream text;
-    text << path << ':' << error.source().begin.line << ": " << error.description();
-    throw std::invalid_argument(text.str());
+    std::ostringstream message;
+    message << path << ':' << error.source().begin.line << ": " << error.description();
+    throw std::invalid_argument(message.str());
   }
-  s->table = s->root.get();
-  return toml_section(std::move(s));
+  whole.state_->table = whole.state_->root.get();
+  whole.read_allowed();
+  return whole;
+}
+
+void toml_section::read_allowed() {
+  const char* const key = "allow_large";
+  const toml::node* node = state_->find(key);
+  if (node == nullptr) return;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) state_->expected(key, *node, "a list of keys in quotes");
+  for (const toml::node& one : *list) {
+    const auto name = one.value_exact<std::string>();
+    if (!name) state_->expected(key, *node, "a list of keys in quotes");
+    (*state_->allowed)[*name] = false;
+  }
+}
+
+void toml_section::require_allowed(std::string_view key, const std::string& error) const {
+  const auto name = state_->allowed->find(key);
+  if (name != state_->allowed->end()) name->second = true;
+  else require(std::string(error).append("; if it is meant, allow_large = [\"").append(key).append("\"]"));
 }
 
 template <class T>
@@ -94,8 +142,9 @@ void toml_section::read_each(std::string_view key, T* values, std::size_t count,
   if (node == nullptr) return;
   const auto as = [](const toml::node& n, T& to) {
     if constexpr (std::is_same_v<T, double>) {
-      if (!n.is_number()) return false;
-      to = *n.value<double>();
+      const auto found = number_of(n);
+      if (!found) return false;
+      to = *found;
     } else {
       const auto found = n.value_exact<std::conditional_t<std::is_same_v<T, bool>, bool, std::int64_t>>();
       if (!found || !std::in_range<int>(static_cast<std::int64_t>(*found))) return false;
@@ -148,7 +197,10 @@ void toml_section::read(std::string_view key, std::string& value) {
   const toml::node* node = state_->find(key);
   if (node == nullptr) return;
   const auto text = node->value_exact<std::string>();
+  const auto is_control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
   if (!text) state_->expected(key, *node, "a text in quotes");
+  if (std::any_of(text->begin(), text->end(), is_control))
+    state_->expected(key, *node, "a text without control characters");
   value = *text;
 }
 
@@ -173,9 +225,12 @@ std::size_t toml_section::read_pairs(std::string_view key, double* values, std::
   if (list == nullptr || list->size() > most) state_->expected(key, *node, what.str());
   for (std::size_t i = 0; i < list->size(); ++i) {
     const toml::array* pair = (*list)[i].as_array();
-    if (pair == nullptr || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number())
-      state_->expected(key, *node, what.str());
-    for (std::size_t j = 0; j < 2; ++j) values[2 * i + j] = *(*pair)[j].value<double>();
+    if (pair == nullptr || pair->size() != 2) state_->expected(key, *node, what.str());
+    for (std::size_t j = 0; j < 2; ++j) {
+      const auto number = number_of((*pair)[j]);
+      if (!number) state_->expected(key, *node, what.str());
+      values[2 * i + j] = *number;
+    }
   }
   return list->size();
 }
@@ -215,6 +270,10 @@ void toml_section::finish() const {
     }
   }
   for (const auto& inner : state_->inner) toml_section(inner).finish();
+  if (!state_->name.empty()) return;
+  for (const auto& [key, was_large] : *state_->allowed)
+    if (!was_large)
+      require("allow_large = [\"" + key + "\"], expected keys of values that are large; remove it");
 }
 
 void toml_section::require(const std::string& error) const {

@@ -5,6 +5,7 @@
 #include <passive_haptics/core/parameter_text.hpp>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,7 +19,8 @@ namespace example {
 /// key, value and expectation.
 class toml_section {
  public:
-  /// The whole of a file. Throws std::invalid_argument where it cannot be read or is no TOML.
+  /// The whole of a file. Throws std::invalid_argument where it is no regular file, over 1 MiB or no TOML.
+  /// The keys that it lists as `allow_large` may be large, as passive_haptics::for_each_large() says.
   static toml_section file(const std::string& path);
   /// A file without any key.
   static toml_section nothing();
@@ -41,12 +43,22 @@ class toml_section {
     read(key, values.data(), static_cast<std::size_t>(values.size()), meaning);
   }
   /// A key for each member of a struct of parameters (passive_haptics/core/parameters.hpp), those of a struct
-  /// within it among them, then all that is wrong with them: a range, a rule.
+  /// within it among them; then check().
   template <passive_haptics::Parameters P>
   void read_all(P& parameters) {
     passive_haptics::for_each_member(
         parameters, [this](const auto& described, auto& value) { read_member(described, value); });
+    check(parameters);
+  }
+  /// Throws what is wrong with the parameters: a range, a rule, a large value whose key is not allowed. The
+  /// key of a member is its name, unless `keys` has another one.
+  template <passive_haptics::Parameters P>
+  void check(const P& parameters, const std::map<std::string_view, std::string_view>& keys = {}) const {
     require(validate(parameters));
+    passive_haptics::for_each_large(parameters, [&](const auto& member, const std::string& error) {
+      const auto other = keys.find(member.name);
+      require_allowed(other == keys.end() ? member.name : other->second, error);
+    });
   }
   /// Rows of pairs, as [[0, 0], [0.5, 0.4]]; how many there are, at most `most`.
   std::size_t read_pairs(std::string_view key, double* values, std::size_t most);
@@ -67,6 +79,8 @@ class toml_section {
   struct state;
   static std::string meaning_of(const passive_haptics::member_description& described);
   explicit toml_section(std::shared_ptr<state> s);
+  void read_allowed();
+  void require_allowed(std::string_view key, const std::string& error) const;
   template <class T>
   void read_each(std::string_view key, T* values, std::size_t count, const char* kinds, const char* kind,
                  std::string_view meaning);
@@ -82,6 +96,8 @@ class toml_section {
     } else if constexpr (std::is_unsigned_v<V> && !std::is_same_v<V, bool>) {
       int number = static_cast<int>(value);
       read(described.name, number);
+      require(passive_haptics::check_value(described.name, number, described.unit,
+                                           passive_haptics::range::at_least(0)));
       value = static_cast<V>(number);
     } else if constexpr (std::is_same_v<V, std::string>) {
       read(described.name, value);

@@ -1,9 +1,10 @@
 /// @file
-/// Parameters in words: all values, and remarks on unusual ones.
+/// Parameters in words: all values, remarks on unusual ones, and those that are large.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -54,7 +55,29 @@ struct remarker : visitor {
   }
 };
 
+template <class F>
+struct large_finder : visitor {
+  F& found;
+
+  explicit large_finder(F& f) : found(f) {}
+  template <class T>
+  void value(const member_description& about, const place& at, const T& x) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      if (!(std::abs(static_cast<double>(x)) > about.large)) return;
+      found(about, error_text(at.text(about.unit), x, "at most " + number_text(about.large)));
+    }
+  }
+};
+
 }  // namespace detail
+
+/// Calls f(member, text) for each value that is large for its member (member_description::large), with the
+/// text "largest[0] [A] = 1e9, expected at most 1000". A program may let pass what its user allows by name.
+template <Parameters P, class F>
+void for_each_large(const P& p, F&& f) {
+  detail::large_finder<std::remove_reference_t<F>> finder(f);
+  detail::visit(p, nullptr, finder);
+}
 
 /// A line for each value: "length_1 [m] = 0.15". Six digits of a number.
 template <Parameters P>

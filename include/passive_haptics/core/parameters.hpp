@@ -22,6 +22,8 @@ struct member_description {
   range hard;                ///< Outside of it the value is an error.
   range plausible;           ///< Outside of it the value is worth a remark.
   const char* choices = "";  ///< The names of an enumeration's values, which count from 0: "left, right".
+  /// A greater magnitude is taken for a mistake, unless its name is allowed: for_each_large().
+  double large = range::infinity;
 };
 
 /// A member of P. Of a vector or array the ranges hold for each element.
@@ -33,6 +35,13 @@ struct member : member_description {
   constexpr member(const char* called, V P::* where, const char* in = "",
                    const range& within = range::anything, const range& usually = range::anything)
       : member_description{called, in, within, usually}, pointer(where) {}
+
+  /// The same, large over this magnitude: of what keeps people and devices safe.
+  constexpr member large_over(double magnitude) const {
+    member same = *this;
+    same.large = magnitude;
+    return same;
+  }
 };
 
 /// A member that is an enumeration: these are the names of its values.

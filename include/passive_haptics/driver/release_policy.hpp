@@ -25,8 +25,9 @@ struct release_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = release_parameters;
-    return member_table(choice("policy", &p::policy, "zero, ramp, hold"),
-                        member("ramp_time", &p::ramp_time, "s", range::positive, plausible(0.001, 10)));
+    return member_table(
+        choice("policy", &p::policy, "zero, ramp, hold"),
+        member("ramp_time", &p::ramp_time, "s", range::positive, plausible(0.001, 10)).large_over(60));
   }
 };
 

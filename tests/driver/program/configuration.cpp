@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <sys/stat.h>
+
 namespace {
 
 using namespace program;
@@ -32,8 +34,8 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
     const char* message;  // how it begins
   };
   for (const auto& [text, message] : {
-           mistake{"laws = \"x\"", "1: unknown key 'laws', expected one of brakes, encoders, "},
-           {"[brake]\nheat = 1", "1: unknown key 'brake', expected one of brakes, encoders, "},
+           mistake{"laws = \"x\"", "1: unknown key 'laws', expected one of allow_large, brakes, "},
+           {"[brake]\nheat = 1", "1: unknown key 'brake', expected one of allow_large, brakes, "},
            {"[brakes]\ncurrent_limt = 1", "2: unknown key 'brakes.current_limt', expected one of "},
            {"[sensor]\ntype = \"none\"\nmounting = 1",
             "3: unknown key 'sensor.mounting', expected one of type"},
@@ -91,6 +93,8 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
            {"[port]\ntype = \"comedi\"\namperes_per_volt = 0", "3: [port] brakes[0].amperes_per_volt [A/V]"},
            {"\n[homing]\npose = [2.8, -0.1", "3: Error while parsing array"},
            {"[brakes]\n[brakes]", "2: Error while parsing table header"},
+           {"[simulation]\nseed = -1", "2: [simulation] seed = -1, expected a whole number >= 0"},
+           {"log = \"brake\\u0000driver.csv\"", "1: log = "},
        }) {
     const outcome o = check(text);
     EXPECT_EQ(o.status, 2) << text;
@@ -113,8 +117,117 @@ TEST_F(a_configuration, that_is_unusual_is_remarked_upon) {
 TEST_F(a_configuration, that_is_no_file_is_named) {
   fs::create_directory(directory / "folder");
   EXPECT_EQ(run({"--config", "none.toml"}).err, "error: none.toml: no such file\n");
-  EXPECT_EQ(run({"--config", "folder"}).err, "error: folder: is a directory, expected a file\n");
+  EXPECT_EQ(run({"--config", "folder"}).err, "error: folder: is a directory, expected a regular file\n");
   EXPECT_EQ(run({"--config", "none.toml"}).status, 2);
+}
+
+TEST_F(a_configuration, that_is_no_regular_file_is_not_read) {
+  ASSERT_EQ(mkfifo((directory / "fifo").c_str(), 0600), 0);
+  for (const auto& [path, kind] :
+       {std::pair{"/dev/zero", "a device"}, {"/dev/urandom", "a device"}, {"fifo", "a FIFO"}}) {
+    const outcome o = run({"--config", path, "--check"});
+    EXPECT_EQ(o.status, 2) << path;
+    EXPECT_EQ(o.err, std::string("error: ") + path + ": is " + kind + ", expected a regular file\n");
+  }
+}
+
+TEST_F(a_configuration, that_is_too_large_is_not_read) {
+  file("c.toml", "# A comment\n");
+  fs::resize_file(directory / "c.toml", 1'000'000'000);  // holes, which take no room
+  EXPECT_EQ(run({"--config", "c.toml", "--check"}).err,
+            "error: c.toml: 1000000000 bytes, expected at most 1048576\n");
+}
+
+TEST_F(a_configuration, that_is_too_deep_is_refused_before_it_is_parsed) {
+  const auto nested = [](const std::string& open, const std::string& close, int depth) {
+    std::string text;
+    for (int i = 0; i < depth; ++i) text += open;
+    text += "1";
+    for (int i = 0; i < depth; ++i) text += close;
+    return text;
+  };
+  constexpr int depth = 200'000;
+  const std::string dots = "error: c.toml:1: over 200 dots in a line, expected fewer; break it into lines\n";
+  EXPECT_EQ(check(nested("a.", "", depth) + " = 1").err, dots);
+  EXPECT_EQ(check("[" + nested("a.", "", depth) + "]").err, dots);
+  EXPECT_EQ(check("[[" + nested("a.", "", depth) + "]]").err, dots);
+  for (const std::string& text :
+       {nested("[", "]", depth), nested("{a=", "}", depth), std::string(depth, '[')}) {
+    const outcome o = check("a = " + text);
+    EXPECT_EQ(o.status, 2);
+    EXPECT_TRUE(o.err.starts_with("error: c.toml:1: Error while parsing ")) << o.err.substr(0, 200);
+  }
+  // The deepest that both bounds let pass
+  std::string keys = "a";
+  for (int i = 0; i < 200; ++i) keys += ".a";
+  const outcome o = check("[" + keys + "]\n" + keys + " = " + nested("[\n{" + keys + " = ", "}]", 120));
+  EXPECT_EQ(o.status, 2);
+  EXPECT_TRUE(has(o.err, "unknown key 'a', expected one of ")) << o.err.substr(0, 200);
+}
+
+// Of each kind of device, all that bears on how it lets go.
+TEST_F(a_configuration, with_any_value_that_is_out_of_all_bounds_is_refused) {
+  struct section {
+    const char* before;
+    std::vector<const char*> keys;
+  };
+  const section sections[] = {
+      {"[brakes]\n",
+       {"residual_torque", "torque_per_ampere", "current_limit", "hysteresis", "loss_per_kelvin",
+        "continuous_current", "heat", "fastest_rise"}},
+      {"[encoders]\n", {"counts_per_turn", "window", "largest_rate", "frozen_travel"}},
+      {"[homing]\n", {"duration", "tolerance", "longest_gap"}},
+      {"[sensor]\n",
+       {"x_newtons_per_unit", "y_newtons_per_unit", "handle_mass", "gravity", "tare_tolerance"}},
+      {"[sensor]\ntype = \"net_ft\"\n",
+       {"port", "counts_per_force", "counts_per_torque", "open_timeout", "silence"}},
+      {"[loop]\n", {"period", "most_overruns", "longest_sleep", "priority", "cpu"}},
+      {"[safety]\n", {"ramp_time", "hold_over", "supervisor_timeout", "supervisor_priority"}},
+      {"[sensor]\ntype = \"none\"\n[port]\ntype = \"serial\"\n", {"open_timeout", "baud"}},
+      {"[sensor]\ntype = \"none\"\n[port]\ntype = \"comedi\"\n",
+       {"amperes_per_volt", "output_channels", "output_ranges", "counter_channels"}},
+  };
+  for (const auto& [before, keys] : sections)
+    for (const char* key : keys)
+      for (const char* value : {"9223372036854775807", "-9223372036854775807", "1e300", "nan"}) {
+        const std::string line = std::string(key) + " = " + value;
+        const outcome o = check("law = \"no_direct_control\"\n" + std::string(before) + line);
+        EXPECT_EQ(o.status, 2) << before << line << "\n" << o.out << o.err;
+        EXPECT_TRUE(o.err.starts_with("error: c.toml:")) << o.err;
+      }
+  EXPECT_TRUE(
+      has(check("[encoders]\nwindow = 17").err, "window [periods] = 17, expected at most the capacity, 16"));
+}
+
+TEST_F(a_configuration, with_a_whole_number_over_53_bits_has_the_nearest_number) {
+  const outcome o = check("[safety]\nhold_over = 9007199254740993");
+  EXPECT_TRUE(has(o.err, "hold_over [s] = 9.0072e15, expected at most 10")) << o.err;
+  EXPECT_TRUE(has(check("[brakes]\ncurrent_limit = [1, -9223372036854775807]").err,
+                  "current_limit [A] = -9.22337e18, expected a finite number > 0"));
+  EXPECT_TRUE(
+      has(check("[brakes]\ntable_1 = [[0, 0], [9223372036854775807, -9223372036854775807]]").err, "torque"));
+}
+
+TEST_F(a_configuration, is_large_only_where_its_user_says_so) {
+  for (const auto& [text, key] :
+       {std::pair{"[safety]\nhold_over = 1e12", "hold_over"},
+        {"[encoders]\nlargest_rate = 1e300", "largest_rate"},
+        {"[brakes]\ncurrent_limit = 1e9", "current_limit"},
+        {"[brakes]\ncurrent_limit = 9\ncontinuous_current = 1e9", "continuous_current"}}) {
+    const outcome refused = check(text);
+    EXPECT_EQ(refused.status, 2) << key;
+    const std::string fix = std::string("; if it is meant, allow_large = [\"") + key + "\"]\n";
+    EXPECT_TRUE(refused.err.ends_with(fix)) << refused.err;
+    std::string allowed = std::string("allow_large = [\"") + key + "\"";
+    if (std::string(key) == "current_limit") allowed += ", \"continuous_current\"";  // which is the same
+    const outcome o = check(allowed + "]\n" + text);
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_TRUE(has(o.err, ", usually ")) << "still told: " << o.err;
+  }
+  EXPECT_EQ(
+      check("allow_large = [\"hold_over\"]\n[safety]\nhold_over = 1").err,
+      "error: c.toml:1: allow_large = [\"hold_over\"], expected keys of values that are large; remove it\n");
+  EXPECT_TRUE(has(check("allow_large = true").err, "allow_large = true, expected a list of keys in quotes"));
 }
 
 TEST_F(a_configuration, that_the_documentation_writes_down_is_read_key_by_key) {

@@ -47,12 +47,13 @@ struct machine {
 
   static constexpr auto members() {
     using p = machine;
-    return ph::member_table(member("mass", &p::mass, "kg", range::positive, plausible(0.1, 10)),
-                            member("limit", &p::limit, "N", range::finite, plausible(0, 5)),
-                            member("gain", &p::gain, "1", range::finite), member("springs", &p::springs),
-                            member("corners", &p::corners, "m", range::finite),
-                            member("cycles", &p::cycles, "", range::at_least(1), plausible(1, 10)),
-                            member("seed", &p::seed), member("on", &p::on), member("name", &p::name));
+    return ph::member_table(
+        member("mass", &p::mass, "kg", range::positive, plausible(0.1, 10)),
+        member("limit", &p::limit, "N", range::finite, plausible(0, 5)).large_over(50),
+        member("gain", &p::gain, "1", range::finite), member("springs", &p::springs),
+        member("corners", &p::corners, "m", range::finite),
+        member("cycles", &p::cycles, "", range::at_least(1), plausible(1, 10)).large_over(1000),
+        member("seed", &p::seed), member("on", &p::on), member("name", &p::name));
   }
   std::string rules() const { return mass > 100 * T(cycles) ? "too heavy, expected less" : ""; }
 };
@@ -106,6 +107,30 @@ TYPED_TEST(parameter_table, tells_the_first_error_and_asks_rules_of_valid_member
             }),
             "mass [kg] = inf, expected a finite number > 0");
   EXPECT_EQ(fixture::error([](auto& m) { m.mass = 301; }), "too heavy, expected less");
+}
+
+TYPED_TEST(parameter_table, finds_large_values_by_magnitude_and_names_them) {
+  machine<TypeParam> m;
+  std::string all;
+  const auto find = [&] {
+    all.clear();
+    ph::for_each_large(
+        m, [&](const auto& about, const std::string& text) { all += about.name + (" " + text) + "\n"; });
+    return all;
+  };
+  EXPECT_EQ(find(), "");
+  m.limit << 50, -50;
+  m.cycles = 1000;
+  m.mass = TypeParam(1e30);  // of which nothing is said
+  EXPECT_EQ(find(), "");
+  m.limit << TypeParam(50.5), -this->infinity;
+  m.cycles = std::numeric_limits<int>::min();
+  EXPECT_EQ(find(),
+            "limit limit[0] [N] = 50.5, expected at most 50\nlimit limit[1] [N] = -inf, expected at most 50\n"
+            "cycles cycles = -2147483648, expected at most 1000\n");
+  m.limit << this->nan, 0;
+  m.cycles = 1;
+  EXPECT_EQ(find(), "") << "a NaN is wrong, not large";
 }
 
 TYPED_TEST(parameter_table, remarks_on_what_is_not_wrong_but_unusual) {

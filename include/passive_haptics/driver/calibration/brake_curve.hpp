@@ -44,15 +44,21 @@ struct brake_curve {
   static constexpr auto members() {
     using p = brake_curve;
     return member_table(
-        member("residual_torque", &p::residual_torque, "N m", range::not_negative, plausible(0, 100)),
-        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive, plausible(0.001, 1000)),
-        member("current_limit", &p::current_limit, "A", range::positive, plausible(0.001, 100)),
+        member("residual_torque", &p::residual_torque, "N m", range::not_negative, plausible(0, 100))
+            .large_over(1e4),
+        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive, plausible(0.001, 1000))
+            .large_over(1e4),
+        member("current_limit", &p::current_limit, "A", range::positive, plausible(0.001, 100))
+            .large_over(1000),
         member("points", &p::points, "",
                range::between(0, most_points).as("0 for a straight line, or 2 to 16")),
-        member("hysteresis", &p::hysteresis, "N m", range::not_negative, plausible(0, 100)),
-        member("loss_per_kelvin", &p::loss_per_kelvin, "1/K", range::not_negative, plausible(0, 0.02)),
-        member("reference_temperature", &p::reference_temperature, "K", range::positive, plausible(250, 350)),
-        member("highest_temperature", &p::highest_temperature, "K", range::positive, plausible(250, 500)));
+        member("hysteresis", &p::hysteresis, "N m", range::not_negative, plausible(0, 100)).large_over(1e4),
+        member("loss_per_kelvin", &p::loss_per_kelvin, "1/K", range::not_negative, plausible(0, 0.02))
+            .large_over(0.1),
+        member("reference_temperature", &p::reference_temperature, "K", range::positive, plausible(250, 350))
+            .large_over(1000),
+        member("highest_temperature", &p::highest_temperature, "K", range::positive, plausible(250, 500))
+            .large_over(1000));
   }
   /// The table's values rise, and heat leaves some torque.
   std::string rules() const;

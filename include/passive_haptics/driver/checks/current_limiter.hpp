@@ -22,10 +22,11 @@ struct current_limits {
   static constexpr auto members() {
     using p = current_limits;
     return member_table(
-        member("largest", &p::largest, "A", range::positive, plausible(0.001, 100)),
-        member("continuous", &p::continuous, "A", range::positive, plausible(0.001, 100)),
-        member("heat", &p::heat, "A^2 s", range::positive, plausible(1e-4, 1e5)),
-        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative, plausible(0, 1e5)));
+        member("largest", &p::largest, "A", range::positive, plausible(0.001, 100)).large_over(1000),
+        member("continuous", &p::continuous, "A", range::positive, plausible(0.001, 100)).large_over(1000),
+        member("heat", &p::heat, "A^2 s", range::positive, plausible(1e-4, 1e5)).large_over(1e6),
+        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative, plausible(0, 1e5))
+            .large_over(1e6));
   }
 };
 
