@@ -18,9 +18,7 @@ namespace passive_haptics {
 /// file's size.
 inline std::string read_file(const std::filesystem::path& path, std::string& bytes,
                              std::uintmax_t most = std::numeric_limits<std::uintmax_t>::max()) {
-  const std::string kind = file_kind(path);
-  if (kind == "nothing") return "no such file";
-  if (kind != "a regular file") return "is " + kind + ", expected a regular file";
+  if (std::string error = check_regular_file(path); !error.empty()) return error;
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) return error.message();

@@ -26,4 +26,11 @@ inline std::string file_kind(const std::filesystem::path& path) {
   }
 }
 
+/// Why nothing is read from there; empty if it is a regular file.
+inline std::string check_regular_file(const std::filesystem::path& path) {
+  const std::string kind = file_kind(path);
+  if (kind == "a regular file") return "";
+  return kind == "nothing" ? "no such file" : "is " + kind + ", expected a regular file";
+}
+
 }  // namespace passive_haptics
