@@ -3,6 +3,7 @@
 #include <passive_haptics/driver/control_loop.hpp>
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
+#include <passive_haptics/driver/thread/threaded_port.hpp>
 
 #include <iostream>
 #include <thread>
@@ -38,7 +39,8 @@ int main() {
   stand_in board;
 
   ph::supervisor<udp_board> guard(udp_board(board.port()), {.timeout = 1});
-  ph::safe_port<udp_board> port(udp_board(board.port()), {}, {.hold_over = 1});
+  ph::safe_port<ph::threaded_port<udp_board>> port(ph::threaded_port(udp_board(board.port())), {},
+                                                   {.hold_over = 1});
   std::string error = guard.start();  // first: it forks
   std::thread answers([&] { board.answer(); });
   if (error.empty()) error = port.open();

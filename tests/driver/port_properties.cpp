@@ -1,6 +1,7 @@
 #include "../../docs/guide/your_port.hpp"
 #include "serial_peer.hpp"
 
+#include <passive_haptics/driver/thread/threaded_port.hpp>
 #include <passive_haptics/testing/brake_port_properties.hpp>
 #include <serial/serial_port.hpp>
 
@@ -16,7 +17,10 @@ struct at_a_serial_line {
   static std::string missing() { return missing_pseudo_terminal(); }
   port make() { return port({.device = peer.path()}); }
   port make_releasing() { return port({.device = peer.path(), .release_only = true}); }
-  std::string open(port& p) { return peer.open(p); }
+  template <class Port>
+  std::string open(Port& p) {
+    return peer.open(p);
+  }
   void live() {
     peer.hear();
     peer.tick();
@@ -44,7 +48,10 @@ struct at_a_socket {
 
   port make() { return port(number); }
   port make_releasing() { return make(); }
-  std::string open(port& p) { return p.open(); }
+  template <class Port>
+  std::string open(Port& p) {
+    return p.open();
+  }
   void live() {
     sockaddr_in from{};
     socklen_t size = sizeof from;
@@ -66,9 +73,23 @@ struct at_a_socket {
   std::array<double, 2> has{};
 };
 
+// The same by a thread, which takes its time; not the supervisor's.
+template <class Case>
+struct by_a_thread : Case {
+  using port = ph::threaded_port<typename Case::port>;
+
+  port make() { return port(Case::make()); }
+  void live() {
+    Case::live();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+};
+
 }  // namespace
 
 namespace passive_haptics::testing {
 INSTANTIATE_TYPED_TEST_SUITE_P(serial_port, brake_port_properties, at_a_serial_line);
 INSTANTIATE_TYPED_TEST_SUITE_P(udp_board, brake_port_properties, at_a_socket);
+INSTANTIATE_TYPED_TEST_SUITE_P(threaded_serial_port, brake_port_properties, by_a_thread<at_a_serial_line>);
+INSTANTIATE_TYPED_TEST_SUITE_P(threaded_udp_board, brake_port_properties, by_a_thread<at_a_socket>);
 }  // namespace passive_haptics::testing

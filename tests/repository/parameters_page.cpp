@@ -5,6 +5,7 @@
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/real_time.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
+#include <passive_haptics/driver/thread/polling_thread.hpp>
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
@@ -172,6 +173,7 @@ std::string tables() {
   p.table<ph::control_loop_parameters>("control_loop_parameters", "driver/control_loop.hpp");
   p.table<ph::real_time_parameters>("real_time_parameters", "driver/real_time.hpp");
   p.table<ph::supervisor_parameters>("supervisor_parameters", "driver/process/supervisor.hpp");
+  p.table<ph::polling_parameters>("polling_parameters", "driver/thread/polling_thread.hpp");
   p.table<ph::encoder_limits>("encoder_limits", checks + "encoder_check.hpp");
   p.table<ph::sensor_limits<2>>("sensor_limits", checks + "sensor_check.hpp");
   p.table<ph::current_limits<2>>("current_limits", checks + "current_limiter.hpp");

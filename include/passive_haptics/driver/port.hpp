@@ -66,8 +66,9 @@ using brake_currents = std::array<double, static_cast<std::size_t>(N)>;
 ///
 /// A port whose counters wrap also has `int counter_bits() const noexcept`, their width, once it is open.
 ///
-/// Laws: read, write and release neither allocate, throw, lock nor wait. A second port of the same type may
-/// be open to the same device in another process, of which only open() and release() are called (supervisor).
+/// Laws: read, write and release neither allocate, throw, lock nor wait. Where the kernel or a bus may make
+/// them wait, they are called by a thread: threaded_port<P> keeps the law for any P. A second P may be open
+/// to the same device in another process, of which only open() and release() are called (supervisor).
 template <class P>
 concept BrakePort =
     requires(P port, port_sample<P::encoder_count>& sample, const brake_currents<P::brake_count>& currents) {

@@ -44,8 +44,9 @@ struct real_time_setting {
   std::string refused;  ///< Why, and what would help; empty where it was granted.
 };
 
-/// Asks for what the parameters say, when it is made: call it in the loop's thread, after forking. A refusal
-/// is told, never fatal. The latency request ends with it; the rest stays.
+/// Asks for what the parameters say, when it is made: call it in the loop's thread, after forking, and before
+/// a threaded_port is opened, whose thread inherits it. A refusal is told, never fatal. The latency request
+/// ends with it; the rest stays.
 class real_time {
  public:
   /// Throws std::invalid_argument with the text of validate(p).

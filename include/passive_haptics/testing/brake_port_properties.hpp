@@ -6,8 +6,8 @@
 ///
 ///     using port = ...;                        // the port under test
 ///     port make();                             // one to this device, not open
-///     port make_releasing();                   // one as a supervisor has it
-///     std::string open(port&);                 // port.open(), while the device lives
+///     port make_releasing();                   // one as a supervisor has it; it may be of another type
+///     std::string open(port&);                 // port.open(), while the device lives; of both types
 ///     void live();                             // a millisecond: samples go out, currents arrive
 ///     std::array<double, N> currents();        // what the brakes have [A]
 ///     static constexpr double resolution;      // of a current [A]

@@ -43,6 +43,10 @@ struct supervisor_parameters {
 /// Start it before the loop's real-time set-up and before any thread.
 template <BrakePort Port>
 class supervisor {
+  static_assert(
+      !requires { typename Port::port_type; },
+      "passive_haptics: a supervisor may wait, so it takes the port itself: threaded_port::port_type");
+
  public:
   /// The port must not be open. Throws std::invalid_argument with the text of validate(p).
   explicit supervisor(Port port, const supervisor_parameters& p = {})

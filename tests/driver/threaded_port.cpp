@@ -1,0 +1,353 @@
+// A port whose transfers may wait, and a loop beside it that does not, whatever the port does.
+#include "../realtime/allocations.hpp"
+
+#include <gtest/gtest.h>
+#include <passive_haptics/driver/thread/threaded_port.hpp>
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <csignal>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace {
+
+namespace ph = passive_haptics;
+using ph::port_status;
+using currents = ph::brake_currents<2>;
+
+// Waits for what has to come; the time-out is for a test that has failed.
+template <class F>
+bool eventually(F&& f) {
+  const double end = ph::monotonic_seconds() + 20;
+  while (!f()) {
+    if (ph::monotonic_seconds() > end) return false;
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  return true;
+}
+
+// What a device has heard and what it will answer.
+struct device {
+  std::timed_mutex line;  // who holds it keeps the port waiting in read()
+  std::mutex guard;       // of all below
+  std::vector<currents> heard;
+  int opened = 0, releases = 0;
+  std::string missing;
+  ph::port_sample<2> sample;
+  std::vector<port_status> reads;  // then no_sample
+  port_status write = port_status::ok;
+  bool masks_signals = false;
+
+  void say(port_status status, std::uint32_t sequence) {
+    const std::lock_guard hold(guard);
+    sample.sequence = sequence;
+    reads.push_back(status);
+  }
+  std::size_t unread() {
+    const std::lock_guard hold(guard);
+    return reads.size();
+  }
+  std::vector<currents> all_heard() {
+    const std::lock_guard hold(guard);
+    return heard;
+  }
+  int all_releases() {
+    const std::lock_guard hold(guard);
+    return releases;
+  }
+};
+
+// A port that waits wherever it can.
+struct slow_port {
+  static constexpr int encoder_count = 2, brake_count = 2;
+  device* d;
+
+  explicit slow_port(device& of) : d(&of) {}
+  slow_port(slow_port&& other) noexcept : d(std::exchange(other.d, nullptr)) {}
+  ~slow_port() {
+    if (d != nullptr) release();
+  }
+  std::string open() {
+    ++d->opened;
+    return d->missing;
+  }
+  port_status read(ph::port_sample<2>& sample) noexcept {
+    const std::lock_guard wait(d->line);
+    const std::lock_guard hold(d->guard);
+    sigset_t masked;
+    pthread_sigmask(SIG_SETMASK, nullptr, &masked);
+    d->masks_signals = sigismember(&masked, SIGINT) == 1;
+    if (d->reads.empty()) return port_status::no_sample;
+    const port_status status = d->reads.front();
+    d->reads.erase(d->reads.begin());
+    if (status == port_status::ok) sample = d->sample;
+    return status;
+  }
+  port_status write(const currents& c) noexcept {
+    const std::lock_guard hold(d->guard);
+    d->heard.push_back(c);
+    return d->write;
+  }
+  void release() noexcept {
+    const std::lock_guard hold(d->guard);
+    ++d->releases;
+    d->heard.push_back({});
+  }
+  int counter_bits() const noexcept { return 24; }
+};
+
+using port = ph::threaded_port<slow_port>;
+static_assert(ph::BrakePort<port>);
+
+struct threaded_port : ::testing::Test {
+  device d;
+  ph::port_sample<2> last;
+
+  // What is said, once the port has heard all of it.
+  port_status read_of(port& p, const std::vector<port_status>& said) {
+    std::uint32_t sequence = 100;
+    d.line.lock();
+    for (const port_status s : said) d.say(s, ++sequence);
+    d.line.unlock();
+    EXPECT_TRUE(eventually([&] { return d.unread() == 0; }));
+    // The last of them has arrived when the port has come round again
+    const std::size_t before = d.all_heard().size();
+    p.write({});
+    EXPECT_TRUE(eventually([&] { return d.all_heard().size() > before; }));
+    return p.read(last);
+  }
+};
+
+TEST_F(threaded_port, tells_what_is_missing_and_starts_no_thread) {
+  d.missing = "no such device";
+  port p{slow_port(d)};
+  EXPECT_EQ(p.open(), "no such device");
+  p.release();
+  EXPECT_EQ(d.all_releases(), 1) << "at once, by the port itself";
+}
+
+TEST_F(threaded_port, before_open_is_the_port_itself) {
+  port p{slow_port(d)};
+  d.say(port_status::failed, 1);
+  EXPECT_EQ(p.read(last), port_status::failed);
+  EXPECT_EQ(p.write({1, 2}), port_status::ok);
+  EXPECT_EQ(d.all_heard(), (std::vector<currents>{{1, 2}}));
+  EXPECT_EQ(p.counter_bits(), 24);
+}
+
+TEST_F(threaded_port, a_loop_goes_on_while_the_port_waits) {
+  port p{slow_port(d)};
+  ASSERT_EQ(p.open(), "");
+  std::unique_lock wait(d.line);
+  EXPECT_EQ(p.write({1, 1}), port_status::ok);
+  ASSERT_TRUE(eventually([&] { return d.all_heard().size() == 1; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  // The port waits for as long as this takes: were one call to wait for it, the test would never end
+  EXPECT_EQ(p.write({2, 2}), port_status::ok) << "those before have gone out";
+  for (int k = 0; k < 10'000; ++k) {
+    EXPECT_EQ(p.read(last), port_status::no_sample);
+    EXPECT_EQ(p.write({3, 3.0 + k}), port_status::no_sample) << "those before have not";
+  }
+  p.release();
+  EXPECT_EQ(p.write({4, 4}), port_status::no_sample);
+  wait.unlock();
+  ASSERT_TRUE(eventually([&] { return d.all_heard().size() == 3; }));
+  EXPECT_EQ(d.all_heard(), (std::vector<currents>{{1, 1}, {}, {4, 4}}))
+      << "the newest alone, after the release";
+  EXPECT_TRUE(eventually([&] { return p.write({5, 5}) == port_status::ok; }));
+}
+
+TEST_F(threaded_port, a_release_takes_along_what_was_written_before_it) {
+  port p{slow_port(d)};
+  ASSERT_EQ(p.open(), "");
+  std::unique_lock wait(d.line);
+  p.write({1, 1});
+  ASSERT_TRUE(eventually([&] { return d.all_heard().size() == 1; }));
+  p.write({2, 2});
+  p.release();
+  wait.unlock();
+  ASSERT_TRUE(eventually([&] { return d.all_releases() == 1; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(d.all_heard(), (std::vector<currents>{{1, 1}, {}}));
+}
+
+TEST_F(threaded_port, hands_each_currents_over_once) {
+  port p{slow_port(d)};
+  ASSERT_EQ(p.open(), "");
+  p.write({1, 1});
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(d.all_heard(), (std::vector<currents>{{1, 1}})) << "a loop that hangs feeds no watchdog";
+}
+
+TEST_F(threaded_port, reads_the_newest_of_all_that_came) {
+  port p{slow_port(d)};
+  ASSERT_EQ(p.open(), "");
+  constexpr auto ok = port_status::ok, none = port_status::no_sample, bad = port_status::bad_sample,
+                 failed = port_status::failed;
+  EXPECT_EQ(read_of(p, {ok, ok, ok}), ok);
+  EXPECT_EQ(p.read(last), none);
+  EXPECT_EQ(read_of(p, {bad}), bad);
+  EXPECT_EQ(p.read(last), none);
+  EXPECT_EQ(read_of(p, {bad, ok, bad}), ok) << "a good one came with them";
+  EXPECT_EQ(p.read(last), none);
+  EXPECT_EQ(read_of(p, {failed, ok}), ok) << "the newest counts";
+  EXPECT_EQ(read_of(p, {ok, failed, none}), failed);
+  EXPECT_EQ(p.read(last), failed) << "until the port says otherwise";
+  EXPECT_EQ(read_of(p, {ok}), ok);
+}
+
+TEST_F(threaded_port, tells_how_a_write_ended_with_the_next) {
+  port p{slow_port(d)};
+  ASSERT_EQ(p.open(), "");
+  for (const port_status s : {port_status::no_sample, port_status::failed, port_status::ok}) {
+    {
+      const std::lock_guard hold(d.guard);
+      d.write = s;
+    }
+    const std::size_t before = d.all_heard().size();
+    p.write({1, 1});
+    ASSERT_TRUE(eventually([&] { return d.all_heard().size() > before; }));
+    EXPECT_TRUE(eventually([&] { return p.write({1, 1}) == s; }));
+  }
+}
+
+TEST_F(threaded_port, may_be_moved_and_releases_in_the_end) {
+  {
+    port first{slow_port(d)};
+    ASSERT_EQ(first.open(), "");
+    port p(std::move(first));
+    p.write({1, 1});
+    ASSERT_TRUE(eventually([&] { return d.all_heard().size() == 1; }));
+    EXPECT_EQ(d.opened, 1);
+  }
+  EXPECT_EQ(d.all_heard().back(), (currents{}));
+  EXPECT_EQ(d.all_releases(), 1);
+}
+
+TEST_F(threaded_port, leaves_signals_to_the_loop) {
+  port p{slow_port(d)};
+  ASSERT_EQ(p.open(), "");
+  EXPECT_TRUE(eventually([&] {
+    const std::lock_guard hold(d.guard);
+    return d.masks_signals;
+  }));
+  sigset_t mine;
+  pthread_sigmask(SIG_SETMASK, nullptr, &mine);
+  EXPECT_EQ(sigismember(&mine, SIGINT), 0);
+}
+
+volatile std::sig_atomic_t handled = 0;
+port* released_by_a_signal = nullptr;
+
+TEST_F(threaded_port, may_be_released_in_a_signal_handler_and_by_another_thread) {
+  port p{slow_port(d)};
+  ASSERT_EQ(p.open(), "");
+  released_by_a_signal = &p;
+  struct sigaction act{}, before{};
+  act.sa_handler = [](int) {
+    released_by_a_signal->release();
+    handled = handled + 1;
+  };
+  sigaction(SIGUSR2, &act, &before);
+  std::atomic<bool> ended{false};
+  const pthread_t loop = pthread_self();
+  std::thread other([&] {
+    for (int k = 0; k < 200; ++k) {
+      pthread_kill(loop, SIGUSR2);
+      p.release();
+      std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
+    ended = true;
+  });
+  while (!ended) {
+    p.write({1, 1});
+    p.read(last);
+  }
+  other.join();
+  sigaction(SIGUSR2, &before, nullptr);
+  EXPECT_GT(handled, 0);
+  const int so_far = d.all_releases();
+  p.release();
+  EXPECT_TRUE(eventually([&] { return d.all_releases() > so_far && d.all_heard().back() == currents{}; }));
+}
+
+TEST_F(threaded_port, allocates_nothing_and_gives_up_no_processor) {
+  port p{slow_port(d)};
+  ASSERT_EQ(p.open(), "");
+  rusage before{}, after{};
+  getrusage(RUSAGE_THREAD, &before);
+  EXPECT_EQ(allocations_in([&] {
+              for (int k = 0; k < 100'000; ++k) {
+                p.read(last);
+                p.write({1, 1});
+                if (k % 100 == 0) p.release();
+              }
+            }),
+            0);
+  getrusage(RUSAGE_THREAD, &after);
+  EXPECT_EQ(after.ru_nvcsw, before.ru_nvcsw);
+}
+
+// A counter in both halves of which is the same, from one thread to another.
+TEST(mailbox, hands_over_the_newest_whole) {
+  struct pair {
+    std::uint64_t a = 0, b = 0;
+  };
+  ph::mailbox<pair> box;
+  pair got;
+  EXPECT_FALSE(box.take(got));
+  constexpr std::uint64_t last = 200'000;
+  std::thread puts([&] {
+    for (std::uint64_t k = 1; k <= last; ++k) box.put({k, ~k});
+  });
+  std::uint64_t before = 0;
+  while (before < last) {
+    if (!box.take(got)) continue;
+    ASSERT_EQ(got.b, ~got.a);
+    ASSERT_GT(got.a, before);
+    before = got.a;
+  }
+  puts.join();
+  EXPECT_FALSE(box.take(got));
+}
+
+struct slow_sensor {
+  static constexpr int channel_count = 2;
+  device* d;
+  std::string open() { return d->missing; }
+  port_status read(ph::port_sample<2>& sample) noexcept { return slow_port_read(sample); }
+  port_status slow_port_read(ph::port_sample<2>& sample) noexcept {
+    const std::lock_guard wait(d->line);
+    const std::lock_guard hold(d->guard);
+    if (d->reads.empty()) return port_status::no_sample;
+    const port_status status = d->reads.front();
+    d->reads.erase(d->reads.begin());
+    if (status == port_status::ok) sample = d->sample;
+    return status;
+  }
+};
+static_assert(ph::ForceSensor<ph::threaded_sensor<slow_sensor>>);
+
+TEST(threaded_sensor, reads_what_came_and_does_not_wait) {
+  device d;
+  ph::threaded_sensor<slow_sensor> s(slow_sensor{&d});
+  ASSERT_EQ(s.open(), "");
+  ph::port_sample<2> last;
+  {
+    const std::lock_guard wait(d.line);
+    for (int k = 0; k < 1000; ++k) EXPECT_EQ(s.read(last), port_status::no_sample);
+    d.say(port_status::ok, 7);
+  }
+  EXPECT_TRUE(eventually([&] { return s.read(last) == port_status::ok; }));
+  EXPECT_EQ(last.sequence, 7u);
+}
+
+TEST(polling_parameters, are_checked_by_name) {
+  EXPECT_EQ(validate(ph::polling_parameters()), "");
+  EXPECT_THROW(ph::threaded_sensor<slow_sensor>(slow_sensor{nullptr}, {.pause = 0}), std::invalid_argument);
+}
+
+}  // namespace
