@@ -28,15 +28,15 @@ class session {
         guard_(make_port(c, *device_, port_use::release), c.supervisor) {}
 
   int run() {
-    // Processes first, then the device, then what makes the loop quick
+    // Processes first, then what makes the loop quick, then the device, whose threads inherit it
     std::string error = record_.start();
     if (error.empty()) error = guard_.start();
+    const ph::real_time quick(error.empty() ? configuration_.real_time : ph::real_time_parameters());
     if (error.empty()) error = port_.open();
     if (!error.empty()) {
       std::cerr << "error: " << error << "\n";
       return 1;
     }
-    const ph::real_time quick(configuration_.real_time);
     for (const auto& setting : quick.settings())
       std::cout << setting.what << (setting.refused.empty() ? "" : ": refused, " + setting.refused) << "\n";
     std::cout << std::flush;
