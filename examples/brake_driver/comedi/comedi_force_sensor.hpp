@@ -16,7 +16,7 @@ namespace example {
 namespace ph = passive_haptics;
 
 /// A ForceSensor that tells volts: newtons per volt are the calibration's. A channel at either end of its
-/// range is not valid. read is one system call, see comedi_port.
+/// range is not valid. For a threaded_sensor: read is one system call that may wait, see comedi_port.
 template <int Channels>
 class comedi_force_sensor {
  public:

@@ -69,8 +69,11 @@ struct rdt_record {
   bool trusted() const { return status == 0 || (status & 0x7FFF'FFFFu) == 0x0001'0000u; }
 };
 
-/// A ForceSensor: forces [N] and torques [N m] in the sensor's frame. Samples carry the record's sequence and
-/// the time of the read that found them; the sensor tells no time of its own.
+/// A ForceSensor for a threaded_sensor: of a socket without datagrams the kernel returns at once, but to ask
+/// again it may have to find memory or a route. The loop cannot wait for it, as it touches memory alone.
+///
+/// Forces [N] and torques [N m] in the sensor's frame. Samples carry the record's sequence and the time of
+/// the read that found them; the sensor tells no time of its own.
 ///
 /// read: `ok` with the record of the highest sequence of all that came; all channels are invalid unless
 /// rdt_record::trusted().

@@ -2,12 +2,16 @@
 #include <ports/ports.hpp>
 #include <serial/serial_port.hpp>
 
+#include <passive_haptics/driver/thread/threaded_port.hpp>
+
 #if PASSIVE_HAPTICS_COMEDI
 #include <comedi/comedi_force_sensor.hpp>
 #include <comedi/comedi_port.hpp>
 #endif
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace example {
 namespace {
@@ -18,6 +22,25 @@ namespace {
       "type");
 }
 
+#if PASSIVE_HAPTICS_COMEDI
+// A card is read anew with each look, and a slow one cannot do it more often.
+ph::polling_parameters a_reading_twice_a_cycle(const configuration& c) {
+  return {std::max(1e-6, c.loop.period / 2)};
+}
+#endif
+
+// The loop's is called by a thread of its own, as any of them may wait; the supervisor's may wait.
+template <class Port>
+any_brake_port<axes, axes> port_for(port_use use, Port port, const ph::polling_parameters& polling = {}) {
+  if (use == port_use::release) return any_brake_port<axes, axes>::of<Port>(std::move(port));
+  return any_brake_port<axes, axes>::of<ph::threaded_port<Port>>(std::move(port), polling);
+}
+
+template <class Sensor>
+any_force_sensor sensor_for(Sensor sensor, const ph::polling_parameters& polling = {}) {
+  return any_force_sensor::of<ph::threaded_sensor<Sensor>>(std::move(sensor), polling);
+}
+
 }  // namespace
 
 any_brake_port<axes, axes> make_port(const configuration& c, haptic_device& device, port_use use) {
@@ -25,12 +48,12 @@ any_brake_port<axes, axes> make_port(const configuration& c, haptic_device& devi
   if (c.port == "serial") {
     serial_port_parameters p = c.serial;
     p.release_only = use == port_use::release;
-    return any_brake_port<axes, axes>::of<serial_port<axes, axes>>(p);
+    return port_for(use, serial_port<axes, axes>(p));
   }
 #if PASSIVE_HAPTICS_COMEDI
   auto p = c.comedi;
   p.start_counters = use == port_use::control;
-  return any_brake_port<axes, axes>::of<comedi_port<axes, axes>>(p);
+  return port_for(use, comedi_port<axes, axes>(p), a_reading_twice_a_cycle(c));
 #else
   without_comedi();
 #endif
@@ -39,9 +62,9 @@ any_brake_port<axes, axes> make_port(const configuration& c, haptic_device& devi
 any_force_sensor make_sensor(const configuration& c, haptic_device& device) {
   if (c.sensor == "simulated") return device.simulated_sensor();
   if (c.sensor == "none") return any_force_sensor::none();
-  if (c.sensor == "net_ft") return any_force_sensor::of<net_ft>(c.net_ft);
+  if (c.sensor == "net_ft") return sensor_for(net_ft(c.net_ft));
 #if PASSIVE_HAPTICS_COMEDI
-  return any_force_sensor::of<comedi_force_sensor<2>>(c.comedi_sensor);
+  return sensor_for(comedi_force_sensor<2>(c.comedi_sensor), a_reading_twice_a_cycle(c));
 #else
   without_comedi();
 #endif

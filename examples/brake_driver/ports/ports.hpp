@@ -11,7 +11,8 @@ namespace example {
 /// What a port is for: to control, or only to release the brakes beside another that controls.
 enum class port_use { control, release };
 
-/// The port of the configuration; a simulated one belongs to the device. Throws std::invalid_argument where
+/// The port of the configuration; a simulated one belongs to the device, any other is called by a thread of
+/// its own where it controls. Throws std::invalid_argument where
 /// this program was built without what it needs.
 any_brake_port<axes, axes> make_port(const configuration& c, haptic_device& device, port_use use);
 /// Its force sensor, in the same way.

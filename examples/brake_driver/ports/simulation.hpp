@@ -140,7 +140,7 @@ class simulation {
   ph::shared_memory<shared_currents> currents_;
 };
 
-/// A BrakePort to a simulation.
+/// A BrakePort to a simulation. The loop cannot wait for it: it computes, and makes no system call.
 template <class M>
 class simulated_port {
  public:

@@ -14,8 +14,12 @@
 
 namespace example {
 
-/// A BrakePort. Samples carry the device's sequence and time (device_clock); a channel is invalid where the
-/// device reports a fault of its encoder. read() and write() take a few system calls each.
+/// A BrakePort for a threaded_port: read() and write() take a few system calls each, and of a pseudo-terminal
+/// the kernel makes them wait, also where it was asked not to, for a worker of its own, which gets no
+/// processor on a busy machine (0.5 s were seen). The loop cannot wait for it, as it touches memory alone.
+///
+/// Samples carry the device's sequence and time (device_clock); a channel is invalid where the device reports
+/// a fault of its encoder.
 ///
 /// read: `ok` with the newest whole sample of all that came; `bad_sample` if there was none but damage (a
 /// wrong checksum, a

@@ -1,5 +1,6 @@
 // What a cycle of the whole driver asks of the kernel: to sleep, and nothing else.
 #include "../../realtime/allocations.hpp"
+#include "../serial_peer.hpp"
 #include "../system_call_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,13 @@
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/stop_signals.hpp>
+#include <passive_haptics/driver/thread/threaded_port.hpp>
 #include <passive_haptics/passive_haptics.hpp>
+#include <ports/net_ft.hpp>
+#include <serial/serial_port.hpp>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
 
 #include <signal.h>
 #include <sys/wait.h>
@@ -119,18 +126,106 @@ void drive(bool one_call_more) {
                                                   : never_braked);
 }
 
-int status_of_drive(bool one_call_more) {
+// A board on a pseudo-terminal and a force sensor on the loopback interface, which live in a thread.
+class devices {
+ public:
+  devices() : board({.watchdog = 60'000}), socket_(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0)) {
+    sockaddr_in here{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};
+    socklen_t size = sizeof here;
+    bind(socket_, reinterpret_cast<sockaddr*>(&here), size);
+    getsockname(socket_, reinterpret_cast<sockaddr*>(&here), &size);
+    sensor_port = ntohs(here.sin_port);
+    life_ = std::thread([this] { live(); });
+    life_.detach();  // it ends with the process
+  }
+
+  serial_peer board;
+  int sensor_port = 0;
+
+ private:
+  void live() {
+    std::array<std::uint32_t, 9> record{};
+    sockaddr_in host{};
+    for (;; usleep(1000)) {
+      board.hear();
+      board.tick();
+      std::array<std::uint8_t, 8> request;
+      socklen_t size = sizeof host;
+      while (recvfrom(socket_, request.data(), request.size(), 0, reinterpret_cast<sockaddr*>(&host), &size) >
+             0) {
+      }
+      record[0] = htonl(ntohl(record[0]) + 1);
+      if (host.sin_port != 0)
+        sendto(socket_, record.data(), sizeof record, 0, reinterpret_cast<sockaddr*>(&host), sizeof host);
+    }
+  }
+
+  int socket_;
+  std::thread life_;
+};
+
+using serial_port = example::serial_port<2, 2>;
+
+// Ports to real devices, in a process of their own.
+template <class Port, class Sensor>
+[[noreturn]] void drive_devices() {
+  devices all;
+  example::serial_port_parameters line;
+  line.device = all.board.path();
+  line.open_timeout = 20;
+  example::net_ft_parameters sensor;
+  sensor.host = "127.0.0.1";
+  sensor.port = all.sensor_port;
+  sensor.open_timeout = 20;
+  ph::safe_port_parameters<2, 6> limits;
+  limits.hold_over = 10;  // of this nothing is tested here
+  ph::safe_port<Port, Sensor> port(Port{serial_port(line)}, Sensor{example::net_ft(sensor)}, limits);
+  if (!port.open().empty()) _exit(no_start);
+  ph::control_loop loop(
+      ph::control_loop_parameters{.period = 1e-3, .most_overruns = 1'000'000, .longest_sleep = 10});
+  int k = 0;
+  long before = 0;
+  bool braked = false, has_filter = true;
+  loop.run(
+      [&](const ph::loop_cycle& now) {
+        if (k == filtered_from) {
+          has_filter = system_calls::allow_only(
+              std::array<unsigned, 3>{SYS_clock_nanosleep, SYS_clock_gettime, SYS_exit_group});
+          before = allocations;
+          Eigen::internal::set_is_malloc_allowed(false);
+        }
+        port.read(now.time);
+        port.activate();
+        port.write({0.1, 0.2});
+        if (k == cycles / 4) port.release();  // and it may go on
+        port.rearm();
+        braked = braked || (k > cycles / 2 && port.applied() != ph::brake_currents<2>{});
+        return has_filter && ++k < cycles;
+      },
+      [] { return false; }, [&](ph::fault why) { port.release({why}); });
+  syscall(SYS_exit_group, !has_filter             ? no_filter
+                          : allocations != before ? allocated
+                          : braked                ? well
+                                                  : never_braked);
+  __builtin_unreachable();
+}
+
+template <class Drive>
+int ending_of(Drive&& drives) {
   const pid_t driver = fork();
-  if (driver == 0) drive(one_call_more);
+  if (driver == 0) drives();
   int status = 0;
   waitpid(driver, &status, 0);
   return status;
+}
+int ending_of_drive(bool one_call_more) {
+  return ending_of([&] { drive(one_call_more); });
 }
 
 }  // namespace
 
 TEST(a_cycle_of_the_driver, makes_no_system_call_but_to_sleep_and_allocates_nothing) {
-  const int status = status_of_drive(false);
+  const int status = ending_of_drive(false);
   if (WIFEXITED(status) && WEXITSTATUS(status) == no_filter)
     GTEST_SKIP() << "the kernel has no seccomp filters";
   ASSERT_TRUE(WIFEXITED(status)) << "died of signal " << WTERMSIG(status);
@@ -138,9 +233,30 @@ TEST(a_cycle_of_the_driver, makes_no_system_call_but_to_sleep_and_allocates_noth
 }
 
 TEST(a_cycle_of_the_driver, that_makes_one_more_system_call_is_found_out) {
-  const int status = status_of_drive(true);
+  const int status = ending_of_drive(true);
   if (WIFEXITED(status) && WEXITSTATUS(status) == no_filter)
     GTEST_SKIP() << "the kernel has no seccomp filters";
   ASSERT_TRUE(WIFSIGNALED(status)) << "ended with " << WEXITSTATUS(status);
   EXPECT_EQ(WTERMSIG(status), SIGSYS);
+}
+
+TEST(a_cycle_of_the_driver, at_a_serial_line_and_a_network_makes_no_system_call_but_to_sleep) {
+  if (const std::string missing = missing_pseudo_terminal(); !missing.empty()) GTEST_SKIP() << missing;
+  const int status =
+      ending_of(drive_devices<ph::threaded_port<serial_port>, ph::threaded_sensor<example::net_ft>>);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == no_filter)
+    GTEST_SKIP() << "the kernel has no seccomp filters";
+  ASSERT_TRUE(WIFEXITED(status)) << "died of signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), well);
+}
+
+TEST(a_cycle_of_the_driver, that_calls_such_a_port_itself_is_found_out) {
+  if (const std::string missing = missing_pseudo_terminal(); !missing.empty()) GTEST_SKIP() << missing;
+  const int line = ending_of(drive_devices<serial_port, ph::threaded_sensor<example::net_ft>>);
+  if (WIFEXITED(line) && WEXITSTATUS(line) == no_filter) GTEST_SKIP() << "the kernel has no seccomp filters";
+  const int network = ending_of(drive_devices<ph::threaded_port<serial_port>, example::net_ft>);
+  for (const int status : {line, network}) {
+    ASSERT_TRUE(WIFSIGNALED(status)) << "ended with " << WEXITSTATUS(status);
+    EXPECT_EQ(WTERMSIG(status), SIGSYS);
+  }
 }
