@@ -2,16 +2,13 @@
 /// A board that is no board: brakes and encoders simulated, the serial line a pseudo-terminal.
 #pragma once
 
-#include <serial/serial_protocol.hpp>
+#include <firmware/simulated_axes.hpp>
 
 #include <fcntl.h>
 #include <stdlib.h>
 #include <termios.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -65,39 +62,16 @@ class pseudo_terminal {
   std::string path_;
 };
 
-/// Brakes that take their current at once, and encoders on axes that a hand turns to and fro, the slower the
-/// more its brake resists; then it rests for a while, so that a host finds the home pose.
-class host_board {
+/// Simulated axes behind a pseudo-terminal.
+class host_board : public simulated_axes {
  public:
-  static constexpr double hand_rate = 20'000;    ///< Of an encoder without brake [counts/s].
-  static constexpr double hand_frequency = 0.5;  ///< To and fro [Hz].
-  static constexpr double moves = 4, rests = 2;  ///< So long, in turn [s].
-  static constexpr double holding = 5000;        ///< Current that stops the hand [serial::current_unit].
-
   /// Sends through this line, which must live as long.
   explicit host_board(pseudo_terminal& line) : line_(line) {}
 
-  void set_current(std::size_t i, std::uint16_t current) { current_[i] = current; }
-  std::int32_t read_encoder(std::size_t i) {
-    return static_cast<std::int32_t>(static_cast<std::int64_t>(std::floor(position_[i])));
-  }
   std::uint8_t encoder_faults() { return encoder_faults_; }
   std::uint8_t brake_faults() { return brake_faults_; }
   void send(std::span<const std::uint8_t> bytes) { line_.write(bytes); }
 
-  /// dt [s] pass.
-  void advance(double dt) {
-    time_ += dt;
-    if (std::fmod(time_, moves + rests) > moves) return;
-    for (std::size_t i = 0; i < position_.size(); ++i) {
-      const double free = std::max(0.0, 1 - current_[i] / holding);
-      position_[i] +=
-          dt * free * hand_rate * std::cos(6.283185307 * hand_frequency * time_ + static_cast<double>(i));
-    }
-  }
-
-  /// Of brake i [serial::current_unit].
-  std::uint16_t current(std::size_t i) const { return current_[i]; }
   /// From now on it reports these.
   void set_faults(std::uint8_t encoders, std::uint8_t brakes) {
     encoder_faults_ = encoders;
@@ -106,9 +80,6 @@ class host_board {
 
  private:
   pseudo_terminal& line_;
-  double time_ = 0;                                                // [s]
-  std::array<double, example::serial::most_channels> position_{};  // [counts]
-  std::array<std::uint16_t, example::serial::most_channels> current_{};
   std::uint8_t encoder_faults_ = 0, brake_faults_ = 0;
 };
 

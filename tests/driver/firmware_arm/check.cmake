@@ -1,15 +1,11 @@
-# The firmware compiles and links for a Cortex-M4 without operating system, exceptions or run-time types, calls for no heap,
-# and is small.
+# The firmware compiles and links for an STM32F4, calls for no heap, and is small.
 # Needs: compiler, size, nm, firmware (its folder), directory.
 set(most_flash 4096)  # [bytes]; of 1 MiB
 set(most_ram 2048)    # [bytes] without the stack; of 128 KiB
 file(MAKE_DIRECTORY ${directory})
+set(board stm32f4)
 set(elf ${directory}/brake_firmware.elf)
-execute_process(COMMAND ${compiler} -std=c++20 -mcpu=cortex-m4 -mthumb -ffreestanding -fno-exceptions -fno-rtti -Os
-  -ffunction-sections -Wall -Wextra -Wconversion -Wshadow -Werror -I ${firmware}/..
-  ${firmware}/main_cortex_m.cpp ${firmware}/startup_cortex_m.cpp
-  -nostartfiles --specs=nano.specs -Wl,--gc-sections -T ${firmware}/cortex_m.ld -o ${elf}
-  COMMAND_ERROR_IS_FATAL ANY)
+include(${CMAKE_CURRENT_LIST_DIR}/build.cmake)
 
 execute_process(COMMAND ${nm} ${elf} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
 if(symbols MATCHES " (malloc|_sbrk|_Znwj|__cxa_throw|abort)\n")

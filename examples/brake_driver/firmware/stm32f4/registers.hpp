@@ -1,13 +1,12 @@
 /// @file
-/// The registers that main_cortex_m.cpp uses, of an STM32F405/407 (reference manual RM0090) and its Cortex-M4
-/// core. For another microcontroller replace this file and the set-up.
+/// The registers that board.cpp uses, of an STM32F405/407 (reference manual RM0090).
 #pragma once
 
-#include <cstdint>
+#include <firmware/cortex_m.hpp>
 
 namespace registers {
 
-using reg = volatile std::uint32_t;
+using cortex_m::at, cortex_m::reg;
 
 struct rcc_block {
   reg cr, pllcfgr, cfgr, cir, ahb1rstr, ahb2rstr, ahb3rstr, reserved_1, apb1rstr, apb2rstr, reserved_2[2];
@@ -28,19 +27,8 @@ struct usart_block {
 struct watchdog_block {
   reg kr, pr, rlr, sr;
 };
-struct systick_block {
-  reg ctrl, load, val;
-};
-struct nvic_block {
-  reg iser[8];
-};
 
 static_assert(sizeof(rcc_block) == 0x48 && sizeof(gpio_block) == 0x28 && sizeof(timer_block) == 0x44);
-
-template <class Block>
-Block& at(std::uintptr_t address) {
-  return *reinterpret_cast<Block*>(address);
-}
 
 inline rcc_block& rcc() { return at<rcc_block>(0x4002'3800); }
 inline flash_block& flash() { return at<flash_block>(0x4002'3C00); }
@@ -52,9 +40,5 @@ inline timer_block& timer_3() { return at<timer_block>(0x4000'0400); }
 inline timer_block& timer_5() { return at<timer_block>(0x4000'0C00); }
 inline usart_block& usart_2() { return at<usart_block>(0x4000'4400); }
 inline watchdog_block& watchdog() { return at<watchdog_block>(0x4000'3000); }
-inline systick_block& systick() { return at<systick_block>(0xE000'E010); }
-inline nvic_block& nvic() { return at<nvic_block>(0xE000'E100); }
-
-inline constexpr int usart_2_interrupt = 38;  // its number in the NVIC
 
 }  // namespace registers

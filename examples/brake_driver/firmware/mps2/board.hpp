@@ -1,0 +1,41 @@
+// An Arm MPS2 with the image AN386, as QEMU has it (-M mps2-an386): the line and the core are real, encoders
+// and brakes are simulated, as the board has neither. It says on a second line what the brakes have: a frame
+// of `currents` whenever they are set, whose sequence is the time [ms].
+//
+//   UART 0   serial line
+//   UART 1   currents of the brakes
+#pragma once
+
+#include <firmware/brake_controller.hpp>
+#include <firmware/cortex_m.hpp>
+#include <firmware/simulated_axes.hpp>
+
+// Host and board are processes here, and either may be kept waiting
+inline constexpr firmware::settings settings{.watchdog = 2000};
+
+// A firmware::Board.
+class cortex_m_board {
+ public:
+  cortex_m_board() = default;
+  void start();  // the lines, the milliseconds, the watchdog
+
+  void set_current(std::size_t brake, std::uint16_t current);
+  std::int32_t read_encoder(std::size_t encoder);
+  std::uint8_t brake_faults() { return 0; }
+  std::uint8_t encoder_faults() { return 0; }
+  void send(std::span<const std::uint8_t> bytes);
+
+  bool receive(std::uint8_t& b);
+  bool idle() const;  // nothing was received
+  void feed_watchdog();
+
+ private:
+  firmware::simulated_axes axes_;
+  std::uint32_t moved_ = 0;  // when [ms]
+};
+
+extern "C" void line_received_handler();
+extern "C" void line_sent_handler();
+extern "C" void report_sent_handler();
+inline constexpr std::array<cortex_m::interrupt, 3> interrupts{
+    {{0, line_received_handler}, {1, line_sent_handler}, {3, report_sent_handler}}};

@@ -1,0 +1,47 @@
+/// @file
+/// Encoders and brakes of a board that has none.
+#pragma once
+
+#include <serial/serial_protocol.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace firmware {
+
+/// Brakes that take their current at once, and encoders on axes that a hand turns to and fro, the slower the
+/// more its brake resists; then it rests for a while, so that a host finds the home pose.
+class simulated_axes {
+ public:
+  static constexpr double hand_rate = 20'000;    ///< Of an encoder without brake [counts/s].
+  static constexpr double hand_frequency = 0.5;  ///< To and fro [Hz].
+  static constexpr double moves = 4, rests = 2;  ///< So long, in turn [s].
+  static constexpr double holding = 5000;        ///< Current that stops the hand [serial::current_unit].
+
+  void set_current(std::size_t i, std::uint16_t current) { current_[i] = current; }
+  /// Of brake i [serial::current_unit].
+  std::uint16_t current(std::size_t i) const { return current_[i]; }
+  std::int32_t read_encoder(std::size_t i) const {
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(std::floor(position_[i])));
+  }
+
+  /// dt [s] pass.
+  void advance(double dt) {
+    time_ += dt;
+    if (std::fmod(time_, moves + rests) > moves) return;
+    for (std::size_t i = 0; i < position_.size(); ++i) {
+      const double free = std::max(0.0, 1 - current_[i] / holding);
+      position_[i] +=
+          dt * free * hand_rate * std::cos(6.283185307 * hand_frequency * time_ + static_cast<double>(i));
+    }
+  }
+
+ private:
+  double time_ = 0;                                                // [s]
+  std::array<double, example::serial::most_channels> position_{};  // [counts]
+  std::array<std::uint16_t, example::serial::most_channels> current_{};
+};
+
+}  // namespace firmware
