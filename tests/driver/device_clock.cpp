@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <serial/device_clock.hpp>
 
+#include <random>
+
 namespace {
 
 TEST(device_clock, a_sample_that_waited_is_seen_to_be_old) {
@@ -17,7 +19,21 @@ TEST(device_clock, no_sample_comes_from_the_future) {
     const double now = 7 + 1e-3 * k;
     // A device whose clock is 0.09 % fast, and jitter
     const auto device = static_cast<std::uint32_t>(1e6 * 1.0009e-3 * k - (k % 7) * 10);
-    ASSERT_LE(clock.to_host(device, now), now + 1e-9);
+    ASSERT_LE(clock.to_host(device, now), now);
+  }
+  // Nor where both clocks are large and the sum of offset and elapsed time is rounded up
+  std::mt19937_64 random(20040627);
+  std::uniform_real_distribution<double> pause(0, 3e-3), uptime(0, 1e7);
+  for (int run = 0; run < 100; ++run) {
+    example::device_clock late;
+    double now = uptime(random);
+    auto device = static_cast<std::uint32_t>(random());
+    for (int k = 0; k < 1000; ++k) {
+      const double step = pause(random);
+      now += step;
+      device += static_cast<std::uint32_t>(1e6 * step);
+      ASSERT_LE(late.to_host(device, now), now) << "run " << run << ", sample " << k;
+    }
   }
 }
 

@@ -26,7 +26,7 @@ class device_clock {
     elapsed_ += step;
     offset_ = started_ ? std::min(offset_ + drift * step, now - elapsed_) : now;
     started_ = true;
-    return offset_ + elapsed_;
+    return std::min(offset_ + elapsed_, now);  // which rounding may pass
   }
 
  private:
