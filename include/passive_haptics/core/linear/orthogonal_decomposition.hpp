@@ -71,6 +71,12 @@ class orthogonal_decomposition {
     return x;
   }
 
+  /// b less its part in the column space of A: A^T times it is 0.
+  vector<T, Rows> without_column_space(vector<T, Rows> b) const {
+    orthogonalise(b, u_, rank_);
+    return b;
+  }
+
   /// I - U U^T, the orthogonal projection on the b with A^T b = 0.
   matrix<T, Rows, Rows> left_null_projection() const {
     matrix<T, Rows, Rows> P = matrix<T, Rows, Rows>::Identity();
@@ -84,6 +90,7 @@ class orthogonal_decomposition {
   void find_row_space(const matrix<T, Rows, N>& A, T tolerance) {
     matrix<T, N, Rows> rest = transposed(A);
     const T longest = rest.colwise().norm().maxCoeff();
+    if (longest == T(0)) return;
     for (rank_ = 0; rank_ < most; ++rank_) {
       int pivot = -1;
       T length = tolerance * longest;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace passive_haptics {
 
@@ -20,10 +20,11 @@ namespace passive_haptics {
 ///
 /// Each level is a convex quadratic problem in what the levels before leave free; a primal active set over
 /// the bounds solves it: step to the minimum on the free variables, stop at the first bound, release a bound
-/// that holds the minimum back. Orthogonal decompositions only, no normal equations. x is within its bounds
-/// exactly at any time. Bounds may be infinite; variables with lower = upper are fixed. No allocation. Cost:
-/// for each change of the active set a decomposition of the earlier rows and one of the level's. Reference:
-/// Escande, Mansard, Wieber, Hierarchical quadratic programming, IJRR 33 (7), 2014.
+/// that holds the minimum back. Where several bounds meet it is the one of least index, which never cycles
+/// (Chang, Cottle, Math. Programming 18, 1980). Orthogonal decompositions only, no normal equations. x is
+/// within its bounds exactly at any time. Bounds may be infinite; variables with lower = upper are fixed. No
+/// allocation. Cost: for each change of the active set a decomposition of the earlier rows and one of the
+/// level's. Reference: Escande, Mansard, Wieber, Hierarchical quadratic programming, IJRR 33 (7), 2014.
 template <class T, int N, int MaxRows>
 class prioritised_least_squares {
  public:
@@ -47,13 +48,23 @@ class prioritised_least_squares {
   /// have MaxRows rows that are not 0. False if rounding kept the active set from settling; x is then
   /// feasible all the same.
   bool minimise(const rows& A, const targets& b) {
-    std::array<bool, static_cast<std::size_t>(N)> refused{};
+    flags refused{};     // bounds that rounding had released
+    int released = -1;   // the last that was; -1: none
+    bool stuck = false;  // the last step met a bound at once: several meet here
     bool settled = false;
     for (int change = 0; change < 10 * (N + 1) && !settled; ++change) {
-      const decomposition held(on_free(done_), tolerance());
-      const T made = advance(constrained_step(A, b, held));
-      if (made == T(1)) settled = !release_worst(A, b, held, refused);
-      else if (made > T(0)) refused.fill(false);
+      const decomposition held(on_free(done_), tolerance()), free = reduced(A, held);
+      const auto [share, blocking] = advance(held.without_row_space(free.solve(residual(A, b))));
+      if (released >= 0 && blocking == released && share == T(0))
+        refused[idx(std::exchange(released, -1))] = true;
+      else if (released >= 0) refused.fill(false);
+      if (blocking >= 0) {
+        stuck = share == T(0);
+        continue;
+      }
+      released = to_release(A, clean_residual(A, b, free), held, refused, stuck);
+      settled = released < 0;
+      if (!settled) at_[idx(released)] = bound::none;
     }
     for (int i = 0; i < MaxRows && done_rows_ < MaxRows; ++i) {
       if (!(A.row(i).array() == T(0)).all()) done_.row(done_rows_++) = A.row(i);
@@ -67,13 +78,19 @@ class prioritised_least_squares {
  private:
   enum class bound { none, lower, upper, fixed };
   using decomposition = orthogonal_decomposition<T, MaxRows, N>;
+  using flags = std::array<bool, static_cast<std::size_t>(N)>;
 
   static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
-  // Relative size under which a row or a multiplier is rounding.
+  // Relative size under which a row or a multiplier is rounding: the first level is what it was given, in
+  // those behind it stands rounding of what the others hold.
   static constexpr T tolerance() { return T(16) * rounding_tolerance<T>(N + MaxRows); }
+  static constexpr T sharp = rounding_tolerance<T>(N);
+  T rank_tolerance() const { return done_rows_ == 0 ? sharp : tolerance(); }
 
   // b - A x
   targets residual(const rows& A, const targets& b) const { return b - A * x_; }
+
+  static T longest_row(const rows& A) { return A.rowwise().norm().maxCoeff(); }
 
   rows on_free(const rows& A) const {
     rows picked = A;
@@ -83,19 +100,29 @@ class prioritised_least_squares {
     return picked;
   }
 
-  // The shortest step of the free variables to the least |A x - b| that changes nothing of the earlier rows.
-  vector<T, N> constrained_step(const rows& A, const targets& b, const decomposition& held) const {
-    const rows Af = on_free(A);
-    rows reduced;
-    for (int i = 0; i < MaxRows; ++i) reduced.row(i) = held.without_row_space(Af.row(i)).transpose();
-    // A level that sees only rounding of itself in what is left free has nothing to say.
-    if (!(reduced.norm() > tolerance() * Af.norm())) return vector<T, N>::Zero();
-    const vector<T, N> step = decomposition(reduced, tolerance()).solve(residual(A, b));
-    return held.without_row_space(step);
+  // b - A x without what the free variables can make: that is rounding of A x, of which a flat A would make
+  // pulls. 0 where no more than rounding is left.
+  targets clean_residual(const rows& A, const targets& b, const decomposition& free) const {
+    targets r = residual(A, b);
+    const T size = b.norm() + (A.cwiseAbs() * x_.cwiseAbs()).norm();
+    r = free.without_column_space(r);
+    return r.norm() > sharp * size ? r : targets(targets::Zero());
   }
 
-  // Goes along the step up to the first bound; the share of the step that was made, 1 if no bound was met.
-  T advance(const vector<T, N>& step) {
+  // A on the free variables, less what the earlier rows hold: tells the shortest step to the least |A x - b|
+  // that changes nothing of them.
+  decomposition reduced(const rows& A, const decomposition& held) const {
+    const rows Af = on_free(A);
+    rows rest;
+    for (int i = 0; i < MaxRows; ++i) rest.row(i) = held.without_row_space(Af.row(i)).transpose();
+    // A level that sees only rounding of itself in what is left free has nothing to say.
+    if (!(rest.norm() > tolerance() * Af.norm())) rest.setZero();
+    return decomposition(rest, rank_tolerance());
+  }
+
+  // Goes along the step up to the first bound: the share of the step that was made, and the variable that met
+  // its bound; -1 if none did.
+  std::pair<T, int> advance(const vector<T, N>& step) {
     T share = T(1);
     int blocking = -1;
     for (int i = 0; i < N; ++i) {
@@ -108,46 +135,41 @@ class prioritised_least_squares {
     for (int i = 0; i < N; ++i) {
       if (at_[idx(i)] == bound::none) x_[i] = std::clamp(x_[i] + share * step[i], lower_[i], upper_[i]);
     }
-    if (blocking < 0) return T(1);
-    const bool up = step[blocking] > T(0);
-    at_[idx(blocking)] = up ? bound::upper : bound::lower;
-    x_[blocking] = up ? upper_[blocking] : lower_[blocking];
-    return std::min(share, T(1) - std::numeric_limits<T>::epsilon());
+    if (blocking >= 0) {
+      const bool up = step[blocking] > T(0);
+      at_[idx(blocking)] = up ? bound::upper : bound::lower;
+      x_[blocking] = up ? upper_[blocking] : lower_[blocking];
+    }
+    return {share, blocking};
   }
 
-  // Releases the bound whose multiplier has the wrong sign by most. If there is none, fixes the bounds that
-  // hold this level back, since no later level may release them, and returns false.
-  bool release_worst(const rows& A, const targets& b, const decomposition& held,
-                     std::array<bool, static_cast<std::size_t>(N)>& refused) {
-    const targets r = residual(A, b);
+  // The bound whose multiplier has the wrong sign by most, or the first of them. If there is none, -1, and
+  // the bounds that hold this level back are fixed, since no later level may release them.
+  int to_release(const rows& A, const targets& r, const decomposition& held, const flags& refused,
+                 bool first) {
     vector<T, N> pull = A.transpose() * r;  // - gradient of |A x - b|^2 / 2
     vector<T, N> on_free_pull = pull;
     for (int i = 0; i < N; ++i) {
       if (at_[idx(i)] != bound::none) on_free_pull[i] = T(0);
     }
     // What the earlier rows take up of it
-    pull -= done_.transpose() * held.solve_transposed(on_free_pull);
-
-    const T size = b.norm() + r.norm();  // at least |A x|
-    const auto noise = [&](int i) { return tolerance() * A.col(i).norm() * size; };
+    const targets taken = held.solve_transposed(on_free_pull);
+    pull -= done_.transpose() * taken;
+    // A column that the decompositions call dependent has no pull
+    const T noise = rank_tolerance() * (longest_row(A) * r.norm() + longest_row(done_) * taken.norm());
     int worst = -1;
-    T most = T(0);
-    for (int i = 0; i < N; ++i) {
+    T most = noise;
+    for (int i = 0; i < N && !(first && worst >= 0); ++i) {
       const bound at = at_[idx(i)];
       const T inward = at == bound::lower ? pull[i] : (at == bound::upper ? -pull[i] : T(0));
-      if (inward > noise(i) && inward > most && !refused[idx(i)]) {
-        most = inward;
-        worst = i;
-      }
+      if (!(inward > most) || refused[idx(i)]) continue;
+      most = inward;
+      worst = i;
     }
-    if (worst >= 0) {
-      at_[idx(worst)] = bound::none;
-      return refused[idx(worst)] = true;
+    for (int i = 0; i < N && worst < 0; ++i) {
+      if (at_[idx(i)] != bound::none && std::abs(pull[i]) > noise) at_[idx(i)] = bound::fixed;
     }
-    for (int i = 0; i < N; ++i) {
-      if (at_[idx(i)] != bound::none && std::abs(pull[i]) > noise(i)) at_[idx(i)] = bound::fixed;
-    }
-    return false;
+    return worst;
   }
 
   vector<T, N> lower_, upper_, x_;

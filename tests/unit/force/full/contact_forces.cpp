@@ -180,6 +180,18 @@ TEST(contact_forces, are_the_best_in_the_order_of_priority_in_space) {
   record(sum);
 }
 
+// Vertices with more bounds than variables, walls that oppose each other, brakes that hardly act on them:
+// what releases a bound must tell a multiplier from rounding and may not give up.
+TEST(contact_forces, are_the_best_where_several_bounds_meet) {
+  tally sum;
+  compare<long double, 2, 3>(600, 1000, 1e-15, sum);
+  compare<long double, 2, 4>(900, 1001, 1e-15, sum);
+  compare<long double, 2, 4>(2500, 1009, 1e-15, sum);
+  compare<long double, 3, 4>(800, 1015, 1e-15, sum);
+  compare<long double, 3, 4>(1000, 1023, 1e-15, sum);
+  record(sum);
+}
+
 TEST(contact_forces, are_the_best_in_50_digits) {
   tally sum;
   using real =
