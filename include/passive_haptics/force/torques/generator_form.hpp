@@ -5,7 +5,7 @@
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 
-#include <limits>
+#include <algorithm>
 
 namespace passive_haptics {
 
@@ -15,13 +15,12 @@ template <class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Brakes>& G,
                                                            const vector<T, Brakes>& s, const vector<T, D>& n,
                                                            T min_cosine) {
-  const vector<T, Brakes> unlimited = vector<T, Brakes>::Constant(std::numeric_limits<T>::infinity());
-  const auto nearest = nearest_torque(G, torques_within(s, unlimited), n);
-  const T cosine = nearest.force.norm(), square = cosine * cosine;
-  if (!(cosine > rounding_tolerance<T>(D) && cosine >= min_cosine)) return {};
-  // What is left of n, against the size of the terms that were added up
-  const T rounding =
-      rounding_tolerance<T>(D + Brakes) * (T(1) + (G.cwiseAbs() * nearest.torque.cwiseAbs()).norm());
+  const auto nearest = nearest_torque(G, s, n);
+  const T square = nearest.force.squaredNorm(), least = std::max(min_cosine, rounding_tolerance<T>(D));
+  if (!(square >= least * least)) return {};
+  // What is left of n, against the size of the terms that were added up where F is their sum
+  T rounding = rounding_tolerance<T>(D + Brakes);
+  if constexpr (D > 3) rounding *= T(1) + (G.cwiseAbs() * nearest.torque.cwiseAbs()).norm();
   if ((n - nearest.force).norm() <= rounding) return {display_class::exact, n, nearest.torque, T(1)};
   return {display_class::approximate, nearest.force / square, nearest.torque / square, square};
 }

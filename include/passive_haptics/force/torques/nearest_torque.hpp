@@ -2,8 +2,10 @@
 /// Brake torques whose force comes nearest to a desired one: the generator form.
 #pragma once
 
+#include <passive_haptics/core/generators/generated_cone.hpp>
 #include <passive_haptics/core/linear/prioritised_least_squares.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace passive_haptics {
@@ -28,15 +30,14 @@ template <class T, int D, int Brakes>
 struct nearest_torque_result {
   vector<T, Brakes>
       torque;          ///< t [N m], in the box exactly; of the least norm among those that make the force.
-  vector<T, D> force;  ///< Fp = G t [N].
+  vector<T, D> force;  ///< Fp = G t [N], to rounding of its terms.
 };
 
-/// The force F = G t nearest to Fd over torques t in the box, by the torques of least norm: they are unique,
-/// so that neighbouring states get neighbouring torques. G (d x m) from force_generators. With infinite
-/// limits F is the projection of Fd on the cone of displayable forces (generator form); with finite ones it
-/// is the nearest force within the torque limits. Cost: core/linear/prioritised_least_squares.hpp.
+namespace detail {
+
+// In a box: as near as possible first, then the least norm
 template <class T, int D, int Brakes>
-nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G,
+nearest_torque_result<T, D, Brakes> nearest_in_box(const matrix<T, D, Brakes>& G,
                                                    const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {
   using solver = prioritised_least_squares<T, Brakes, (D > Brakes ? D : Brakes)>;
   solver t(box.lower, box.upper);
@@ -47,6 +48,81 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
   t.minimise(A, b);
   if constexpr (Brakes > D) t.minimise(solver::rows::Identity(), solver::targets::Zero());
   return {t.solution(), G * t.solution()};
+}
+
+// A brake that may have any torque generates both ways
+template <class T, int D, int Brakes>
+[[gnu::noinline]] nearest_torque_result<T, D, Brakes> nearest_both_ways(const matrix<T, D, Brakes>& V,
+                                                                        const vector<T, Brakes>& s,
+                                                                        const vector<T, D>& Fd) {
+  matrix<T, D, 2 * Brakes> both;
+  for (int i = 0; i < Brakes; ++i) {
+    both.col(i) = V.col(i);
+    both.col(Brakes + i) = T(s[i] == T(0) ? -1 : 0) * V.col(i);
+  }
+  const auto nearest = project_onto_generators(both, Fd);
+  const vector<T, 2 * Brakes>& x = nearest.coefficients;
+  return {x.template head<Brakes>() - x.template tail<Brakes>(), nearest.point};
+}
+
+// V = G diag(-s), so that t = diag(-s) x with x >= 0; in units in which the squares of V are numbers
+template <class T, int D, int Brakes>
+nearest_torque_result<T, D, Brakes> nearest_of_generators(const matrix<T, D, Brakes>& G,
+                                                          const vector<T, Brakes>& s,
+                                                          const vector<T, D>& Fd) {
+  constexpr T most = sizeof(T) > sizeof(float) ? T(1e60) : T(1e15);
+  vector<T, Brakes> sign;
+  unrolled<Brakes>([&](auto i) { sign[i] = std::copysign(T(1), -s[i]); });
+  matrix<T, D, Brakes> V = G * sign.asDiagonal();
+  if (const T square = V.squaredNorm(); !(square < most && square > T(1) / most)) {
+    const T largest = V.cwiseAbs().maxCoeff();
+    if (!all_finite(V) || largest == T(0)) return {vector<T, Brakes>::Zero(), vector<T, D>::Zero()};
+    V /= largest;
+    sign /= largest;
+  }
+  const auto [x, force] = [&]() -> nearest_torque_result<T, D, Brakes> {
+    if (s.prod() == T(0)) return nearest_both_ways(V, s, Fd);
+    const auto nearest = project_onto_generators(V, Fd);
+    return {nearest.coefficients, nearest.point};
+  }();
+  return {sign.cwiseProduct(x), force};
+}
+
+}  // namespace detail
+
+/// The force F = G t nearest to Fd that brakes of signs s (-1, 0 or 1; 0 may have any torque) can make
+/// without limits, s_i t_i <= 0, by the torques of least norm: they are unique, so that neighbouring states
+/// get neighbouring torques. G (d x m) from force_generators, Fd of moderate norm. F is the projection of Fd
+/// on the cone of displayable forces (generator form); 0 where G is not finite. Cost:
+/// core/generators/generated_cone.hpp for d <= 3, else core/linear/prioritised_least_squares.hpp.
+template <class T, int D, int Brakes>
+nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G, const vector<T, Brakes>& s,
+                                                   const vector<T, D>& Fd) {
+  if constexpr (D <= 3) return detail::nearest_of_generators(G, s, Fd);
+  else {
+    const vector<T, Brakes> unlimited = vector<T, Brakes>::Constant(std::numeric_limits<T>::infinity());
+    return detail::nearest_in_box(G, torques_within(s, unlimited), Fd);
+  }
+}
+
+/// The same over torques t in a box. Where its bounds are 0 and infinite that is the cone above. Cost:
+/// core/linear/prioritised_least_squares.hpp, two levels.
+template <class T, int D, int Brakes>
+nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G,
+                                                   const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {
+  if constexpr (D <= 3) {
+    const auto is_open = [](T bound) { return bound == T(0) || std::isinf(bound); };
+    if (box.lower.unaryExpr(is_open).all() && box.upper.unaryExpr(is_open).all()) {
+      vector<T, Brakes> s;
+      matrix<T, D, Brakes> usable = G;
+      for (int i = 0; i < Brakes; ++i) {
+        s[i] = T(box.lower[i] < T(0)) - T(box.upper[i] > T(0));
+        if (box.lower[i] == box.upper[i]) usable.col(i).setZero();
+      }
+      return detail::nearest_of_generators(usable, s, Fd);
+    }
+  }
+  return detail::nearest_in_box(G, box, Fd);
 }
 
 }  // namespace passive_haptics

@@ -1,0 +1,121 @@
+/// @file
+/// Shortest solutions of linear equations on a set of their columns.
+#pragma once
+
+#include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/core/linear/packets.hpp>
+#include <passive_haptics/core/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace passive_haptics::detail {
+
+/// V_S = L Q by rows for a set S of the columns of V (D x M); R = L^-1 V of all columns and z = L^-1 f. Then
+/// u = R^T z is the shortest solution of V_S x = f on S, and V^T l with its multipliers l elsewhere.
+///
+/// By Gram-Schmidt with pivoted rows, reorthogonalised where digits were lost: no Gram matrix, so u is as
+/// sharp as the equations are. A row of which rounding is left is dropped. Cost: 4 M D^2 flops.
+template <class T, int D, int M>
+class column_subset {
+ public:
+  using row = packets<T, M>;            ///< A number for each column of V.
+  using packet = typename row::packet;  ///< Some of them.
+
+  /// Of V by rows and f. in_set: 1 for the columns in S, else 0.
+  [[gnu::always_inline]] column_subset(const row (&V)[D], const vector<T, D>& f, const row& in_set) {
+    unrolled<D>([&](auto k) {
+      r_[k] = V[k];
+      z_[k] = f[k];
+      equation_[k] = k;
+      before_[k] = rest_[k] = product(in_set, r_[k], r_[k]);
+      total_ += rest_[k];
+    });
+    unrolled<D>([&](auto k) { take(k, in_set); });
+  }
+
+  /// False if f has a part, beyond rounding, that V_S cannot make.
+  bool reaches(T tolerance) const { return unreached_ <= tolerance; }
+
+  /// u, and the size of the terms that it is made of.
+  [[gnu::always_inline]] std::pair<row, row> solution() const {
+    row u{}, size{};
+    unrolled<D>([&](auto k) {
+      const T c = z_[k] * inverse_[k], magnitude = std::abs(c);
+      unrolled<row::count>([&](auto i) {
+        const packet r = r_[k].p[i];
+        u.p[i] += c * r;
+        size.p[i] += magnitude * (r < packet{} ? -r : r);
+      });
+    });
+    return {u, size};
+  }
+
+  /// The shortest solution of V_S x = g for another g; of columns outside of S what does not matter.
+  [[gnu::always_inline]] row solution_of(const vector<T, D>& g) const {
+    row u{};
+    T z[D];
+    unrolled<D>([&](auto k) {
+      z[k] = g[equation_[k]];
+      for (int l = 0; l < k; ++l) z[k] -= lower_[k][l] * z[l];
+      const T c = z[k] * inverse_[k];
+      unrolled<row::count>([&](auto i) { u.p[i] += c * r_[k].p[i]; });
+    });
+    return u;
+  }
+
+ private:
+  static constexpr T cancelled = T(0.01), much_shorter = T(0.01);
+  static constexpr T dependent = rounding_tolerance<T>(D) * rounding_tolerance<T>(D);
+
+  [[gnu::always_inline]] static T product(const row& weight, const row& a, const row& b) {
+    row c;
+    unrolled<row::count>([&](auto i) { c.p[i] = weight.p[i] * a.p[i]; });
+    return c.dot(b);
+  }
+
+  // Row l less its part along row k
+  [[gnu::always_inline]] void project(int l, int k, const row& in_set) {
+    const T h = product(in_set, r_[k], r_[l]) * inverse_[k];
+    r_[l].subtract(h, r_[k]);
+    z_[l] -= h * z_[k];
+    lower_[l][k] += h;
+  }
+
+  // Row k is the next of Q: those below lose their part along it
+  [[gnu::always_inline]] void take(int k, const row& in_set) {
+    int longest = k;
+    for (int l = k + 1; l < D; ++l) longest = rest_[l] > rest_[longest] ? l : longest;
+    if (rest_[k] < much_shorter * rest_[longest]) swap_rows(k, longest);
+    for (int pass = 0; pass < 2 && rest_[k] < cancelled * before_[k]; ++pass) {  // twice is enough (Kahan)
+      for (int l = 0; l < k; ++l) project(k, l, in_set);
+      before_[k] = rest_[k];
+      rest_[k] = product(in_set, r_[k], r_[k]);
+    }
+    const bool counts = rest_[k] > dependent * total_;
+    if (!counts) unreached_ = std::max(unreached_, std::abs(z_[k]));
+    inverse_[k] = counts ? T(1) / rest_[k] : T(0);
+    for (int l = k + 1; l < D; ++l) {
+      project(l, k, in_set);
+      rest_[l] = product(in_set, r_[l], r_[l]);
+    }
+  }
+
+  [[gnu::noinline]] void swap_rows(int k, int l) {
+    std::swap(r_[k], r_[l]);
+    std::swap(z_[k], z_[l]);
+    std::swap(rest_[k], rest_[l]);
+    std::swap(before_[k], before_[l]);
+    std::swap(equation_[k], equation_[l]);
+    std::swap(lower_[k], lower_[l]);
+  }
+
+  row r_[D];
+  T z_[D], rest_[D], before_[D], inverse_[D];  // rest: |r_k|^2 on S; before: when its digits were still whole
+  T lower_[D][D] = {};                         // L below its diagonal of ones
+  int equation_[D];                            // that row k came from
+  T total_ = T(0), unreached_ = T(0);          // |V_S|^2; the largest z of a row that was dropped
+};
+
+}  // namespace passive_haptics::detail

@@ -1,0 +1,90 @@
+// Redundant brakes at the corners: poses a nanoradian apart, brakes that are alike, at rest, dead or
+// infinite.
+#include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/brake/signs.hpp>
+#include <passive_haptics/force/torques/generator_form.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+using device = ph::five_bar<double, 4>;
+constexpr double inf = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+TEST(least_torque, does_not_jump_between_poses_a_nanoradian_apart) {
+  const device arm(
+      {.base_distance = 0.1, .proximal_1 = 0.12, .proximal_2 = 0.12, .distal_1 = 0.2, .distal_2 = 0.2});
+  const ph::vector<double, 2> n = ph::vector<double, 2>(0.982, -0.188).normalized(), qd(0.1, -0.3);
+  const ph::vector<double, 4> unlimited = ph::vector<double, 4>::Constant(inf);
+  ph::vector<double, 4> last;
+  for (int k = 0; k < 1000; ++k) {
+    const ph::vector<double, 2> q(-1.58701129, -1.935004 + 1e-9 * k);
+    const auto s = ph::brake_signs<double, 4>(ph::brake_rates(arm, q, qd), ph::vector<double, 4>::Zero(), {});
+    const ph::vector<double, 4> t =
+        ph::nearest_torque<double, 2, 4>(ph::force_generators(arm, q), ph::torques_within(s, unlimited), n)
+            .torque;
+    if (k > 0) {
+      ASSERT_LE((t - last).norm(), 1e-5 * last.norm()) << "pose " << k;
+    }
+    last = t;
+  }
+}
+
+TEST(least_torque, is_shared_by_brakes_that_are_alike) {
+  const ph::matrix<double, 2, 4> G{{1, 2, 0, 0}, {0, 0, 1, 1}};
+  const ph::vector<double, 4> s(-1, -1, -1, -1);
+  const auto torque = [&](double x, double y) {
+    return ph::nearest_torque<double, 2, 4>(G, s, {x, y}).torque;
+  };
+  EXPECT_TRUE(torque(1, 0).isApprox(ph::vector<double, 4>(0.2, 0.4, 0, 0), 1e-15));
+  EXPECT_TRUE(torque(1, -1).isApprox(ph::vector<double, 4>(0.2, 0.4, 0, 0), 1e-15));
+  EXPECT_TRUE(torque(1, 1).isApprox(ph::vector<double, 4>(0.2, 0.4, 0.5, 0.5), 1e-15));
+  const ph::matrix<double, 3, 5> H{{1, 2, 0, 0, 1}, {0, 0, 1, 1, 1}, {0, 0, 0, 0, 0}};
+  const ph::vector<double, 5> five = -ph::vector<double, 5>::Ones();
+  const auto t = ph::nearest_torque<double, 3, 5>(H, five, {1, 1, 1});  // Gram matrix {6, 1}, {1, 3}
+  EXPECT_TRUE(t.force.isApprox(ph::vector<double, 3>(1, 1, 0), 1e-15));
+  EXPECT_TRUE(t.torque.isApprox(ph::vector<double, 5>(2, 4, 5, 5, 7) / 17, 1e-14));
+}
+
+TEST(least_torque, of_a_brake_at_rest_goes_both_ways) {
+  const ph::matrix<double, 2, 3> G{{1, 0, 1}, {0, 1, 0}};
+  const ph::vector<double, 3> s(-1, -1, 0);
+  const auto torque = [&](double x, double y) {
+    return ph::nearest_torque<double, 2, 3>(G, s, {x, y}).torque;
+  };
+  EXPECT_TRUE(torque(1, 0).isApprox(ph::vector<double, 3>(0.5, 0, 0.5), 1e-15));
+  EXPECT_TRUE(torque(-1, 0).isApprox(ph::vector<double, 3>(0, 0, -1), 1e-15));
+  EXPECT_TRUE(torque(0, -1).isZero(1e-15));
+}
+
+TEST(least_torque, is_zero_where_nothing_can_be_made) {
+  const ph::vector<double, 3> s(1, -1, -1);
+  for (const double bad : {0.0, inf, -inf, std::numeric_limits<double>::quiet_NaN()}) {
+    const auto t = ph::nearest_torque<double, 2, 3>(ph::matrix<double, 2, 3>::Constant(bad), s, {0.6, 0.8});
+    EXPECT_TRUE(t.torque.isZero(0) && t.force.isZero(0)) << bad;
+    const auto u =
+        ph::nearest_torque<double, 3, 3>(ph::matrix<double, 3, 3>::Constant(bad), s, {0, 0.6, 0.8});
+    EXPECT_TRUE(u.torque.isZero(0) && u.force.isZero(0)) << bad;
+  }
+}
+
+TEST(least_torque, does_not_depend_on_units) {
+  const ph::matrix<double, 2, 4> G{{1, -2, 0.5, 0}, {0.3, 1, 1, 0}};
+  const ph::vector<double, 4> s(-1, -1, -1, -1);
+  const ph::vector<double, 2> n(0, 1);
+  const ph::vector<double, 4> t = ph::nearest_torque(G, s, n).torque;
+  EXPECT_TRUE((G * t).isApprox(n, 1e-15));
+  for (const double unit : {1e-300, 1e-100, 1e100, 1e300}) {
+    const auto scaled = ph::nearest_torque<double, 2, 4>(unit * G, s, n);
+    EXPECT_TRUE((unit * scaled.torque).isApprox(t, 1e-14)) << unit;
+  }
+}
