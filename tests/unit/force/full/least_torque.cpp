@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <random>
 
 namespace ph = passive_haptics;
@@ -93,16 +94,14 @@ void expect_least_torques(int cases) {
   }
 }
 
-// Pose and force drift by a nanoradian a step, some of them over a generator: torques change by no more than
-// the condition of the generators allows.
+// Pose and force drift by a nanoradian a step, by less where that is not short against the angles of the
+// generators; some of them over a generator: torques change by no more than the condition allows.
 template <int D, int M>
 void expect_no_jumps(unsigned seed) {
-  constexpr double step = 1e-9;
   std::mt19937_64 engine(seed);
   std::normal_distribution<double> gauss;
-  double worst = 0;
-  int paths = 0;
-  for (const double condition : {1.0, 1e2, 1e3, 1e4, 1e6}) {
+  for (const double condition : {1.0, 1e2, 1e4, 1e6, 1e8, 1e10}) {
+    double worst = 0;
     for (int path = 0; path < 200; ++path) {
       auto p = draw<D, M>(engine, condition);
       if (path % 2 == 0) p.f = p.generators().col(0).normalized();
@@ -110,10 +109,10 @@ void expect_no_jumps(unsigned seed) {
       ph::vector<double, D> turn;
       for (auto& x : drift.reshaped()) x = gauss(engine);
       for (auto& x : turn) x = gauss(engine);
-      // |V_S^+| (|dF| + |dV| |x|) for the worst set S of generators, whose angle is long against a step
+      // |V_S^+| (|dF| + |dV| |x|) for the worst set S of generators
       const ph::matrix<double, D, M> V = p.generators();
       const double sine = oracle::project(V, p.f).least_angle;
-      if (sine < 100 * step) continue;
+      const double step = std::min(1e-9, sine / 100);
       const double inverse = 1 / sine / V.colwise().norm().minCoeff();
       ph::vector<double, M> last;
       for (int k = -20; k <= 20; ++k) {
@@ -126,13 +125,11 @@ void expect_no_jumps(unsigned seed) {
         }
         last = t;
       }
-      ++paths;
     }
+    std::printf("%d x %d, condition %.0e: torques change by %.1f of what it allows\n", D, M, condition,
+                worst);
+    EXPECT_LE(worst, 32);
   }
-  std::printf("%d x %d: on %d paths torques change by %.1f of what the condition allows\n", D, M, paths,
-              worst);
-  EXPECT_LE(worst, 32);
-  EXPECT_GT(paths, 500);
 }
 
 }  // namespace
