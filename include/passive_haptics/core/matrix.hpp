@@ -144,6 +144,12 @@ matrix<T, R, C> matrix_of(T first, Rest... rest) {
   return A;
 }
 
+/// The N x N identity as a value.
+template <class T, int N>
+matrix<T, N, N> identity_matrix() {
+  return matrix<T, N, N>::Identity();
+}
+
 /// True if all these numbers, vectors and matrices are finite.
 template <class First, class... Rest>
 bool all_finite(const First& first, const Rest&... rest) {

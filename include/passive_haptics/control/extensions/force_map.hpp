@@ -20,7 +20,7 @@ template <class M, class EMatrix, class B>
 auto force_map_of(const brake_situation<M, EMatrix, B>& now) {
   using T = typename M::scalar;
   using map = force_map<T, M::task_dimension, M::brake_count>;
-  if constexpr (displays_by_generators<M>) return map{generators_of(now.mechanism, now.q), {}, false};
+  if constexpr (displays_by_generators<M>) return map{generators_of(now.mechanism, now.q)};
   else return invert_brake_jacobian(matrix<T, M::task_dimension, M::brake_count>(now.E));
 }
 

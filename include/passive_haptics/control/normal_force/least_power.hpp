@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/normal_force/brake_reach.hpp>
-#include <passive_haptics/core/linear/prioritised_least_squares.hpp>
+#include <passive_haptics/core/priorities/least_squares_by_priority.hpp>
 
 #include <cmath>
 
@@ -64,19 +64,18 @@ vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
 
 /// The same for `count` walls together: forces [N] as near to the wanted ones as may be, sum of squares, of
 /// these the least power. A wall that wants less than nothing is not left to the others' forces: coupled
-/// forces are met together. rows: Lambda_j g_j. Cost: core/linear/prioritised_least_squares.hpp, two levels.
+/// forces are met together. rows: Lambda_j g_j. Cost: core/priorities/least_squares_by_priority.hpp, two
+/// levels.
 template <class T, int Brakes, int Walls>
 vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, const vector<T, Walls>& wanted,
                                       const brake_reach<T, Brakes>& reach, const vector<T, Brakes>& w) {
-  using solver = prioritised_least_squares<T, Brakes, Brakes + Walls>;
   const vector<T, Brakes> one = reach.sign.cwiseProduct(reach.least),
                           other = reach.sign.cwiseProduct(reach.most);
-  solver t(one.cwiseMin(other), one.cwiseMax(other));
-  t.minimise(padded<solver::row_count>(rows), padded<solver::row_count>(wanted));
   matrix<T, Brakes, Brakes> power = w.cwiseAbs().asDiagonal();
   power.diagonal().array() += T(1e-3) * w.cwiseAbs().maxCoeff() + rounding_tolerance<T>(Brakes);
-  t.minimise(padded<solver::row_count>(power), solver::targets::Zero());
-  return t.solution().cwiseProduct(reach.sign);
+  return reach.sign.cwiseProduct(least_squares_by_priority(
+      vector<T, Brakes>(one.cwiseMin(other)), vector<T, Brakes>(one.cwiseMax(other)),
+      least_squares_level{rows, wanted}, least_squares_level{power}));
 }
 
 }  // namespace passive_haptics

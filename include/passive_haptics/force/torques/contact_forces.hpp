@@ -2,6 +2,8 @@
 /// One set of brake torques for several contacts.
 #pragma once
 
+#include <passive_haptics/core/linear/difference_of_products.hpp>
+#include <passive_haptics/core/priorities/least_squares_by_priority.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 
 #include <array>
@@ -17,21 +19,30 @@ struct contact_demand {
   bool first;           ///< Met before the others: a contact being left, where nothing may remain normal.
 };
 
-/// What the force F of the brakes at the end effector can be: F = G t, where P t = 0.
+/// What the force F of the brakes at the end effector can be: F = G t, where P t = 0. P is 0 for n = d away
+/// from singular poses, and for redundant brakes.
 template <class T, int D, int Brakes>
 struct force_map {
-  matrix<T, D, Brakes> G;       ///< [N per N m]
-  matrix<T, Brakes, Brakes> P;  ///< Of torques, what moves the device without moving the end effector.
-  bool self_motion;             ///< False if P = 0: n = d away from singular poses, and redundant brakes.
+  matrix<T, D, Brakes> G;  ///< [N per N m]
+  /// Of torques, what moves the device without moving the end effector.
+  matrix<T, Brakes, Brakes> P = matrix<T, Brakes, Brakes>::Zero();
 };
 
 /// The force map of a device whose torques and forces are tied by t = E^T F: G is the pseudo-inverse of E^T,
 /// so it also answers at singular poses, for the forces that brakes can make there. Cost: one decomposition
-/// of m x d.
+/// of m x d; of 2 x 2 the inverse, to a few roundings of each entry.
 template <class T, int D, int Brakes>
 force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
-  const orthogonal_decomposition<T, Brakes, D> Et(transposed(E), rounding_tolerance<T>(Brakes));
-  return {Et.pseudo_inverse(), Et.left_null_projection(), Et.rank() < Brakes};
+  constexpr T tolerance = rounding_tolerance<T>(Brakes);
+  if constexpr (D == 2 && Brakes == 2) {
+    const T det = difference_of_products(E(0, 0), E(1, 1), E(0, 1), E(1, 0));
+    if (std::abs(det) > tolerance * E.colwise().squaredNorm().maxCoeff())
+      return {matrix_of<2, 2>(E(1, 1), -E(1, 0), -E(0, 1), E(0, 0)) / det};
+  }
+  const orthogonal_decomposition<T, Brakes, D> Et(transposed(E), tolerance);
+  force_map<T, D, Brakes> map{Et.pseudo_inverse()};
+  if (Et.rank() < Brakes) map.P = Et.left_null_projection();
+  return map;
 }
 
 /// Torques for several contacts and what became of each.
@@ -45,8 +56,8 @@ struct contact_forces_result {
 /// Torques t in the box whose force F = G t gives, in this order of priority: n_j . F = a_j for every demand
 /// that is first; as near as possible for the others, in the sum of squares; the least |F| (least drag); the
 /// least |t|. One demand that is first gives F = alpha Fc of (12). Opposed walls do not cancel, and a demand
-/// of 5e4 N does not drown one of 2 N that is first. Cost: core/linear/prioritised_least_squares.hpp, four
-/// levels.
+/// of 5e4 N does not drown one of 2 N that is first. Cost: core/priorities/least_squares_by_priority.hpp,
+/// five levels.
 ///
 /// drag: what shall be least, |drag t|, where that is not |F|.
 template <class T, int D, int Brakes, int Capacity>
@@ -54,29 +65,19 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
     const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
     const matrix<T, D, Brakes>& drag) {
-  using solver = prioritised_least_squares<T, Brakes, Brakes + Capacity + D>;
-  using rows = typename solver::rows;
-  using targets = typename solver::targets;
-  solver t(box.lower, box.upper);
-  if (map.self_motion) {
-    t.minimise(padded<solver::row_count>(map.P), targets::Zero());
+  using demand_level = least_squares_level<T, Capacity, Brakes>;
+  demand_level first, others;
+  for (int j = 0; j < count; ++j) {
+    const auto& demand = demands[static_cast<std::size_t>(j)];
+    demand_level& level = demand.first ? first : others;
+    level.A.row(j) = demand.normal.transpose() * map.G;
+    level.b[j] = demand.force;
   }
-  for (const bool first : {true, false}) {
-    rows A = rows::Zero();
-    targets a = targets::Zero();
-    int count_here = 0;
-    for (int j = 0; j < count; ++j) {
-      const auto& demand = demands[static_cast<std::size_t>(j)];
-      if (demand.first != first) continue;
-      A.row(count_here) = demand.normal.transpose() * map.G;
-      a[count_here++] = demand.force;
-    }
-    if (count_here > 0) t.minimise(A, a);
-  }
-  t.minimise(padded<solver::row_count>(drag), targets::Zero());
-  t.minimise(rows::Identity(), targets::Zero());
+  const vector<T, Brakes> t = least_squares_by_priority<Brakes + Capacity + D>(
+      box.lower, box.upper, least_squares_level{map.P}, first, others, least_squares_level{drag},
+      least_squares_level{identity_matrix<T, Brakes>()});
 
-  contact_forces_result<T, D, Brakes, Capacity> result{t.solution(), map.G * t.solution(), {}};
+  contact_forces_result<T, D, Brakes, Capacity> result{t, map.G * t, {}};
   for (int j = 0; j < count; ++j) {
     const auto at = static_cast<std::size_t>(j);
     result.displayed[at] = demands[at].normal.dot(result.force);

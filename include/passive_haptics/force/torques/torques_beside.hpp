@@ -21,29 +21,20 @@ struct effect_demand {
 ///
 /// normals: n_j in rows, 0 beyond the walls. t in the box. Solved for the change of t, so that a wall of 5e4
 /// N leaves none of its rounding on an effect of 2 N, nor an effect any on the wall. Cost:
-/// core/linear/prioritised_least_squares.hpp, five levels, of which those with nothing to say are left out.
+/// core/priorities/least_squares_by_priority.hpp, five levels.
 template <class T, int D, int Brakes, int Walls, int Joints>
 vector<T, Brakes> torques_beside(const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
                                  const vector<T, Brakes>& t, const matrix<T, Walls, D>& normals,
                                  const effect_demand<T, D, Brakes, Joints>& wanted) {
-  using solver = prioritised_least_squares<T, Brakes, Walls + Joints + Brakes + D>;
-  constexpr int rows = solver::row_count;
-  const typename solver::targets nothing = solver::targets::Zero();
-  solver change(box.lower - t, box.upper - t);
-  vector<T, D> missing = wanted.force - map.G * t;
-  if (!normals.isZero(T(0))) {
-    change.minimise(padded<rows>(matrix<T, Walls, Brakes>(normals * map.G)), nothing);
-    // Along the walls alone: the rest is not to be had
-    const orthogonal_decomposition<T, Walls, D> walls(normals, rounding_tolerance<T>(Walls));
-    missing = walls.without_row_space(missing);
-  }
-  if (!wanted.joint_rows.isZero(T(0)))
-    change.minimise(padded<rows>(wanted.joint_rows), padded<rows>(wanted.joint_torque));
-  if (map.self_motion) change.minimise(padded<rows>(map.P), nothing);
-  change.minimise(padded<rows>(map.G), padded<rows>(missing));
-  change.minimise(solver::rows::Identity(), padded<rows>(vector<T, Brakes>(-t)));
-
-  vector<T, Brakes> sum = t + change.solution();
+  // Along the walls alone: the rest is not to be had
+  const orthogonal_decomposition<T, Walls, D> walls(normals, rounding_tolerance<T>(Walls));
+  const vector<T, D> missing = walls.without_row_space(wanted.force - map.G * t);
+  vector<T, Brakes> sum =
+      t + least_squares_by_priority(vector<T, Brakes>(box.lower - t), vector<T, Brakes>(box.upper - t),
+                                    least_squares_level{matrix<T, Walls, Brakes>(normals * map.G)},
+                                    least_squares_level{wanted.joint_rows, wanted.joint_torque},
+                                    least_squares_level{map.P}, least_squares_level{map.G, missing},
+                                    least_squares_level{identity_matrix<T, Brakes>(), vector<T, Brakes>(-t)});
   for (int i = 0; i < Brakes; ++i) sum[i] = std::clamp(sum[i], box.lower[i], box.upper[i]);
   return sum;
 }

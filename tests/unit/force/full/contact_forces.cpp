@@ -34,7 +34,7 @@ random_case<D, Brakes> draw(std::mt19937_64& engine) {
   std::uniform_real_distribution<double> uniform;
   random_case<D, Brakes> c;
   for (int i = 0; i < D * Brakes; ++i) c.G.data()[i] = 5 * gauss(engine);
-  c.map = {c.G, ph::matrix<double, Brakes, Brakes>::Zero(), false};
+  c.map.G = c.G;
   ph::vector<double, Brakes> s, limit;
   for (int i = 0; i < Brakes; ++i) {
     const double u = uniform(engine);

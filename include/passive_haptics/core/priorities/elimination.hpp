@@ -1,0 +1,101 @@
+/// @file
+/// Least squares with priorities and without bounds, for few unknowns: by elimination.
+#pragma once
+
+#include <passive_haptics/core/matrix.hpp>
+
+#include <algorithm>
+
+namespace passive_haptics {
+
+/// One level of a least-squares problem with priorities: |A x - b| shall be least. A of zeros says nothing.
+template <class T, int Rows, int N>
+struct least_squares_level {
+  matrix<T, Rows, N> A = matrix<T, Rows, N>::Zero();  ///< A
+  vector<T, Rows> b = vector<T, Rows>::Zero();        ///< b
+};
+
+template <class T, int Rows, int N>
+least_squares_level(const Eigen::Matrix<T, Rows, N>&) -> least_squares_level<T, Rows, N>;
+template <class T, int Rows, int N>
+least_squares_level(const Eigen::Matrix<T, Rows, N>&, const Eigen::Matrix<T, Rows, 1>&)
+    -> least_squares_level<T, Rows, N>;
+
+/// Finds the x that minimises |A_1 x - b_1|, among those |A_2 x - b_2|, and so on; some unknowns are held:
+///
+///     elimination<T, N> x(values, held);
+///     x.minimise(level_1) || x.minimise(level_2);  // the most important first; true: all is decided
+///     x.solution();
+///
+/// A level is an equation for the unknown of its longest column a_p,
+///
+///     x_p = beta - sum_j rho_j x_j,   beta = a_p . b / |a_p|^2,   |rho_j| = |a_p . a_j| / |a_p|^2 <= 1,
+///
+/// which is put into the level itself, where it leaves what is orthogonal to a_p, and into those after it;
+/// and so on until only rounding is left of the level. That is Gram-Schmidt with pivots: no normal equations.
+/// Cost: N^2 k for levels of k rows, nothing for those that come too late.
+template <class T, int N>
+class elimination {
+ public:
+  /// Held unknowns have these values; others that no level sees become 0.
+  elimination(const vector<T, N>& values, const vector<bool, N>& held)
+      : x_(held.select(values, T(0))), known_(held), left_(N - static_cast<int>(held.count())) {}
+
+  /// Minimises |A x - b| in what is left to decide. True if nothing is left then.
+  template <int Rows>
+  bool minimise(const least_squares_level<T, Rows, N>& level) {
+    matrix<T, Rows, N> A = level.A;
+    vector<T, Rows> b = level.b - A * x_;
+    const T square = A.squaredNorm(), least = square * least_share<Rows>() * growth_;
+    for (int k = 0; k < count_; ++k) substitute(k, A, b);
+    while (left_ > 0) {
+      int p = -1;
+      T longest = T(-1);
+      for (int j = 0; j < N; ++j) {
+        if (known_[j]) continue;
+        if (const T length = A.col(j).squaredNorm(); !(length <= longest)) longest = length, p = j;
+      }
+      if (longest <= least) break;  // not with NaN
+      known_[p] = true;
+      --left_;
+      pivot_[count_] = p;
+      beta_[count_] = A.col(p).dot(b) / longest;
+      for (int j = 0; j < N; ++j) rho_(j, count_) = known_[j] ? T(0) : A.col(p).dot(A.col(j)) / longest;
+      substitute(count_++, A, b);
+      growth_ = std::max(growth_, square / longest);
+    }
+    return left_ == 0;
+  }
+
+  /// x of least squares.
+  vector<T, N> solution() const {
+    vector<T, N> x = x_;
+    for (int k = count_ - 1; k >= 0; --k) x[pivot_[k]] = beta_[k] - rho_.col(k).dot(x);
+    return x;
+  }
+
+ private:
+  // Under this share of a level's square is rounding.
+  template <int Rows>
+  static constexpr T least_share() {
+    return rounding_tolerance<T>(N + Rows) * rounding_tolerance<T>(N + Rows);
+  }
+
+  // Puts equation k into A x = b.
+  template <int Rows>
+  void substitute(int k, matrix<T, Rows, N>& A, vector<T, Rows>& b) const {
+    const vector<T, Rows> a = A.col(pivot_[k]);
+    b -= beta_[k] * a;
+    for (int j = 0; j < N; ++j) A.col(j) -= rho_(j, k) * a;
+  }
+
+  vector<T, N> x_;  // of unknowns that are held
+  vector<bool, N> known_;
+  int left_, count_ = 0;
+  T growth_ = T(1);  // square of what eliminating makes of rounding
+  vector<int, N> pivot_;
+  vector<T, N> beta_;
+  matrix<T, N, N> rho_;
+};
+
+}  // namespace passive_haptics
