@@ -10,6 +10,7 @@
 #include <passive_haptics/mechanism/models/two_link_inverse.hpp>
 
 #include <array>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -26,8 +27,9 @@ enum class delta_elbow {
 ///
 ///     P_i = (R + L cos q_i) e_i - L sin q_i e_z,   |x - P_i| = l.
 ///
-/// Where they do not meet the loop cannot be closed: position, jacobian and all else are NaN, and a step
-/// reports status::pose_undefined. Singular (conditioning tells how nearly): type 1, a forearm in the plane
+/// Where they do not meet the loop cannot be closed, and where two elbows coincide to rounding the platform
+/// may be anywhere on a circle: position, jacobian and all else are NaN, and a step reports
+/// status::pose_undefined. Singular (conditioning tells how nearly): type 1, a forearm in the plane
 /// that upper arm and joint axis span; type 2, the forearms coplanar or two parallel, where J is unbounded.
 ///
 /// Dynamics with the usual lumped forearms: half of each forearm's mass at its elbow, half at the platform.
@@ -39,7 +41,9 @@ class delta : public leg_chain<delta<T>, T, 3> {
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit delta(const delta_parameters<T>& p = {})
-      : p_(require_valid(p)), side_(p.assembly == delta_assembly::upper ? T(1) : T(-1)) {}
+      : p_(require_valid(p)),
+        rounding_square_(square_of_rounding(p)),
+        side_(p.assembly == delta_assembly::upper ? T(1) : T(-1)) {}
 
   /// The parameters as given.
   const delta_parameters<T>& parameters() const { return p_; }
@@ -130,7 +134,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
     using std::sqrt;
     const vector<S, 3> a = P2 - P1, b = P3 - P1, c = P3 - P2;
     const vector<S, 3> n = cross(a, b);
-    const S aa = a.squaredNorm(), bb = b.squaredNorm(), nn = n.squaredNorm();
+    const S aa = a.squaredNorm(), bb = b.squaredNorm(), nn = known(n.squaredNorm());
     const vector<S, 3> bn = cross(b, n), na = cross(n, a);
     const S circumradius = sqrt(S(aa * bb * c.squaredNorm() / nn)) / T(2);
     const S height = side_ * sqrt(S((p_.forearm - circumradius) * (p_.forearm + circumradius) / nn));
@@ -150,11 +154,26 @@ class delta : public leg_chain<delta<T>, T, 3> {
       at.tangent.col(i) = a[2] * e - a.dot(e) * vector<T, 3>::UnitZ();
     }
     at.handle = x != nullptr ? *x : handle(P[0], P[1], P[2]);
+    at.lengths = p_.forearm * p_.forearm * p_.forearm;
     for (int i = 0; i < 3; ++i) at.link.row(i) = at.handle - P[std::size_t(i)];
     return at;
   }
 
+  // NaN where two elbows coincide to rounding.
+  template <class S>
+  S known(const S& square) const {
+    return square > S(rounding_square_) ? square : S(std::numeric_limits<T>::quiet_NaN());
+  }
+
+  // Of the area that the elbows span [m^4]: angles are known to eps too.
+  static T square_of_rounding(const delta_parameters<T>& p) {
+    const T size = p.base_radius + p.platform_radius + p.upper_arm;
+    const T rounding = rounding_tolerance<T>(1) * size * size;
+    return rounding * rounding;
+  }
+
   delta_parameters<T> p_;
+  T rounding_square_;
   T side_;  // 1: the platform above the plane of the elbows
 };
 

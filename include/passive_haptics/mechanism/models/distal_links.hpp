@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -20,11 +21,12 @@ struct distal_links {
   matrix<T, N, N> lever;    ///< Column i is a_i [m].
   matrix<T, N, N> tangent;  ///< Column i is a'_i [m/rad].
   vector<T, N> handle;      ///< Where the legs meet [m].
+  T lengths;                ///< prod |r_i| [m^N], of which det A is a share.
 
   /// Diagonal of B [m^2/rad].
   vector<T, N> drive() const { return link.cwiseProduct(tangent.transpose()).rowwise().sum(); }
 
-  /// J = A^-1 B [m/rad]; not finite, or of no accuracy, where A is singular.
+  /// J = A^-1 B [m/rad]; not finite where A is singular to rounding.
   matrix<T, N, N> jacobian() const { return solved(drive()); }
 
   /// J^-1 = B^-1 A [rad/m]; not finite where B is singular.
@@ -55,15 +57,21 @@ struct distal_links {
   matrix<T, N, N> solved(const vector<T, N>& b) const {
     static_assert(N == 2 || N == 3);
     if constexpr (N == 2) {
-      const T inverse = T(1) / determinant(link);
+      const T inverse = inverse_of(determinant(link));
       const T b0 = b[0] * inverse, b1 = b[1] * inverse;
       return matrix_of<2, 2>(b0 * link(1, 1), -b1 * link(0, 1), -b0 * link(1, 0), b1 * link(0, 0));
     } else {
       const vector<T, 3> r1 = link.row(0), r2 = link.row(1), r3 = link.row(2);
       matrix<T, 3, 3> X;
       X << cross(r2, r3), cross(r3, r1), cross(r1, r2);
-      return X * (b / r1.dot(X.col(0))).asDiagonal();
+      return X * (b * inverse_of(r1.dot(X.col(0)))).asDiagonal();
     }
+  }
+
+  // 1 / det A; NaN where the determinant is of rounding alone.
+  T inverse_of(T det) const {
+    const bool regular = std::abs(det) > rounding_tolerance<T>(N) * lengths;
+    return regular ? T(1) / det : std::numeric_limits<T>::quiet_NaN();
   }
 };
 

@@ -8,6 +8,8 @@
 #include <passive_haptics/mechanism/models/leg_chain.hpp>
 #include <passive_haptics/mechanism/models/two_link_inverse.hpp>
 
+#include <limits>
+
 namespace passive_haptics {
 
 /// Planar closed chain. Base joints at (-+b/2, 0), measured and braked, q_i [rad] from the x axis; leg i has
@@ -15,8 +17,9 @@ namespace passive_haptics {
 ///
 ///     P_i = (-+b/2, 0) + l_i (cos q_i, sin q_i),   |x - P_1| = r_1,   |x - P_2| = r_2.
 ///
-/// Where |P_2 - P_1| is over r_1 + r_2 or under |r_1 - r_2| the loop cannot be closed: position, jacobian and
-/// all else are NaN, and a step reports status::pose_undefined. Singular (conditioning tells how nearly):
+/// Where |P_2 - P_1| is over r_1 + r_2 or under |r_1 - r_2| the loop cannot be closed, and where it is 0 to
+/// rounding the handle may be anywhere: position, jacobian and all else are NaN, and a step reports
+/// status::pose_undefined. Singular (conditioning tells how nearly):
 /// type 1, a leg straight or folded; type 2, the distal links aligned, where J is unbounded and the
 /// assemblies meet.
 ///
@@ -31,7 +34,9 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit five_bar(const five_bar_parameters<T, Brakes>& p = {})
-      : p_(require_valid(p)), side_(p.assembly == five_bar_assembly::left ? T(1) : T(-1)) {}
+      : p_(require_valid(p)),
+        rounding_square_(square_of_rounding(p)),
+        side_(p.assembly == five_bar_assembly::left ? T(1) : T(-1)) {}
 
   /// The parameters as given.
   const five_bar_parameters<T, Brakes>& parameters() const { return p_; }
@@ -47,9 +52,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   }
 
   /// T in w = T qd for four brakes: base joint 1, base joint 2, q1 - q2, q1 + q2.
-  matrix<T, 4, 2> transmission() const
-    requires(Brakes == 4)
-  {
+  matrix<T, 4, 2> transmission() const requires(Brakes == 4) {
     return matrix<T, 4, 2>{{T(1), T(0)}, {T(0), T(1)}, {T(1), T(-1)}, {T(1), T(1)}};
   }
 
@@ -120,7 +123,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   vector<S, 2> handle(const vector<S, 2>& P1, const vector<S, 2>& P2) const {
     using std::sqrt;
     const vector<S, 2> apart = P2 - P1;
-    const S square = apart.squaredNorm(), distance = sqrt(square);
+    const S square = known(apart.squaredNorm()), distance = sqrt(square);
     const S sum = S(p_.distal_1) + S(p_.distal_2), difference = S(p_.distal_1) - S(p_.distal_2);
     const S along = difference * sum / (T(2) * square);
     const S stretched = (sum - distance) * (sum + distance);
@@ -136,6 +139,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
     const vector<T, 2> a1 = lever(0, angle[0]), a2 = lever(1, angle[1]);
     const vector<T, 2> P1 = elbow_point(0, a1), P2 = elbow_point(1, a2);
     at.handle = x != nullptr ? *x : handle(P1, P2);
+    at.lengths = p_.distal_1 * p_.distal_2;
     at.lever << a1, a2;
     at.tangent.row(0) = -at.lever.row(1);
     at.tangent.row(1) = at.lever.row(0);
@@ -156,7 +160,20 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
     else return transmission().transpose() * p_.rotor_inertia.asDiagonal() * transmission();
   }
 
+  // NaN where the elbows coincide to rounding.
+  template <class S>
+  S known(const S& square) const {
+    return square > S(rounding_square_) ? square : S(std::numeric_limits<T>::quiet_NaN());
+  }
+
+  // Of an elbow's place [m^2]: angles are known to eps too.
+  static T square_of_rounding(const five_bar_parameters<T, Brakes>& p) {
+    const T rounding = rounding_tolerance<T>(1) * (p.base_distance + p.proximal_1 + p.proximal_2);
+    return rounding * rounding;
+  }
+
   five_bar_parameters<T, Brakes> p_;
+  T rounding_square_;
   T side_;  // 1: the handle left of the line from elbow 1 to elbow 2
 };
 

@@ -411,6 +411,65 @@ TEST(five_bar, near_coinciding_elbows_type_2_falls_linearly_from_both_sides) {
   EXPECT_TRUE(std::isnan(five_bar(coaxial).position(same)[0])) << "any direction would do";
 }
 
+// Elbows at one place: the handle may be anywhere about it, and what rounding makes of it is no pose.
+template <class M>
+void expect_no_pose(const M& chain, const ph::joint_vector<M>& q) {
+  SCOPED_TRACE(::testing::Message() << "q = " << q.transpose());
+  EXPECT_FALSE(ph::all_finite(chain.position(q)));
+  EXPECT_FALSE(ph::all_finite(chain.jacobian(q)));
+  ph::device_state<M> state;
+  state.q = q;
+  state.qd = ph::joint_vector<M>::Constant(typename M::scalar(0.1));
+  ph::contacts<M::task_dimension, 1> touched;
+  touched.push_back({.normal = ph::point<M::task_dimension>::UnitX(), .depth = 1e-3, .stiffness = 1e3});
+  ph::step_memory<ph::direct_control> memory;
+  const auto result = ph::step(chain, ph::brakes_of<M>(), touched, ph::direct_control(), state, memory);
+  EXPECT_EQ(result.outcome, ph::status::pose_undefined);
+  EXPECT_TRUE(result.capacity.isZero(0) && result.torque.isZero(0));
+}
+
+template <class T>
+struct coinciding_elbows : ::testing::Test {};
+using scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(coinciding_elbows, scalars);
+
+TYPED_TEST(coinciding_elbows, of_a_five_bar_leave_no_pose) {
+  using T = TypeParam;
+  const ph::five_bar<T> chain({.base_distance = T(0.2),
+                               .proximal_1 = T(0.1),
+                               .proximal_2 = T(0.1),
+                               .distal_1 = T(0.1),
+                               .distal_2 = T(0.1)});
+  expect_no_pose(chain, {T(0), std::numbers::pi_v<T>});
+  const ph::five_bar<T> usual;
+  const T meet = std::acos(usual.parameters().base_distance / 2 / usual.parameters().proximal_1);
+  expect_no_pose(usual, {meet, std::numbers::pi_v<T> - meet});
+}
+
+TYPED_TEST(coinciding_elbows, of_a_delta_leave_no_pose) {
+  using T = TypeParam;
+  ph::delta_parameters<T> p;
+  p.base_radius = T(0.1);
+  p.platform_radius = T(0.05);
+  p.upper_arm = T(0.2);
+  p.forearm = T(0.3);
+  const T q = std::acos(T(-0.25));  // on the axis
+  const ph::delta<T> chain(p);
+  expect_no_pose(chain, {q, q, T(0.3)});
+  expect_no_pose(chain, {T(0.3), q, q});
+  expect_no_pose(chain, {q, q, q});
+}
+
+// Where the determinant of the distal links is nothing but rounding, so would be J.
+TYPED_TEST(coinciding_elbows, nearly_of_a_delta_leave_no_jacobian) {
+  using T = TypeParam;
+  ph::delta_parameters<T> p;
+  p.base_radius = p.platform_radius;
+  const T q = std::numbers::pi_v<T> / 2, little = std::sqrt(std::numeric_limits<T>::epsilon()) / 16;
+  const ph::delta<T> chain(p);
+  EXPECT_FALSE(ph::all_finite(chain.jacobian({q - little, q, q + little})));
+}
+
 TEST(five_bar, with_four_brakes_measures_both_rates_their_difference_and_their_sum) {
   const ph::five_bar<double, 4> chain;
   const ph::vector<double, 4> w = ph::brake_rates(chain, {2, 1}, {0.5, 0.2});
