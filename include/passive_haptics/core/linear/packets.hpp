@@ -61,6 +61,11 @@ struct packets {
     return a;
   }
 
+  /// += s x
+  [[gnu::always_inline]] void add(T s, const packets& x) {
+    unrolled<count>([&](auto i) { p[i] += s * x.p[i]; });
+  }
+
   /// -= s x
   [[gnu::always_inline]] void subtract(T s, const packets& x) {
     unrolled<count>([&](auto i) { p[i] -= s * x.p[i]; });

@@ -2,6 +2,7 @@
 /// Where the joints of a serial chain are in a pose.
 #pragma once
 
+#include <passive_haptics/core/linear/packets.hpp>
 #include <passive_haptics/core/linear/sine_cosine.hpp>
 #include <passive_haptics/mechanism/chains/rigid_body_algebra.hpp>
 
@@ -10,16 +11,22 @@
 
 namespace passive_haptics {
 
-/// Where the joints of a chain are in a pose, base frame. With the angular and linear part of each joint's
-/// motion, revolute and prismatic joints obey the same formulas.
+/// Where the joints of a chain are in a pose, base frame.
 template <class T, int N, int D>
 struct chain_pose {
+  std::array<vector<T, D>, N> axis;   ///< Of joint i; in the plane 0 if it turns.
+  std::array<vector<T, D>, N> point;  ///< The point of body i that lies on its joint [m].
+  vector<T, D> handle;                ///< End effector [m].
+};
+
+/// What inertia needs beside. With the angular and linear part of each joint's motion, revolute and prismatic
+/// joints obey the same formulas.
+template <class T, int N, int D>
+struct chain_bodies : chain_pose<T, N, D> {
   std::array<matrix<T, D, D>, N> turn;  ///< Orientation of body i: of a frame of its own.
-  std::array<vector<T, D>, N> point;    ///< The point of body i that lies on its joint [m].
   /// Angular velocity per unit rate of joint i; 0 if it slides.
   std::array<angular_vector<T, D>, N> rotation;
   std::array<vector<T, D>, N> sliding;  ///< Velocity per unit rate of joint i; 0 if it turns.
-  vector<T, D> handle;                  ///< End effector [m].
 };
 
 namespace detail {
@@ -45,8 +52,9 @@ class chain_frames<T, N, 2> {
   /// tip: from the last body's point to the handle [m].
   chain_frames(const joints& all, const vector<T, 2>& tip) : joints_(all), tip_(tip) {}
 
-  /// All joints and the handle.
-  chain_pose<T, N, 2> pose(const vector<T, N>& q) const {
+  /// All joints and the handle. each(i, A): told the orientation A() of body i.
+  template <class Each>
+  [[gnu::always_inline]] chain_pose<T, N, 2> follow(const vector<T, N>& q, Each&& each) const {
     chain_pose<T, N, 2> at;
     matrix<T, 2, 2> A = matrix<T, 2, 2>::Identity();
     vector<T, 2> p = vector<T, 2>::Zero();
@@ -54,10 +62,8 @@ class chain_frames<T, N, 2> {
     const auto angles = sine_cosine(q);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const auto& j = joints_[i];
-      const T qi = q[static_cast<int>(i)];
       p += A * j.offset;
-      at.rotation[i][0] = j.turns ? T(1) : T(0);
-      at.sliding[i].setZero();
+      at.axis[i].setZero();
       if (j.turns) {
         const auto [s, c] = angles[i];
         const T sum = sine * c + cosine * s;
@@ -65,11 +71,11 @@ class chain_frames<T, N, 2> {
         sine = sum;
         A << cosine, -sine, sine, cosine;
       } else {
-        at.sliding[i] = A * j.axis;
-        p += qi * at.sliding[i];
+        at.axis[i] = A * j.axis;
+        p += q[static_cast<int>(i)] * at.axis[i];
       }
-      at.turn[i] = A;
       at.point[i] = p;
+      each(i, [&] { return A; });
     }
     at.handle = p + A * tip_;
     return at;
@@ -93,47 +99,46 @@ class chain_frames<T, N, 3> {
 
   /// tip: from the last body's point to the handle [m].
   chain_frames(const joints& all, const vector<T, 3>& tip) : start_(all[0].offset) {
-    body ground;
-    first_ = aligned(matrix<T, 3, 3>::Identity(), all[0].axis, ground);
+    first_ = to_axis(matrix<T, 3, 3>::Identity(), all[0].axis).of(matrix<T, 3, 3>::Identity());
     matrix<T, 3, 3> B = first_;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      body& b = bodies_[i];
-      b.turns = all[i].turns;
+      const int k = static_cast<int>(i);
       const bool last = i + 1 == all.size();
-      const matrix<T, 3, 3> next = last ? B : aligned(B, all[i + 1].axis, b);
-      zero_[i] = turned_about_z(B, b.phase_cosine, b.phase_sine);
-      b.to_next = zero_[i].transpose() * (last ? tip : all[i + 1].offset);
-      B = next;
+      const z_then_x turn = last ? z_then_x() : to_axis(B, all[i + 1].axis);
+      zero_[i] = turned_about_z(B, turn.phase.cosine, turn.phase.sine);
+      phase_[k] = std::atan2(turn.phase.sine, turn.phase.cosine);
+      turns_[k] = all[i].turns ? T(1) : T(0);
+      bodies_[i] = {all[i].turns, turn.twist, zero_[i].transpose() * (last ? tip : all[i + 1].offset)};
+      B = turn.of(B);
     }
   }
 
-  /// All joints and the handle.
-  chain_pose<T, N, 3> pose(const vector<T, N>& q) const {
+  /// All joints and the handle. each(i, A): told the orientation A() of body i.
+  template <class Each>
+  [[gnu::always_inline]] chain_pose<T, N, 3> follow(const vector<T, N>& q, Each&& each) const {
+    using column = packets<T, 3>;
     chain_pose<T, N, 3> at;
-    matrix<T, 3, 3> B = first_;  // z along joint i
-    vector<T, 3> p = start_;
-    const auto angles = sine_cosine(q);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    column x = column::load(&first_(0, 0)), y = column::load(&first_(0, 1)), z = column::load(&first_(0, 2));
+    column p = column::load(start_.data());
+    const auto angles = sine_cosine(vector<T, N>(turns_.cwiseProduct(q) + phase_));
+    unrolled<N>([&](int k) {
+      const auto i = static_cast<std::size_t>(k);
       const body& b = bodies_[i];
-      const T qi = q[static_cast<int>(i)];
-      T c = b.phase_cosine, s = b.phase_sine;
-      const T turns = b.turns ? T(1) : T(0);
-      at.rotation[i] = turns * B.col(2);
-      at.sliding[i] = (T(1) - turns) * B.col(2);
-      if (b.turns) {
-        const auto [sine, cosine] = angles[i];
-        c = cosine * b.phase_cosine - sine * b.phase_sine;
-        s = sine * b.phase_cosine + cosine * b.phase_sine;
-      } else {
-        p += qi * B.col(2);
-      }
-      const matrix<T, 3, 3> A = turned_about_z(B, c, s);
-      at.point[i] = p;
-      at.turn[i] = A;
-      p += A * b.to_next;
-      B = turned_about_x(A, b.twist_cosine, b.twist_sine);
-    }
-    at.handle = p;
+      z.store(at.axis[i].data());
+      turn(x, y, angles[i]);
+      if (!b.turns) p.add(q[k], z);
+      p.store(at.point[i].data());
+      each(i, [&] {
+        matrix<T, 3, 3> A;
+        x.store(&A(0, 0)), y.store(&A(0, 1)), z.store(&A(0, 2));
+        return A;
+      });
+      p.add(b.to_next[0], x);
+      p.add(b.to_next[1], y);
+      p.add(b.to_next[2], z);
+      turn(y, z, b.twist);
+    });
+    p.store(at.handle.data());
     return at;
   }
 
@@ -142,26 +147,41 @@ class chain_frames<T, N, 3> {
 
  private:
   struct body {
-    T phase_cosine = T(1), phase_sine = T(0);  // about z
-    T twist_cosine = T(1), twist_sine = T(0);  // about x, to the axis of the next joint
-    vector<T, 3> to_next;                      // to the next joint's point, or to the handle [m], this frame
     bool turns;
+    sine_cosine_pair<T> twist;  // about x, to the axis of the next joint
+    vector<T, 3> to_next;       // to the next joint's point, or to the handle [m], this frame
   };
 
-  // B turned so that z points along the axis; how, is left in `to`.
-  static matrix<T, 3, 3> aligned(const matrix<T, 3, 3>& B, const vector<T, 3>& axis, body& to) {
-    const vector<T, 3> u = B.transpose() * axis;  // (sin phase sin twist, -cos phase sin twist, cos twist)
-    to.twist_cosine = u[2];
-    to.twist_sine = std::hypot(u[0], u[1]);
-    if (to.twist_sine > T(0)) {
-      to.phase_cosine = -u[1] / to.twist_sine;
-      to.phase_sine = u[0] / to.twist_sine;
+  // A turn about z, then one about x.
+  struct z_then_x {
+    sine_cosine_pair<T> phase = {T(0), T(1)}, twist = {T(0), T(1)};
+
+    matrix<T, 3, 3> of(const matrix<T, 3, 3>& B) const {
+      return turned_about_x(turned_about_z(B, phase.cosine, phase.sine), twist.cosine, twist.sine);
     }
-    return turned_about_x(turned_about_z(B, to.phase_cosine, to.phase_sine), to.twist_cosine, to.twist_sine);
+  };
+
+  // The turn of B that points its z along the axis.
+  static z_then_x to_axis(const matrix<T, 3, 3>& B, const vector<T, 3>& axis) {
+    const vector<T, 3> u = B.transpose() * axis;  // (sin phase sin twist, -cos phase sin twist, cos twist)
+    const T length = std::hypot(u[0], u[1]);
+    if (!(length > T(0))) return {{T(0), T(1)}, {T(0), u[2]}};
+    return {{u[0] / length, -u[1] / length}, {length, u[2]}};
   }
 
-  vector<T, 3> start_;     // point of joint 1 [m]
-  matrix<T, 3, 3> first_;  // frame with z along joint 1
+  // u and v turned in the plane that they span.
+  [[gnu::always_inline]] static void turn(packets<T, 3>& u, packets<T, 3>& v,
+                                          const sine_cosine_pair<T>& angle) {
+    const packets<T, 3> before = u;
+    u = u.map([&](auto a) { return angle.cosine * a; });
+    u.add(angle.sine, v);
+    v = v.map([&](auto a) { return angle.cosine * a; });
+    v.subtract(angle.sine, before);
+  }
+
+  vector<T, 3> start_;          // point of joint 1 [m]
+  matrix<T, 3, 3> first_;       // frame with z along joint 1
+  vector<T, N> turns_, phase_;  // body i turns about z by turns_i q_i + phase_i: turns_i is 0 if it slides
   std::array<body, N> bodies_;
   std::array<matrix<T, 3, 3>, N> zero_;
 };

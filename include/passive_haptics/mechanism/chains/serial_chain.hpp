@@ -58,16 +58,31 @@ class serial_chain {
   /// J
   matrix<T, D, N> jacobian(const chain_pose<T, N, D>& at) const {
     matrix<T, D, N> J;
-    for (std::size_t i = 0; i < size; ++i)
-      J.col(int(i)) =
-          joints_[i].turns ? algebra::velocity(at.rotation[i], at.handle - at.point[i]) : at.sliding[i];
+    unrolled<N>([&](int i) { J.col(i) = velocity(at, std::size_t(i)); });
     return J;
   }
 
   /// All joints and the handle. Cost: one sine and one cosine for each revolute joint.
-  chain_pose<T, N, D> pose(const vector<T, N>& q) const { return frames_.pose(q); }
+  chain_pose<T, N, D> pose(const vector<T, N>& q) const {
+    return frames_.follow(q, [](std::size_t, const auto&) {});
+  }
 
  protected:
+  /// A pose with the bodies' orientations.
+  chain_bodies<T, N, D> bodies(const vector<T, N>& q) const {
+    chain_bodies<T, N, D> at;
+    const auto turn = [&](std::size_t i, const auto& A) { at.turn[i] = A(); };
+    static_cast<chain_pose<T, N, D>&>(at) = frames_.follow(q, turn);
+    for (std::size_t i = 0; i < size; ++i) {
+      at.rotation[i].setZero();
+      at.sliding[i].setZero();
+      if (!joints_[i].turns) at.sliding[i] = at.axis[i];
+      else if constexpr (D == 2) at.rotation[i][0] = T(1);
+      else at.rotation[i] = at.axis[i];
+    }
+    return at;
+  }
+
   /// The zero-pose point [m] that body i is measured from.
   vector<T, D> zero_point(std::size_t i) const {
     vector<T, D> p = vector<T, D>::Zero();
@@ -82,6 +97,14 @@ class serial_chain {
   using algebra = detail::rigid_body_algebra<T, D>;
   static constexpr std::size_t size = std::size_t(N);
   using joints = std::array<detail::zero_pose_joint<T, D>, N>;
+
+  // Of the handle per unit rate of joint i
+  vector<T, D> velocity(const chain_pose<T, N, D>& at, std::size_t i) const {
+    if (!joints_[i].turns) return at.axis[i];
+    const vector<T, D> r = at.handle - at.point[i];
+    if constexpr (D == 2) return {-r[1], r[0]};
+    else return cross(at.axis[i], r);
+  }
 
   static joints joints_of(const serial_chain_parameters<T, N, D>& p) {
     joints all;

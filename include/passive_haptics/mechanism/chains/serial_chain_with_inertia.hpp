@@ -33,7 +33,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
 
   /// M(q) [kg m^2, kg m or kg], rotors included.
   matrix<T, N, N> mass_matrix(const vector<T, N>& q) const {
-    const auto at = this->pose(q);
+    const auto at = this->bodies(q);
     matrix<T, N, N> M;
     link_inertia<T, D> outer;  // all bodies from j outwards, as one
     for (std::size_t j = size; j-- > 0;) {
@@ -53,7 +53,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
 
   /// c(q, qd) [N m or N]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
   vector<T, N> bias_torque(const vector<T, N>& q, const vector<T, N>& qd) const {
-    const auto at = this->pose(q);
+    const auto at = this->bodies(q);
     const motion moves(at, qd);
     vector<T, N> c;
     vector<T, D> force = vector<T, D>::Zero();  // that the bodies from i outwards need [N]
@@ -74,7 +74,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
 
   /// Jd qd [m/s^2], the handle's acceleration where all joints keep their rates.
   vector<T, D> bias_acceleration(const vector<T, N>& q, const vector<T, N>& qd) const {
-    const auto at = this->pose(q);
+    const auto at = this->bodies(q);
     return motion(at, qd).acceleration_at(last, at.handle - at.point[last]);
   }
 
@@ -88,7 +88,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
     std::array<angular, N> w, wd;
     std::array<vector<T, D>, N> a;  // of the bodies' points
 
-    motion(const chain_pose<T, N, D>& at, const vector<T, N>& qd) {
+    motion(const chain_bodies<T, N, D>& at, const vector<T, N>& qd) {
       angular w0 = angular::Zero(), wd0 = angular::Zero();
       vector<T, D> a0 = vector<T, D>::Zero(), p0 = vector<T, D>::Zero();
       for (std::size_t i = 0; i < size; ++i) {
@@ -112,7 +112,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
   };
 
   // Link i in the pose, base frame
-  link_inertia<T, D> placed(const chain_pose<T, N, D>& at, std::size_t i) const {
+  link_inertia<T, D> placed(const chain_bodies<T, N, D>& at, std::size_t i) const {
     const link_inertia<T, D>& link = links_[i];
     return {link.mass, at.point[i] + at.turn[i] * link.centre,
             algebra::inertia(at.turn[i], link.about_centre)};
