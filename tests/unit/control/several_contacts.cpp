@@ -154,3 +154,23 @@ TEST(narrow_wedge, is_displayed_exactly) {
 }
 
 }  // namespace
+
+// The nearest force to that of one of two opposed walls is along it or against it: the cosine may round
+// over 1.
+TEST(opposed_walls, leave_an_angle_that_is_a_number) {
+  using M = ph::tendon_two_link<double>;
+  ph::testing::random_source random(seed);
+  int displayed = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const auto state = state_of<M>({random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)},
+                                   random.normal_vector<double, 2>(), {random.normal<double>(), 1.0});
+    const ph::vector<double, 2> n = random.direction<double, 2>();
+    const auto result =
+        step_once<ph::direct_control>(M(), {}, state, asking_for<2>(random.positive(1e3, 1e4) * n),
+                                      asking_for<2>(-random.positive(1e3, 1e4) * n));
+    ASSERT_EQ(result.outcome, ph::status::ok) << "seed " << seed << ", trial " << k;
+    ASSERT_FALSE(std::isnan(result.approximation_angle())) << "seed " << seed << ", trial " << k;
+    displayed += ph::is_displayed(result.display);
+  }
+  EXPECT_GT(displayed, 500);
+}
