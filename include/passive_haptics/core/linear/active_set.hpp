@@ -79,14 +79,14 @@ class active_set {
     return largest(beyond);
   }
 
-  // The half-space that the residual violates by the largest angle and by more than rounding; -1 if none.
-  [[gnu::always_inline]] int most_violated() const {
+  // The half-space that the residual violates by the largest angle, if by more than so many roundings; else
+  // -1.
+  [[gnu::always_inline]] int most_violated(int roundings = 1) const {
     if (qr_.size() == most) return -1;
     const auto worst = most_violated(products_with(qr_.residual()));
-    if (worst.value > vanishing_) return worst.index;
     const T rr = qr_.residual().dot(qr_.residual());
-    constexpr T eps = std::numeric_limits<T>::epsilon();
-    return rr > vanishing_ && worst.value > eps * eps * rr ? worst.index : -1;
+    const T tolerance = T(roundings) * std::numeric_limits<T>::epsilon();
+    return rr > vanishing_ && worst.value > tolerance * tolerance * rr ? worst.index : -1;
   }
 
   // All that the residual violates, one after the other, without a look at the signs of mu; the products with
@@ -134,15 +134,19 @@ class active_set {
     }
     half_space_set refused = 0;
     for (int exchange = 0; exchange < 6 * Columns; ++exchange) {
+      // Half-spaces that depend on each other to a few roundings may take turns for ever
+      const int roundings = exchange < 3 * Columns ? 1 : 6;
       for (int j = 0; j < Columns; ++j)
         weight_[j] = ((members_ | refused) >> j & 1u) == 0 && square_[j] > std::numeric_limits<T>::min()
                          ? T(1) / square_[j]
                          : T(0);
-      const int entering = most_violated();
+      const int entering = most_violated(roundings);
       if (entering < 0) return;
+      const half_space_set before = members_;
       mu_[at(qr_.size())] = T(0);
-      // A newcomer that leaves at once was chosen by rounding; any other exchange lowers the residual.
-      if (append(entering) && settle(entering)) refused = 0;
+      // A newcomer that leaves at once and alone was chosen by rounding
+      if (append(entering)) settle();
+      if (members_ != before) refused = 0;
       else refused |= 1u << entering;
     }
   }
@@ -161,9 +165,8 @@ class active_set {
   }
 
   // Moves mu to the least squares of the members, and out of the set those that would become negative on the
-  // way. False if the newcomer left.
-  bool settle(int entering) {
-    bool kept = true;
+  // way.
+  void settle() {
     coefficients y;
     for (qr_.solve(y); !all_positive(y); qr_.solve(y)) {
       int blocking = -1;
@@ -177,11 +180,9 @@ class active_set {
         }
       }
       for (int k = 0; k < qr_.size(); ++k) mu_[at(k)] += step * (y[at(k)] - mu_[at(k)]);
-      if (member_[at(blocking)] == entering) kept = false;
       remove(blocking);
     }
     mu_ = y;
-    return kept;
   }
 
   const T* b_;  // B by columns

@@ -107,7 +107,7 @@ class space_cone {
   T height(int k) const { return b_[at(k)].dot(edge_[at(k)]); }
   // Whether that is rounding: edge k lies in face k
   bool is_flat(int k, T height) const {
-    constexpr T tolerance = rounding_tolerance<T>(3) * rounding_tolerance<T>(3);
+    constexpr T tolerance = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
     return square_[k] > T(0) && !(height * height > tolerance * square_[k] * edge_[at(k)].squaredNorm());
   }
 

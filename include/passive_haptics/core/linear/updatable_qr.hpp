@@ -105,7 +105,7 @@ class updatable_qr {
 
  private:
   static constexpr T cancelled = T(0.1);  // of |v|^2: what is left has lost digits against V
-  static constexpr T dependent = rounding_tolerance<T>(Rows) * rounding_tolerance<T>(Rows);
+  static constexpr T dependent = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
   static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
   // f(k) for each column so far, unrolled: a loop's counting would take a third of the time
