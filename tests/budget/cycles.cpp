@@ -91,6 +91,7 @@ std::map<std::string, std::function<row()>> all_rows() {
   rows["cone_4"] = [] { return projections<4>(false); };
   rows["cone_6"] = [] { return projections<6>(false); };
   rows["cone_7"] = [] { return projections<7>(false); };
+  rows["cone_3_warm"] = [] { return projections<3>(true); };
   rows["cone_4_warm"] = [] { return projections<4>(true); };
   rows["cone_6_warm"] = [] { return projections<6>(true); };
   rows["cone_7_warm"] = [] { return projections<7>(true); };

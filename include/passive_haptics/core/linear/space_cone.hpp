@@ -11,6 +11,13 @@
 
 namespace passive_haptics::detail {
 
+/// True if products of four lengths of this square are numbers.
+template <class T>
+bool is_moderate(T square) {
+  constexpr T most = sizeof(T) > sizeof(float) ? T(1e30) : T(1e8);
+  return square < most && square > T(1) / most;
+}
+
 /// In space the answer is f, its foot on a face or on an edge, or the apex. With the edges d_k = b_i x b_j
 /// (i, j, k in cyclic order) and c_j = b_j x f, Lagrange's identity gives for the foot p of f on face j
 ///
@@ -63,12 +70,9 @@ class space_cone {
   static constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
   static constexpr int previous(int k) { return k == 0 ? 2 : k - 1; }
 
-  // Products of four lengths must be numbers
   bool squares_are_moderate() const {
-    constexpr T most = sizeof(T) > sizeof(float) ? T(1e30) : T(1e8);
     bool moderate = true;
-    unrolled<3>(
-        [&](auto j) { moderate &= square_[j] < most && (square_[j] > T(1) / most || square_[j] == T(0)); });
+    unrolled<3>([&](auto j) { moderate &= is_moderate(square_[j]) || square_[j] == T(0); });
     return moderate;
   }
 
@@ -140,8 +144,79 @@ class space_cone {
   vector<T, 3> beyond_next_, beyond_previous_;     // |b_j|^2 b . p_j of the column after and before j
 };
 
+/// Whether the face or edge that was nearest a cycle before is nearest still, without the others' edges.
+template <class T>
+class space_cone_start {
+ public:
+  using projection = half_space_projection<T, 3, 3>;  ///< What nearest() gives.
+
+  /// Of { p : B^T p <= 0 } and f, which are read as long as this lives.
+  [[gnu::always_inline]] space_cone_start(const matrix<T, 3, 3>& B, const vector<T, 3>& f) : B_(B), f_(f) {}
+
+  /// The nearest point to f, if the one or two half-spaces of `active` hold f back and the point is clear of
+  /// the others: those conditions suffice. Else false; then `answer` is not touched.
+  [[gnu::always_inline]] bool nearest(half_space_set active, projection& answer) const {
+    switch (active) {
+      case 1: return is_on_face(0, 1, 2, answer);
+      case 2: return is_on_face(1, 2, 0, answer);
+      case 4: return is_on_face(2, 0, 1, answer);
+      case 3: return is_on_edge(0, 1, 2, answer);
+      case 6: return is_on_edge(1, 2, 0, answer);
+      case 5: return is_on_edge(2, 0, 1, answer);
+      default: return false;
+    }
+  }
+
+ private:
+  vector<T, 3> half_space(int j) const { return B_.col(j); }
+
+  // b . x < 0 by more than the rounding of an x of length^2 size
+  static bool is_clear(const vector<T, 3>& b, const vector<T, 3>& x, T size) {
+    constexpr T tolerance = rounding_tolerance<T>(3) * rounding_tolerance<T>(3);
+    const T beyond = b.dot(x);
+    return beyond < T(0) && beyond * beyond > tolerance * b.squaredNorm() * size;
+  }
+
+  // f's foot on face j
+  bool is_on_face(int j, int i, int k, projection& answer) const {
+    const vector<T, 3> b = half_space(j);
+    const T outside = b.dot(f_);
+    if (!(outside > T(0))) return false;
+    const T square = b.squaredNorm(), inverse = T(1) / square, ff = f_.squaredNorm();
+    const vector<T, 3> p = inverse * cross<T>(cross<T>(b, f_), b);
+    if (!is_moderate(square) || !is_clear(half_space(i), p, ff) || !is_clear(half_space(k), p, ff))
+      return false;
+    answer = {p, vector<T, 3>::Zero(), 1u << j};
+    answer.coefficients[j] = outside * inverse;
+    return true;
+  }
+
+  // f's foot on the edge d of faces i and j, if they are at an angle that is no trouble
+  bool is_on_edge(int i, int j, int k, projection& answer) const {
+    const vector<T, 3> bi = half_space(i), bj = half_space(j), d = cross(bi, bj);
+    const T mu_i = d.dot(cross(f_, bj));  // times |d|^2
+    if (!(mu_i > T(0))) return false;
+    const T mu_j = d.dot(cross(bi, f_));
+    if (!(mu_j > T(0))) return false;
+    const T i_square = bi.squaredNorm(), j_square = bj.squaredNorm(), square = d.squaredNorm();
+    if (!is_moderate(i_square) || !is_moderate(j_square) || square < i_square * j_square / T(16))
+      return false;
+    const T along = d.dot(f_);
+    const vector<T, 3> p = along * d;  // times |d|^2
+    if (!is_clear(half_space(k), p, along * along * square)) return false;
+    const T inverse = T(1) / square;
+    answer = {inverse * p, vector<T, 3>::Zero(), 1u << i | 1u << j};
+    answer.coefficients[i] = mu_i * inverse;
+    answer.coefficients[j] = mu_j * inverse;
+    return true;
+  }
+
+  const matrix<T, 3, 3>& B_;
+  const vector<T, 3>& f_;
+};
+
 /// The nearest point of { p : B^T p <= 0 } to f: of three half-spaces in space in closed form, else, and
-/// where that will not do, by an active set that starts with the `active` half-spaces.
+/// where that will not do, by an active set. Either begins with the `active` half-spaces.
 template <int Rows>
 struct cone_solver {
   /// The nearest point.
@@ -150,6 +225,7 @@ struct cone_solver {
                                                          const vector<T, Rows>& f, half_space_set active) {
     if constexpr (Rows == 3 && Columns == 3) {
       half_space_projection<T, 3, 3> answer;
+      if (active != 0 && space_cone_start<T>(B, f).nearest(active, answer)) return answer;
       if (space_cone<T>(B, f).nearest(answer)) return answer;
     }
     return active_set<T, Rows, Columns>(B, f).nearest(active);

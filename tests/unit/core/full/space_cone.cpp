@@ -98,6 +98,37 @@ TYPED_TEST(space_cone, finds_what_the_active_set_finds) {
   for (std::size_t set = 0; set < seen.size(); ++set) EXPECT_GT(seen[set], 0) << "half-spaces " << set;
 }
 
+// The face or edge of the cycle before is the answer or is refused: flat cones and forces near edges
+// included.
+TYPED_TEST(space_cone, a_start_is_taken_where_it_is_right_alone) {
+  ph::testing::random_source random(6);
+  int right = 0, taken = 0;
+  for (int k = 0; k < 2000; ++k) {
+    typename TestFixture::half_spaces B;
+    if (k % 2 == 0) B = TestFixture::flat(random.positive(1.0, 0.05 / TestFixture::eps), random);
+    else
+      for (int j = 0; j < 3; ++j) B.col(j) = random.normal_vector<TypeParam, 3>();
+    auto f = TestFixture::direction(random);
+    if (k % 3 == 0) f = ph::project_onto_half_spaces(B, f).point.stableNormalized();
+    SCOPED_TRACE(::testing::Message() << "seed 6, trial " << k << "\nB =\n"
+                                      << B << "\nf = " << f.transpose());
+    const auto own = ph::project_onto_half_spaces(B, f).active;
+    for (unsigned start = 0; start < 16; ++start) {
+      typename TestFixture::projection answer;
+      const bool found = ph::detail::space_cone_start<TypeParam>(B, f).nearest(start, answer);
+      if (found) {
+        ASSERT_EQ(answer.active, start);
+        ASSERT_LE(TestFixture::error_of(answer, B, f), 6 * TestFixture::eps) << "start " << start;
+      }
+      if (k % 2 == 1 && k % 3 != 0 && start == own && own != 0 && own != 7) {
+        ++right;
+        taken += found ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(taken, right - right / 20);  // the others lie near a boundary or on a narrow edge
+}
+
 // Two brakes that pull along one line, or three in one plane: the singular poses.
 TYPED_TEST(space_cone, parallel_columns_are_one_and_columns_in_a_plane_are_left_to_the_active_set) {
   ph::testing::random_source random(3);
@@ -148,6 +179,11 @@ TYPED_TEST(space_cone, lengths_out_of_range_are_left_to_the_active_set) {
                                 TypeParam(4) * std::sqrt(std::numeric_limits<TypeParam>::min())}) {
     EXPECT_FALSE(TestFixture::closed_form(scale * B, f, answer)) << scale;
     EXPECT_TRUE(ph::project_onto_half_spaces(matrix(scale * B), f).point.isZero(TypeParam(0))) << scale;
+    const matrix scaled = scale * B;
+    const typename TestFixture::vec face(1, -1, -1), edge(1, 1, -1);
+    const ph::detail::space_cone_start<TypeParam> on_face(scaled, face), on_edge(scaled, edge);
+    EXPECT_FALSE(on_face.nearest(1, answer)) << scale;
+    EXPECT_FALSE(on_edge.nearest(3, answer)) << scale;
   }
   EXPECT_TRUE(TestFixture::closed_form(B, f, answer));
 }
