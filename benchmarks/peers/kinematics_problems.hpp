@@ -31,7 +31,7 @@ using arm_pose = ph::vector<double, 6>;
 
 inline std::vector<arm_pose> arm_poses() {
   ph::testing::random_source random(seed);
-  std::vector<arm_pose> all(256);
+  std::vector<arm_pose> all(16384);
   for (arm_pose& q : all)
     q = random.between<double, 6>(arm_pose::Constant(-std::numbers::pi),
                                   arm_pose::Constant(std::numbers::pi));
