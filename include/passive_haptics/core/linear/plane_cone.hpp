@@ -2,6 +2,7 @@
 /// Projection onto a cone of half-spaces in closed form: on the line and in the plane.
 #pragma once
 
+#include <passive_haptics/core/linear/lanes.hpp>
 #include <passive_haptics/core/matrix.hpp>
 
 #include <cmath>
@@ -25,6 +26,13 @@ struct half_space_projection {
 template <class T>
 bool are_parallel(T area, T a_square, T b_square) {
   return !(area * area > rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * a_square * b_square);
+}
+
+/// a x b of vectors with these squares; 0 where they are parallel to rounding.
+template <class T, int N>
+lanes<T, N> area_or_zero(const lanes<T, N>& area, const lanes<T, N>& a_square, const lanes<T, N>& b_square) {
+  constexpr T tolerance = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
+  return choose(area * area > tolerance * a_square * b_square, area, T(0));
 }
 
 /// The edge of two half-spaces on which the nearest point to an f outside of them lies.
