@@ -125,11 +125,11 @@ T rate_dead_band_of(const B& brakes, int i) {
   else return T(0);
 }
 
-/// Hand torque on brake i that counts as none [N m]; 0 where no dead band is named.
-template <class T, class B>
-T torque_dead_band_of(const B& brakes, int i) {
-  if constexpr (detail::names_torque_dead_band<B>) return brakes.torque_dead_band[i];
-  else return T(0);
+/// Hand torques that count as none [N m]; 0 where no dead band is named.
+template <class T, int Brakes, class B>
+vector<T, Brakes> torque_dead_bands_of(const B& brakes) {
+  if constexpr (detail::names_torque_dead_band<B>) return brakes.torque_dead_band;
+  else return vector<T, Brakes>::Zero();
 }
 
 /// What is wrong with the brakes, whatever members they have; empty if nothing.

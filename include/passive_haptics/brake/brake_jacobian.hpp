@@ -52,7 +52,7 @@ class brake_jacobian_evaluator {
                    diagonal_T = ExactDiagonal<Inverse, T, M::dof>;
     if constexpr (diagonal_J && diagonal_T)
       return diagonal_matrix<T, M::dof>(J.diagonal().cwiseProduct(inverse.diagonal()));
-    else return dense(J * inverse);
+    else return dense(passive_haptics::times(J, inverse));
   }
 
   static auto inverse_of_constant(const M& mechanism) {
@@ -78,7 +78,7 @@ auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
 /// @equation{2}
 template <class T, int D, int Brakes>
 vector<T, Brakes> brake_torque(const matrix<T, D, Brakes>& E, const vector<T, D>& F) {
-  return E.transpose() * F;
+  return transposed_times(E, F);
 }
 
 /// The same for a diagonal E.

@@ -20,13 +20,13 @@ namespace passive_haptics {
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,
                                  const vector<T, Brakes>& th, const vector<T, Brakes>& s, const B& brakes) {
-  const auto opposes = s.array() * td.array() < T(0);
+  const lanes told = td, push = th;
+  const auto opposes = lanes(s) * told < T(0);
   if constexpr (StickingBrakes<B, T, Brakes>) {
-    const auto slips = w.array().abs() > brakes.rate_dead_band.array();
-    const auto yields = td.array().abs() <= th.array().abs();
-    return opposes.select((slips || yields).select(td, -th), T(0));
+    const auto gives_way = slips<lanes<T, Brakes>>(w, brakes.rate_dead_band) | (abs(told) <= abs(push));
+    return choose(opposes, choose(gives_way, told, -push), T(0));
   } else {
-    return opposes.select(td, T(0));
+    return choose(opposes, told, T(0));
   }
 }
 

@@ -3,37 +3,37 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/core/linear/lanes.hpp>
 
 #include <cmath>
 
 namespace passive_haptics {
 
-/// True where a brake turns faster than its dead band (slip); else it is at rest (stick).
+/// True where a brake turns faster than its dead band (slip); else it is at rest (stick). Of one or of lanes.
 template <class T>
-bool slips(T rate, T rate_dead_band) {
-  return std::abs(rate) > rate_dead_band;
+auto slips(const T& rate, const T& rate_dead_band) {
+  using std::abs;
+  return abs(rate) > rate_dead_band;
 }
 
-/// Sign s of one brake: that of its rate w in slip, else that of the hand torque th on it, else 0. A brake
+/// Sign s of a brake: that of its rate w in slip, else that of the hand torque th on it, else 0. A brake
 /// produces only torques with s t <= 0 (3). s = 0 (at rest, nobody pushes) restricts nothing.
-/// Dead bands are >= 0.
+/// Dead bands are >= 0. Of one or of lanes.
 template <class T>
-T brake_sign(T w, T th, T rate_dead_band, T torque_dead_band) {
-  if (slips(w, rate_dead_band)) return std::copysign(T(1), w);
-  return std::abs(th) > torque_dead_band ? std::copysign(T(1), th) : T(0);
+T brake_sign(const T& w, const T& th, const T& rate_dead_band, const T& torque_dead_band) {
+  using std::abs;
+  const T push = choose(abs(th) > torque_dead_band, th, T(0));
+  return sgn(choose(slips(w, rate_dead_band), w, push));
 }
 
 /// Signs s (m) of all brakes from their rates w [rad/s] and the hand torques th [N m] on their axes, each
 /// exactly -1, 0 or 1. Pass th = 0 where no hand force is known. Without a rate_dead_band s = sgn(w).
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> brake_signs(const vector<T, Brakes>& w, const vector<T, Brakes>& th, const B& brakes) {
-  vector<T, Brakes> s;
-  unrolled<Brakes>([&](auto i) {
-    if constexpr (StickingBrakes<B, T, Brakes>)
-      s[i] = brake_sign(w[i], th[i], brakes.rate_dead_band[i], torque_dead_band_of<T>(brakes, i));
-    else s[i] = w[i] > T(0) ? T(1) : (w[i] < T(0) ? T(-1) : T(0));
-  });
-  return s;
+  using each = lanes<T, Brakes>;
+  if constexpr (StickingBrakes<B, T, Brakes>)
+    return brake_sign<each>(w, th, brakes.rate_dead_band, torque_dead_bands_of<T, Brakes>(brakes));
+  else return sgn(each(w));
 }
 
 /// True if some brake is at rest: then hand torques decide its sign. False without a rate_dead_band.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>
+#include <passive_haptics/core/linear/lanes.hpp>
 #include <passive_haptics/core/parameters.hpp>
 
 namespace passive_haptics {
@@ -61,10 +62,9 @@ struct direct_control {
   /// @equation{12}
   template <class T, int D>
   T scale(const contact_situation<T, D>& c) const noexcept {
-    if (!(c.normal_velocity > -static_cast<T>(velocity_dead_band))) return T(1);
     const T pressing = -c.hand_force.dot(c.normal);
-    if (!(pressing > T(0))) return T(0);
-    return pressing < c.desired_magnitude ? pressing / c.desired_magnitude : T(1);
+    const lanes<T, 1> leaving = c.normal_velocity, nulling = pressing / c.desired_magnitude;
+    return choose(leaving > -static_cast<T>(velocity_dead_band), max(min(nulling, T(1)), T(0)), T(1))[0];
   }
 };
 

@@ -2,7 +2,7 @@
 /// Torque limits.
 #pragma once
 
-#include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/linear/lanes.hpp>
 
 namespace passive_haptics {
 
@@ -30,12 +30,11 @@ saturated_torque<T, Brakes> operator*(T a, const saturated_torque<T, Brakes>& t)
 template <class T, int Brakes>
 saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<T, Brakes>& limit,
                                      saturation policy) {
-  const auto size = t.array().abs();
-  const auto is_over = (size > limit.array());
-  if (!is_over.any()) return {t, false};
-  const T factor =
-      policy == saturation::clamp_each ? T(1) : is_over.select(limit.array() / size, T(1)).minCoeff();
-  return {(factor * t.array()).max(-limit.array()).min(limit.array()), true};
+  const lanes wanted = t, most = limit, size = abs(wanted);
+  const auto is_over = size > most;
+  lanes<T, Brakes> within = wanted;
+  if (policy == saturation::keep_direction) within = within * least(choose(is_over, most / size, T(1)));
+  return {max(min(within, most), -most), any(is_over)};
 }
 
 }  // namespace passive_haptics

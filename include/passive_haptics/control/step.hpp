@@ -66,7 +66,7 @@ struct step_requirements {
 /// free space; no projection where Fd can be displayed exactly. A constant transmission is inverted each
 /// time; a controller keeps its inverse.
 template <class M, class Contacts, class L, class State, class B = brakes_of<M>>
-step_result_for<M, Contacts> step(
+PASSIVE_HAPTICS_FLATTEN step_result_for<M, Contacts> step(
     const M& mechanism, const B& brakes, const Contacts& touched, const L& law, const State& state,
     step_memory<L>& memory,
     const step_options<typename M::scalar>& options = step_options<typename M::scalar>()) noexcept {

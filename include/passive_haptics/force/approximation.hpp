@@ -86,25 +86,25 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
   return {display_class::approximate, Fc, tc, square};
 }
 
-/// The same for two brakes in the plane: the nearest force lies along a reference force r (Fig. 3), so
-/// Fc = r / (r . n).
+/// The same for two brakes in the plane: one that would drive is released, the other alone makes Fc along its
+/// reference force R (Fig. 3), at right angles to the released one's column of E: Fc = R / (R . n).
 template <class T>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
-                                        const vector<T, 2>& n, T min_cosine, half_space_set& active) {
-  const vector<T, 2> t = brake_torque(E, n);
-  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
-  const vector<T, 2> square = column_squares(E);
-  const T area = s[0] * s[1] * area_between(E, square);
-  if (area == T(0)) return approximate<matrix<T, 2, 2>>(E, s, n, min_cosine, active);
-  const plane_edge<T> r = nearest_edge<T>(E, s, n, s.cwiseProduct(t), square, area);
-  const T least = std::max(min_cosine, rounding_tolerance<T>(2));
-  if (r.held < 0 || !(r.along * r.along >= least * least * r.square)) return {};
-
-  active = 1u << r.held;
-  const T scale = T(1) / r.along;
-  vector<T, 2> tc;  // E_i . r is the area; the brake that is held back makes nothing
-  unrolled<2>([&](auto i) { tc[i] = i == r.held ? T(0) : -s[i] * std::abs(area) * scale; });
-  return {display_class::approximate, scale * r.direction, tc, r.along * r.along / r.square};
+                                        const vector<T, 2>& n, T min_cosine, half_space_set&) {
+  using each = lanes<T, 2>;  // of both brakes
+  const each sign = s, t = brake_torque(E, n), x = row(E, 0), y = row(E, 1);
+  const each Rx = swapped(y), Ry = -swapped(x);
+  const each square = Rx * Rx + Ry * Ry, along = Rx * n[0] + Ry * n[1], scale = T(1) / along;
+  const each alone = area_or_zero(x * Rx + y * Ry, square, swapped(square)) * scale;
+  const each cosine_squared = along * along / square, least = max(each(min_cosine), rounding_tolerance<T>(2));
+  const auto drives = sign * t > T(0), some = drives | swapped(drives);
+  const auto holds = swapped(drives) & (sign * alone <= T(0)) & (along * along >= least * least * square);
+  const auto nearest = choose(any(holds), display_class::approximate, display_class::none);
+  const each of_Fc = choose(first(holds), scale, T(0));  // both hold where their columns are parallel
+  return {choose(some[0], nearest, display_class::exact),
+          choose(some, vector<T, 2>(sum(Rx * of_Fc), sum(Ry * of_Fc)), n),
+          choose(some, choose(holds, alone, T(0)), t),
+          choose(some, sum(choose(first(holds), cosine_squared, T(0))), T(1))[0]};
 }
 
 /// The same for a diagonal E: each axis alone.

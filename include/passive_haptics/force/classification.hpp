@@ -2,7 +2,7 @@
 /// Two questions about a desired force: is it passive, and can it be displayed?
 #pragma once
 
-#include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/linear/lanes.hpp>
 
 #include <string_view>
 
@@ -73,8 +73,8 @@ T mechanical_power(const vector<T, N>& t, const vector<T, N>& w) {
 /// is passive.
 template <class T>
 power_class classify_power(T power, bool producible_alone) {
-  if (power > T(0)) return power_class::active;
-  return producible_alone ? power_class::passive_1 : power_class::passive_2;
+  return choose(power > T(0), power_class::active,
+                choose(producible_alone, power_class::passive_1, power_class::passive_2));
 }
 
 }  // namespace passive_haptics

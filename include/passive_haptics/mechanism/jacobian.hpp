@@ -2,6 +2,7 @@
 /// The Jacobian and the transmission of any mechanism, from whatever the mechanism gives.
 #pragma once
 
+#include <passive_haptics/core/linear/lanes.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 
 #include <unsupported/Eigen/AutoDiff>
@@ -86,11 +87,8 @@ matrix<typename M::scalar, M::dof, M::brake_count> transposed_transmission(const
 /// Rates of the brakes' axes, w = T qd [rad/s or m/s].
 template <class M>
 brake_vector<M> brake_rates(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
-  if constexpr (!detail::has_exact_transmission<M>) {
-    return as<typename M::scalar>(qd);  // entry by entry: a packet would go through memory
-  } else {
-    return transmission(mechanism, q) * qd;
-  }
+  if constexpr (detail::has_exact_transmission<M>) return times(transmission(mechanism, q), qd);
+  else return as<typename M::scalar>(qd);  // entry by entry: a packet would go through memory
 }
 
 }  // namespace passive_haptics
