@@ -16,7 +16,8 @@ namespace benchmarks {
 
 /// Figures of one row; of several repetitions the medians.
 struct figures {
-  double time = 0;                         ///< Time of one iteration [ns].
+  double time = 0;                         ///< Time of one iteration [ns],
+  double cpu_time = 0;                     ///< of it what the processor spent on it [ns].
   std::map<std::string, double> counters;  ///< As the row reported them.
 };
 
@@ -55,6 +56,7 @@ class collector : public benchmark::BenchmarkReporter {
       } else if (run.repetitions <= 1 || run.aggregate_name == "median") {
         figures& row = all[name];
         row.time = run.GetAdjustedRealTime();
+        row.cpu_time = run.GetAdjustedCPUTime();
         for (const auto& [counter, value] : run.counters) row.counters[counter] = value;
         visit_(name, row);
       }

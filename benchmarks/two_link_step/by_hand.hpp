@@ -10,8 +10,10 @@
 namespace by_hand {
 
 struct device {
-  double length_1, length_2, reduction_2;  // [m], [m], [1]
-  double rate_dead_band, torque_limit;     // [rad/s], [N m], of both brakes
+  double length_1, length_2, reduction_2, per_reduction_2;  // [m], [m], [1], [1]
+  // Of both brakes [rad/s], [N m], [N m]
+  double rate_dead_band, torque_limit, torque_dead_band;
+  double least_cosine, rounding;  // [1]
 };
 
 struct wall {
@@ -22,9 +24,10 @@ struct wall {
 struct measurement {
   double q1, q2, qd1, qd2;  // [rad], [rad/s]
   double fx, fy;            // hand force [N]
+  double time;              // [s]
 };
 
-enum class region { free, exact, approximate, none };
+enum class region { free, exact, approximate, none, fault };
 
 struct command {
   double capacity_1, capacity_2;  // [N m]
