@@ -55,39 +55,59 @@ auto squared_distance_from(const point<D>& x) {
   return [from](const four_outer_boxes<D>& boxes) { return boxes.squared_distances(from); };
 }
 
-/// A balanced tree of four branches a node over items 0 .. n-1, each known by its box. Immutable: any number
-/// of threads may search it. A search is limited by a function of four_outer_boxes: for each, the least that
-/// it seeks in the box can be, as four floats or doubles.
+/// A tree of four branches a node over items 0 .. n-1, each known by its box. Immutable: any number of
+/// threads may search it. A search is limited by a function of four_outer_boxes: for each, the least that it
+/// seeks in the box can be, as four floats.
 template <int D>
 class bounding_volume_tree {
  public:
+  using four = typename four_outer_boxes<D>::four;  ///< One value of each box.
+
   /// Where a search has got to, so that it can go on later. No allocation.
   class search {
    public:
+    search() = default;
+    /// As far as it has got.
+    search(const search& other) { *this = other; }
+    /// As far as it has got.
+    search& operator=(const search& other) {
+      size_ = other.size_;
+      std::copy_n(other.stack_.begin(), size_, stack_.begin());
+      return *this;
+    }
+
     /// True if nothing is left to visit.
     bool done() const { return size_ == 0; }
 
    private:
     friend class bounding_volume_tree;
     struct entry {
-      double bound = 0;
-      std::int32_t node = 0;
+      float bound;
+      std::int32_t node;
     };
-    // A balanced tree of 2^31 items is 16 levels deep; each level leaves three nodes behind.
-    std::array<entry, 64> stack_{};
+    // No branch has more than 3/7 of its node's items, so a tree of 2^31 is less than 27 levels deep; each
+    // level leaves three nodes behind.
+    std::array<entry, 3 * 27 + 1> stack_;  // of which the first `size_` are set
     int size_ = 0;
   };
 
   bounding_volume_tree() = default;
 
   /// O(n log n); may allocate. Boxes finite.
-  explicit bounding_volume_tree(const std::vector<bounding_box<D>>& boxes) : items_(boxes.size()) {
+  explicit bounding_volume_tree(const std::vector<bounding_box<D>>& boxes) {
     if (boxes.empty()) return;
-    std::iota(items_.begin(), items_.end(), 0);
-    const range all{0, static_cast<std::int32_t>(boxes.size())};
-    scale_ = detail::largest_coordinate(box_of(boxes, all));
-    build(boxes, all);
+    bounding_box<D> all;
+    for (const auto& box : boxes) all.extend(box);
+    scale_ = detail::largest_coordinate(all);
+    std::vector<centre> centres;
+    centres.reserve(boxes.size());
+    for (const auto& box : boxes)
+      centres.push_back({(box.lower / 2 + box.upper / 2).template cast<float>(),
+                         static_cast<std::int32_t>(centres.size())});
+    build(boxes, {centres.data(), centres.data() + centres.size()}, centres.data());
     nodes_.shrink_to_fit();
+    items_.reserve(centres.size());
+    for (const centre& c : centres) items_.push_back(c.item);
   }
 
   /// Number of items.
@@ -99,7 +119,7 @@ class bounding_volume_tree {
   /// A search from the root.
   search start() const {
     search s;
-    if (!nodes_.empty()) s.size_ = 1;
+    if (!nodes_.empty()) s.stack_[static_cast<std::size_t>(s.size_++)] = {0, 0};
     return s;
   }
 
@@ -109,22 +129,33 @@ class bounding_volume_tree {
   template <class Bound, class Visit>
   void go_on(search& s, const Bound& bound, double& limit, const Visit& visit,
              int budget = std::numeric_limits<int>::max()) const {
-    for (; s.size_ > 0 && budget > 0;) {
+    const node* here;
+    four bounds;
+    unsigned within;  // a bit for each branch: cheaper to find out first than to guess four times
+    const auto open = [&](std::int32_t number) {
+      --budget;
+      here = &nodes_[static_cast<std::size_t>(number)];
+      bounds = bound(here->boxes);
+      within = 0;
+      unrolled<4>(
+          [&](auto k) { within |= static_cast<unsigned>(bounds[k] <= static_cast<float>(limit)) << k; });
+    };
+    while (s.size_ > 0 && budget > 0) {
       const auto top = s.stack_[static_cast<std::size_t>(--s.size_)];
       if (!(top.bound <= limit)) continue;
-      --budget;
-      const node& here = nodes_[static_cast<std::size_t>(top.node)];
-      const auto bounds = bound(here.boxes);
-      unsigned within = 0;  // a bit for each branch: cheaper to find out first than to guess four times
-      for (int k = 0; k < 4; ++k) within |= static_cast<unsigned>(bounds[k] <= limit) << k;
+      open(top.node);
+      // One branch alone leads on without the stack, for which the processor would wait
+      while (const std::int32_t* on = only_inner(*here, within)) {
+        if (budget <= 0) break;
+        open(*on);
+      }
       const int inner = s.size_;
       for (; within != 0; within &= within - 1) {
-        const int k = std::countr_zero(within);
-        const auto branch = static_cast<std::size_t>(k);
-        const double b = bounds[k];
-        if (here.count[branch] == 0) push(s, inner, {b, here.first[branch]});
-        for (std::int32_t i = 0; i < here.count[branch] && b <= limit; ++i)
-          visit(static_cast<int>(items_[static_cast<std::size_t>(here.first[branch] + i)]), b);
+        const auto k = static_cast<std::size_t>(std::countr_zero(within));
+        const float b = bounds[static_cast<int>(k)];
+        if (here->count[k] == 0) push(s, inner, {b, here->first[k]});
+        for (std::int32_t i = 0; i < here->count[k] && b <= limit; ++i)
+          visit(static_cast<int>(items_[static_cast<std::size_t>(here->first[k] + i)]), double(b));
       }
     }
   }
@@ -137,7 +168,7 @@ class bounding_volume_tree {
   }
 
  private:
-  static constexpr std::int32_t leaf_size = 4;
+  static constexpr std::ptrdiff_t leaf_size = 4;
   static constexpr std::int32_t empty = -1;
 
   struct node {
@@ -146,9 +177,22 @@ class bounding_volume_tree {
     std::array<std::int32_t, 4> count;  // of items; 0 of an inner node, `empty` of a branch without any
   };
 
-  struct range {
-    std::int32_t first, count;  // of items_
+  // An item while the tree is built
+  struct centre {
+    vector<float, D> at;  // [m]
+    std::int32_t item;
   };
+  struct range {
+    centre *begin, *end;
+    std::ptrdiff_t size() const { return end - begin; }
+  };
+
+  // The number of the only branch within, if that is an inner node
+  static const std::int32_t* only_inner(const node& n, unsigned within) {
+    if (within == 0 || (within & (within - 1)) != 0) return nullptr;
+    const auto k = static_cast<std::size_t>(std::countr_zero(within));
+    return n.count[k] == 0 ? &n.first[k] : nullptr;
+  }
 
   // Keeps those pushed since `from` in order, the nearest on top.
   static void push(search& s, int from, typename search::entry e) {
@@ -158,41 +202,58 @@ class bounding_volume_tree {
     s.stack_[static_cast<std::size_t>(at)] = e;
   }
 
-  bounding_box<D> box_of(const std::vector<bounding_box<D>>& boxes, range r) const {
-    bounding_box<D> all;
-    for (auto item = items_.begin() + r.first; item != items_.begin() + r.first + r.count; ++item)
-      all.extend(boxes[static_cast<std::size_t>(*item)]);
-    return all;
-  }
-
-  // Two halves along the longest side of the box about all
-  std::array<range, 2> halves(const std::vector<bounding_box<D>>& boxes, range r) {
-    const bounding_box<D> all = box_of(boxes, r);
+  // In two at the middle of the longest side of the box about the centres; where that leaves less than a
+  // quarter on one side, in halves of their number.
+  static centre* cut(range r) {
+    if (r.size() < 2) return r.end;
+    vector<float, D> lower = r.begin->at, upper = lower;
+    for (const centre* c = r.begin; c != r.end; ++c) {
+      lower = lower.cwiseMin(c->at);
+      upper = upper.cwiseMax(c->at);
+    }
     int axis = 0;
-    if (r.count > 0) (all.upper - all.lower).maxCoeff(&axis);
-    const auto begin = items_.begin() + r.first;
-    std::nth_element(begin, begin + r.count / 2, begin + r.count, [&](std::int32_t i, std::int32_t j) {
-      const auto &a = boxes[static_cast<std::size_t>(i)], &b = boxes[static_cast<std::size_t>(j)];
-      return a.lower[axis] + a.upper[axis] < b.lower[axis] + b.upper[axis];
-    });
-    return {range{r.first, r.count / 2}, range{r.first + r.count / 2, r.count - r.count / 2}};
+    (upper - lower).maxCoeff(&axis);
+    const float middle = lower[axis] / 2 + upper[axis] / 2;
+    centre* at = r.begin;
+    for (centre* c = r.begin; c != r.end; ++c) {  // std::partition, without branches that cannot be foretold
+      const bool low = c->at[axis] < middle;
+      std::swap(*c, *at);
+      at += low;
+    }
+    const auto least = (r.size() + 3) / 4;
+    if (at - r.begin >= least && r.end - at >= least) return at;
+    at = r.begin + r.size() / 2;
+    std::nth_element(r.begin, at, r.end,
+                     [&](const centre& a, const centre& b) { return a.at[axis] < b.at[axis]; });
+    return at;
   }
 
-  // Makes the node of these items and all below it, and returns its number.
-  std::int32_t build(const std::vector<bounding_box<D>>& boxes, range r) {
+  // Makes the node of these items and all below it, and returns the box about them.
+  bounding_box<D> build(const std::vector<bounding_box<D>>& boxes, range all, const centre* first) {
     const auto at = nodes_.size();
     nodes_.emplace_back();
-    const auto two = halves(boxes, r);
-    const auto low = halves(boxes, two[0]), high = halves(boxes, two[1]);
-    const std::array<range, 4> four{low[0], low[1], high[0], high[1]};
-    for (std::size_t k = 0; k < 4; ++k) {
-      nodes_[at].boxes.set(static_cast<int>(k), box_of(boxes, four[k]), scale_);
-      const bool leaf = four[k].count <= leaf_size;
-      const std::int32_t first = leaf ? four[k].first : build(boxes, four[k]);
-      nodes_[at].first[k] = first;
-      nodes_[at].count[k] = !leaf ? 0 : four[k].count > 0 ? four[k].count : empty;
+    std::array<range, 4> branches{all};
+    for (std::size_t k = 1; k < 4; ++k) {
+      range& most = *std::max_element(branches.begin(), branches.begin() + k,
+                                      [](const range& a, const range& b) { return a.size() < b.size(); });
+      branches[k] = {cut(most), most.end};
+      most.end = branches[k].begin;
     }
-    return static_cast<std::int32_t>(at);
+    bounding_box<D> about;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const range r = branches[k];
+      bounding_box<D> box;
+      const bool leaf = r.size() <= leaf_size;
+      nodes_[at].first[k] =
+          static_cast<std::int32_t>(leaf ? r.begin - first : static_cast<std::ptrdiff_t>(nodes_.size()));
+      nodes_[at].count[k] = !leaf ? 0 : r.size() > 0 ? static_cast<std::int32_t>(r.size()) : empty;
+      if (leaf)
+        for (const centre* c = r.begin; c != r.end; ++c) box.extend(boxes[static_cast<std::size_t>(c->item)]);
+      else box = build(boxes, r, first);
+      nodes_[at].boxes.set(static_cast<int>(k), box, scale_);
+      about.extend(box);
+    }
+    return about;
   }
 
   std::vector<node> nodes_;

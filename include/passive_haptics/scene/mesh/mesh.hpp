@@ -59,10 +59,7 @@ class mesh {
     double limit = best.squared_distance;
     auto search = data_->tree.start();
     data_->tree.go_on(search, squared_distance_from<D>(x), limit, [&](int i, double) {
-      const auto& f = (*this)[i];
-      const double height = f.height(x);
-      if (!(height * height < limit)) return;  // as from inside a ball, where all boxes are about as near
-      const auto candidate = nearest_point(f, x);
+      const auto candidate = nearest_point((*this)[i], x, limit);
       if (!(candidate.squared_distance < limit)) return;
       best = {candidate, i};
       limit = candidate.squared_distance;
@@ -118,9 +115,11 @@ class mesh {
     void find_vertex_normals(std::size_t count) {
       vertex_normals.assign(count, point<D>::Zero());
       for_each_corner([&](const auto& f, point<D>& sum, int i) { sum += detail::angle_at(f, i) * f.normal; });
+      for (point<D>& n : vertex_normals) n = detail::direction_or<D>(n, n);
       // Where facets lie back to back, any of them will do.
-      for_each_corner(
-          [&](const auto& f, point<D>& sum, int) { sum = detail::direction_or<D>(sum, f.normal); });
+      for_each_corner([&](const auto& f, point<D>& n, int) {
+        if (n.isZero(0)) n = f.normal;
+      });
     }
     template <class F>
     void for_each_corner(const F& f) {
@@ -131,7 +130,8 @@ class mesh {
     }
 
     void find_edges() {
-      const auto ridges = detail::sorted_ridges<D>(vertices);
+      const auto ridges = detail::sorted_ridges<D>(vertices, vertex_normals.size());
+      edge_normals.reserve(ridges.size() / 2);
       for (const detail::ridge *r = ridges.data(), *end = r + ridges.size(); r != end;) {
         const detail::ridge* const first = r;
         point<D> sum = point<D>::Zero();

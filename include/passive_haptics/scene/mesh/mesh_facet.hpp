@@ -51,15 +51,30 @@ namespace detail {
 
 // Templates throughout, so that who includes this and has no mesh pays nothing for it.
 
-/// The corners of a triangle, counted round so that its longest edge runs from the first to the second.
+/// A triangle by its longest edge, divided by a length that is near to that edge's: no square over- or
+/// underflows.
 template <int D>
-facet_corners<D> longest_edge_first(facet_corners<D> c) {
-  const std::array<double, 3> square{(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(),
-                                     (c[0] - c[2]).squaredNorm()};
-  const auto longest = std::max_element(square.begin(), square.end()) - square.begin();
-  std::rotate(c.begin(), c.begin() + longest, c.end());
-  return c;
-}
+struct on_longest_edge {
+  point<D> along;     ///< Unit vector from the edge's first end to its second.
+  double length;      ///< Of the edge, 1 to sqrt(D); 0 if it has none.
+  point<D> from, to;  ///< From the second end to the third corner, and from there to the first end.
+
+  explicit on_longest_edge(const facet_corners<D>& c) {
+    const std::array<double, 3> square{(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(),
+                                       (c[0] - c[2]).squaredNorm()};
+    const auto longest = std::max_element(square.begin(), square.end()) - square.begin();
+    const auto corner = [&](auto i) -> const point<D>& {
+      return c[static_cast<std::size_t>((longest + i) % 3)];
+    };
+    const point<D> edge = corner(1) - corner(0);
+    const double size = edge.cwiseAbs().maxCoeff();
+    along = edge / size;
+    length = size > 0 ? along.norm() : size;
+    along /= length;
+    from = (corner(2) - corner(1)) / size;
+    to = (corner(0) - corner(2)) / size;
+  }
+};
 
 /// How far a facet reaches in its narrowest direction, by its longest: |b - a| > 0 of a segment gives 1, a
 /// triangle its height by its longest edge. 0 if it has no area, NaN if its coordinates overflow.
@@ -69,10 +84,9 @@ double slenderness(const facet_corners<D>& c) {
     const double length = (c[1] - c[0]).stableNorm();
     return length / length > 0 ? 1 : 0;
   } else {
-    const auto [a, b, tip] = longest_edge_first<D>(c);
-    const point<D> along = (b - a).stableNormalized(), up = tip - a;
-    const double height = (up - along.dot(up) * along).stableNorm(), length = (b - a).stableNorm();
-    return length > 0 ? height / length : 0;
+    const on_longest_edge<D> edge(c);
+    const double height = (edge.to - edge.along.dot(edge.to) * edge.along).norm();
+    return edge.length == 0 ? 0 : height / edge.length;
   }
 }
 
@@ -84,14 +98,10 @@ point<D> normal_of(const facet_corners<D>& c) {
     const point<D> along = (c[1] - c[0]).stableNormalized();
     return {along[1], -along[0]};
   } else {
-    const auto [a, b, tip] = longest_edge_first<D>(c);
-    const point<D> along = (b - a).stableNormalized();
-    point<D> n = cross<double>((tip - b).stableNormalized(), (a - tip).stableNormalized());
-    for (int pass = 0; pass < 2; ++pass) {
-      n -= along.dot(n) * along;
-      n.normalize();
-    }
-    return n;
+    const on_longest_edge<D> edge(c);
+    point<D> n = cross<double>(edge.from, edge.to);
+    for (int pass = 0; pass < 2; ++pass) n -= edge.along.dot(n) * edge.along;
+    return n.normalized();
   }
 }
 
@@ -108,27 +118,31 @@ facet_point<D> nearest_on_segment(const point<D>& a, const point<D>& b, const po
 
 }  // namespace detail
 
-/// The point of a facet nearest to x; a NaN in x gives a NaN distance.
+/// The point of a facet nearest to x; a NaN in x gives a NaN distance. A facet that is found to be further
+/// than the square root of `limit` [m^2] may be told to be infinitely far.
 ///
 /// If the foot of x on the plane lies between the edges it is the one, else the point lies on an edge behind
 /// which the foot lies. Longer than with barycentric coordinates (Ericson, Real-Time Collision Detection,
 /// 2005, ch. 5.1.5), but those lose a needle's short side to rounding, the square of its slenderness.
 template <int D>
-facet_point<D> nearest_point(const mesh_facet<D>& f, const std::type_identity_t<point<D>>& x) {
-  const auto on_plane = [&] {
-    const double h = f.height(x);
-    return facet_point<D>{x - h * f.normal, h * h, facet_part::interior, 0};
-  };
+facet_point<D> nearest_point(const mesh_facet<D>& f, const std::type_identity_t<point<D>>& x,
+                             double limit = std::numeric_limits<double>::infinity()) {
+  const double h = f.height(x);
+  facet_point<D> best{x, std::numeric_limits<double>::infinity(), facet_part::interior, 0};
+  if (h * h > limit) return best;
+  const auto on_plane = [&] { return facet_point<D>{x - h * f.normal, h * h, facet_part::interior, 0}; };
   if constexpr (D == 2) {
     const auto on_segment = detail::nearest_on_segment<D>(f.corners[0], f.corners[1], x, 0);
     return on_segment.part == facet_part::corner ? on_segment : on_plane();
   } else {
-    facet_point<D> best{x, std::numeric_limits<double>::infinity(), facet_part::interior, 0};
     bool inside = true;
     for (int i = 0; i < 3; ++i) {
       const point<D>&a = f.corner(i), &b = f.corner(i + 1);
-      if (!(f.normal.dot(cross<double>(b - a, x - a)) < 0)) continue;
+      const point<D> along = b - a;
+      const double behind = f.normal.dot(cross<double>(x - a, along));  // times the length of the edge
+      if (!(behind > 0)) continue;
       inside = false;
+      if (behind * behind > (limit - h * h) * along.squaredNorm()) break;
       const auto on_edge = detail::nearest_on_segment<D>(a, b, x, i);
       if (on_edge.squared_distance < best.squared_distance) best = on_edge;
     }

@@ -39,15 +39,17 @@ std::string validate(const mesh_parameters<D>& p) {
       return detail::indexed("vertex ", i, " of a mesh is not finite, expected metres");
   }
   for (std::size_t i = 0; i < p.facets.size(); ++i) {
-    const std::string name = detail::indexed("facet ", i, " of a mesh");
+    const auto name = [i](const char* what) {
+      return detail::indexed("facet ", i, " of a mesh: ").append(what);
+    };
     for (const int v : p.facets[i]) {
       if (v >= 0 && static_cast<std::size_t>(v) < p.vertices.size()) continue;
-      return detail::error_text(name + ": index of a vertex", v,
+      return detail::error_text(name("index of a vertex"), v,
                                 detail::indexed("0 or more and less than ", p.vertices.size(), ""));
     }
     const double slenderness = detail::slenderness(p.corners(i));
     if (!(slenderness > least_slenderness))
-      return detail::error_text(name + ": height by longest edge", slenderness,
+      return detail::error_text(name("height by longest edge"), slenderness,
                                 "> 1e-10; remove the facet, without_slivers() does");
   }
   return {};

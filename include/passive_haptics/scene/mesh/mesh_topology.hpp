@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <compare>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace passive_haptics::detail {
@@ -38,25 +38,40 @@ struct ridge {
   int facet, index;
   int turn;  // 1 or -1: which way round the facet runs along it
 
-  bool operator<(const ridge& other) const { return order() < other.order(); }
   bool same_place(const ridge& other) const { return low == other.low && high == other.high; }
-  std::array<int, 4> order() const { return {low, high, facet, index}; }
 };
 
-/// All of them, those in the same place one after the other.
-template <int D>
-std::vector<ridge> sorted_ridges(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets) {
-  std::vector<ridge> all;
-  all.reserve(D * facets.size());
-  for (std::size_t f = 0; f < facets.size(); ++f) {
+/// Calls f(ridge) for each, facet by facet.
+template <int D, class F>
+void for_each_ridge(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets, const F& f) {
+  for (std::size_t k = 0; k < facets.size(); ++k) {
     for (int i = 0; i < D; ++i) {
-      const int from = facets[f][static_cast<std::size_t>(i)];
-      const int to = D == 2 ? from : facets[f][static_cast<std::size_t>((i + 1) % D)];
+      const int from = facets[k][static_cast<std::size_t>(i)];
+      const int to = D == 2 ? from : facets[k][static_cast<std::size_t>((i + 1) % D)];
       const int turn = D == 2 ? 1 - 2 * i : (from < to ? 1 : -1);
-      all.push_back({std::min(from, to), std::max(from, to), static_cast<int>(f), i, turn});
+      f(ridge{std::min(from, to), std::max(from, to), static_cast<int>(k), i, turn});
     }
   }
-  std::sort(all.begin(), all.end());
+}
+
+/// All of them, those in the same place one after the other, facet by facet. O(n): a vertex has few.
+template <int D>
+std::vector<ridge> sorted_ridges(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets,
+                                 std::size_t vertex_count) {
+  // Where those of each low vertex begin; once they are placed, where they end
+  std::vector<std::size_t> at(vertex_count + 1);
+  for_each_ridge<D>(facets, [&](const ridge& r) { ++at[static_cast<std::size_t>(r.low) + 1]; });
+  std::partial_sum(at.begin(), at.end(), at.begin());
+  std::vector<ridge> all(at.back());
+  for_each_ridge<D>(facets, [&](const ridge& r) { all[at[static_cast<std::size_t>(r.low)]++] = r; });
+  auto begin = all.begin();
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(at[v]);
+    std::sort(begin, end, [](const ridge& a, const ridge& b) {
+      return std::pair(a.high, a.facet) < std::pair(b.high, b.facet);
+    });
+    begin = end;
+  }
   return all;
 }
 

@@ -118,13 +118,14 @@ class proxy_way {
   // Which slab the step enters first; those of the facets on which the proxy rests only if told so.
   hit first_stop(const point<D>& step, bool resting_too) {
     const auto entry = [&](const four_outer_boxes<D>& boxes) {
-      Eigen::Array<double, 4, 1> times;
+      Eigen::Array<float, 4, 1> times;
       for (int k = 0; k < 4; ++k) {
         part_of_way way;
         for (int i = 0; i < D; ++i)
           way.keep_between(p_[i], step[i], double(boxes.lower(k, i)) - 2 * skin_,
                            double(boxes.upper(k, i)) + 2 * skin_);
-        times[k] = way.empty() ? 2.0 : way.first;
+        times[k] =
+            way.empty() ? 2.f : (1 - std::numeric_limits<float>::epsilon()) * static_cast<float>(way.first);
       }
       return times;
     };

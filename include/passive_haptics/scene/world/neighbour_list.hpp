@@ -27,9 +27,9 @@ namespace passive_haptics {
 ///     is travelled the next list is collected, a few nodes of the tree a cycle: no cycle pays for all.
 ///
 /// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It collects a list
-/// at once, some ten to a hundred nodes, when the handle jumps or leaves the reach before the next list is
-/// complete; and it asks all items whose boxes hold the handle where they are more than Listed. No allocation
-/// after construction.
+/// at once, some ten to a hundred nodes, when the handle leaves the reach before the next list is complete.
+/// It asks all items whose boxes hold the handle where they are more than Listed, and where it has jumped: so
+/// far that no list would last. No allocation after construction.
 template <int D, int Listed = 16>
 class neighbour_list {
  public:
@@ -47,13 +47,17 @@ class neighbour_list {
   template <class Look>
   void visit(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
     const double step = (x - last_).norm();
-    if (step < unbounded)
+    const bool jumped = !(step < usual_reach_);  // the first time, too
+    if (jumped) {
+      reset();
+      usual_reach_ *= 1.01;  // some day a list is tried again
+    } else {
       travelled_ = (travelled_ + step) * (1 + 4 * epsilon);  // rather too far than too short
-    else reset();
+    }
     last_ = x;
     if (collecting_) collect(tree, nodes_per_cycle);
     double from_centre = (x - near().centre).norm();
-    if (!(from_centre < near().reach)) {
+    if (!jumped && !(from_centre < near().reach)) {
       start_collecting(tree, x);
       collect(tree, std::numeric_limits<int>::max());
       from_centre = 0;
@@ -68,7 +72,7 @@ class neighbour_list {
     };
     look_at_near(next_due);
     look_at_others(next_due);
-    if (near().reach == 0) {  // more items about x than the list holds
+    if (near().reach == 0) {  // jumped, or more items about x than the list holds
       tree.visit_within(squared_distance_from<D>(x), 0.0, [&](int item, double) { look(item); });
     }
     double clearance = std::min(near().size > 0 ? near().items[0].due : unbounded, first_other_) - travelled_;
@@ -199,6 +203,7 @@ class neighbour_list {
     travelled_ -= started_at_;
     next().reach = std::sqrt(squared_limit_);
     if (next().reach == 0) next().size = 0;
+    else usual_reach_ = next().reach;
     current_ = 1 - current_;
     const double slack = rounding(near().centre);
     for (neighbour& n : near()) n.due -= slack;
@@ -209,9 +214,10 @@ class neighbour_list {
   double squared_clearance_ = 0;  // of last_ [m^2]
   double travelled_ = 0;          // way since the list was begun [m]
   std::array<list, 2> lists_;
-  int current_ = 0;             // of lists_; the other is the next
-  std::vector<double> others_;  // when each is due [m]
-  double first_other_ = 0;      // the least of them
+  int current_ = 0;                 // of lists_; the other is the next
+  double usual_reach_ = unbounded;  // of the latest list that had one [m]
+  std::vector<double> others_;      // when each is due [m]
+  double first_other_ = 0;          // the least of them
   double scale_ = 0;
   double squared_limit_ = 0;  // of the search for the next list [m^2]
   search search_;

@@ -163,11 +163,14 @@ class world {
     } else {
       const auto k = static_cast<std::size_t>(-1 - item);
       number = geometry_->others[k];
-      motion fixed;
-      motion& m = k < motions_.size() ? motions_[k] : fixed;
-      distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), touched_);
-      for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
-      m.seen = m.now;
+      if (k < motions_.size()) {
+        motion& m = motions_[k];
+        distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), touched_);
+        for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
+        m.seen = m.now;
+      } else {
+        distance = geometry_->at(number).look(previous_, x, tracker(k), touched_);
+      }
     }
     for (contact<D>& c : touched_) {
       c.wall = number;
