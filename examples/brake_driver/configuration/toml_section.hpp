@@ -47,7 +47,7 @@ class toml_section {
   template <passive_haptics::Parameters P>
   void read_all(P& parameters) {
     passive_haptics::for_each_member(
-        parameters, [this](const auto& described, auto& value) { read_member(described, value); });
+        parameters, [&](const auto& described, auto& value) { read_member(described, value); });
     check(parameters);
   }
   /// Throws what is wrong with the parameters: a range, a rule, a large value whose key is not allowed. The

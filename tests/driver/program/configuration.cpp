@@ -93,6 +93,7 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
            {"[port]\ntype = \"comedi\"\namperes_per_volt = 0", "3: [port] brakes[0].amperes_per_volt [A/V]"},
            {"\n[homing]\npose = [2.8, -0.1", "3: Error while parsing array"},
            {"[brakes]\n[brakes]", "2: Error while parsing table header"},
+           {"[.a]", "1: Error while parsing key"},
            {"[simulation]\nseed = -1", "2: [simulation] seed = -1, expected a whole number >= 0"},
            {"log = \"brake\\u0000driver.csv\"", "1: log = "},
        }) {
