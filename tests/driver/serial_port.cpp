@@ -43,7 +43,11 @@ struct connected {
   port host;
   reading last;
 
-  explicit connected(const firmware::settings& s = {}) : peer(s), host(at(peer.path())) {
+  explicit connected(
+      const firmware::settings& s = {},
+      const std::function<void(const std::string&)>& before_open = [](auto&) {})
+      : peer(s), host(at(peer.path())) {
+    before_open(peer.path());
     EXPECT_EQ(peer.open(host), "");
     EXPECT_TRUE(eventually([&] {
       peer.hear();
@@ -454,20 +458,29 @@ TEST_F(serial_port, a_brakes_fault_is_a_failure_while_it_is_used) {
 }
 
 TEST_F(serial_port, a_supervisor_in_another_process_releases_and_takes_no_sample) {
-  connected c;
+  std::array<int, 2> opened{}, go{};
+  ASSERT_EQ(pipe(opened.data()), 0);
+  ASSERT_EQ(pipe(go.data()), 0);
+  pid_t child = -1;
+  char byte = 0;
+  connected c({}, [&](const std::string& path) {
+    child = fork();
+    if (child == 0) {
+      auto p = at(path);
+      p.release_only = true;
+      port supervisor(p);
+      bool well = supervisor.open().empty() && write(opened[1], &byte, 1) == 1;
+      well = read(go[0], &byte, 1) == 1 && well;
+      supervisor.release();
+      _exit(well ? 0 : 1);
+    }
+    EXPECT_EQ(read(opened[0], &byte, 1), 1);
+  });
   EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
   c.peer.tick();
   EXPECT_TRUE(eventually([&] { return c.peer.waiting() > 0; }));
   const int waiting = c.peer.waiting();
-  const pid_t child = fork();
-  if (child == 0) {
-    auto p = at(c.peer.path());
-    p.release_only = true;
-    port supervisor(p);
-    const bool opened = supervisor.open().empty();
-    supervisor.release();
-    _exit(opened ? 0 : 1);
-  }
+  EXPECT_EQ(write(go[1], &byte, 1), 1);
   int status = -1;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
@@ -478,6 +491,62 @@ TEST_F(serial_port, a_supervisor_in_another_process_releases_and_takes_no_sample
   }));
   EXPECT_EQ(c.host.read(c.last), port_status::ok);
   EXPECT_TRUE(c.until(port_status::failed)) << "its currents are no longer on the brakes";
+}
+
+TEST_F(serial_port, a_second_driver_is_refused_and_takes_no_byte) {
+  connected c;
+  c.peer.tick();
+  EXPECT_TRUE(eventually([&] { return c.peer.waiting() > 0; }));
+  const int waiting = c.peer.waiting();
+  for (const bool release_only : {false, true}) {
+    auto p = at(c.peer.path());
+    p.release_only = release_only;
+    port second(p);
+    EXPECT_TRUE(has(second.open(), c.peer.path() + ": another program drives it")) << release_only;
+    second.release();
+  }
+  EXPECT_EQ(c.peer.waiting(), waiting);
+  EXPECT_EQ(c.host.read(c.last), port_status::ok);
+  c.peer.heard.clear();
+  c.peer.hear();
+  EXPECT_TRUE(c.peer.heard.empty()) << "nor did the device hear anything";
+}
+
+TEST_F(serial_port, is_free_again_when_its_driver_has_closed_it_or_was_killed) {
+  serial_peer peer;
+  const int other = ::open(peer.path().c_str(), O_RDWR | O_NOCTTY);
+  const auto exclusive = [&] {
+    int held = -1;
+    return ioctl(other, TIOCGEXCL, &held) == 0 ? held : -1;
+  };
+  {
+    port first(at(peer.path()));
+    EXPECT_EQ(peer.open(first), "");
+    EXPECT_EQ(exclusive(), 1);
+    port moved(std::move(first));
+    EXPECT_EQ(exclusive(), 1);
+  }
+  EXPECT_EQ(exclusive(), 0) << "a pseudo-terminal would remember it";
+  close(other);
+  std::array<int, 2> opened{};
+  ASSERT_EQ(pipe(opened.data()), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    example::serial_line line;
+    const char well = line.open(peer.path(), 115200, example::serial_line::use::alone).empty() ? 1 : 0;
+    if (write(opened[1], &well, 1) == 1) pause();
+    _exit(1);
+  }
+  char well = 0;
+  ASSERT_EQ(read(opened[0], &well, 1), 1);
+  EXPECT_EQ(well, 1);
+  EXPECT_TRUE(has(port(at(peer.path())).open(), "another program drives it"));
+  kill(child, SIGKILL);
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  if (geteuid() == 0) {  // to others a pseudo-terminal whose peer goes on stays exclusive
+    port next(at(peer.path()));
+    EXPECT_EQ(peer.open(next), "");
+  }
 }
 
 TEST_F(serial_port, read_write_and_release_do_not_allocate) {

@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <linux/serial.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
@@ -61,13 +62,24 @@ class serial_line {
     lost,     ///< The port is gone.
   };
 
-  /// Raw, 8 data bits, no parity, 1 stop bit, no flow control. Not exclusive: a second process may open it,
-  /// too, and takes nothing away as long as it does not read. Empty, or what is wrong and what to do.
-  std::string open(const std::string& path, int baud) {
+  /// Whose line it is.
+  enum class use {
+    alone,   ///< Only this one reads: until it is closed nobody else opens the line, alone or beside.
+    beside,  ///< Of somebody who writes now and then beside the one who reads, and opens it before.
+  };
+
+  serial_line() = default;
+  serial_line(serial_line&&) noexcept = default;
+  serial_line& operator=(serial_line&&) noexcept = default;
+  ~serial_line() { close(); }
+
+  /// Raw, 8 data bits, no parity, 1 stop bit, no flow control. Empty, or what is wrong and what to do.
+  std::string open(const std::string& path, int baud, use u) {
     close();
     fd_ = file_descriptor(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     if (!fd_.is_open()) return "serial port " + path + ": " + refusal(errno);
-    const std::string text = set_up(baud);
+    std::string text = lock(u);
+    if (text.empty()) text = set_up(baud);
     if (text.empty()) return "";
     close();
     return "serial port " + path + ": " + text;
@@ -111,10 +123,15 @@ class serial_line {
   void wait(double timeout) const noexcept { fd_.wait(timeout); }
 
   /// Nothing if it is not open.
-  void close() noexcept { fd_.close(); }
+  void close() noexcept {
+    if (alone_) ioctl(fd_.get(), TIOCNXCL);  // a pseudo-terminal would remember it
+    alone_ = false;
+    fd_.close();
+  }
 
  private:
   file_descriptor fd_;
+  bool alone_ = false;
 
   static std::string refusal(int error) {
     switch (error) {
@@ -123,12 +140,21 @@ class serial_line {
         return "no permission; add the user to the group that owns it (dialout in Debian) by `sudo usermod "
                "-aG dialout "
                "$USER` and log in again";
-      case EBUSY: return "another program holds it exclusively; end that program";
+      case EWOULDBLOCK:
+      case EBUSY: return "another program drives it; end that program (`fuser -v` with this file names it)";
       case ENXIO:
       case ENODEV:
       case EIO: return "there is a file but no device behind it; plug the device in";
       default: return std::strerror(error);
     }
+  }
+
+  // TIOCEXCL is for programs that know of no lock, and nothing to root; flock ends with its process
+  std::string lock(use u) {
+    if (flock(fd_.get(), (u == use::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) return refusal(errno);
+    if (u == use::beside) flock(fd_.get(), LOCK_UN);
+    else alone_ = ioctl(fd_.get(), TIOCEXCL) == 0;
+    return "";
   }
 
   std::string set_up(int baud) {

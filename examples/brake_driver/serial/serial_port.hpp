@@ -57,13 +57,19 @@ class serial_port {
 
   /// Opens the port, releases the brakes, and asks the device who it is.
   std::string open() {
-    if (const std::string text = line_.open(parameters_.device, parameters_.baud); !text.empty()) return text;
+    using enum serial_line::use;
+    if (const std::string text =
+            line_.open(parameters_.device, parameters_.baud, parameters_.release_only ? beside : alone);
+        !text.empty())
+      return text;
     lost_ = false;
     if (parameters_.release_only) return "";
     line_.discard_input();  // samples of before
     release();
     const std::string text = greet();
-    return text.empty() ? "" : "serial port " + parameters_.device + ": " + text;
+    if (text.empty()) return "";
+    line_.close();  // somebody else may drive it
+    return "serial port " + parameters_.device + ": " + text;
   }
 
   /// See above; bounded by the 4 KiB that the kernel keeps.
