@@ -77,6 +77,7 @@ class session {
     r.doing = doing_;
     r.state = port_.state();
     r.reason = port_.reason();
+    r.needs_homing = port_.needs_homing();
     r.held_over = port_.held_over();
     r.current = port_.applied();
     r.late = now.late;

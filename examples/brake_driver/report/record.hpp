@@ -19,6 +19,7 @@ struct record {
   phase doing = phase::homing;
   ph::port_state state = ph::port_state::ready;
   ph::fault_record reason;     ///< Why the brakes are released.
+  bool needs_homing = false;   ///< Whether they stay so until the program starts again.
   ph::fault_record held_over;  ///< What is wrong with the last samples.
   ph::status outcome = ph::status::ok;
   ph::power_class power = ph::power_class::none;

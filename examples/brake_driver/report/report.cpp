@@ -33,6 +33,18 @@ std::string text(const char* format, Arguments... arguments) {
   return line.data();
 }
 
+// What somebody can do about released brakes; the recorder's parent is the loop.
+std::string way_back(const record& r) {
+  if (r.state != ph::port_state::released || r.reason.what == ph::fault::user) return "";
+  return r.needs_homing ? "start again, at the home pose"
+                        : "when that is over: kill -USR1 " + std::to_string(getppid());
+}
+
+// What the walls ask for is felt only while the brakes are driven.
+bool displays(const record& r) {
+  return r.state == ph::port_state::active || r.state == ph::port_state::degraded;
+}
+
 std::string bar(double share, std::size_t width) {
   const auto full =
       static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(width)));
@@ -138,12 +150,15 @@ void report_sink::show() {
   if (r.reason.what != ph::fault::none) state += ": " + to_string(r.reason);
   else if (r.held_over.what != ph::fault::none) state += ", holding over " + to_string(r.held_over);
 
+  const std::string rearm = way_back(r);
   if (!terminal_) {
+    if (!rearm.empty()) state += " (" + rearm + ")";
     pending_ = text(
         "%7.1f s  %-10s handle (%.4f, %.4f) m  hand (%5.2f, %5.2f) N  %-11s brakes %.3f, %.3f A  late %s at "
         "most\n",
-        r.time, state.c_str(), r.x[0], r.x[1], r.hand[0], r.hand[1], to_string(r.display).data(),
-        r.current[0], r.current[1], duration(static_cast<double>(late_.largest())).c_str());
+        r.time, state.c_str(), r.x[0], r.x[1], r.hand[0], r.hand[1],
+        displays(r) ? to_string(r.display).data() : "no display", r.current[0], r.current[1],
+        duration(static_cast<double>(late_.largest())).c_str());
     write_shown();
     return;
   }
@@ -151,10 +166,13 @@ void report_sink::show() {
   table += text("%s %*s\n", title_.c_str(), std::max(1, 90 - static_cast<int>(title_.size())),
                 text("%.1f s", r.time).c_str());
   table += "state    " + state + "\n";
+  if (!rearm.empty()) table += "rearm    " + rearm + "\n";
   table += text("handle   x %8.4f m    y %8.4f m\n", r.x[0], r.x[1]);
   table += text("hand     x %8.3f N    y %8.3f N\n", r.hand[0], r.hand[1]);
-  table += text("wall     x %8.1f N    y %8.1f N    %s, %s, gamma %.0f deg, alpha %.2f\n", r.desired[0],
-                r.desired[1], to_string(r.power).data(), to_string(r.display).data(), degrees, r.alpha);
+  table += displays(r)
+               ? text("wall     x %8.1f N    y %8.1f N    %s, %s, gamma %.0f deg, alpha %.2f\n", r.desired[0],
+                      r.desired[1], to_string(r.power).data(), to_string(r.display).data(), degrees, r.alpha)
+               : "wall     not displayed\n";
   for (std::size_t i = 0; i < r.current.size(); ++i)
     table += text("brake %zu  %9.4f /s  may hold %6.3f N m  %6.3f A  ", i + 1, r.qd[i], r.capacity[i],
                   r.current[i]) +

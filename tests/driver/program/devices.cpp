@@ -161,6 +161,28 @@ TEST_F(a_board, can_be_tried_with_the_shipped_configuration) {
   end();
 }
 
+TEST_F(a_board, that_is_driven_refuses_a_second_driver_and_the_first_goes_on) {
+  plug_in();
+  start(connected());
+  std::size_t row = 0;
+  ASSERT_TRUE(reaches("active", 0, &row)) << ended();
+  const pid_t first = pid;
+  settings second = connected();
+  second.top += "\nlog = \"\"";
+  file("second.toml", second.text());
+  EXPECT_EQ(status_of(spawn({driver, "--config", "second.toml"}, "second")), 1);
+  EXPECT_TRUE(has(text_of(directory / "second.err"), "another program drives it"))
+      << text_of(directory / "second.err");
+  const std::size_t so_far = log().size();
+  ASSERT_TRUE(eventually([&] { return log().size() > so_far + 300; }));
+  send(SIGINT, first);
+  const outcome o = end();
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+  const log_file all = log();
+  for (std::size_t i = row; i + 1 < all.size(); ++i)
+    ASSERT_TRUE(all.text(i, "state") == "active" || all.text(i, "state") == "degraded") << i;
+}
+
 TEST_F(a_board, that_is_silent_from_the_start_is_named) {
   plug_in();
   send(SIGSTOP, board);

@@ -134,6 +134,32 @@ TEST_F(a_terminal, shows_one_table_that_is_redrawn_in_its_place) {
   EXPECT_EQ(end().status, 0);
 }
 
+TEST_F(a_terminal, shows_no_force_of_a_wall_that_is_not_displayed_and_how_to_rearm) {
+  start_in(50, 100, {.longest_sleep = 0.3, .hand_start = 0.2});
+  ASSERT_TRUE(reaches("active")) << ended();
+  send(SIGSTOP);
+  usleep(1'000'000);
+  send(SIGCONT);
+  ASSERT_TRUE(eventually([this] {
+    look();
+    return shown.count("state    released: the clock jumped") == 1;
+  })) << shown.text();
+  ASSERT_TRUE(redraws(shown.redrawn + 2));
+  EXPECT_EQ(shown.count("wall     not displayed"), 1) << shown.text();
+  EXPECT_EQ(shown.count("wall     x"), 0) << shown.text();
+  EXPECT_EQ(shown.count("rearm    when that is over: kill -USR1 " + std::to_string(pid)), 1) << shown.text();
+  send(SIGUSR1);
+  EXPECT_TRUE(eventually([this] {
+    look();
+    return shown.count("state    active") == 1 && shown.count("wall     x") == 1 && shown.count("rearm") == 0;
+  })) << shown.text();
+  send(SIGINT);
+  eventually([this] {
+    look();
+    return waitpid(pid, nullptr, WNOHANG) != 0;
+  });
+}
+
 TEST_F(a_terminal, that_is_small_shows_what_fits) {
   start_in(10, 40);
   ASSERT_TRUE(redraws(1));
