@@ -2,8 +2,8 @@
 /// Least squares with priorities and bounds, in the way that fits the number of unknowns.
 #pragma once
 
-#include <passive_haptics/core/linear/prioritised_least_squares.hpp>
 #include <passive_haptics/core/priorities/elimination.hpp>
+#include <passive_haptics/core/priorities/prioritised_least_squares.hpp>
 
 #include <algorithm>
 
@@ -55,7 +55,7 @@ void settle(vector<T, N>& x, vector<bool, N>& held, const vector<T, N>& lower, c
 ///
 /// The last level decides every unknown that is left, by N rows. x is within its bounds exactly; they may be
 /// infinite. Cost: up to four unknowns are eliminated in closed form, for each set of bounds that may hold
-/// them, two to six times mostly; more by an active set (core/linear/prioritised_least_squares.hpp), for
+/// them, two to six times mostly; more by an active set (core/priorities/prioritised_least_squares.hpp), for
 /// which MostRows says how many rows but those of the last level may not be 0; all if it is -1.
 template <int MostRows = -1, class T, int N, int... Rows>
 vector<T, N> least_squares_by_priority(const vector<T, N>& lower, const vector<T, N>& upper,
