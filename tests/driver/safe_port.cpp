@@ -436,6 +436,33 @@ TEST(a_frozen_encoder, is_none_where_a_brake_holds_it) {
   EXPECT_EQ(r.port.state(), ph::port_state::active);
 }
 
+TEST(a_frozen_encoder, is_none_where_it_moves_now_and_then) {
+  rig r;
+  r.wanted = {0, 0};
+  r.cycle();
+  ASSERT_TRUE(r.port.activate());
+  double slow = r.device.sample.value[1];
+  for (int k = 1; k <= 3000; ++k) {  // 9000 counts of the other
+    if (k % 300 == 0) ++slow;
+    r.device.sample.value[1] = slow - 3;
+    r.cycle();
+    r.device.sample.value[1] = slow;
+    ASSERT_EQ(r.port.state(), ph::port_state::active) << "cycle " << k << ": " << to_string(r.port.reason());
+  }
+}
+
+TEST(a_jump, cannot_be_waited_out) {
+  ph::encoder_check<1> check({.largest_rate = 1000});
+  ph::port_sample<1> sample{0, 0, {0}, {true}};
+  EXPECT_EQ(check(sample, true).what, ph::fault::none);
+  for (int k = 1; k <= 5000; ++k) {  // 5 s, in which it could have gone 5000 counts
+    sample.time = 1e-3 * k;
+    sample.value[0] = 100;
+    ASSERT_EQ(check(sample, true).what, ph::fault::encoder_jump) << k;
+  }
+  EXPECT_EQ(check.position()[0], 0);
+}
+
 TEST(a_jump, that_was_only_one_bad_reading_is_forgotten) {
   rig r;
   r.hold();
@@ -530,6 +557,21 @@ TEST(a_release_policy, holds_where_the_user_says_so_and_lets_go_of_a_lost_device
   EXPECT_TRUE(r.device.flows()) << "the sensor is not what holds";
   r.cycle([](rig& s) { s.device.read_status = ph::port_status::failed; });
   EXPECT_FALSE(r.device.flows());
+}
+
+TEST(rearming, needs_good_samples) {
+  for (const bool of_sensor : {false, true}) {
+    rig r;
+    r.hold();
+    r.port.release();
+    r.cycle([&](rig& s) {
+      (of_sensor ? s.device.sensor_status : s.device.read_status) = ph::port_status::no_sample;
+    });
+    EXPECT_FALSE(r.port.rearm());
+    EXPECT_EQ(r.port.state(), ph::port_state::released);
+    r.cycle();
+    EXPECT_TRUE(r.port.rearm());
+  }
 }
 
 TEST(a_release_policy, holds_no_longer_than_a_coil_can_bear) {

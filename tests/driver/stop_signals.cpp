@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+#include <passive_haptics/driver/stop_signals.hpp>
+
+namespace ph = passive_haptics;
+
+TEST(stop_signals, tell_of_one_SIGUSR1_once) {
+  ph::stop_signals signals;
+  EXPECT_FALSE(signals.rearm());
+  std::raise(SIGUSR1);
+  EXPECT_TRUE(signals.rearm());
+  EXPECT_FALSE(signals.rearm()) << "each fault is rearmed by a signal of its own";
+  EXPECT_EQ(signals.stop(), 0);
+}
+
+TEST(stop_signals, stay_and_begin_anew_with_each) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    ph::stop_signals signals;
+    EXPECT_EQ(signals.stop(), 0);
+    std::raise(signal);
+    EXPECT_EQ(signals.stop(), signal);
+    EXPECT_EQ(signals.stop(), signal);
+  }
+}
+
+TEST(stop_signals, leave_what_was_before) {
+  static int caught = 0;
+  const auto before = std::signal(SIGUSR1, [](int) { ++caught; });
+  {
+    const ph::stop_signals signals;
+  }
+  std::raise(SIGUSR1);
+  EXPECT_EQ(caught, 1);
+  std::signal(SIGUSR1, before);
+}
