@@ -21,7 +21,8 @@ is wrong. Without options: the paper's device, simulated, for 10 s.
   --help           this text
 
 Signals: SIGINT (Ctrl-C), SIGTERM and SIGHUP release and end; SIGUSR1 rearms after a fault that is over.
-Exit status: 0; 1 if the device is not there; 2 for a mistake in the options or the file; 3 if a fault released the brakes.
+Exit status: 0; 1 if the device is not there; 2 for a mistake in the options or the file; 3 if a fault released the brakes,
+4 if the log is not whole, 7 for both.
 )";
 
 struct arguments {

@@ -1,4 +1,5 @@
 #include <devices/haptic_device.hpp>
+#include <ports/file_descriptor.hpp>
 #include <ports/ports.hpp>
 #include <report/report.hpp>
 #include <session.hpp>
@@ -10,7 +11,12 @@
 #include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/stop_signals.hpp>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <iostream>
+#include <string_view>
+#include <utility>
 
 namespace example {
 namespace {
@@ -25,7 +31,8 @@ class session {
         device_(make_device(c)),
         port_(make_port(c, *device_, port_use::control), make_sensor(c, *device_), c.safety),
         record_(report_sink(c.log, options.live, c)),
-        guard_(make_port(c, *device_, port_use::release), c.supervisor) {}
+        guard_(make_port(c, *device_, port_use::release), c.supervisor, c.safety.at_release,
+               c.safety.currents) {}
 
   int run() {
     // Processes first, then what makes the loop quick, then the device, whose threads inherit it
@@ -37,30 +44,90 @@ class session {
       std::cerr << "error: " << error << "\n";
       return 1;
     }
+    check_watchdog();
     for (const auto& setting : quick.settings())
       std::cout << setting.what << (setting.refused.empty() ? "" : ": refused, " + setting.refused) << "\n";
-    std::cout << std::flush;
+    std::cout << release_in_words() << std::flush;
 
     ph::control_loop loop(configuration_.loop);
     begin_ = ph::monotonic_seconds();
     ph::fault_record reason;
-    const ph::loop_report report =
+    ph::loop_report report =
         loop.run([&](const ph::loop_cycle& now) { return cycle(now); }, [&] { return signals_.stop() != 0; },
                  [&](ph::fault why) {
                    port_.release({why});
                    reason = port_.reason();
                  });
+    see_the_release_through(loop, report);
     guard_.stop();
-    log_is_whole_ = record_.stop();
+    recorded_ = record_.stop();
     summarise(report, reason);
-    return reason.what == ph::fault::user ? 0 : 3;
+    const bool log_is_whole = configuration_.log.empty() || (recorded_ && record_.lost() == 0);
+    return (reason.what == ph::fault::user ? 0 : fault_status) + (log_is_whole ? 0 : log_status);
   }
 
  private:
+  static constexpr int fault_status = 3, log_status = 4;  // both: their sum
+
+  // A device that lets go before the supervisor acts would break the promise of the policy
+  void check_watchdog() const {
+    const double watchdog = port_.port().watchdog(), latest = configuration_.supervisor.latest();
+    if (configuration_.safety.at_release.policy == ph::release_policy::zero || latest < watchdog) return;
+    throw std::invalid_argument(
+        "[safety] supervisor_timeout [s] = " + ph::detail::number_text(configuration_.supervisor.timeout) +
+        ", expected less than 0.8 of the device's watchdog, " + ph::detail::number_text(watchdog) +
+        ", or at_release = \"zero\"");
+  }
+
+  // What becomes of the currents, whoever dies
+  std::string release_in_words() const {
+    const ph::release_parameters& release = configuration_.safety.at_release;
+    const double watchdog = port_.port().watchdog();
+    const auto seconds = [](double s) { return ph::detail::number_text(s) + " s"; };
+    std::string text = "at a release: 0 A at once";
+    if (release.policy == ph::release_policy::ramp)
+      text = "at a release: down to 0 A within " + seconds(release.ramp_time);
+    if (release.policy == ph::release_policy::hold)
+      text =
+          "at a release: the last currents stay, at the end of the program for " + seconds(release.hold_time);
+    text += "; where the loop dies or stops its supervisor does so, after " +
+            seconds(configuration_.supervisor.latest()) + " at most\nwhere both do: ";
+    return text + (watchdog > 0
+                       ? "the device's watchdog lets go after " + seconds(watchdog) + "\n"
+                       : "nothing lets go, as the device has no watchdog: keep the emergency stop in "
+                         "reach\n");
+  }
+
+  // Whatever ended the loop released the brakes: what may flow on is given each cycle, to its end
+  void see_the_release_through(ph::control_loop<>& loop, ph::loop_report& report) {
+    const double end = ph::monotonic_seconds() + configuration_.safety.at_release.longest();
+    const std::int64_t before = number_;
+    const auto flows = [&](double now) { return now < end && port_.applied() != ph::brake_currents<axes>{}; };
+    if (flows(ph::monotonic_seconds())) {
+      const ph::loop_report rest = loop.run(
+          [&](const ph::loop_cycle& now) {
+            record r;
+            beat(now.time);
+            port_.read(now.time);
+            device_->cycle(last_samples(now.time), phase::homing, r);  // where it is, without the law
+            port_.write({});
+            log({before + now.number, now.time, now.late}, r);
+            return flows(now.time);
+          },
+          [] { return false; }, [](ph::fault) {});
+      report.cycles += rest.cycles;
+    }
+    port_.let_go();
+  }
+
+  void beat(double now) {
+    if (!guard_.beat(now, port_.applied())) port_.release({ph::fault::supervisor_lost}, guard_.began());
+  }
+
   bool cycle(const ph::loop_cycle& now) {
-    if (!guard_.beat(now.time)) port_.release({ph::fault::supervisor_lost});
+    beat(now.time);
     port_.read(now.time);
-    const samples read{now.time, port_.position_time(), port_.position(), port_.force()};
+    const samples read = last_samples(now.time);
     const bool good = port_.held_over().what == ph::fault::none;
     if (doing_ != phase::running && port_.state() == ph::port_state::ready && good)
       doing_ = device_->prepare(read);
@@ -72,6 +139,16 @@ class session {
 
     record r;
     port_.write(device_->cycle(read, doing_, r));
+    log(now, r);
+    return r.time < options_.seconds;
+  }
+
+  samples last_samples(double now) const noexcept {
+    return {now, port_.position_time(), port_.position(), port_.force()};
+  }
+
+  void log(const ph::loop_cycle& now, record& r) {
+    number_ = now.number;
     r.time = now.time - begin_;
     r.number = now.number;
     r.doing = doing_;
@@ -80,10 +157,17 @@ class session {
     r.needs_homing = port_.needs_homing();
     r.held_over = port_.held_over();
     r.current = port_.applied();
+    r.current_is_known = port_.applied_is_known();
     r.late = now.late;
     r.compute = ph::monotonic_seconds() - now.time;
-    record_(r);
-    return r.time < options_.seconds;
+    if (!record_(r)) warn_of_a_full_log();
+  }
+
+  // Once, and not where it would have to wait: whoever writes the log down may be dead
+  void warn_of_a_full_log() {
+    constexpr std::string_view text = "warning: log: cycles are lost, as nobody writes them down in time\n";
+    if (std::exchange(warned_, true) || !warnings_.is_open()) return;
+    if (write(warnings_.get(), text.data(), text.size()) < 0) return;
   }
 
   void summarise(const ph::loop_report& report, const ph::fault_record& reason) const {
@@ -105,7 +189,7 @@ class session {
     if (port_.needs_homing()) std::cout << "the encoders lost their way: start again, at the home pose\n";
     if (!configuration_.log.empty())
       std::cout << "log: " << configuration_.log
-                << (log_is_whole_ ? "" : ".part, as far as it came: the recorder failed") << ", "
+                << (recorded_ ? "" : ".part, as far as it came: the recorder failed") << ", "
                 << record_.lost() << " cycles lost\n";
   }
 
@@ -116,9 +200,15 @@ class session {
   ph::recorder<record, report_sink> record_;
   ph::supervisor<brake_port> guard_;
   ph::stop_signals signals_;
+  // stderr, opened anew, as others share what it is; of a file nothing is known of how long it takes
+  file_descriptor warnings_{isatty(STDERR_FILENO) != 0
+                                ? open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)
+                                : -1};
+  bool warned_ = false;
   phase doing_ = phase::homing;
-  double begin_ = 0;  // [s]
-  bool log_is_whole_ = true;
+  double begin_ = 0;         // [s]
+  std::int64_t number_ = 0;  // of the last cycle
+  bool recorded_ = true;     // whether the recorder came to its end
 };
 
 }  // namespace

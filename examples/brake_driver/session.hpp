@@ -14,8 +14,9 @@ struct session_options {
   bool live = true;                                          ///< Whether the terminal shows it.
 };
 
-/// Runs until a signal, the time or an exception ends it. 0, or 1 where the device is not there or a fault
-/// released the brakes. Throws std::invalid_argument with what is wrong with the configuration.
+/// Runs until a signal, the time or an exception ends it. 0, or 1 where the device is not there; else 3 where
+/// a fault released the brakes, 4 where the log is not whole, 7 both. Throws std::invalid_argument with what
+/// is wrong with the configuration.
 int run_session(const configuration& c, const session_options& options);
 
 }  // namespace example

@@ -5,6 +5,7 @@
 #include <passive_haptics/interop/files/file_kind.hpp>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -46,11 +47,18 @@ class output_file {
   void keep() { kept_ = true; }
   /// Why not all could be written so far: "No space left on device"; empty if nothing went wrong.
   std::string error() const { return buffer_.error == 0 ? "" : std::strerror(buffer_.error); }
+  /// Whether somebody removed FILE.part: what was written is lost.
+  bool is_removed() const {
+    struct stat file{};
+    return fstat(descriptor_, &file) == 0 && file.st_nlink == 0;
+  }
 
   /// Brings all to the disk and gives it the name FILE.
   void commit() {
     stream_.flush();
     if (buffer_.error == 0 && fsync(descriptor_) != 0) buffer_.error = errno;
+    if (is_removed())
+      throw std::runtime_error("cannot write '" + part_ + "': it was removed, expected it to be left alone");
     if (buffer_.error != 0)
       throw std::runtime_error("cannot write all of '" + part_ + "': " + error() +
                                ", expected room for it; make room, or choose another folder");

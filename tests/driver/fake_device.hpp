@@ -23,6 +23,7 @@ struct device {
 
   ph::brake_currents<2> currents{};  // what flows now
   int writes = 0, releases = 0, counter_bits = 0;
+  double watchdog = 0.02;  // [s]
 
   bool flows() const { return currents != ph::brake_currents<2>{}; }
 };
@@ -42,6 +43,7 @@ struct port {
     return of->write_status;
   }
   int counter_bits() const noexcept { return of->counter_bits; }
+  double watchdog() const noexcept { return of->watchdog; }
   void release() noexcept {
     ++of->releases;
     of->currents = {};

@@ -1,4 +1,5 @@
 #include "../realtime/allocations.hpp"
+#include "processes.hpp"
 
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/process/recorder.hpp>
@@ -33,7 +34,7 @@ struct checking_sink {
     expected = r.number + 1;
     ++(*into)->count;
   }
-  void rest() {}
+  void rest(std::uint64_t) {}
   void close() { (*into)->closed = true; }
 };
 
@@ -120,7 +121,7 @@ TEST(a_recorder, whose_sink_fails_at_the_end_tells_so) {
   struct failing {
     std::string open() { return {}; }
     void take(const record&) {}
-    void rest() {}
+    void rest(std::uint64_t) {}
     void close() { throw std::runtime_error("the disk is full"); }
   };
   ph::recorder<record, failing> log(failing{});
@@ -130,12 +131,47 @@ TEST(a_recorder, whose_sink_fails_at_the_end_tells_so) {
   EXPECT_EQ(log.lost(), 0u);
 }
 
+// A disk that takes the first ten records.
+struct full_disk {
+  ph::shared_memory<std::atomic<std::uint64_t>>* told;
+  std::uint64_t taken = 0;
+  std::string open() { return {}; }
+  void take(const record&) { ++taken; }
+  void rest(std::uint64_t missing) { **told = missing; }
+  void close() {}
+  std::uint64_t lost() const { return taken < 10 ? 0 : taken - 10; }
+};
+
+TEST(a_recorder, whose_sink_cannot_keep_all_counts_it_as_it_happens) {
+  ph::shared_memory<std::atomic<std::uint64_t>> told;
+  ph::recorder<record, full_disk> log(full_disk{&told});
+  ASSERT_EQ(log.start(), "");
+  for (std::uint64_t n = 0; n < 25; ++n) log({n, n});
+  EXPECT_TRUE(processes::happens([&] { return log.lost() == 15; }));
+  EXPECT_TRUE(log.stop());
+  EXPECT_EQ(log.lost(), 15u);
+}
+
+TEST(a_recorder, tells_its_sink_what_did_not_fit) {
+  ph::shared_memory<std::atomic<std::uint64_t>> told;
+  ph::recorder<record, full_disk, 8> log(full_disk{&told});
+  ASSERT_EQ(log.start(), "");
+  kill(log.pid(), SIGSTOP);
+  siginfo_t stopped;
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(log.pid()), &stopped, WSTOPPED | WNOWAIT), 0);
+  for (std::uint64_t n = 0; n < 20; ++n) log({n, n});
+  EXPECT_EQ(log.lost(), 12u);
+  EXPECT_TRUE(log.stop()) << "it was woken to write the rest down";
+  EXPECT_EQ(*told, 12u);
+  EXPECT_EQ(log.lost(), 12u);
+}
+
 TEST(a_recorder, that_writes_to_a_pipe_which_nobody_reads_goes_on) {
   struct to_pipe {
     ph::shared_memory<seen>* into;
     std::string open() { return {}; }
     void take(const record&) { (*into)->wrong += write(STDOUT_FILENO, "x", 1) >= 0; }
-    void rest() {}
+    void rest(std::uint64_t) {}
     void close() { (*into)->closed = true; }
   };
   std::array<int, 2> ends;

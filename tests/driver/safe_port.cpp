@@ -559,6 +559,114 @@ TEST(a_release_policy, holds_where_the_user_says_so_and_lets_go_of_a_lost_device
   EXPECT_FALSE(r.device.flows());
 }
 
+TEST(a_release_policy, that_keeps_current_needs_a_device_with_a_watchdog) {
+  for (const auto policy : {ph::release_policy::ramp, ph::release_policy::hold}) {
+    auto p = usual();
+    p.at_release.policy = policy;
+    fake::device device;
+    device.watchdog = 0;
+    safe port({&device}, {&device}, p);
+    EXPECT_EQ(port.open(),
+              "at_release.policy, expected zero: a device without a watchdog keeps currents for ever");
+    EXPECT_EQ(port.state(), ph::port_state::closed);
+    EXPECT_GE(device.releases, 1);
+    device.watchdog = 0.02;
+    EXPECT_EQ(port.open(), "");
+  }
+  rig r;
+  r.device.watchdog = 0;
+  r.hold();  // 0 A at once needs none
+}
+
+TEST(a_release_policy, goes_on_from_where_another_process_began) {
+  auto p = usual();
+  p.at_release = {ph::release_policy::ramp, 0.1};
+  rig r(p);
+  r.hold();
+  // 50 ms ago, from less than what flows here
+  const ph::release_start<2> begun{r.time - 0.05, {0.4, 0.2}};
+  for (int k = 1; k <= 60; ++k) {
+    r.port.release({ph::fault::supervisor_lost}, begun);  // each cycle
+    r.cycle();
+    EXPECT_NEAR(r.device.currents[0], std::max(0.0, 0.4 * (0.5 - k / 100.0)), 1e-6);
+  }
+  EXPECT_EQ(r.port.reason().what, ph::fault::supervisor_lost);
+}
+
+TEST(a_release_policy, whose_clock_is_none_gives_no_current) {
+  for (const double time : {fake::nan, fake::infinite, -1.0}) {
+    auto p = usual();
+    p.at_release = {ph::release_policy::ramp, 0.1};
+    rig r(p);
+    r.hold();
+    const double good = r.time;
+    r.cycle([&](rig& s) { s.time = time; });
+    r.time = good;
+    EXPECT_EQ(r.port.reason().what, ph::fault::clock_jump);
+    r.cycles(101);
+    EXPECT_FALSE(r.device.flows()) << time;
+  }
+}
+
+TEST(a_release_policy, ends_at_once_where_the_program_lets_go) {
+  for (const auto policy : {ph::release_policy::zero, ph::release_policy::ramp, ph::release_policy::hold}) {
+    auto p = usual();
+    p.at_release.policy = policy;
+    rig r(p);
+    r.hold();
+    r.port.let_go();
+    EXPECT_FALSE(r.device.flows());
+    EXPECT_EQ(r.port.applied(), ph::brake_currents<2>{});
+    EXPECT_EQ(r.port.state(), ph::port_state::released);
+    r.cycles(10);
+    EXPECT_FALSE(r.device.flows());
+  }
+}
+
+// What is told is what is known of the wire.
+TEST(the_currents, that_a_device_refuses_are_not_said_to_flow) {
+  rig r;
+  r.hold();
+  const auto refuse = [](rig& s) { s.device.write_status = ph::port_status::no_sample; };
+  r.wanted = {0.1, 0.1};
+  r.cycle(refuse);
+  EXPECT_EQ(r.port.applied(), r.device.currents);
+  EXPECT_FALSE(r.port.applied_is_known());
+  EXPECT_EQ(r.port.held_over(), (ph::fault_record{ph::fault::write_refused, brakes}));
+  r.cycle();
+  EXPECT_EQ(r.port.applied(), r.wanted);
+  EXPECT_TRUE(r.port.applied_is_known());
+  EXPECT_EQ(r.port.held_over(), ph::fault_record{});
+}
+
+// A device that refuses all, a release too.
+TEST(rearming, a_device_that_holds_and_refuses_is_told_as_it_is) {
+  auto p = usual();
+  p.at_release.policy = ph::release_policy::hold;
+  rig r(p);
+  r.hold();
+  r.port.release();
+  r.cycle();
+  const auto refuse = [](rig& s) { s.device.write_status = ph::port_status::no_sample; };
+  ASSERT_TRUE(r.port.rearm()) << "nobody knows yet";
+  for (int k = 0; k < 5000; ++k) {
+    r.cycle(refuse);
+    ASSERT_EQ(r.port.applied(), r.device.currents) << "what is on the brakes";
+    ASSERT_FALSE(r.port.applied_is_known());
+    ASSERT_EQ(r.port.held_over(), (ph::fault_record{ph::fault::write_refused, brakes}));
+    ASSERT_FALSE(r.port.activate());
+  }
+  EXPECT_EQ(r.port.state(), ph::port_state::released) << "not 'ready' while current flows";
+  EXPECT_EQ(r.port.reason(), (ph::fault_record{ph::fault::write_refused, brakes}));
+  EXPECT_FALSE(r.port.rearm()) << "while it refuses";
+  r.cycles(1);
+  EXPECT_TRUE(r.port.rearm());
+  r.cycles(1);
+  EXPECT_EQ(r.port.applied(), ph::brake_currents<2>{});
+  EXPECT_FALSE(r.device.flows());
+  EXPECT_TRUE(r.port.applied_is_known());
+}
+
 TEST(rearming, needs_good_samples) {
   for (const bool of_sensor : {false, true}) {
     rig r;
@@ -572,6 +680,28 @@ TEST(rearming, needs_good_samples) {
     r.cycle();
     EXPECT_TRUE(r.port.rearm());
   }
+}
+
+TEST(a_lost_device, has_no_current_that_anybody_knows) {
+  for (const auto policy : {ph::release_policy::zero, ph::release_policy::ramp, ph::release_policy::hold})
+    for (const bool reading : {false, true}) {
+      auto p = usual();
+      p.at_release.policy = policy;
+      rig r(p);
+      r.hold();
+      const auto last = r.device.currents;
+      const int released = r.device.releases, written = r.device.writes;
+      r.cycle([&](rig& s) {
+        (reading ? s.device.read_status : s.device.write_status) = ph::port_status::failed;
+      });
+      for (int k = 0; k < 10; ++k) {
+        EXPECT_GT(r.device.releases, released);
+        EXPECT_EQ(r.port.applied(), last) << "the last that it is known to have taken";
+        EXPECT_FALSE(r.port.applied_is_known());
+        r.cycle();
+      }
+      EXPECT_EQ(r.device.writes, written + !reading);
+    }
 }
 
 TEST(a_release_policy, holds_no_longer_than_a_coil_can_bear) {

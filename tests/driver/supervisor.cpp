@@ -1,3 +1,5 @@
+#include "processes.hpp"
+
 #include <passive_haptics/driver/control_loop.hpp>
 #include <passive_haptics/driver/process/recorder.hpp>
 #include <passive_haptics/driver/process/supervisor.hpp>
@@ -5,17 +7,21 @@
 #include <passive_haptics/driver/stop_signals.hpp>
 
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
+#include <sched.h>
+#include <sys/prctl.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <vector>
 
 namespace ph = passive_haptics;
 
 namespace {
+
+using processes::happens;
 
 // A device whose analog outputs keep their last value, whoever dies.
 struct outputs {
@@ -24,6 +30,22 @@ struct outputs {
   std::atomic<std::int64_t> released_at = 0;  // [ns]
   std::atomic<std::uint32_t> recorded = 0;
   std::atomic<bool> after_stop = false;
+  std::atomic<pid_t> supervisor = 0;
+
+  // What was written, by which process, and when [s]
+  struct entry {
+    std::atomic<double> time = 0, current = 0;
+    std::atomic<pid_t> by = 0;
+  };
+  std::atomic<std::uint32_t> entries = 0;
+  std::array<entry, 1 << 15> history{};
+  void note(double amperes) {
+    current = amperes;
+    entry& one = history[entries++ % history.size()];
+    one.time = ph::monotonic_seconds();
+    one.current = amperes;
+    one.by = getpid();
+  }
 };
 
 struct keeping_port {
@@ -37,12 +59,13 @@ struct keeping_port {
     return ph::port_status::ok;
   }
   ph::port_status write(const ph::brake_currents<1>& currents) noexcept {
-    device->current = currents[0];
+    device->note(currents[0]);
     ++device->writes;
     return ph::port_status::ok;
   }
+  double watchdog() const noexcept { return 1e9; }  // of processes alone is told here
   void release() noexcept {
-    device->current = 0;
+    device->note(0);
     device->released_at = ph::monotonic_clock().now();
     ++device->releases;
   }
@@ -58,21 +81,12 @@ struct numbers_to_file {
     return file == nullptr ? "cannot write " + path.string() : "";
   }
   void take(const std::uint32_t& number) { std::fprintf(file, "%u\n", number); }
-  void rest() { std::fflush(file); }
+  void rest(std::uint64_t) { std::fflush(file); }
   void close() {
     std::fputs("end\n", file);
     std::fclose(file);
   }
 };
-
-// Waits for something that happens; the time is only there to end a test that fails.
-bool happens(const std::function<bool()>& what) {
-  for (int k = 0; k < 20'000; ++k) {
-    if (what()) return true;
-    usleep(1000);
-  }
-  return false;
-}
 
 struct a_supervised_loop : ::testing::Test {
   ph::shared_memory<outputs> device;
@@ -80,8 +94,12 @@ struct a_supervised_loop : ::testing::Test {
       std::filesystem::temp_directory_path() / ("supervised_" + std::to_string(getpid()));
   pid_t loop = -1;
 
+  ph::release_parameters at_release;
+
+  // The supervisor of a loop that died becomes a child of the test, which so sees it end
+  a_supervised_loop() { prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0); }
   ~a_supervised_loop() override {
-    if (loop > 0) kill(loop, SIGKILL), waitpid(loop, nullptr, 0);
+    if (loop > 0) kill(loop, SIGKILL), processes::end_of(loop);
     std::filesystem::remove(log);
   }
 
@@ -89,24 +107,32 @@ struct a_supervised_loop : ::testing::Test {
   void start(const std::function<void(int)>& each = nullptr, double timeout = 0.2) {
     loop = fork();
     ASSERT_GE(loop, 0);
-    if (loop == 0) _exit(drive(each, timeout));
-    ASSERT_TRUE(happens([&] { return device->current == 0.5; })) << "the loop runs";
+    if (loop == 0) {
+      setpgid(0, 0);
+      processes::obey_signals();
+      _exit(drive(each, timeout));
+    }
+    // The supervisor hears of a current with the next heartbeat
+    ASSERT_TRUE(happens([&] { return device->writes > 5 && device->current == 0.5; })) << "the loop runs";
   }
 
   int drive(const std::function<void(int)>& each, double timeout) {
     ph::recorder<std::uint32_t, numbers_to_file> record(numbers_to_file{log});
-    ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = timeout});
+    ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = timeout}, at_release);
     ph::safe_port_parameters<1, 0> p;
     p.hold_over = 10;  // of this nothing is tested here
+    p.at_release = at_release;
     ph::safe_port<keeping_port> port(keeping_port{&*device}, {}, p);
     if (!record.start().empty() || !guard.start().empty() || !port.open().empty()) return 2;
+    device->supervisor = guard.pid();
     const ph::stop_signals signals;
     ph::control_loop loop_at_1_khz(
         ph::control_loop_parameters{.most_overruns = 1000000, .longest_sleep = 1e9});
     int k = 0;
     const auto report = loop_at_1_khz.run(
         [&](const ph::loop_cycle& now) {
-          if (!guard.beat(now.time)) port.release({ph::fault::supervisor_lost});
+          if (!guard.beat(now.time, port.applied()))
+            port.release({ph::fault::supervisor_lost}, guard.began());
           port.read(now.time);
           port.activate();
           if (each) each(k);
@@ -137,11 +163,22 @@ struct a_supervised_loop : ::testing::Test {
     EXPECT_GT(expected, 0u);
   }
 
-  int end_of_loop() {
-    int status = 0;
-    waitpid(loop, &status, 0);
-    loop = -1;
-    return status;
+  int end_of_loop() { return processes::end_of(std::exchange(loop, -1)); }
+
+  // What the supervisor's process wrote: where it begins, the release policy is to be seen.
+  struct written {
+    double time, current;
+  };
+  std::vector<written> by_supervisor() const {
+    std::vector<written> all;
+    const std::size_t count = std::min<std::size_t>(device->entries, device->history.size());
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto& one = device->history[i]; one.by == device->supervisor)
+        all.push_back({one.time, one.current});
+    return all;
+  }
+  bool supervisor_is_gone() const {
+    return happens([this] { return waitpid(device->supervisor, nullptr, WNOHANG) != 0; });
   }
 };
 
@@ -164,6 +201,96 @@ TEST_P(a_signal, that_kills_the_loop_leaves_no_current_and_no_record_behind) {
 }
 INSTANTIATE_TEST_SUITE_P(each, a_signal, ::testing::Values(SIGKILL, SIGSEGV, SIGABRT, SIGBUS, SIGQUIT),
                          [](const auto& one) { return std::string("SIG").append(sigabbrev_np(one.param)); });
+
+TEST_F(a_supervised_loop, that_is_killed_from_its_terminal_leaves_no_current) {
+  start();
+  kill(-loop, SIGQUIT);  // Ctrl-\, which goes to the whole group
+  end_of_loop();
+  EXPECT_TRUE(happens([&] { return device->current == 0; }));
+  expect_all_recorded();
+}
+
+TEST_F(a_supervised_loop, that_is_killed_beside_a_stopped_supervisor_leaves_no_current) {
+  start();
+  kill(device->supervisor, SIGSTOP);
+  kill(loop, SIGKILL);
+  end_of_loop();
+  EXPECT_TRUE(happens([&] { return device->current == 0; }));
+  EXPECT_TRUE(supervisor_is_gone());
+}
+
+// The time of a ramp is read by the supervisor between two writes, so that what it writes lies between the
+// ramp at this write and at the one before.
+TEST_F(a_supervised_loop, that_is_killed_ramps_down_where_the_user_says_so) {
+  at_release = {.policy = ph::release_policy::ramp, .ramp_time = 0.4};
+  start();
+  kill(loop, SIGKILL);
+  const double killed = ph::monotonic_seconds();
+  end_of_loop();
+  ASSERT_TRUE(supervisor_is_gone());
+  const auto all = by_supervisor();
+  ASSERT_GE(all.size(), 3u);
+  double before = killed;
+  for (const auto& [time, current] : all) {
+    EXPECT_LE(current, 0.5);
+    EXPECT_GE(current, 0.5 * (1 - (time - killed) / 0.4) - 1e-9) << time - killed << " s after SIGKILL";
+    // It may have begun late
+    EXPECT_LE(current, 0.5 * std::clamp(1 - (before - all.front().time) / 0.4, 0.0, 1.0) + 1e-9);
+    before = time;
+  }
+  EXPECT_GT(all.front().current, 0.25) << "no step";
+  EXPECT_EQ(device->current, 0);
+}
+
+TEST_F(a_supervised_loop, that_is_killed_holds_so_long_as_the_user_says) {
+  at_release = {.policy = ph::release_policy::hold, .hold_time = 0.3};
+  start();
+  kill(loop, SIGKILL);
+  const double killed = ph::monotonic_seconds();
+  end_of_loop();
+  ASSERT_TRUE(supervisor_is_gone());
+  const auto all = by_supervisor();
+  ASSERT_GE(all.size(), 2u);
+  for (std::size_t k = 0; k + 1 < all.size(); ++k) EXPECT_EQ(all[k].current, k + 1 < all.size() ? 0.5 : 0);
+  EXPECT_GE(all.back().time - killed, 0.3);
+  EXPECT_EQ(all.back().current, 0);
+}
+
+TEST_F(a_supervised_loop, that_holds_too_warm_a_coil_gives_it_less_in_the_end) {
+  ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.02},
+                                     {.policy = ph::release_policy::hold, .hold_time = 100},
+                                     {.largest = {1}, .continuous = {0.4}, .heat = {0.01}});
+  ASSERT_EQ(guard.start(), "");
+  guard.beat(1, {0.5});  // 0.11 s until it is too warm
+  EXPECT_TRUE(happens([&] { return device->current == 0.5; }));
+  EXPECT_TRUE(happens([&] { return device->current < 0.4; }));
+  EXPECT_NEAR(device->current, 0.38, 1e-12);
+  guard.stop();
+  EXPECT_EQ(device->current, 0);
+}
+
+TEST_F(a_supervised_loop, that_goes_on_takes_up_the_ramp_of_its_supervisor) {
+  at_release = {.policy = ph::release_policy::ramp, .ramp_time = 2};
+  start();
+  kill(loop, SIGSTOP);
+  ASSERT_TRUE(happens([&] { return device->current < 0.4; }));
+  const std::uint32_t continued = device->entries;
+  kill(loop, SIGCONT);
+  ASSERT_TRUE(happens([&] { return device->current == 0; }));
+  const auto first = by_supervisor().front();
+  const double began = first.time - 2 * (1 - first.current / 0.5);
+  double before = 0.4;
+  int stale = 0, by_loop = 0;
+  for (std::size_t k = continued; k < std::min<std::size_t>(device->entries, device->history.size()); ++k) {
+    const double now = device->history[k].current;
+    by_loop += device->history[k].by == loop;
+    if (now > before + 0.005) ++stale;  // the two read their clocks one after the other
+    else before = now;
+    EXPECT_GE(now, 0.5 * (1 - (device->history[k].time - began) / 2) - 0.02) << "the same ramp";
+  }
+  EXPECT_LE(stale, 1) << "but for what it was about to write when it was stopped";
+  EXPECT_GT(by_loop, 10);
+}
 
 class a_request : public a_supervised_loop, public ::testing::WithParamInterface<int> {};
 
@@ -256,6 +383,47 @@ TEST_F(a_supervised_loop, can_be_rearmed_after_it_was_released) {
   device->current = 1;
   guard.stop();
   EXPECT_EQ(device->current, 0) << "released once more at its end";
+}
+
+TEST_F(a_supervised_loop, that_writes_after_a_release_is_released_again) {
+  ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.05});
+  ASSERT_EQ(guard.start(), "");
+  guard.beat(1);
+  ASSERT_TRUE(happens([&] { return guard.released(); }));
+  for (int k = 0; k < 3; ++k) {
+    device->current = 1;
+    EXPECT_TRUE(happens([&] { return device->current == 0; })) << "time " << k;
+  }
+}
+
+TEST_F(a_supervised_loop, gives_its_supervisor_the_priority_that_it_may) {
+  const pid_t asker = fork();
+  if (asker == 0) {
+    sched_param wanted{};
+    wanted.sched_priority = 1;
+    _exit(sched_setscheduler(0, SCHED_FIFO, &wanted) == 0 ? 0 : 1);
+  }
+  const bool may = processes::end_of(asker) == 0;
+  for (const int priority : {1, 0}) {
+    ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.priority = priority});
+    ASSERT_EQ(guard.start(), "");
+    EXPECT_TRUE(happens([&] {
+      sched_param is{};
+      return sched_getparam(guard.pid(), &is) == 0 && is.sched_priority == (may ? priority : 0);
+    })) << priority;
+  }
+}
+
+TEST(a_supervisor, that_is_stopped_is_not_waited_for_without_end) {
+  ph::shared_memory<outputs> device;
+  ph::supervisor<keeping_port> guard(keeping_port{&*device});
+  ASSERT_EQ(guard.start(), "");
+  const pid_t process = guard.pid();
+  kill(process, SIGSTOP);
+  device->current = 1;
+  guard.stop();
+  EXPECT_EQ(device->current, 0) << "it was woken, and released once more";
+  EXPECT_NE(kill(process, 0), 0);
 }
 
 TEST(a_supervisor, that_finds_no_device_says_so) {

@@ -65,9 +65,8 @@ outcome safe_port_is_released() {
   const auto state = device.read(ph::monotonic_seconds());
   if (state != ph::port_state::released || device.reason().what != ph::fault::device_lost)
     return wrong(text(to_string(state), ", ", to_string(device.reason())));
-  return device.applied() == ph::brake_currents<2>{}
-             ? outcome{"", to_string(device.reason()) + ", in the same cycle"}
-             : wrong("currents are still asked for");
+  return !device.applied_is_known() ? outcome{"", to_string(device.reason()) + ", in the same cycle"}
+                                    : wrong("it says to know what flows");
 }
 
 outcome attached_again() {

@@ -207,6 +207,7 @@ void read_safety(toml_section from, configuration& c) {
                                : policy == "ramp" ? ph::release_policy::ramp
                                                   : ph::release_policy::hold;
   from.read("ramp_time", c.safety.at_release.ramp_time);
+  from.read("hold_time", c.safety.at_release.hold_time);
   from.read("hold_over", c.safety.hold_over);
   check(from, c.safety);
   from.read("supervisor_timeout", c.supervisor.timeout);
@@ -238,6 +239,11 @@ configuration read_configuration(const std::string& path) {
   read_port(file.section("port"), c);
   file.section("simulation").read_all(c.simulation);
   file.finish();
+  if (c.port == "comedi" && c.safety.at_release.policy != ph::release_policy::zero)
+    file.require(
+        "[safety] at_release, expected \"zero\": a card under Comedi has no watchdog, so that its currents "
+        "would "
+        "stay where the program dies");
   if (c.safety.hold_over < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
     file.require(
         "[safety] hold_over and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");

@@ -32,6 +32,7 @@ class any_brake_port {
   }
   void release() noexcept { port_->release(); }
   int counter_bits() const noexcept { return port_->counter_bits(); }
+  double watchdog() const noexcept { return port_->watchdog(); }
 
  private:
   struct interface {
@@ -41,6 +42,7 @@ class any_brake_port {
     virtual ph::port_status write(const ph::brake_currents<Brakes>&) noexcept = 0;
     virtual void release() noexcept = 0;
     virtual int counter_bits() const noexcept = 0;
+    virtual double watchdog() const noexcept = 0;
   };
   template <class Port>
   struct model final : interface {
@@ -53,6 +55,7 @@ class any_brake_port {
     }
     void release() noexcept override { port.release(); }
     int counter_bits() const noexcept override { return ph::counter_bits(port); }
+    double watchdog() const noexcept override { return ph::watchdog(port); }
     Port port;
   };
   explicit any_brake_port(std::unique_ptr<interface> port) : port_(std::move(port)) {}

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <configuration/configuration.hpp>
+#include <ports/simulated_wire.hpp>
 
 #include <passive_haptics/driver/clock.hpp>
-#include <passive_haptics/driver/process/shared_memory.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
 #include <passive_haptics/plant/force_sensor.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
@@ -14,14 +14,14 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace example {
 
 /// Plant, hand, encoders and force sensor of mechanism M, calibrated as the configuration says. It goes on to
-/// the present whenever somebody reads it. The currents are in memory that a supervisor's process shares.
+/// the present whenever somebody reads it. The wire to its brakes is one that a supervisor's process shares.
 template <class M>
 class simulation {
  public:
@@ -33,7 +33,8 @@ class simulation {
         curves_(c.curves),
         normal_(c.first_normal),
         device_(mechanism, real_brakes(c), c.simulation.hand_mass, c.home),
-        sensor_({.corner = 200, .noise = c.simulation.sensor_noise, .seed = c.simulation.seed}) {
+        sensor_({.corner = 200, .noise = c.simulation.sensor_noise, .seed = c.simulation.seed}),
+        wire_(c.simulation.watchdog, c.simulation.wire) {
     take_hold(1, 0);
   }
 
@@ -62,14 +63,14 @@ class simulation {
     return all;
   }
 
-  void set(const ph::brake_currents<axes>& currents) noexcept {
+  /// False where the board's watchdog let go, and no release came since.
+  bool set(const ph::brake_currents<axes>& currents) noexcept {
     advance();
-    for (std::size_t i = 0; i < currents.size(); ++i) currents_->value[i] = currents[i];
+    return wire_->set(currents);
   }
   /// From any process.
-  void release() noexcept {
-    for (auto& one : currents_->value) one = 0;
-  }
+  void release() noexcept { wire_->release(); }
+  double watchdog() const noexcept { return p_.watchdog; }
 
   static constexpr int counter_bits = 24;
 
@@ -77,9 +78,6 @@ class simulation {
   static constexpr double dt = 1e-4, most_at_once = 0.1, turn = 1 << counter_bits;  // [s, s, counts]
   static constexpr std::array<double, axes> somewhere{100.0, turn - 200};
   inline static const ph::vector<double, 2> offset{0.3, -0.2};  // [N]
-  struct shared_currents {
-    std::array<std::atomic<double>, axes> value{};
-  };
 
   static ph::simulated_brakes_of<M> real_brakes(const configuration& c) {
     ph::simulated_brakes_of<M> real;
@@ -107,11 +105,12 @@ class simulation {
     if (start_ < 0) start_ = now;
     // A program that was stopped does not catch up on hours
     if (now - start_ - time_ > most_at_once) start_ = now - time_ - most_at_once;
+    const ph::brake_currents<axes> flowing = wire_->flowing(now);
     for (; time_ + dt <= now - start_; time_ += dt) {
       ph::vector<double, axes> strength;
       for (int i = 0; i < axes; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        strength[i] = torque_of_current(curves_[k], currents_->value[k]) - curves_[k].residual_torque;
+        strength[i] = torque_of_current(curves_[k], flowing[k]) - curves_[k].residual_torque;
       }
       const ph::vector<double, 2> x = device_.position();
       ph::vector<double, 2> muscle = ph::vector<double, 2>::Zero();
@@ -137,7 +136,7 @@ class simulation {
   ph::vector<double, 2> hand_from_;
   double hand_since_ = 0, sense_ = 1;
   double start_ = -1, time_ = 0;  // [s]
-  ph::shared_memory<shared_currents> currents_;
+  shared_simulated_wire<axes> wire_;
 };
 
 /// A BrakePort to a simulation. The loop cannot wait for it: it computes, and makes no system call.
@@ -154,11 +153,11 @@ class simulated_port {
     return ph::port_status::ok;
   }
   ph::port_status write(const ph::brake_currents<axes>& currents) noexcept {
-    device_->set(currents);
-    return ph::port_status::ok;
+    return device_->set(currents) ? ph::port_status::ok : ph::port_status::failed;
   }
   void release() noexcept { device_->release(); }
   int counter_bits() const noexcept { return simulation<M>::counter_bits; }
+  double watchdog() const noexcept { return device_->watchdog(); }
 
  private:
   std::shared_ptr<simulation<M>> device_;

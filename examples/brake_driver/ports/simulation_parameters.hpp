@@ -24,6 +24,8 @@ struct simulation_parameters {
   double brake_lag = 0.020;    ///< Time constant of the simulated brakes [s].
   double sensor_noise = 0.02;  ///< Standard deviation of each force channel [N].
   std::uint64_t seed = 1;      ///< Of that noise.
+  double watchdog = 1;         ///< Without currents for so long the simulated board lets go [s].
+  std::string wire;            ///< A new file that shows what flows (simulated_wire.hpp); empty for none.
 
   /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
@@ -38,7 +40,9 @@ struct simulation_parameters {
         member("hand_mass", &p::hand_mass, "kg", range::positive, plausible(0.01, 10)),
         member("brake_lag", &p::brake_lag, "s", range::positive, plausible(0.001, 1)),
         member("sensor_noise", &p::sensor_noise, "N", range::not_negative, plausible(0, 10)),
-        member("seed", &p::seed));
+        member("seed", &p::seed),
+        member("watchdog", &p::watchdog, "s", range::positive, plausible(0.005, 60)),
+        member("wire", &p::wire));
   }
 };
 using ph::validate;

@@ -31,6 +31,7 @@ struct record {
   std::array<double, 2> desired{};      ///< Force that the walls ask for [N].
   std::array<double, axes> capacity{};  ///< What each brake may hold [N m].
   std::array<double, axes> current{};   ///< What each brake gets [A].
+  bool current_is_known = true;         ///< False where the device is lost or refuses.
   double late = 0, compute = 0;         ///< [s]
 };
 

@@ -133,8 +133,16 @@ void report_sink::take(const record& r) {
       r.current[1], r.late, r.compute);
 }
 
-void report_sink::rest() {
-  if (file_) file_->stream().flush();
+void report_sink::rest(std::uint64_t missing) {
+  const bool told = !loss().empty();
+  missing_ = missing;
+  if (file_) {
+    file_->stream().flush();
+    if (file_->is_removed()) kept_ = 0;
+    else if (file_->error().empty()) kept_ = count_;
+    lost_ = count_ - kept_;
+  }
+  if (!told && !loss().empty()) std::fprintf(stderr, "warning: %s\n", loss().c_str());
   const double interval = terminal_ ? terminal_interval : line_interval;
   write_shown();
   if (!live_ || count_ == 0 || last_.time < shown_ + interval || !pending_.empty()) return;
@@ -142,9 +150,20 @@ void report_sink::rest() {
   show();
 }
 
+// Empty if there is none
+std::string report_sink::loss() const {
+  const std::uint64_t all = lost_ + missing_;
+  if (!file_ || all == 0) return {};
+  return "log " + name_ + ": " + std::to_string(all) + " cycles lost: " +
+         (lost_ == 0            ? "they came faster than they could be written"
+          : file_->is_removed() ? "its .part was removed"
+                                : file_->error());
+}
+
 void report_sink::show() {
   const record& r = last_;
   const double degrees = ph::degrees(r.gamma);
+  const char* const ampere = r.current_is_known ? "A" : "A?";
   std::string state(to_string(r.state));
   if (r.state == ph::port_state::ready) state += std::string(", ") + words(r.doing);
   if (r.reason.what != ph::fault::none) state += ": " + to_string(r.reason);
@@ -154,11 +173,12 @@ void report_sink::show() {
   if (!terminal_) {
     if (!rearm.empty()) state += " (" + rearm + ")";
     pending_ = text(
-        "%7.1f s  %-10s handle (%.4f, %.4f) m  hand (%5.2f, %5.2f) N  %-11s brakes %.3f, %.3f A  late %s at "
-        "most\n",
+        "%7.1f s  %-10s handle (%.4f, %.4f) m  hand (%5.2f, %5.2f) N  %-11s brakes %.3f, %.3f %s  late %s at "
+        "most%s\n",
         r.time, state.c_str(), r.x[0], r.x[1], r.hand[0], r.hand[1],
-        displays(r) ? to_string(r.display).data() : "no display", r.current[0], r.current[1],
-        duration(static_cast<double>(late_.largest())).c_str());
+        displays(r) ? to_string(r.display).data() : "no display", r.current[0], r.current[1], ampere,
+        duration(static_cast<double>(late_.largest())).c_str(),
+        loss().empty() ? "" : ("  " + loss()).c_str());
     write_shown();
     return;
   }
@@ -174,8 +194,8 @@ void report_sink::show() {
                       r.desired[1], to_string(r.power).data(), to_string(r.display).data(), degrees, r.alpha)
                : "wall     not displayed\n";
   for (std::size_t i = 0; i < r.current.size(); ++i)
-    table += text("brake %zu  %9.4f /s  may hold %6.3f N m  %6.3f A  ", i + 1, r.qd[i], r.capacity[i],
-                  r.current[i]) +
+    table += text("brake %zu  %9.4f /s  may hold %6.3f N m  %6.3f %s  ", i + 1, r.qd[i], r.capacity[i],
+                  r.current[i], ampere) +
              bar(r.current[i] / current_limit_[i], 20) + "\n";
   for (const auto& [name, h] : {std::pair{"late", &late_}, std::pair{"compute", &compute_}})
     table += text("%-8s p50 %8s   p99 %8s   p99.9 %8s   max %8s\n", name,
@@ -183,6 +203,7 @@ void report_sink::show() {
                   duration(static_cast<double>(h->percentile(0.99))).c_str(),
                   duration(static_cast<double>(h->percentile(0.999))).c_str(),
                   duration(static_cast<double>(h->largest())).c_str());
+  if (!loss().empty()) table += loss() + "\n";
   table += "late, of " + text("%llu cycles\n", static_cast<unsigned long long>(count_)) + bars(late_);
 
   table = fitting(table);

@@ -15,8 +15,8 @@
 
 namespace example {
 
-/// A RecordSink: a CSV file, whole or not at all, and a table in the terminal. Lives in the recorder's
-/// process. A terminal or a pipe that nobody reads loses tables; the file goes on.
+/// A RecordSink: a CSV file, whole or not at all, and a table in the terminal; what is lost, as it happens.
+/// Lives in the recorder's process. A terminal or a pipe that nobody reads loses tables; the file goes on.
 class report_sink {
  public:
   /// Nothing is shown without `live`, no file is written without a name.
@@ -24,20 +24,24 @@ class report_sink {
 
   std::string open();
   void take(const record& r);
-  void rest();
+  /// `missing`: records that never came here.
+  void rest(std::uint64_t missing);
+  /// Of those that came, how many are not in the file.
+  std::uint64_t lost() const { return lost_; }
   /// Throws std::runtime_error where the file is not whole: what there is stays in FILE.part.
   void close();
 
  private:
   void show();
   void write_shown();
+  std::string loss() const;
 
   std::string name_, title_;
   bool live_, terminal_ = false;
   std::array<double, axes> current_limit_{};
   std::unique_ptr<output_file> file_;
   record last_;
-  std::uint64_t count_ = 0;
+  std::uint64_t count_ = 0, kept_ = 0, lost_ = 0, missing_ = 0;
   double shown_ = -1;  // time of the last record that was shown [s]
   int lines_ = 0;      // of the table on the terminal
   int output_ = -1;

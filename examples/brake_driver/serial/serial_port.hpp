@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace example {
 
@@ -63,6 +65,7 @@ class serial_port {
         !text.empty())
       return text;
     lost_ = false;
+    hello_.current_limit = std::numeric_limits<std::uint16_t>::max();  // the device cuts at its own
     if (parameters_.release_only) return "";
     line_.discard_input();  // samples of before
     release();
@@ -133,6 +136,8 @@ class serial_port {
 
   /// Counts are of 32 bits.
   static constexpr int counter_bits() noexcept { return 32; }
+  /// Of the device; 0 before it said so [s].
+  double watchdog() const noexcept { return 1e-3 * hello_.watchdog; }
   /// What the device said of itself; of its limits.
   const serial::hello& device() const { return hello_; }
   /// The newest sample as it came: what read() refused, and why.

@@ -15,8 +15,8 @@ struct serial_port_parameters {
   int baud = 1'000'000;                 ///< [bit/s]; USB boards without a UART ignore it.
   double open_timeout = 3;  ///< For an answer [s]; boards that opening the port resets take 2 s to start.
   /// For a supervisor: open() neither asks nor releases nor reads, so the process that drives the device
-  /// notices nothing. It comes before that of the port that drives it, which is refused to all who come
-  /// later.
+  /// notices nothing; it may write. It comes before that of the port that drives it, which is refused to all
+  /// who come later.
   bool release_only = false;
 
   /// The table of passive_haptics/core/parameters.hpp: what a configuration may say.

@@ -73,6 +73,19 @@ struct fault_record {
   bool operator==(const fault_record&) const = default;
 };
 
+/// Whether nothing can stand in for what is lost: the brakes are released at once.
+constexpr bool at_once(const fault_record& i) noexcept {
+  return i.what == fault::device_lost || i.what == fault::encoder_frozen ||
+         (i.what == fault::device_restarted && i.source == fault_source::encoders);
+}
+
+/// Whether the encoders may have lost their way, if it lasts.
+constexpr bool in_doubt(fault f) noexcept {
+  return f == fault::device_lost || f == fault::device_restarted || f == fault::sample_out_of_order ||
+         f == fault::channel_invalid || f == fault::value_not_finite || f == fault::encoder_jump ||
+         f == fault::encoder_frozen;
+}
+
 /// The fault_record in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.
 inline std::string to_string(const fault_record& i) {
   std::string text(i.channel < 0 ? detail::word_of(i.source, {"", "encoders", "force sensor", "brakes", ""})

@@ -64,11 +64,14 @@ using brake_currents = std::array<double, static_cast<std::size_t>(N)>;
 ///     open(), twice and after a failure; the destructor calls it. A port that is still there can be written
 ///     to again.
 ///
-/// A port whose counters wrap also has `int counter_bits() const noexcept`, their width, once it is open.
+/// Once it is open, a port whose counters wrap also has `int counter_bits() const noexcept`, their width; and
+/// one to a device that lets go by itself where nobody writes any more has `double watchdog() const
+/// noexcept`, after how long [s].
 ///
 /// Laws: read, write and release neither allocate, throw, lock nor wait. Where the kernel or a bus may make
 /// them wait, they are called by a thread: threaded_port<P> keeps the law for any P. A second P may be open
-/// to the same device in another process, of which only open() and release() are called (supervisor).
+/// to the same device in another process, of which only open(), write() and release() are called
+/// (supervisor).
 template <class P>
 concept BrakePort =
     requires(P port, port_sample<P::encoder_count>& sample, const brake_currents<P::brake_count>& currents) {
@@ -85,12 +88,28 @@ constexpr int counter_bits(const P& port) noexcept {
   else return 0;
 }
 
+/// How long a device behind a port holds without being written to [s]; 0 where it does so for ever.
+template <BrakePort P>
+constexpr double watchdog(const P& port) noexcept {
+  if constexpr (requires { port.watchdog(); }) return port.watchdog();
+  else return 0;
+}
+
 /// A force (and torque) sensor between last link and handle: `channel_count`, and open and read as of a
 /// BrakePort.
 template <class S>
 concept ForceSensor = requires(S sensor, port_sample<S::channel_count>& sample) {
   { sensor.open() } -> std::same_as<std::string>;
   { sensor.read(sample) } noexcept -> std::same_as<port_status>;
+};
+
+/// For a device without a force sensor.
+struct no_force_sensor {
+  static constexpr int channel_count = 0;  ///< None.
+  /// Nothing is missing.
+  std::string open() { return {}; }
+  /// Always good.
+  port_status read(port_sample<0>&) noexcept { return port_status::ok; }
 };
 
 }  // namespace passive_haptics

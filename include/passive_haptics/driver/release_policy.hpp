@@ -6,6 +6,7 @@
 #include <passive_haptics/driver/port.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace passive_haptics {
 
@@ -13,43 +14,69 @@ namespace passive_haptics {
 enum class release_policy {
   zero,  ///< 0 A at once: the handle is free.
   ramp,  ///< Down to 0 A within ramp_time: an arm under gravity sinks instead of falling.
-  hold,  ///< The last currents stay: for brakes that current opens, or an arm that must not sink. Heat may
-         ///< lower them.
+  hold,  ///< The last currents stay, for brakes that current opens, or an arm that must not sink: while the
+         ///< loop runs, and hold_time longer. Heat may lower them.
 };
 
 /// A policy and its time.
 struct release_parameters {
   release_policy policy = release_policy::zero;  ///< How.
   double ramp_time = 0.5;                        ///< Of a ramp [s].
+  double hold_time = 10;  ///< Of a hold once nobody can rearm: the program was told to end, or died [s].
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = release_parameters;
     return member_table(
         choice("policy", &p::policy, "zero, ramp, hold"),
-        member("ramp_time", &p::ramp_time, "s", range::positive, plausible(0.001, 10)).large_over(60));
+        member("ramp_time", &p::ramp_time, "s", range::positive, plausible(0.001, 10)).large_over(60),
+        member("hold_time", &p::hold_time, "s", range::positive, plausible(0.1, 60)).large_over(600));
+  }
+
+  /// How long current may flow once nobody can rearm any more [s].
+  double longest() const noexcept {
+    switch (policy) {
+      case release_policy::ramp: return ramp_time;
+      case release_policy::hold: return hold_time;
+      default: return 0;
+    }
   }
 };
 
-/// Currents from a release on.
+/// When a release began, and what flowed then.
+template <int N>
+struct release_start {
+  double time = 0;              ///< [s]
+  brake_currents<N> flowing{};  ///< [A]
+};
+
+/// Currents from a release on, by the time alone: two processes that know the same start give the same
+/// currents.
 template <int N>
 class release_profile {
  public:
   /// Throws std::invalid_argument with the text of validate(p).
   explicit release_profile(const release_parameters& p) : p_(require_valid(p)) {}
 
-  /// A release begins while these flow [A].
-  void begin(const brake_currents<N>& flowing) noexcept {
-    from_ = flowing;
-    left_ = p_.policy == release_policy::zero ? 0 : 1;
+  /// A release begins.
+  void begin(const release_start<N>& start) noexcept { start_ = start; }
+  /// Where it began.
+  const release_start<N>& start() const noexcept { return start_; }
+
+  /// What may still flow at a time [A]. A ramp gives 0 A at a time that is none or far before its start.
+  brake_currents<N> operator()(double now) const noexcept {
+    double share = p_.policy == release_policy::hold ? 1 : 0;
+    if (p_.policy == release_policy::ramp && !over(now))
+      share = std::min(1.0, 1 - (now - start_.time) / p_.ramp_time);
+    brake_currents<N> flowing{};
+    for (std::size_t i = 0; i < flowing.size(); ++i) flowing[i] = share * start_.flowing[i];
+    return flowing;
   }
 
-  /// What may still flow `dt` [s] later [A].
-  brake_currents<N> operator()(double dt) noexcept {
-    if (p_.policy == release_policy::ramp) left_ = std::max(0.0, left_ - dt / p_.ramp_time);
-    brake_currents<N> now{};
-    for (std::size_t i = 0; i < now.size(); ++i) now[i] = left_ * from_[i];
-    return now;
+  /// Whether it is over at a time, where nobody can rearm any more.
+  bool over(double now) const noexcept {
+    // Another process may have begun a little later than this one's cycle
+    return start_.flowing == brake_currents<N>{} || !(std::abs(now - start_.time) < p_.longest());
   }
 
   /// Whether nothing flows any more at once.
@@ -57,8 +84,7 @@ class release_profile {
 
  private:
   release_parameters p_;
-  brake_currents<N> from_{};
-  double left_ = 0;  // share of from_
+  release_start<N> start_;
 };
 
 }  // namespace passive_haptics

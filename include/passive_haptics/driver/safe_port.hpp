@@ -8,19 +8,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
 namespace passive_haptics {
-
-/// For a device without a force sensor.
-struct no_force_sensor {
-  static constexpr int channel_count = 0;  ///< None.
-  /// Nothing is missing.
-  std::string open() { return {}; }
-  /// Always good.
-  port_status read(port_sample<0>&) noexcept { return port_status::ok; }
-};
 
 /// A port and a force sensor, watched: the last good samples in, currents that may flow out. To be called
 /// once a cycle, read(), then write(), with the time of the cycle [s] on the clock of the samples.
@@ -63,6 +55,8 @@ class safe_port {
   std::string open() {
     if (state_ != port_state::closed) return "open() was called before: the device is open";
     std::string error = port_.open();
+    if (error.empty() && !release_.is_at_once() && !(watchdog(port_) > 0))
+      error = "at_release.policy, expected zero: a device without a watchdog keeps currents for ever";
     if (error.empty()) error = sensor_.open();
     encoder_check_.set_counter_bits(counter_bits(port_));
     if (error.empty()) state_ = port_state::ready;
@@ -73,14 +67,15 @@ class safe_port {
   /// Takes this cycle's samples.
   port_state read(double now) noexcept {
     if (state_ == port_state::closed) return state_;
-    if (!(now > now_) || (holds() && now - now_ > hold_over_)) fail({fault::clock_jump});
+    const bool jumped = !(now > now_) || (holds() && now - now_ > hold_over_);
     dt_ = now > now_ && std::isfinite(now_) ? now - now_ : 0;
     now_ = now;
+    if (jumped) fail({fault::clock_jump});
     if (lost_) return state_;
 
     const fault_record encoders = read_encoders();
     const fault_record sensor = read_sensor();
-    held_over_ = encoders.what != fault::none ? encoders : sensor;
+    bad_sample_ = encoders.what != fault::none ? encoders : sensor;
     if (in_doubt(encoders.what) && (at_once(encoders) || now_ - encoders_good_ > hold_over_)) homed_ = false;
     watch(encoders, encoders_good_);
     watch(sensor, sensor_good_);
@@ -100,35 +95,48 @@ class safe_port {
     }
     currents asked{};
     if (holds()) asked = wanted;
-    if (state_ == port_state::released) asked = release_(dt_);
-    const currents flowing = limiter_(asked, dt_);
     if (lost_) return state_;
+    if (state_ == port_state::released) asked = release_(now_);
+    const currents flowing = limiter_(asked, dt_);
 
     const port_status written = port_.write(flowing);
-    if (written == port_status::failed) fail({fault::device_lost, fault_source::brakes});
+    bad_write_ = {};
+    if (written == port_status::ok) applied_ = flowing;
     else
-      watch({written == port_status::ok ? fault::none : fault::write_refused, fault_source::brakes},
-            write_good_);
+      bad_write_ = {written == port_status::failed ? fault::device_lost : fault::write_refused,
+                    fault_source::brakes};
+    watch(bad_write_, write_good_);
     settle();
     return state_;
   }
 
-  /// From ready to active; false, and nothing happens, unless ready and the last samples are good.
+  /// From ready to active; false, and nothing happens, unless ready and the last transfers are good.
   bool activate() noexcept {
-    if (state_ != port_state::ready || !samples_are_good()) return false;
+    if (state_ != port_state::ready || !transfers_are_good()) return false;
     state_ = port_state::active;
     return true;
   }
 
-  /// Releases the brakes. What is released stays so, with the first reason.
-  void release(const fault_record& why = {fault::user}) noexcept {
-    if (state_ != port_state::closed) fail(why);
+  /// Releases the brakes. What is released stays so, with the first reason. `begun`: the release of another
+  /// process (supervisor::began()), which goes on here.
+  void release(const fault_record& why = {fault::user},
+               const std::optional<release_start<brake_count>>& begun = {}) noexcept {
+    if (state_ == port_state::closed) return;
+    fail(why);
+    if (begun) release_.begin(*begun);
   }
 
-  /// From released to ready; false, and nothing happens, unless released, the last samples are good and the
+  /// Releases the brakes, and gives 0 A at once, whatever the release policy.
+  void let_go(const fault_record& why = {fault::user}) noexcept {
+    release(why);
+    release_.begin({});
+    give_none();
+  }
+
+  /// From released to ready; false, and nothing happens, unless released, the last transfers are good and the
   /// encoders have not lost their way (needs_homing()).
   bool rearm() noexcept {
-    if (state_ != port_state::released || !homed_ || !samples_are_good()) return false;
+    if (state_ != port_state::released || !homed_ || !transfers_are_good()) return false;
     reason_ = {};
     limiter_.release();
     state_ = port_state::ready;
@@ -139,8 +147,10 @@ class safe_port {
   port_state state() const noexcept { return state_; }
   /// Why the brakes are released; none where they are not.
   const fault_record& reason() const noexcept { return reason_; }
-  /// What is wrong with the last samples; none where they are good.
-  const fault_record& held_over() const noexcept { return held_over_; }
+  /// What is wrong with the last samples, or with the last write; none where they are good.
+  const fault_record& held_over() const noexcept {
+    return bad_sample_.what != fault::none ? bad_sample_ : bad_write_;
+  }
   /// Whether nobody knows how far the encoders went: the program must start again.
   bool needs_homing() const noexcept { return !homed_; }
   /// Where the encoders are, past every wrap of their counters: the last good reading [counts].
@@ -149,8 +159,10 @@ class safe_port {
   double position_time() const noexcept { return position_time_; }
   /// The last good reading of the force sensor.
   const force_reading& force() const noexcept { return force_; }
-  /// The currents that the device was last told, also where it refused them [A].
-  const currents& applied() const noexcept { return limiter_.flowing(); }
+  /// What the device last took [A]; a release counts as 0 A unless it is lost or refuses what is written.
+  const currents& applied() const noexcept { return applied_; }
+  /// Whether they are on the brakes, as far as the device tells: false while it is lost or refuses.
+  bool applied_is_known() const noexcept { return !lost_ && bad_write_.what == fault::none; }
   /// The port, to ask it for what only it knows.
   const Port& port() const noexcept { return port_; }
 
@@ -158,16 +170,18 @@ class safe_port {
   static constexpr double never = -std::numeric_limits<double>::infinity();
 
   bool holds() const noexcept { return state_ == port_state::active || state_ == port_state::degraded; }
-  bool samples_are_good() const noexcept {
-    return held_over_.what == fault::none && std::isfinite(encoders_good_);
+  bool transfers_are_good() const noexcept {
+    return held_over().what == fault::none && std::isfinite(encoders_good_);
   }
+  // Nothing is to flow without being watched, also where the device refuses to end it
+  bool flows() const noexcept { return applied_ != currents{}; }
 
   fault_record read_encoders() noexcept {
     port_sample<encoder_count> sample;
     const port_status status = port_.read(sample);
     fault_record found = sample_check_(status, sample, now_, fault_source::encoders);
     if (found.what != fault::none) return found;
-    found = encoder_check_(sample, applied() == currents{});
+    found = encoder_check_(sample, !flows() && applied_is_known());
     if (found.what == fault::none) position_time_ = sample.time;
     return found;
   }
@@ -187,36 +201,29 @@ class safe_port {
   // What may be held over fails hold_over seconds after the last time that all was good, the rest at once
   void watch(const fault_record& found, double& good) noexcept {
     if (found.what == fault::none) good = now_;
-    else if (at_once(found) || (holds() && now_ - good > hold_over_)) fail(found);
-  }
-  static bool at_once(const fault_record& i) noexcept {
-    return i.what == fault::device_lost || i.what == fault::encoder_frozen ||
-           (i.what == fault::device_restarted && i.source == fault_source::encoders);
-  }
-  static bool in_doubt(fault f) noexcept {
-    return f == fault::device_lost || f == fault::device_restarted || f == fault::sample_out_of_order ||
-           f == fault::channel_invalid || f == fault::value_not_finite || f == fault::encoder_jump ||
-           f == fault::encoder_frozen;
+    else if (at_once(found) || ((holds() || flows()) && now_ - good > hold_over_)) fail(found);
   }
 
   void fail(const fault_record& why) noexcept {
-    if (why.what == fault::device_lost && why.source != fault_source::force_sensor) {
-      lost_ = true;
-      homed_ = false;
-    }
+    if (why.what == fault::device_lost && why.source != fault_source::force_sensor) lost_ = true;
+    if (lost_) homed_ = false;
     if (state_ != port_state::released) {
       reason_ = why;
-      release_.begin(limiter_.flowing());
+      release_.begin({now_, applied_});
     }
     state_ = port_state::released;
-    if (!lost_ && !release_.is_at_once()) return;
+    if (lost_ || release_.is_at_once()) give_none();
+  }
+
+  void give_none() noexcept {
     limiter_.release();
     port_.release();
+    if (applied_is_known()) applied_ = {};
   }
 
   void settle() noexcept {
     if (!holds()) return;
-    const bool well = held_over_.what == fault::none && write_good_ == now_ && !limiter_.lowered_by_heat();
+    const bool well = held_over().what == fault::none && write_good_ == now_ && !limiter_.lowered_by_heat();
     state_ = well ? port_state::active : port_state::degraded;
   }
 
@@ -233,10 +240,10 @@ class safe_port {
   port_state state_ = port_state::closed;
   bool lost_ = false;  // nothing can be read or written any more
   bool homed_ = true;
-  fault_record reason_, held_over_;
-  double now_ = never, dt_ = 0;
+  fault_record reason_, bad_sample_, bad_write_;
+  currents applied_{};
+  double now_ = never, dt_ = 0, position_time_ = 0;                          // [s]
   double encoders_good_ = never, sensor_good_ = never, write_good_ = never;  // when last [s]
-  double position_time_ = 0;
   force_reading force_{};
 };
 

@@ -165,9 +165,23 @@ TYPED_TEST_P(brake_port_properties, a_second_port_takes_all_currents_back) {
   EXPECT_TRUE(this->come_to({}, [] {}));
 }
 
+/// It can give currents, too, in place of one whose process is dead (supervisor).
+TYPED_TEST_P(brake_port_properties, a_second_port_gives_currents) {
+  auto watching = this->device.make_releasing();
+  ASSERT_EQ(this->device.open(watching), "");
+  auto p = this->device.make();
+  ASSERT_EQ(this->device.open(p), "");
+  ASSERT_NO_FATAL_FAILURE(this->hold(p));
+  auto less = this->some();
+  for (double& current : less) current /= 2;
+  EXPECT_TRUE(this->come_to(less, [&] { EXPECT_EQ(watching.write(less), port_status::ok); }));
+  watching.release();
+  EXPECT_TRUE(this->come_to({}, [] {}));
+}
+
 REGISTER_TYPED_TEST_SUITE_P(brake_port_properties, release_may_be_called_at_any_time,
                             samples_go_on_in_sequence_and_in_time, release_takes_all_currents_back,
                             the_destructor_takes_all_currents_back, a_moved_port_is_the_same_port,
-                            a_second_port_takes_all_currents_back);
+                            a_second_port_takes_all_currents_back, a_second_port_gives_currents);
 
 }  // namespace passive_haptics::testing

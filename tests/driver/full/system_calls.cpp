@@ -68,7 +68,7 @@ struct record {
 struct nowhere {
   std::string open() { return {}; }
   void take(const record&) {}
-  void rest() {}
+  void rest(std::uint64_t) {}
   void close() {}
 };
 

@@ -118,7 +118,7 @@ TEST_F(a_driver_whose, recorder_is_killed_goes_on_and_counts_what_is_lost) {
   EXPECT_EQ(children_of(pid).size(), 2u) << "supervisor and what is left of the recorder";
   send(SIGINT);
   const outcome o = end();
-  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.status, 4) << o.err;
   EXPECT_TRUE(has(o.out, "brakes released: as asked")) << o.out;
   EXPECT_TRUE(has(o.out, "log: brake_driver.csv.part, as far as it came: the recorder failed, ")) << o.out;
   EXPECT_FALSE(has(o.out, " 0 cycles lost")) << o.out;

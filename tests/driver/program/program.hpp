@@ -128,15 +128,17 @@ class log_file {
 // What of a configuration the tests change. As it stands, no load on the machine is a fault, and no hand
 // touches the handle.
 struct settings {
-  double hold_over = 5, supervisor_timeout = 5, longest_sleep = 10, period = 1e-3, hand_start = 1000;
+  double hold_over = 5, supervisor_timeout = 5, longest_sleep = 10, period = 1e-3, hand_start = 1000,
+         watchdog = 30, homing = 0.1;
   std::string top{}, sections{}, sensor{};
 
   std::string text() const {
     std::ostringstream all;
-    all << top << "\n[homing]\npose = [1.8812, -1.3055]\nduration = 0.1\ntolerance = 1e6\nlongest_gap = 5\n"
+    all << top << "\n[homing]\npose = [1.8812, -1.3055]\nduration = " << homing
+        << "\ntolerance = 1e6\nlongest_gap = 5\n"
         << "[loop]\nmost_overruns = 1000000\nlongest_sleep = " << longest_sleep << "\nperiod = " << period
         << "\n[safety]\nhold_over = " << hold_over << "\nsupervisor_timeout = " << supervisor_timeout
-        << "\n[simulation]\nhand_start = " << hand_start << "\n[sensor]\n"
+        << "\n[simulation]\nhand_start = " << hand_start << "\nwatchdog = " << watchdog << "\n[sensor]\n"
         << sensor << "\n"
         << sections;
     return all.str();

@@ -144,6 +144,37 @@ TEST_F(a_running_driver, tells_that_the_disk_was_full) {
   EXPECT_FALSE(fs::exists(log_path()));
 }
 
+TEST_F(a_running_driver, says_what_becomes_of_the_currents_whoever_dies) {
+  file("c.toml", "[safety]\nat_release = \"ramp\"\nramp_time = 0.7\nsupervisor_timeout = 0.4\n");
+  const outcome o = run({"--config", "c.toml", "--seconds", "0.1", "--quiet"});
+  EXPECT_TRUE(
+      has(o.out,
+          "at a release: down to 0 A within 0.7 s; where the loop dies or stops its supervisor does so, "
+          "after 0.5 s at most\nwhere both do: the device's watchdog lets go after 1 s\n"))
+      << o.out;
+}
+
+TEST_F(a_running_driver, refuses_to_keep_currents_where_no_watchdog_ends_them) {
+  std::string card = text_of(shipped + "/comedi.toml");
+  card.insert(card.find("[safety]\n") + 9, "at_release = \"hold\"\n");
+  file("comedi.toml", card);
+  const outcome comedi = run({"--config", "comedi.toml", "--check"});
+  EXPECT_EQ(comedi.status, 2);
+  EXPECT_TRUE(has(comedi.err, "[safety] at_release, expected \"zero\": a card under Comedi has no watchdog"))
+      << comedi.err;
+  // It would let go before the supervisor could ramp
+  file("late.toml", "[safety]\nat_release = \"ramp\"\nsupervisor_timeout = 0.9\n");
+  const outcome late = run({"--config", "late.toml", "--seconds", "0.1"});
+  EXPECT_EQ(late.status, 2);
+  EXPECT_TRUE(
+      has(late.err,
+          "error: [safety] supervisor_timeout [s] = 0.9, expected less than 0.8 of the device's watchdog, "
+          "1, or at_release = \"zero\""))
+      << late.err;
+  EXPECT_FALSE(fs::exists(part_path()));
+  EXPECT_TRUE(nothing_is_left());
+}
+
 TEST_F(a_running_driver, writes_no_log_where_none_is_wanted) {
   file("c.toml", settings{.top = "log = \"\""}.text());
   const outcome o = run({"--config", "c.toml", "--seconds", "0.3"});

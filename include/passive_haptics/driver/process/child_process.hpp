@@ -2,8 +2,11 @@
 /// A process beside the loop that outlives it.
 #pragma once
 
+#include <passive_haptics/driver/clock.hpp>
+
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,9 +37,10 @@ class parent_link {
 };
 
 /// A forked process. Start it before the loop's real-time set-up and before any thread. It leaves the
-/// terminal's process group, so that Ctrl-C does not reach it, keeps no file open but the standard ones, and
-/// neither ends nor stops when it writes to a pipe that nobody reads any more or to a terminal that others
-/// have.
+/// terminal's process group, so that Ctrl-C, Ctrl-Z and Ctrl-\ do not reach it, and ignores what asks to end:
+/// it ends after its parent. Where it is stopped, the end of its parent wakes it. It keeps no file open but
+/// the standard ones, and neither ends nor stops when it writes to a pipe that nobody reads any more or to a
+/// terminal that others have. Its parent never waits for it without end.
 class child_process {
  public:
   child_process() = default;
@@ -45,9 +49,10 @@ class child_process {
   ~child_process() { stop(); }
 
   /// Forks. In the child: prepare() returns an error or an empty string, which start() returns in the parent;
-  /// if empty, run(parent_link) follows, and the child ends with it.
+  /// if empty, run(parent_link) follows, and the child ends with it. A child that is not ready within
+  /// `patience` [s] is ended.
   template <class Prepare, class Run>
-  std::string start(Prepare&& prepare, Run&& run) {
+  std::string start(Prepare&& prepare, Run&& run, double patience = 10) {
     if (pid_ > 0) return "start() was called before: the process runs";
     std::array<int, 2> down{-1, -1}, up{-1, -1};
     const bool piped = pipe2(down.data(), O_CLOEXEC) == 0 && pipe2(up.data(), O_CLOEXEC) == 0;
@@ -63,30 +68,35 @@ class child_process {
       // No session of its own: the scheduler shares out time by sessions (autogroup), and let one wait for
       // half a second
       setpgid(0, 0);
-      for (const int signal : {SIGPIPE, SIGTTOU}) std::signal(signal, SIG_IGN);
+      for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGTTOU}) std::signal(signal, SIG_IGN);
+      prctl(PR_SET_PDEATHSIG, SIGCONT);
       close_all_but(down[0], up[1]);
       be_child(up[1], parent_link(down[0]), prepare, run);
     }
     close(down[0]);
     close(up[1]);
     pipe_ = down[1];
-    const std::string error = answer(up[0]);
+    const std::string error = answer(up[0], patience);
     close(up[0]);
-    if (!error.empty()) stop();
+    if (!error.empty()) stop(0);
     return error;
   }
 
-  /// Tells the child to end, and waits for it. False if it did not end well: it was killed, or its function
-  /// threw.
-  bool stop() noexcept {
+  /// Tells the child to end, wakes it where it is stopped, and waits for it, at most `patience` [s]; then it
+  /// is killed, for which a second more may pass. False if it did not end well: it was killed, or its
+  /// function threw.
+  bool stop(double patience = default_patience) noexcept {
     if (pid_ <= 0) return true;
     close(pipe_);
+    kill(pid_, SIGCONT);
     int status = 0;
-    pid_t ended = -1;
-    while ((ended = waitpid(pid_, &status, 0)) < 0 && errno == EINTR) {
+    bool ended = ends_within(patience, status);
+    if (!ended) {
+      kill(pid_, SIGKILL);
+      ended = ends_within(1, status);  // a disk may hold up even that
     }
     pid_ = -1;
-    return ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return ended && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
   /// Its process number; <= 0 if it does not run.
@@ -94,6 +104,19 @@ class child_process {
 
  private:
   static constexpr char ready = '\n';
+  static constexpr double default_patience = 10;  // [s]
+
+  // Its status is -1 where another took it
+  bool ends_within(double seconds, int& status) const noexcept {
+    for (const double end = monotonic_seconds() + seconds;;) {
+      const pid_t ended = waitpid(pid_, &status, WNOHANG);
+      if (ended < 0 && errno == EINTR) continue;
+      if (ended < 0) status = -1;
+      if (ended != 0) return true;
+      if (monotonic_seconds() >= end) return false;
+      poll(nullptr, 0, 1);
+    }
+  }
 
   // Another child's pipe, held open here, would keep that one from seeing its parent die
   static void close_all_but(int a, int b) noexcept {
@@ -137,11 +160,15 @@ class child_process {
   }
 
   // The child's error; empty if it is ready
-  static std::string answer(int from) {
+  static std::string answer(int from, double patience) {
     std::string text;
     std::array<char, 256> part;
-    for (;;) {
-      const ssize_t size = ::read(from, part.data(), part.size());
+    for (const double end = monotonic_seconds() + patience;;) {
+      pollfd watched{from, POLLIN, 0};
+      const double left = end - monotonic_seconds();
+      const int came = left > 0 ? poll(&watched, 1, static_cast<int>(1e3 * left) + 1) : 0;
+      if (came == 0) return "the process was not ready in time: was it stopped?";
+      const ssize_t size = came < 0 ? -1 : ::read(from, part.data(), part.size());
       if (size < 0 && errno == EINTR) continue;
       if (size <= 0) break;
       text.append(part.data(), static_cast<std::size_t>(size));

@@ -6,6 +6,7 @@
 #include <passive_haptics/driver/process/shared_memory.hpp>
 #include <passive_haptics/driver/process/shared_ring.hpp>
 
+#include <atomic>
 #include <concepts>
 #include <cstdint>
 #include <string>
@@ -14,13 +15,16 @@
 namespace passive_haptics {
 
 /// Where records go, in the recorder's process. open(): empty, or what is wrong; take(record): each, in
-/// order; rest(): some times a second, for what need not be done for each; close(): after the last one. What
-/// it throws ends the process, with its text on stderr.
+/// order; rest(missing): some times a second, for what need not be done for each, told how many records did
+/// not fit so far; close(): after the last one. What it throws ends the process, with its text on stderr.
+///
+/// A sink that cannot keep all it takes, as on a full disk, also has `std::uint64_t lost() const`, how many
+/// of them so far; it is asked after rest().
 template <class S, class Record>
 concept RecordSink = requires(S sink, const Record& record) {
   { sink.open() } -> std::same_as<std::string>;
   sink.take(record);
-  sink.rest();
+  sink.rest(std::uint64_t{});
   sink.close();
 };
 
@@ -41,11 +45,16 @@ class recorder {
   }
 
   /// Records; false, and counted, where the other process is so far behind that it did not fit. Wait-free.
-  bool operator()(const Record& record) noexcept { return ring_->push(record); }
+  bool operator()(const Record& record) noexcept { return shared_->ring.push(record); }
 
-  /// How many records did not fit, and after stop() also those that nobody was there any more to take.
-  std::uint64_t lost() const noexcept { return ring_->lost() + (ended_ ? ring_->size() : 0); }
-  /// Waits until all is written. False if the process was not there any more or its sink threw.
+  /// How many records did not fit or could not be kept; after stop() also those that the process took with
+  /// it.
+  std::uint64_t lost() const noexcept {
+    const std::uint64_t gone = ended_ ? shared_->ring.pushed() - shared_->kept : shared_->not_kept.load();
+    return shared_->ring.lost() + gone;
+  }
+  /// Waits until all is written, at most ten seconds and one more (child_process::stop()). False if the
+  /// process was not there any more, did not come to an end or its sink threw.
   bool stop() noexcept {
     ended_ = true;
     return child_.stop();
@@ -58,16 +67,26 @@ class recorder {
 
   void write_down(parent_link parent) {
     Record record;
+    std::uint64_t taken = 0;
     for (bool last = false; !last;) {
       last = parent.gone(pause);  // before the queue is emptied: then nothing can come after it
-      while (ring_->pop(record)) sink_.take(record);
-      sink_.rest();
+      for (; shared_->ring.pop(record); ++taken) sink_.take(record);
+      sink_.rest(shared_->ring.lost());
+      std::uint64_t not_kept = 0;
+      if constexpr (requires { sink_.lost(); }) not_kept = sink_.lost();
+      shared_->not_kept = not_kept;
+      shared_->kept = taken - not_kept;
     }
     sink_.close();
   }
 
+  struct shared {
+    shared_ring<Record, Capacity> ring;
+    std::atomic<std::uint64_t> kept = 0, not_kept = 0;  // of the records that were taken
+  };
+
   Sink sink_;
-  shared_memory<shared_ring<Record, Capacity>> ring_;
+  shared_memory<shared> shared_;
   child_process child_;
   bool ended_ = false;
 };

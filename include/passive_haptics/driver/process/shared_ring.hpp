@@ -40,10 +40,8 @@ class shared_ring {
     return true;
   }
 
-  /// Records that nobody took yet.
-  std::uint64_t size() const noexcept {
-    return pushed_.load(std::memory_order_acquire) - popped_.load(std::memory_order_acquire);
-  }
+  /// Records that fitted, taken or not.
+  std::uint64_t pushed() const noexcept { return pushed_.load(std::memory_order_acquire); }
   /// Records that did not fit.
   std::uint64_t lost() const noexcept { return lost_.load(std::memory_order_relaxed); }
 

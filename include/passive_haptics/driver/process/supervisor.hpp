@@ -3,19 +3,24 @@
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
+#include <passive_haptics/driver/checks/current_limiter.hpp>
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/port.hpp>
 #include <passive_haptics/driver/process/child_process.hpp>
 #include <passive_haptics/driver/process/shared_memory.hpp>
+#include <passive_haptics/driver/release_policy.hpp>
 
+#include <poll.h>
 #include <sched.h>
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,6 +30,9 @@ namespace passive_haptics {
 struct supervisor_parameters {
   double timeout = 0.010;  ///< Without a heartbeat for so long, the brakes are released [s].
   int priority = 0;        ///< SCHED_FIFO priority of its process, over the loop's; 0 for none.
+
+  /// How long after the last heartbeat it acts at the latest, where it gets the processor [s].
+  double latest() const noexcept { return 1.25 * timeout; }
 
   static constexpr const char* owner = "the supervisor";  ///< In errors.
   /// The table of core/parameters.hpp.
@@ -36,9 +44,11 @@ struct supervisor_parameters {
 };
 
 /// Analog outputs keep their last value when a process dies. A supervisor is a process with a port of its own
-/// to the same device; it calls release() when the loop's process dies (at once: their pipe closes) or its
-/// heartbeat stops for `timeout`, as of SIGSTOP or a cycle that hangs. It looks four times in that time, so
-/// it is never later than 1.25 timeouts where it gets the processor; and it goes on releasing until rearm().
+/// to the same device; it releases the brakes, as the release policy says, when the loop's process dies (at
+/// once: their pipe closes) or its heartbeat stops for `timeout`, as of SIGSTOP or a cycle that hangs. It
+/// looks four times in that time, so it is never later than 1.25 timeouts where it gets the processor; and it
+/// goes on until rearm(). Where the loop does not come back it gives 0 A after release_parameters::longest().
+/// Where loop and supervisor are both dead, or stopped, the device's own watchdog is what is left.
 ///
 /// Start it before the loop's real-time set-up and before any thread.
 template <BrakePort Port>
@@ -48,20 +58,27 @@ class supervisor {
       "passive_haptics: a supervisor may wait, so it takes the port itself: threaded_port::port_type");
 
  public:
-  /// The port must not be open. Throws std::invalid_argument with the text of validate(p).
-  explicit supervisor(Port port, const supervisor_parameters& p = {})
-      : port_(std::move(port)), p_(require_valid(p)) {}
+  static constexpr int brake_count = Port::brake_count;  ///< Brakes.
+  using currents = brake_currents<brake_count>;          ///< [A]
+
+  /// The port must not be open. The release policy and the limits of the currents are the safe_port's. Throws
+  /// std::invalid_argument with the text of validate() of what is wrong.
+  explicit supervisor(Port port, const supervisor_parameters& p = {},
+                      const release_parameters& at_release = {},
+                      const current_limits<brake_count>& limits = {})
+      : port_(std::move(port)), p_(require_valid(p)), release_(at_release), limiter_(limits) {}
 
   /// Forks the process, which opens its port; empty, or why it could not.
   std::string start() {
     return child_.start([this] { return port_.open(); }, [this](parent_link parent) { watch(parent); });
   }
 
-  /// Once a cycle, with its time [s]; the first beat starts the watch. False where the supervisor released
-  /// the brakes, or has not been seen for 0.1 s, or for `timeout` where that is longer: release them here,
-  /// too.
-  bool beat(double now) noexcept {
-    shared_->beats.fetch_add(1, std::memory_order_relaxed);
+  /// Once a cycle, with its time [s, CLOCK_MONOTONIC] and what flows [A]; the first beat starts the watch.
+  /// False where the supervisor released the brakes, or has not been seen for 0.1 s, or for `timeout` where
+  /// that is longer: release them here, too, from where it began().
+  bool beat(double now, const currents& flowing = {}) noexcept {
+    store(shared_->flowing, flowing);
+    shared_->beats.fetch_add(1, std::memory_order_release);
     const std::uint32_t looks = shared_->looks.load(std::memory_order_relaxed);
     if (looks != looks_ || !std::isfinite(seen_)) {
       looks_ = looks;
@@ -76,37 +93,91 @@ class supervisor {
 
   /// Whether it released the brakes.
   bool released() const noexcept { return shared_->released.load(std::memory_order_acquire); }
+  /// Where it began to, so that the loop goes on from there; none where it did not.
+  std::optional<release_start<brake_count>> began() const noexcept {
+    if (!released()) return {};
+    return release_start<brake_count>{shared_->began.load(std::memory_order_relaxed), load(shared_->from)};
+  }
   /// Lets the loop's currents flow again.
   void rearm() noexcept { shared_->released.store(false, std::memory_order_release); }
-  /// Ends it; it releases the brakes once more.
-  void stop() noexcept { child_.stop(); }
+  /// Ends it, after the loop released the brakes: it gives 0 A once more. It takes two seconds at most, and a
+  /// third where it must be killed.
+  void stop() noexcept {
+    shared_->dismissed.store(true, std::memory_order_release);
+    child_.stop(2);
+  }
   /// Its process number; <= 0 if it does not run.
   pid_t pid() const noexcept { return child_.pid(); }
 
  private:
   static constexpr double lost_after = 0.1;  // [s]
+  static constexpr int often = 2;            // [ms], between the currents of a release
+  using shared_currents = std::array<std::atomic<double>, static_cast<std::size_t>(brake_count)>;
   struct heart {
     std::atomic<std::uint32_t> beats = 0, looks = 0;
-    std::atomic<bool> released = false;
+    std::atomic<bool> released = false, dismissed = false;
+    shared_currents flowing{}, from{};  // what the loop gives, and what flowed when the release began [A]
+    std::atomic<double> began = 0;      // [s]
   };
-  static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+  static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+                std::atomic<double>::is_always_lock_free);
+
+  static void store(shared_currents& to, const currents& values) noexcept {
+    for (std::size_t i = 0; i < values.size(); ++i) to[i].store(values[i], std::memory_order_relaxed);
+  }
+  static currents load(const shared_currents& from) noexcept {
+    currents values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = from[i].load(std::memory_order_relaxed);
+    return values;
+  }
 
   void watch(parent_link parent) noexcept {
     be_quick();
-    const auto timeout = std::llround(1e9 * p_.timeout);
     const int look = std::max(1, static_cast<int>(1e3 * p_.timeout / 4));  // [ms]
     std::uint32_t last = 0;
-    std::int64_t beaten = monotonic_clock().now();
-    while (!parent.gone(look)) {
-      const std::int64_t now = monotonic_clock().now();
-      const std::uint32_t beats = shared_->beats.load(std::memory_order_relaxed);
+    double beaten = monotonic_seconds();
+    bool silent = false;
+    looked_ = beaten;
+    while (!parent.gone(silent ? std::min(look, often) : look)) {
+      const double now = monotonic_seconds();
+      const std::uint32_t beats = shared_->beats.load(std::memory_order_acquire);
       if (beats != last || beats == 0) beaten = now;
-      else if (now - beaten > timeout) shared_->released.store(true, std::memory_order_release);
       last = beats;
-      if (released()) port_.release();
+      silent = now - beaten > p_.timeout;
+      if (silent && !released()) begin(now);
+      // A loop that beats gives the currents of a release itself; of 0 A nothing else can be said
+      if (released() && (silent || release_.is_at_once())) give(now);
+      else learn(now);
       shared_->looks.fetch_add(1, std::memory_order_relaxed);
     }
+    if (!shared_->dismissed.load(std::memory_order_acquire)) {
+      double now = monotonic_seconds();
+      if (!silent) begin(now);
+      for (; !release_.over(now); now = monotonic_seconds()) {
+        give(now);
+        poll(nullptr, 0, often);
+      }
+    }
     port_.release();
+  }
+
+  void begin(double now) noexcept {
+    release_.begin({now, load(shared_->flowing)});
+    store(shared_->from, release_.start().flowing);
+    shared_->began.store(now, std::memory_order_relaxed);
+    shared_->released.store(true, std::memory_order_release);
+  }
+
+  // What the release policy says, as far as the coils bear it
+  void give(double now) noexcept {
+    if (release_.over(now)) port_.release();
+    else port_.write(limiter_(release_(now), now - looked_));
+    looked_ = now;
+  }
+  // How warm the coils get by the loop's currents
+  void learn(double now) noexcept {
+    limiter_(load(shared_->flowing), now - looked_);
+    looked_ = now;
   }
 
   // Refusals change nothing but how soon it is
@@ -120,9 +191,12 @@ class supervisor {
 
   Port port_;
   supervisor_parameters p_;
+  release_profile<brake_count> release_;
+  current_limiter<brake_count> limiter_;
   shared_memory<heart> shared_;
   child_process child_;
-  std::uint32_t looks_ = 0;
+  double looked_ = 0;                                       // the supervisor, before [s]
+  std::uint32_t looks_ = 0;                                 // as the loop saw them
   double seen_ = -std::numeric_limits<double>::infinity();  // [s]
   bool alive_ = false;
 };

@@ -99,6 +99,8 @@ class threaded_port {
   }
   /// Of the port's counters.
   int counter_bits() const noexcept { return passive_haptics::counter_bits(shared_->port); }
+  /// Of the device.
+  double watchdog() const noexcept { return passive_haptics::watchdog(shared_->port); }
 
  private:
   struct order {

@@ -1,0 +1,103 @@
+// A process beside the loop: that it ends after its parent, whatever happens to either.
+#include "processes.hpp"
+
+#include <gtest/gtest.h>
+#include <passive_haptics/driver/process/child_process.hpp>
+#include <passive_haptics/driver/process/shared_memory.hpp>
+
+#include <sys/prctl.h>
+
+#include <atomic>
+#include <csignal>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+using processes::happens;
+
+std::string ready() { return {}; }
+void until_parent_is_gone(ph::parent_link parent) {
+  while (!parent.gone(1000)) {
+  }
+}
+void for_ever(ph::parent_link) {
+  for (;;) pause();
+}
+
+// Whether it is stopped, as ps(1) shows it.
+bool is_stopped(pid_t process) {
+  siginfo_t what{};
+  return waitid(P_PID, static_cast<id_t>(process), &what, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
+         what.si_pid == process;
+}
+
+}  // namespace
+
+TEST(a_child_process, that_is_stopped_is_woken_to_end_well) {
+  ph::child_process child;
+  ASSERT_EQ(child.start(ready, until_parent_is_gone), "");
+  kill(child.pid(), SIGSTOP);
+  ASSERT_TRUE(happens([&] { return is_stopped(child.pid()); }));
+  EXPECT_TRUE(child.stop());
+}
+
+TEST(a_child_process, that_does_not_end_is_killed) {
+  ph::child_process child;
+  ASSERT_EQ(child.start(ready, for_ever), "");
+  const pid_t process = child.pid();
+  EXPECT_FALSE(child.stop(0.1));
+  EXPECT_EQ(kill(process, SIGKILL), -1) << "it is still there";
+}
+
+TEST(a_child_process, that_does_not_become_ready_is_ended) {
+  ph::child_process child;
+  const auto never = [] {
+    for (;;) pause();
+    return std::string();
+  };
+  EXPECT_EQ(child.start(never, until_parent_is_gone, 0.1),
+            "the process was not ready in time: was it stopped?");
+  EXPECT_LE(child.pid(), 0);
+}
+
+TEST(a_child_process, that_another_one_waited_for_is_not_waited_for) {
+  ph::child_process child;
+  ASSERT_EQ(child.start(ready, for_ever), "");
+  kill(child.pid(), SIGKILL);
+  ASSERT_GE(waitpid(child.pid(), nullptr, 0), 0);
+  EXPECT_FALSE(child.stop());
+}
+
+TEST(a_child_process, that_is_stopped_ends_when_its_parent_dies) {
+  // The child comes to this process, in the same session: else the kernel wakes those without a parent there
+  prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
+  ph::shared_memory<std::atomic<pid_t>> child_of_parent;
+  ph::shared_memory<std::atomic<bool>> ended;
+  const pid_t parent = fork();
+  if (parent == 0) {
+    ph::child_process child;
+    child.start(ready, [&](ph::parent_link link) {
+      until_parent_is_gone(link);
+      *ended = true;
+    });
+    kill(child.pid(), SIGSTOP);
+    happens([&] { return is_stopped(child.pid()); });
+    *child_of_parent = child.pid();
+    for (;;) pause();
+  }
+  ASSERT_TRUE(happens([&] { return *child_of_parent != 0; }));
+  kill(parent, SIGKILL);
+  processes::end_of(parent);
+  EXPECT_TRUE(happens([&] { return ended->load(); }));
+  kill(*child_of_parent, SIGKILL);
+  processes::end_of(*child_of_parent);
+}
+
+TEST(a_child_process, hears_nothing_that_is_meant_for_its_parent) {
+  ph::child_process child;
+  ASSERT_EQ(child.start(ready, until_parent_is_gone), "");
+  EXPECT_EQ(getpgid(child.pid()), child.pid()) << "Ctrl-C, Ctrl-Z and Ctrl-\\ go to a group";
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) kill(child.pid(), signal);
+  EXPECT_TRUE(child.stop()) << "not ended by a signal";
+}
