@@ -1,6 +1,6 @@
 // The firmware as a process: a device on a pseudo-terminal, to try the driver and to test it.
 //
-//   brake_firmware_host [--encoders N] [--brakes N] [--watchdog MS] [--link FILE]
+//   brake_firmware_host [--encoders N] [--brakes N] [--watchdog MS] [--period US] [--link FILE]
 //
 // Prints the file that a host opens, also reached as FILE, and runs until SIGINT or SIGTERM.
 #include <firmware/brake_controller.hpp>
@@ -19,9 +19,10 @@ volatile std::sig_atomic_t ended = 0;
 void end(int) { ended = 1; }
 
 int usage() {
-  std::fprintf(
-      stderr,
-      "usage: brake_firmware_host [--encoders 1..8] [--brakes 1..8] [--watchdog 2..60000] [--link FILE]\n");
+  std::fprintf(stderr,
+               "usage: brake_firmware_host [--encoders 1..8] [--brakes 1..8] [--watchdog 2..60000] [--period "
+               "100..60000] "
+               "[--link FILE]\n");
   return 2;
 }
 
@@ -60,6 +61,7 @@ int main(int argc, char** argv) {
     if (name == "--encoders" && count) settings.encoders = static_cast<std::uint8_t>(n);
     else if (name == "--brakes" && count) settings.brakes = static_cast<std::uint8_t>(n);
     else if (name == "--watchdog" && n >= 2 && n <= 60'000) settings.watchdog = static_cast<std::uint16_t>(n);
+    else if (name == "--period" && n >= 100 && n <= 60'000) settings.period = static_cast<std::uint16_t>(n);
     else if (name == "--link") link = argv[i + 1];
     else return usage();
   }

@@ -63,9 +63,10 @@ struct a_board : a_driver {
     if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminal: is devpts mounted at /dev/pts?";
   }
 
-  // Its watchdog has time, as this machine may have none.
+  // Its watchdog has time, as this machine may have none, and the 1000 samples that may be missing last for 4
+  // s: of a pseudo-terminal the kernel may make the port's thread wait.
   void plug_in() {
-    board = spawn({firmware, "--link", "brakes", "--watchdog", "20000"}, "firmware");
+    board = spawn({firmware, "--link", "brakes", "--watchdog", "20000", "--period", "10000"}, "firmware");
     ASSERT_TRUE(eventually([this] { return fs::is_symlink(directory / "brakes"); }));
   }
   static settings connected(double hold_over = 5) {

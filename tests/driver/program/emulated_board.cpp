@@ -161,7 +161,7 @@ struct an_emulated_board : a_driver {
     put("open_timeout = 3", "open_timeout = 20");
     put("pose = ", "longest_gap = 5\nduration = 0.1\npose = ");
     put("priority = 80\nlock_memory = true", "most_overruns = 1000000\nlongest_sleep = 10");
-    put("supervisor_priority = 81", "hold_over = 20\nsupervisor_timeout = 5");
+    put("supervisor_priority = 81", "hold_over = 10\nsupervisor_timeout = 5");
     const auto sensor = text.find("[sensor]"), loop = text.find("[loop]");
     text.replace(sensor, loop - sensor, "[sensor]\ntype = \"none\"\n\n");
     file("c.toml", text);

@@ -10,8 +10,9 @@
 #include <firmware/cortex_m.hpp>
 #include <firmware/simulated_axes.hpp>
 
-// Host and board are processes here, and either may be kept waiting
-inline constexpr firmware::settings settings{.watchdog = 2000};
+// Host and board are processes here, and either may be kept waiting for seconds: a host takes 1000 samples
+// that are missing for a restart
+inline constexpr firmware::settings settings{.watchdog = 8000, .period = 10'000};
 
 // A firmware::Board.
 class cortex_m_board {
