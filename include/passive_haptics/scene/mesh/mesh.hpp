@@ -114,18 +114,17 @@ class mesh {
 
     void find_vertex_normals(std::size_t count) {
       vertex_normals.assign(count, point<D>::Zero());
-      for_each_corner([&](const auto& f, point<D>& sum, int i) { sum += detail::angle_at(f, i) * f.normal; });
+      const auto normal_at = [&](std::size_t f, std::size_t i) -> point<D>& {
+        return vertex_normals[static_cast<std::size_t>(vertices[f][i])];
+      };
+      for (std::size_t f = 0; f < facets.size(); ++f) {
+        const auto angles = detail::angles_of<D>(facets[f].corners);
+        for (std::size_t i = 0; i < D; ++i) normal_at(f, i) += angles[i] * facets[f].normal;
+      }
       for (point<D>& n : vertex_normals) n = detail::direction_or<D>(n, n);
-      // Where facets lie back to back, any of them will do.
-      for_each_corner([&](const auto& f, point<D>& n, int) {
-        if (n.isZero(0)) n = f.normal;
-      });
-    }
-    template <class F>
-    void for_each_corner(const F& f) {
-      for (std::size_t k = 0; k < facets.size(); ++k) {
-        for (int i = 0; i < D; ++i)
-          f(facets[k], vertex_normals[static_cast<std::size_t>(vertices[k][static_cast<std::size_t>(i)])], i);
+      for (std::size_t f = 0; f < facets.size(); ++f) {  // of facets back to back, any of them will do
+        for (std::size_t i = 0; i < D; ++i)
+          if (normal_at(f, i).isZero(0)) normal_at(f, i) = facets[f].normal;
       }
     }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -94,13 +95,15 @@ std::string check_ridge(const ridge* first, const ridge* last) {
                  " facets, expected as many that run one way as the other; remove what is within the solid");
 }
 
-/// The angle of a facet at a corner [rad]; in the plane all facets count alike.
+/// The angles of a facet at its corners [rad]; in the plane all facets count alike.
 template <int D>
-double angle_at(const mesh_facet<D>& f, int i) {
-  if constexpr (D == 2) return 1;
+std::array<double, static_cast<std::size_t>(D)> angles_of(const facet_corners<D>& c) {
+  if constexpr (D == 2) return {1, 1};
   else {
-    const point<3> u = f.corner(i + 1) - f.corner(i), v = f.corner(i + 2) - f.corner(i);
-    return std::atan2(cross(u, v).norm(), u.dot(v));
+    const point<D> a = c[1] - c[0], b = c[2] - c[1], back = c[0] - c[2];
+    const double twice_area = cross<double>(a, b).norm();
+    const double first = std::atan2(twice_area, -a.dot(back)), second = std::atan2(twice_area, -b.dot(a));
+    return {first, second, std::numbers::pi - first - second};
   }
 }
 
