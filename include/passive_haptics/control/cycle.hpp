@@ -30,7 +30,7 @@ PASSIVE_HAPTICS_PART Answer respond(const cycle_parts<M, B, L>& with, const Stat
   const brake_vector<M> th = hand_torque<M, B>(state, E);
   const brake_vector<M> s = brake_signs(w, th, with.brakes);
   const brake_situation<M, decltype(E), B> now{mechanism, with.brakes, state.time, state.q, state.qd, x,
-                                               E,         w,      v,          s,       Fh};
+                                               E,         w,           v,          s,       Fh};
 
   // Direct control, steps 1 to 4
   const auto Fc = displayed(with, now, Fd, touched, memory);

@@ -28,7 +28,7 @@ struct lanes : ::testing::Test {
   // Common numbers and the special ones
   static vector draw(ph::testing::random_source& random) {
     using limits = std::numeric_limits<number>;
-    const number special[] = {number(0),           -number(0),          limits::quiet_NaN(),
+    const number special[] = {number(0),          -number(0),          limits::quiet_NaN(),
                               limits::infinity(), -limits::infinity(), limits::denorm_min()};
     vector x;
     for (int i = 0; i < count; ++i) {

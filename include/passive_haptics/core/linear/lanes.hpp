@@ -21,7 +21,7 @@ struct truths_of {
   using type [[gnu::vector_size(16)]] = std::int32_t;
 };
 template <class T>
-requires std::same_as<typename packet_of<T>::type, T>
+  requires std::same_as<typename packet_of<T>::type, T>
 struct truths_of<T> {
   using type = bool;
 };
@@ -87,7 +87,7 @@ struct lanes {
   }
   /// f(0), ..., f(N - 1), and zeros beyond.
   template <class F>
-  requires std::is_invocable_r_v<T, F, int>
+    requires std::is_invocable_r_v<T, F, int>
   [[gnu::always_inline]] explicit lanes(F&& f) {
     unrolled<count>([&](auto k) {
       const auto number = [&](int i) { return k * width + i < N ? f(k * width + i) : T(0); };
@@ -167,7 +167,8 @@ lanes<T, N> choose(const lane_mask<T, N>& where, const std::type_identity_t<lane
 
 /// The same of one number or enumerator.
 template <class X>
-requires(std::is_arithmetic_v<X> || std::is_enum_v<X>) X choose(bool where, X a, X b) {
+  requires(std::is_arithmetic_v<X> || std::is_enum_v<X>)
+X choose(bool where, X a, X b) {
   if constexpr (sizeof(X) > sizeof(std::uint64_t)) {
     return where ? a : b;
   } else {

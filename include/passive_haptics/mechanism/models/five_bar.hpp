@@ -52,7 +52,9 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   }
 
   /// T in w = T qd for four brakes: base joint 1, base joint 2, q1 - q2, q1 + q2.
-  matrix<T, 4, 2> transmission() const requires(Brakes == 4) {
+  matrix<T, 4, 2> transmission() const
+    requires(Brakes == 4)
+  {
     return matrix<T, 4, 2>{{T(1), T(0)}, {T(0), T(1)}, {T(1), T(-1)}, {T(1), T(1)}};
   }
 
