@@ -42,7 +42,7 @@ inline std::filesystem::path output_directory(int argc, char** argv, std::string
 
 /// Gives `path` this content, or leaves what was there and throws std::runtime_error.
 inline void write_file(const std::filesystem::path& path, const std::string& content) {
-  output_file file(path);
+  output_file file(path, leftover::replace);
   file.stream() << content;
   file.commit();
 }
@@ -55,7 +55,7 @@ inline void draw(const std::filesystem::path& directory, const std::string& name
   const std::filesystem::path picture = directory / (name + ".svg");
   const std::string run =
       "cd '" + directory.string() + "' && gnuplot -e \"output='" + name + ".svg.part'\" '" + name + ".gp'";
-  output_file file(picture);
+  output_file file(picture, leftover::replace);
   if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) {
     std::cout << "no picture (gnuplot is not installed): run gnuplot on "
               << (directory / (name + ".gp")).string() << "\n";

@@ -20,16 +20,22 @@
 
 namespace example {
 
+/// What to do with a FILE.part that a program left that ended early.
+enum class leftover {
+  refuse,  ///< It may be all that there is of a measurement.
+  replace  ///< What it holds can be computed again.
+};
+
 /// What is written goes to FILE.part, which commit() renames to FILE. FILE.part is exclusive: nobody else
-/// writes to it, and one that is there is left as it is. FILE may be a regular file, which is replaced, a
-/// link to one, or not there; a device, FIFO, socket or directory is refused. Errors are std::runtime_error
-/// that name the path, what was expected and what to do.
+/// writes to it. FILE may be a regular file, which is replaced, a link to one, or not there; a device, FIFO,
+/// socket or directory is refused. Errors are std::runtime_error that name the path, what was expected and
+/// what to do.
 class output_file {
  public:
-  explicit output_file(const std::filesystem::path& path)
+  explicit output_file(const std::filesystem::path& path, leftover left = leftover::refuse)
       : path_(place_of(path)),
         part_(path_.string() + ".part"),
-        descriptor_(open_part()),
+        descriptor_(open_part(left)),
         buffer_(descriptor_) {}
   output_file(const output_file&) = delete;
   output_file& operator=(const output_file&) = delete;
@@ -110,10 +116,16 @@ class output_file {
                              ", expected a regular file or a free name; choose another name");
   }
 
-  int open_part() const {
-    const int file = open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file < 0 && errno == EEXIST)
-      throw std::runtime_error("cannot write '" + part_ + "': it is there, " + owner_of_part());
+  int open_part(leftover left) const {
+    const auto create = [&] { return open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); };
+    int file = create();
+    if (file < 0 && errno == EEXIST) {
+      const pid_t writer = writer_of_part();
+      if (writer != 0 || left == leftover::refuse || passive_haptics::file_kind(part_) != "a regular file")
+        throw std::runtime_error("cannot write '" + part_ + "': it is there, " + owner_of_part(writer));
+      unlink(part_.c_str());
+      file = create();
+    }
     if (file < 0) fail(part_, errno);
     struct flock all{};
     all.l_type = F_WRLCK;
@@ -121,15 +133,18 @@ class output_file {
     return file;
   }
 
-  // Whoever writes to it has locked it.
-  std::string owner_of_part() const {
+  // Whoever writes to it has locked it; 0 if nobody has.
+  pid_t writer_of_part() const {
     struct flock all{};
     all.l_type = F_WRLCK;
     const int file = open(part_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     const bool known = file >= 0 && fcntl(file, F_GETLK, &all) == 0 && all.l_type != F_UNLCK;
     if (file >= 0) close(file);
-    if (known)
-      return "and process " + std::to_string(all.l_pid) +
+    return known ? all.l_pid : 0;
+  }
+  static std::string owner_of_part(pid_t writer) {
+    if (writer != 0)
+      return "and process " + std::to_string(writer) +
              " writes to it; wait until that ends, or choose another name";
     return "left by a program that ended early; keep what you need of it, then remove it";
   }

@@ -15,6 +15,7 @@
 #include <iterator>
 
 namespace fs = std::filesystem;
+using example::leftover;
 using example::output_file;
 
 namespace {
@@ -166,6 +167,19 @@ TEST_F(an_output_file, takes_no_part_that_somebody_left) {
   EXPECT_EQ(text_of(at("a.csv.part")), "theirs");
   fs::create_symlink("/dev/null", at("b.csv.part"));
   EXPECT_NE(error_of(at("b.csv")), "none");
+}
+
+TEST_F(an_output_file, replaces_a_part_that_can_be_computed_again_but_no_link) {
+  put(at("a.svg.part"), "half a picture");
+  {
+    output_file file(at("a.svg"), leftover::replace);
+    file.stream() << "whole";
+    EXPECT_THROW(output_file(at("a.svg"), leftover::refuse), std::runtime_error);
+    file.commit();
+  }
+  EXPECT_EQ(text_of(at("a.svg")), "whole");
+  fs::create_symlink("/dev/null", at("b.svg.part"));
+  EXPECT_THROW(output_file(at("b.svg"), leftover::replace), std::runtime_error);
 }
 
 TEST_F(an_output_file, says_that_its_folder_is_not_there) {
