@@ -1,9 +1,12 @@
 /// @file
-/// What the library asks of floating-point arithmetic, and its named tolerances.
+/// What the library asks of floating-point arithmetic, its named tolerances, signs and choices.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 // With -ffinite-math-only the tests for NaN are compiled away and sign regions come out wrong.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
@@ -35,6 +38,19 @@ constexpr T degrees(T radians) {
 template <class T>
 constexpr T sgn(T x) {
   return static_cast<T>((x > T(0)) - (x < T(0)));
+}
+
+/// a where it is true, else b, of one number or enumerator, without a branch.
+template <class X>
+  requires(std::is_arithmetic_v<X> || std::is_enum_v<X>)
+X choose(bool where, X a, X b) {
+  if constexpr (sizeof(X) > sizeof(std::uint64_t)) {
+    return where ? a : b;
+  } else {
+    using bits = std::conditional_t<sizeof(X) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
+    const auto x = std::bit_cast<bits>(a), y = std::bit_cast<bits>(b);
+    return std::bit_cast<X>(y ^ ((x ^ y) & -static_cast<bits>(where)));
+  }
 }
 
 }  // namespace passive_haptics

@@ -2,7 +2,7 @@
 /// The Jacobian and the transmission of any mechanism, from whatever the mechanism gives.
 #pragma once
 
-#include <passive_haptics/core/linear/lanes.hpp>
+#include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 
 #include <unsupported/Eigen/AutoDiff>

@@ -3,7 +3,7 @@
 # Needs: nm, object.
 set(ENV{LC_ALL} C)
 set(allowed
-  sin|cos|sincos|sqrt|acos|atan2|hypot|sinf|cosf|sincosf|sqrtf|acosf|atan2f|hypotf
+  sin|cos|sincos|sqrt|acos|atan2|hypot|fma|sinf|cosf|sincosf|sqrtf|acosf|atan2f|hypotf|fmaf
   memcpy|memmove|memset|memcmp|bcmp
   _GLOBAL_OFFSET_TABLE_|__stack_chk_fail
   __gxx_personality_v0|__cxa_begin_catch|_ZSt9terminatev)

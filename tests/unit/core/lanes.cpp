@@ -1,6 +1,6 @@
 // Lanes: each operation is that of the single numbers, bit by bit; a choice takes either as it is, NaN and
 // the sign of zero included.
-#include <passive_haptics/core/linear/lanes.hpp>
+#include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 /// N numbers at once, and choices between them that no branch makes.
 #pragma once
 
+#include <passive_haptics/core/arithmetic.hpp>
 #include <passive_haptics/core/linear/packets.hpp>
 #include <passive_haptics/core/matrix.hpp>
 
@@ -165,19 +166,6 @@ lanes<T, N> choose(const lane_mask<T, N>& where, const std::type_identity_t<lane
   });
 }
 
-/// The same of one number or enumerator.
-template <class X>
-  requires(std::is_arithmetic_v<X> || std::is_enum_v<X>)
-X choose(bool where, X a, X b) {
-  if constexpr (sizeof(X) > sizeof(std::uint64_t)) {
-    return where ? a : b;
-  } else {
-    using bits = std::conditional_t<sizeof(X) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
-    const auto x = std::bit_cast<bits>(a), y = std::bit_cast<bits>(b);
-    return std::bit_cast<X>(y ^ ((x ^ y) & -static_cast<bits>(where)));
-  }
-}
-
 /// y with the sign of x.
 template <class T, int N>
 lanes<T, N> copysign(const std::type_identity_t<lanes<T, N>>& y, const lanes<T, N>& x) {
@@ -254,46 +242,6 @@ template <class T>
   else if constexpr (x.width == 2) x.p[0] &= ~(swapped(x).p[0] & truths{0, 0, -1, -1});
   else x.p[0] &= ~(swapped(x).p[0] & truths{0, -1, 0, 0});
   return x;
-}
-
-/// Row i of A.
-template <class T, int R, int C>
-lanes<T, C> row(const matrix<T, R, C>& A, int i) {
-  return lanes<T, C>([&](int j) { return A(i, j); });
-}
-
-/// A x
-template <class T, int R, int C>
-vector<T, R> times(const matrix<T, R, C>& A, const vector<T, C>& x) {
-  const auto column = [&](int j) { return lanes<T, R>([&](int i) { return A(i, j); }); };
-  lanes<T, R> y = column(0) * x[0];
-  unrolled<C - 1>([&](auto j) { y = y + column(j + 1) * x[j + 1]; });
-  return y;
-}
-
-/// A^T x
-template <class T, int R, int C>
-vector<T, C> transposed_times(const matrix<T, R, C>& A, const vector<T, R>& x) {
-  lanes<T, C> y = row(A, 0) * x[0];
-  unrolled<R - 1>([&](auto i) { y = y + row(A, i + 1) * x[i + 1]; });
-  return y;
-}
-
-/// A B
-template <class T, int R, int K, int C>
-matrix<T, R, C> times(const matrix<T, R, K>& A, const matrix<T, K, C>& B) {
-  matrix<T, R, C> AB;
-  unrolled<R>([&](auto i) {
-    const vector<T, C> y = transposed_times(B, vector<T, K>(A.row(i)));
-    unrolled<C>([&](auto j) { AB(i, j) = y[j]; });
-  });
-  return AB;
-}
-
-/// A B where one is diagonal.
-template <class A, class B>
-auto times(const A& a, const B& b) {
-  return (a * b).eval();
 }
 
 }  // namespace passive_haptics

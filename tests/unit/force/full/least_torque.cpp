@@ -114,7 +114,7 @@ void expect_no_jumps(unsigned seed) {
       const double sine = oracle::project(V, p.f).least_angle;
       const double step = std::min(1e-9, sine / 100);
       const double inverse = 1 / sine / V.colwise().norm().minCoeff();
-      ph::vector<double, M> last;
+      ph::vector<double, M> last = ph::vector<double, M>::Zero();
       for (int k = -20; k <= 20; ++k) {
         const ph::matrix<double, D, M> G = p.G.array() * (1 + k * step * drift.array());
         const ph::vector<double, D> f = (p.f + k * step * turn).normalized();
