@@ -15,8 +15,7 @@ namespace ph = passive_haptics;
 namespace {
 
 using device = ph::five_bar<double, 4>;
-constexpr double inf = std::numeric_limits<double>::infinity(),
-                 nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

@@ -47,7 +47,8 @@ ph::transmission_matrix<M> transmission_of(const M& mechanism, const ph::joint_v
 template <class M>
 ph::brake_vector<M> rates_of(const M& mechanism, const ph::joint_vector<M>& q, const ph::task_vector<M>& v) {
   const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, q));
-  const ph::joint_vector<M> qd = J.completeOrthogonalDecomposition().solve(v);
+  const ph::joint_vector<M> qd =
+      Eigen::MatrixXd(J).completeOrthogonalDecomposition().solve(Eigen::VectorXd(v));
   return transmission_of(mechanism, q) * qd;
 }
 
@@ -189,7 +190,7 @@ counts compare(const M& mechanism, const ph::joint_vector<M>& lower, const ph::j
     SCOPED_TRACE(::testing::Message() << "pose " << k);
     const ph::joint_vector<M> q = random.between(lower, upper);
     const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, q));
-    if (!ph::all_finite(J) || J.jacobiSvd().singularValues()[d - 1] < 0.01) continue;
+    if (!ph::all_finite(J) || Eigen::MatrixXd(J).jacobiSvd().singularValues()[d - 1] < 0.01) continue;
     const ph::task_vector<M> n = random.direction<double, d>();
     ph::task_vector<M> v = random.direction<double, d>();
     if (k % 4 == 0) v = (v - n.dot(v) * n).normalized();

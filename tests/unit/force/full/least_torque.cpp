@@ -33,7 +33,7 @@ problem<D, M> draw(std::mt19937_64& engine, double condition) {
   for (auto& x : A.reshaped()) x = gauss(engine);
   for (auto& x : p.G.reshaped()) x = gauss(engine);
   for (int k = 0; k < D; ++k) p.G.row(k) *= std::pow(condition, static_cast<double>(k) / (D - 1));
-  p.G = (Eigen::HouseholderQR<ph::matrix<double, D, D>>(A).householderQ() * p.G).eval();
+  p.G = Eigen::HouseholderQR<Eigen::MatrixXd>(A).householderQ() * Eigen::MatrixXd(p.G);
   for (auto& x : p.s) x = gauss(engine) > 0 ? 1 : -1;
   for (auto& x : p.f) x = gauss(engine);
   if (engine() % 2 == 0) {

@@ -34,7 +34,7 @@ void expect_nearest_within_limits(int cases) {
       for (auto& x : t) x = std::abs(std::sin(gauss(engine)));
       for (auto& x : f) x = gauss(engine);
       for (int i = 0; i < D; ++i) G.row(i) *= std::pow(condition, static_cast<double>(i) / (D - 1));
-      G = (Eigen::HouseholderQR<ph::matrix<double, D, D>>(A).householderQ() * G).eval();
+      G = Eigen::HouseholderQR<Eigen::MatrixXd>(A).householderQ() * Eigen::MatrixXd(G);
       if (k % 2 == 0) f = -G * s.cwiseProduct(limit).cwiseProduct(t);
       if (k % 2 == 0) limit /= f.norm();
       f.normalize();
