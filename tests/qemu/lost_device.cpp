@@ -65,6 +65,7 @@ outcome safe_port_is_released() {
   const auto state = device.read(ph::monotonic_seconds());
   if (state != ph::port_state::released || device.reason().what != ph::fault::device_lost)
     return wrong(text(to_string(state), ", ", to_string(device.reason())));
+  device.write({1, 1});
   return !device.applied_is_known() ? outcome{"", to_string(device.reason()) + ", in the same cycle"}
                                     : wrong("it says to know what flows");
 }

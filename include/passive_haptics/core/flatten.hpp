@@ -5,17 +5,17 @@
 /// Before a function: what it calls is inlined into it, whatever its size. Only where assertions are off: in
 /// a debug build it would triple the compiler's time for nothing. A program that defines it as nothing
 /// compiles in two thirds of the time.
-///
-/// PASSIVE_HAPTICS_PART: before the parts of such a function, as clang++ flattens one level only.
 #if !defined(PASSIVE_HAPTICS_FLATTEN) && defined(NDEBUG) && defined(__GNUC__)
 #define PASSIVE_HAPTICS_FLATTEN [[gnu::flatten]]
 #if defined(__clang__)
+/// Before the parts of such a function: clang++ flattens one level only.
 #define PASSIVE_HAPTICS_PART [[gnu::always_inline]] inline
 #endif
 #elif !defined(PASSIVE_HAPTICS_FLATTEN)
 #define PASSIVE_HAPTICS_FLATTEN
 #endif
 #if !defined(PASSIVE_HAPTICS_PART)
+/// Before the parts of such a function: clang++ flattens one level only.
 #define PASSIVE_HAPTICS_PART
 #endif
 

@@ -42,9 +42,9 @@ template <class Packet>
 /// N truths: what a comparison of lanes gives.
 template <class T, int N>
 struct lane_mask {
-  static constexpr int width = detail::packets<T, N>::width, count = detail::packets<T, N>::count;
-
-  typename detail::truths_of<T>::type p[count];  ///< All bits of a number set where it is true.
+  static constexpr int width = detail::packets<T, N>::width;  ///< Numbers of a register.
+  static constexpr int count = detail::packets<T, N>::count;  ///< Registers.
+  typename detail::truths_of<T>::type p[count];               ///< All bits of a number set where it is true.
 
   /// Truth i.
   [[gnu::always_inline]] bool operator[](int i) const {
@@ -73,9 +73,9 @@ template <class T, int N>
 struct lanes {
   using packet = typename detail::packets<T, N>::packet;  ///< A register of T.
   using mask = lane_mask<T, N>;                           ///< What a comparison gives.
-  static constexpr int width = mask::width, count = mask::count;
-
-  packet p[count];
+  static constexpr int width = mask::width;               ///< Numbers of a register.
+  static constexpr int count = mask::count;               ///< Registers.
+  packet p[count];                                        ///< The numbers, and zeros beyond.
 
   lanes() = default;
   /// N times the same number, also beyond the last.
@@ -114,6 +114,7 @@ struct lanes {
     else return p[i / width][i % width];
   }
 
+  /// @cond
   // What f makes of each packet
   template <class F>
   [[gnu::always_inline]] static lanes each(F&& f) {
@@ -151,7 +152,9 @@ struct lanes {
   }
   friend mask operator>(const lanes& a, const lanes& b) { return b < a; }
   friend mask operator>=(const lanes& a, const lanes& b) { return b <= a; }
+  /// @endcond
 };
+/// Of a vector.
 template <class T, int N>
 lanes(const vector<T, N>&) -> lanes<T, N>;
 

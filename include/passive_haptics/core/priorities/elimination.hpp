@@ -15,8 +15,10 @@ struct least_squares_level {
   vector<T, Rows> b = vector<T, Rows>::Zero();        ///< b
 };
 
+/// |A x|
 template <class T, int Rows, int N>
 least_squares_level(const Eigen::Matrix<T, Rows, N>&) -> least_squares_level<T, Rows, N>;
+/// |A x - b|
 template <class T, int Rows, int N>
 least_squares_level(const Eigen::Matrix<T, Rows, N>&, const Eigen::Matrix<T, Rows, 1>&)
     -> least_squares_level<T, Rows, N>;
