@@ -89,7 +89,7 @@ struct lanes {
   /// f(0), ..., f(N - 1), and zeros beyond.
   template <class F>
     requires std::is_invocable_r_v<T, F, int>
-  [[gnu::always_inline]] explicit lanes(F&& f) {
+  [[gnu::always_inline]] explicit lanes(const F& f) {
     unrolled<count>([&](auto k) {
       const auto number = [&](int i) { return k * width + i < N ? f(k * width + i) : T(0); };
       if constexpr (width == 1) p[k] = f(k);
