@@ -14,8 +14,6 @@ namespace ph = passive_haptics;
 
 namespace {
 
-using processes::happens;
-
 std::string ready() { return {}; }
 void until_parent_is_gone(ph::parent_link parent) {
   while (!parent.gone(1000)) {
@@ -38,7 +36,7 @@ TEST(a_child_process, that_is_stopped_is_woken_to_end_well) {
   ph::child_process child;
   ASSERT_EQ(child.start(ready, until_parent_is_gone), "");
   kill(child.pid(), SIGSTOP);
-  ASSERT_TRUE(happens([&] { return is_stopped(child.pid()); }));
+  ASSERT_TRUE(eventually([&] { return is_stopped(child.pid()); }));
   EXPECT_TRUE(child.stop());
 }
 
@@ -82,14 +80,14 @@ TEST(a_child_process, that_is_stopped_ends_when_its_parent_dies) {
       *ended = true;
     });
     kill(child.pid(), SIGSTOP);
-    happens([&] { return is_stopped(child.pid()); });
+    eventually([&] { return is_stopped(child.pid()); });
     *child_of_parent = child.pid();
     for (;;) pause();
   }
-  ASSERT_TRUE(happens([&] { return *child_of_parent != 0; }));
+  ASSERT_TRUE(eventually([&] { return *child_of_parent != 0; }));
   kill(parent, SIGKILL);
   processes::end_of(parent);
-  EXPECT_TRUE(happens([&] { return ended->load(); }));
+  EXPECT_TRUE(eventually([&] { return ended->load(); }));
   kill(*child_of_parent, SIGKILL);
   processes::end_of(*child_of_parent);
 }

@@ -1,5 +1,6 @@
 // A force sensor over the loopback interface, with all that a network does to datagrams.
 #include "../realtime/allocations.hpp"
+#include "eventually.hpp"
 
 #include <gtest/gtest.h>
 #include <ports/net_ft.hpp>
@@ -23,17 +24,6 @@ using bytes = std::vector<std::uint8_t>;
 using reading = ph::port_sample<6>;
 
 static_assert(ph::ForceSensor<net_ft>);
-
-// Waits for what has to come; the time-out is for a test that has failed.
-template <class F>
-bool eventually(F&& f) {
-  const double end = ph::monotonic_seconds() + 20;
-  while (!f()) {
-    if (ph::monotonic_seconds() > end) return false;
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-  return true;
-}
 
 bytes record(std::uint32_t sequence, std::uint32_t status = 0,
              const std::array<std::int32_t, 6>& counts = {1'000'000, -2'000'000, 3, 4, 500'000, -6}) {

@@ -147,7 +147,7 @@ TEST(a_recorder, whose_sink_cannot_keep_all_counts_it_as_it_happens) {
   ph::recorder<record, full_disk> log(full_disk{&told});
   ASSERT_EQ(log.start(), "");
   for (std::uint64_t n = 0; n < 25; ++n) log({n, n});
-  EXPECT_TRUE(processes::happens([&] { return log.lost() == 15; }));
+  EXPECT_TRUE(eventually([&] { return log.lost() == 15; }));
   EXPECT_TRUE(log.stop());
   EXPECT_EQ(log.lost(), 15u);
 }

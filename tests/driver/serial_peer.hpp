@@ -1,6 +1,8 @@
 // The firmware on the other end of a pseudo-terminal, and a line that can be disturbed.
 #pragma once
 
+#include "eventually.hpp"
+
 #include <firmware/brake_controller.hpp>
 #include <firmware/host_board.hpp>
 #include <passive_haptics/driver/clock.hpp>
@@ -18,17 +20,6 @@
 
 namespace serial = example::serial;
 using bytes = std::vector<std::uint8_t>;
-
-// Waits for what has to come; the time-out is for a test that has failed.
-template <class F>
-bool eventually(F&& f) {
-  const double end = passive_haptics::monotonic_seconds() + 20;
-  while (!f()) {
-    if (passive_haptics::monotonic_seconds() > end) return false;
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-  return true;
-}
 
 // Why there is no line for a test; empty if there is one.
 inline std::string missing_pseudo_terminal() {

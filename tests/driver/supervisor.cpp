@@ -21,8 +21,6 @@ namespace ph = passive_haptics;
 
 namespace {
 
-using processes::happens;
-
 // A device whose analog outputs keep their last value, whoever dies.
 struct outputs {
   std::atomic<double> current = 0;
@@ -113,7 +111,7 @@ struct a_supervised_loop : ::testing::Test {
       _exit(drive(each, timeout));
     }
     // The supervisor hears of a current with the next heartbeat
-    ASSERT_TRUE(happens([&] { return device->writes > 5 && device->current == 0.5; })) << "the loop runs";
+    ASSERT_TRUE(eventually([&] { return device->writes > 5 && device->current == 0.5; })) << "the loop runs";
   }
 
   int drive(const std::function<void(int)>& each, double timeout) {
@@ -155,7 +153,7 @@ struct a_supervised_loop : ::testing::Test {
       while (std::getline(in, line)) last = line;
       return last == "end";
     };
-    ASSERT_TRUE(happens(ended));
+    ASSERT_TRUE(eventually(ended));
     std::ifstream in(log);
     std::uint32_t number = 0, expected = 0;
     while (in >> number) ASSERT_EQ(number, expected++);
@@ -177,8 +175,16 @@ struct a_supervised_loop : ::testing::Test {
         all.push_back({one.time, one.current});
     return all;
   }
+  // The same after SIGKILL of the loop, until the supervisor has ended; `killed`: when that was [s].
+  std::vector<written> by_supervisor_of_a_killed_loop(double& killed) {
+    kill(loop, SIGKILL);
+    killed = ph::monotonic_seconds();
+    end_of_loop();
+    EXPECT_TRUE(supervisor_is_gone());
+    return by_supervisor();
+  }
   bool supervisor_is_gone() const {
-    return happens([this] { return waitpid(device->supervisor, nullptr, WNOHANG) != 0; });
+    return eventually([this] { return waitpid(device->supervisor, nullptr, WNOHANG) != 0; });
   }
 };
 
@@ -194,7 +200,7 @@ TEST_P(a_signal, that_kills_the_loop_leaves_no_current_and_no_record_behind) {
   kill(loop, GetParam());
   const int status = end_of_loop();
   EXPECT_FALSE(WIFEXITED(status) && WEXITSTATUS(status) == 0);  // a sanitizer ends it in its own way
-  EXPECT_TRUE(happens([&] { return device->current == 0; }));
+  EXPECT_TRUE(eventually([&] { return device->current == 0; }));
   std::printf("0 A %.1f ms after %s\n", 1e-6 * static_cast<double>(device->released_at - killed),
               strsignal(GetParam()));
   expect_all_recorded();
@@ -206,7 +212,7 @@ TEST_F(a_supervised_loop, that_is_killed_from_its_terminal_leaves_no_current) {
   start();
   kill(-loop, SIGQUIT);  // Ctrl-\, which goes to the whole group
   end_of_loop();
-  EXPECT_TRUE(happens([&] { return device->current == 0; }));
+  EXPECT_TRUE(eventually([&] { return device->current == 0; }));
   expect_all_recorded();
 }
 
@@ -215,7 +221,7 @@ TEST_F(a_supervised_loop, that_is_killed_beside_a_stopped_supervisor_leaves_no_c
   kill(device->supervisor, SIGSTOP);
   kill(loop, SIGKILL);
   end_of_loop();
-  EXPECT_TRUE(happens([&] { return device->current == 0; }));
+  EXPECT_TRUE(eventually([&] { return device->current == 0; }));
   EXPECT_TRUE(supervisor_is_gone());
 }
 
@@ -224,11 +230,8 @@ TEST_F(a_supervised_loop, that_is_killed_beside_a_stopped_supervisor_leaves_no_c
 TEST_F(a_supervised_loop, that_is_killed_ramps_down_where_the_user_says_so) {
   at_release = {.policy = ph::release_policy::ramp, .ramp_time = 0.4};
   start();
-  kill(loop, SIGKILL);
-  const double killed = ph::monotonic_seconds();
-  end_of_loop();
-  ASSERT_TRUE(supervisor_is_gone());
-  const auto all = by_supervisor();
+  double killed = 0;
+  const auto all = by_supervisor_of_a_killed_loop(killed);
   ASSERT_GE(all.size(), 3u);
   double before = killed;
   for (const auto& [time, current] : all) {
@@ -245,13 +248,10 @@ TEST_F(a_supervised_loop, that_is_killed_ramps_down_where_the_user_says_so) {
 TEST_F(a_supervised_loop, that_is_killed_holds_so_long_as_the_user_says) {
   at_release = {.policy = ph::release_policy::hold, .hold_time = 0.3};
   start();
-  kill(loop, SIGKILL);
-  const double killed = ph::monotonic_seconds();
-  end_of_loop();
-  ASSERT_TRUE(supervisor_is_gone());
-  const auto all = by_supervisor();
+  double killed = 0;
+  const auto all = by_supervisor_of_a_killed_loop(killed);
   ASSERT_GE(all.size(), 2u);
-  for (std::size_t k = 0; k + 1 < all.size(); ++k) EXPECT_EQ(all[k].current, k + 1 < all.size() ? 0.5 : 0);
+  for (std::size_t k = 0; k + 1 < all.size(); ++k) EXPECT_EQ(all[k].current, 0.5);
   EXPECT_GE(all.back().time - killed, 0.3);
   EXPECT_EQ(all.back().current, 0);
 }
@@ -262,8 +262,8 @@ TEST_F(a_supervised_loop, that_holds_too_warm_a_coil_gives_it_less_in_the_end) {
                                      {.largest = {1}, .continuous = {0.4}, .heat = {0.01}});
   ASSERT_EQ(guard.start(), "");
   guard.beat(1, {0.5});  // 0.11 s until it is too warm
-  EXPECT_TRUE(happens([&] { return device->current == 0.5; }));
-  EXPECT_TRUE(happens([&] { return device->current < 0.4; }));
+  EXPECT_TRUE(eventually([&] { return device->current == 0.5; }));
+  EXPECT_TRUE(eventually([&] { return device->current < 0.4; }));
   EXPECT_NEAR(device->current, 0.38, 1e-12);
   guard.stop();
   EXPECT_EQ(device->current, 0);
@@ -273,10 +273,10 @@ TEST_F(a_supervised_loop, that_goes_on_takes_up_the_ramp_of_its_supervisor) {
   at_release = {.policy = ph::release_policy::ramp, .ramp_time = 2};
   start();
   kill(loop, SIGSTOP);
-  ASSERT_TRUE(happens([&] { return device->current < 0.4; }));
+  ASSERT_TRUE(eventually([&] { return device->current < 0.4; }));
   const std::uint32_t continued = device->entries;
   kill(loop, SIGCONT);
-  ASSERT_TRUE(happens([&] { return device->current == 0; }));
+  ASSERT_TRUE(eventually([&] { return device->current == 0; }));
   const auto first = by_supervisor().front();
   const double began = first.time - 2 * (1 - first.current / 0.5);
   double before = 0.4;
@@ -311,7 +311,7 @@ TEST_F(a_supervised_loop, that_crashes_by_itself_leaves_no_current) {
   });
   const int status = end_of_loop();
   EXPECT_FALSE(WIFEXITED(status) && WEXITSTATUS(status) == 0);  // a sanitizer ends it in its own way
-  EXPECT_TRUE(happens([&] { return device->current == 0; }));
+  EXPECT_TRUE(eventually([&] { return device->current == 0; }));
   expect_all_recorded();
 }
 
@@ -329,16 +329,16 @@ TEST_F(a_supervised_loop, that_hangs_is_released) {
   start([](int k) {
     while (k == 50) usleep(1000);
   });
-  EXPECT_TRUE(happens([&] { return device->current == 0; }));
+  EXPECT_TRUE(eventually([&] { return device->current == 0; }));
   EXPECT_EQ(kill(loop, 0), 0) << "the loop is still there";
 }
 
 TEST_F(a_supervised_loop, that_is_stopped_is_released_and_stays_so_when_it_goes_on) {
   start();
   kill(loop, SIGSTOP);
-  EXPECT_TRUE(happens([&] { return device->current == 0; }));
+  EXPECT_TRUE(eventually([&] { return device->current == 0; }));
   kill(loop, SIGCONT);
-  EXPECT_TRUE(happens([&] { return device->after_stop.load(); })) << "the loop releases its own port";
+  EXPECT_TRUE(eventually([&] { return device->after_stop.load(); })) << "the loop releases its own port";
   for (int k = 0; k < 50; ++k) {
     usleep(1000);
     ASSERT_EQ(device->current, 0);
@@ -375,7 +375,7 @@ TEST_F(a_supervised_loop, can_be_rearmed_after_it_was_released) {
   usleep(100'000);
   EXPECT_FALSE(guard.released()) << "the first heartbeat starts the watch";
   EXPECT_TRUE(guard.beat(1));
-  EXPECT_TRUE(happens([&] { return guard.released(); }));
+  EXPECT_TRUE(eventually([&] { return guard.released(); }));
   EXPECT_FALSE(guard.beat(1.01));
   EXPECT_GE(device->releases, 1u);
   guard.rearm();
@@ -389,10 +389,10 @@ TEST_F(a_supervised_loop, that_writes_after_a_release_is_released_again) {
   ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.05});
   ASSERT_EQ(guard.start(), "");
   guard.beat(1);
-  ASSERT_TRUE(happens([&] { return guard.released(); }));
+  ASSERT_TRUE(eventually([&] { return guard.released(); }));
   for (int k = 0; k < 3; ++k) {
     device->current = 1;
-    EXPECT_TRUE(happens([&] { return device->current == 0; })) << "time " << k;
+    EXPECT_TRUE(eventually([&] { return device->current == 0; })) << "time " << k;
   }
 }
 
@@ -407,7 +407,7 @@ TEST_F(a_supervised_loop, gives_its_supervisor_the_priority_that_it_may) {
   for (const int priority : {1, 0}) {
     ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.priority = priority});
     ASSERT_EQ(guard.start(), "");
-    EXPECT_TRUE(happens([&] {
+    EXPECT_TRUE(eventually([&] {
       sched_param is{};
       return sched_getparam(guard.pid(), &is) == 0 && is.sched_priority == (may ? priority : 0);
     })) << priority;

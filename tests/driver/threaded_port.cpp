@@ -1,11 +1,13 @@
 // A port whose transfers may wait, and a loop beside it that does not, whatever the port does.
 #include "../realtime/allocations.hpp"
+#include "eventually.hpp"
 
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/thread/threaded_port.hpp>
 
 #include <sys/resource.h>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <mutex>
@@ -18,21 +20,11 @@ namespace ph = passive_haptics;
 using ph::port_status;
 using currents = ph::brake_currents<2>;
 
-// Waits for what has to come; the time-out is for a test that has failed.
-template <class F>
-bool eventually(F&& f) {
-  const double end = ph::monotonic_seconds() + 20;
-  while (!f()) {
-    if (ph::monotonic_seconds() > end) return false;
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-  return true;
-}
-
 // What a device has heard and what it will answer.
 struct device {
-  std::timed_mutex line;  // who holds it keeps the port waiting in read()
-  std::mutex guard;       // of all below
+  std::timed_mutex line;              // who holds it keeps the port waiting in read()
+  std::atomic<bool> is_read = false;  // while the line is held: whether the port waits for it
+  std::mutex guard;                   // of all below
   std::vector<currents> heard;
   int opened = 0, releases = 0;
   std::string missing;
@@ -75,7 +67,9 @@ struct slow_port {
     return d->missing;
   }
   port_status read(ph::port_sample<2>& sample) noexcept {
+    d->is_read = true;
     const std::lock_guard wait(d->line);
+    d->is_read = false;
     const std::lock_guard hold(d->guard);
     sigset_t masked;
     pthread_sigmask(SIG_SETMASK, nullptr, &masked);
@@ -119,6 +113,14 @@ struct threaded_port : ::testing::Test {
     EXPECT_TRUE(eventually([&] { return d.all_heard().size() > before; }));
     return p.read(last);
   }
+
+  // The port waits in read(), after the device has heard so many currents, until the lock is let go.
+  std::unique_lock<std::timed_mutex> waiting_after(std::size_t heard) {
+    EXPECT_TRUE(eventually([&] { return d.all_heard().size() == heard; }));
+    std::unique_lock line(d.line);
+    EXPECT_TRUE(eventually([&] { return d.is_read.load(); }));
+    return line;
+  }
 };
 
 TEST_F(threaded_port, tells_what_is_missing_and_starts_no_thread) {
@@ -141,10 +143,8 @@ TEST_F(threaded_port, before_open_is_the_port_itself) {
 TEST_F(threaded_port, a_loop_goes_on_while_the_port_waits) {
   port p{slow_port(d)};
   ASSERT_EQ(p.open(), "");
-  std::unique_lock wait(d.line);
   EXPECT_EQ(p.write({1, 1}), port_status::ok);
-  ASSERT_TRUE(eventually([&] { return d.all_heard().size() == 1; }));
-  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::unique_lock wait = waiting_after(1);
   // The port waits for as long as this takes: were one call to wait for it, the test would never end
   EXPECT_EQ(p.write({2, 2}), port_status::ok) << "those before have gone out";
   for (int k = 0; k < 10'000; ++k) {
@@ -163,9 +163,8 @@ TEST_F(threaded_port, a_loop_goes_on_while_the_port_waits) {
 TEST_F(threaded_port, a_release_takes_along_what_was_written_before_it) {
   port p{slow_port(d)};
   ASSERT_EQ(p.open(), "");
-  std::unique_lock wait(d.line);
   p.write({1, 1});
-  ASSERT_TRUE(eventually([&] { return d.all_heard().size() == 1; }));
+  std::unique_lock wait = waiting_after(1);
   p.write({2, 2});
   p.release();
   wait.unlock();

@@ -72,10 +72,39 @@ struct nowhere {
   void close() {}
 };
 
-constexpr int cycles = 2000, filtered_from = 10;
+constexpr int cycles = 2000;
+
+// Cycles of a process that may only sleep from the tenth on.
+class filtered_cycles {
+ public:
+  // Before each cycle.
+  void begin() {
+    if (number_ != 10) return;
+    has_filter_ = system_calls::allow_only(
+        std::array<unsigned, 3>{SYS_clock_nanosleep, SYS_clock_gettime, SYS_exit_group});
+    before_ = allocations;
+    Eigen::internal::set_is_malloc_allowed(false);
+  }
+  int number() const { return number_; }
+  // After each: whether another one follows.
+  bool end() { return has_filter_ && ++number_ < cycles; }
+  // Ends the process. Not by _exit(), before which a sanitizer makes calls of its own.
+  [[noreturn]] void end_process(bool braked) const {
+    syscall(SYS_exit_group, !has_filter_             ? no_filter
+                            : allocations != before_ ? allocated
+                            : braked                 ? well
+                                                     : never_braked);
+    __builtin_unreachable();
+  }
+
+ private:
+  int number_ = 0;
+  long before_ = 0;
+  bool has_filter_ = true;
+};
 
 // In a process of its own, which ends there: to put away what is used here takes other calls.
-void drive(bool one_call_more) {
+[[noreturn]] void drive(bool one_call_more) {
   const arm mechanism;
   const ph::vector<double, 2> home = mechanism.inverse({0.08, 0.2255}, ph::elbow::left).q;
   ph::device_calibration<arm, 2, ph::planar_sensor_frame<2>> calibration(mechanism, {},
@@ -95,18 +124,12 @@ void drive(bool one_call_more) {
   ph::control_loop loop(
       ph::control_loop_parameters{.period = 2e-4, .most_overruns = 1'000'000, .longest_sleep = 10});
 
-  int k = 0;
-  long before = 0;
-  bool braked = false, has_filter = true;
+  filtered_cycles run;
+  bool braked = false;
   loop.run(
       [&](const ph::loop_cycle& now) {
-        if (k == filtered_from) {
-          has_filter = system_calls::allow_only(
-              std::array<unsigned, 3>{SYS_clock_nanosleep, SYS_clock_gettime, SYS_exit_group});
-          before = allocations;
-          Eigen::internal::set_is_malloc_allowed(false);
-        }
-        if (one_call_more && k == cycles / 2) syscall(SYS_getppid);
+        run.begin();
+        if (one_call_more && run.number() == cycles / 2) syscall(SYS_getppid);
         if (!guard.beat(now.time)) port.release({ph::fault::supervisor_lost});
         port.read(now.time);
         if (signals.rearm()) port.rearm();
@@ -116,14 +139,10 @@ void drive(bool one_call_more) {
         port.write(calibration.currents(control(state).capacity));
         log({now.time, port.applied()});
         braked = braked || port.applied() != ph::brake_currents<2>{};
-        return has_filter && ++k < cycles;
+        return run.end();
       },
       [&] { return signals.stop() != 0; }, [&](ph::fault why) { port.release({why}); });
-  // Not by _exit(), before which a sanitizer makes calls of its own
-  syscall(SYS_exit_group, !has_filter             ? no_filter
-                          : allocations != before ? allocated
-                          : braked                ? well
-                                                  : never_braked);
+  run.end_process(braked);
 }
 
 // A board on a pseudo-terminal and a force sensor on the loopback interface, which live in a thread.
@@ -183,31 +202,21 @@ template <class Port, class Sensor>
   if (!port.open().empty()) _exit(no_start);
   ph::control_loop loop(
       ph::control_loop_parameters{.period = 1e-3, .most_overruns = 1'000'000, .longest_sleep = 10});
-  int k = 0;
-  long before = 0;
-  bool braked = false, has_filter = true;
+  filtered_cycles run;
+  bool braked = false;
   loop.run(
       [&](const ph::loop_cycle& now) {
-        if (k == filtered_from) {
-          has_filter = system_calls::allow_only(
-              std::array<unsigned, 3>{SYS_clock_nanosleep, SYS_clock_gettime, SYS_exit_group});
-          before = allocations;
-          Eigen::internal::set_is_malloc_allowed(false);
-        }
+        run.begin();
         port.read(now.time);
         port.activate();
         port.write({0.1, 0.2});
-        if (k == cycles / 4) port.release();  // and it may go on
+        if (run.number() == cycles / 4) port.release();  // and it may go on
         port.rearm();
-        braked = braked || (k > cycles / 2 && port.applied() != ph::brake_currents<2>{});
-        return has_filter && ++k < cycles;
+        braked = braked || (run.number() > cycles / 2 && port.applied() != ph::brake_currents<2>{});
+        return run.end();
       },
       [] { return false; }, [&](ph::fault why) { port.release({why}); });
-  syscall(SYS_exit_group, !has_filter             ? no_filter
-                          : allocations != before ? allocated
-                          : braked                ? well
-                                                  : never_braked);
-  __builtin_unreachable();
+  run.end_process(braked);
 }
 
 template <class Drive>
@@ -218,45 +227,52 @@ int ending_of(Drive&& drives) {
   waitpid(driver, &status, 0);
   return status;
 }
-int ending_of_drive(bool one_call_more) {
-  return ending_of([&] { drive(one_call_more); });
-}
 
-}  // namespace
+// A kernel without filters can show none of this.
+class a_cycle_of_the_driver : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const int status = ending_of([] {
+      syscall(SYS_exit_group,
+              system_calls::allow_only(std::array<unsigned, 1>{SYS_exit_group}) ? well : no_filter);
+    });
+    if (WIFEXITED(status) && WEXITSTATUS(status) == no_filter)
+      GTEST_SKIP() << "the kernel has no seccomp filters";
+  }
+};
 
-TEST(a_cycle_of_the_driver, makes_no_system_call_but_to_sleep_and_allocates_nothing) {
-  const int status = ending_of_drive(false);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == no_filter)
-    GTEST_SKIP() << "the kernel has no seccomp filters";
+class a_cycle_at_devices : public a_cycle_of_the_driver {
+ protected:
+  void SetUp() override {
+    a_cycle_of_the_driver::SetUp();
+    if (const std::string missing = missing_pseudo_terminal(); !missing.empty()) GTEST_SKIP() << missing;
+  }
+};
+
+void expect_well(int status) {
   ASSERT_TRUE(WIFEXITED(status)) << "died of signal " << WTERMSIG(status);
   EXPECT_EQ(WEXITSTATUS(status), well);
 }
-
-TEST(a_cycle_of_the_driver, that_makes_one_more_system_call_is_found_out) {
-  const int status = ending_of_drive(true);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == no_filter)
-    GTEST_SKIP() << "the kernel has no seccomp filters";
+void expect_found_out(int status) {
   ASSERT_TRUE(WIFSIGNALED(status)) << "ended with " << WEXITSTATUS(status);
   EXPECT_EQ(WTERMSIG(status), SIGSYS);
 }
 
-TEST(a_cycle_of_the_driver, at_a_serial_line_and_a_network_makes_no_system_call_but_to_sleep) {
-  if (const std::string missing = missing_pseudo_terminal(); !missing.empty()) GTEST_SKIP() << missing;
-  const int status =
-      ending_of(drive_devices<ph::threaded_port<serial_port>, ph::threaded_sensor<example::net_ft>>);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == no_filter)
-    GTEST_SKIP() << "the kernel has no seccomp filters";
-  ASSERT_TRUE(WIFEXITED(status)) << "died of signal " << WTERMSIG(status);
-  EXPECT_EQ(WEXITSTATUS(status), well);
+}  // namespace
+
+TEST_F(a_cycle_of_the_driver, makes_no_system_call_but_to_sleep_and_allocates_nothing) {
+  expect_well(ending_of([] { drive(false); }));
+}
+TEST_F(a_cycle_of_the_driver, that_makes_one_more_system_call_is_found_out) {
+  expect_found_out(ending_of([] { drive(true); }));
 }
 
-TEST(a_cycle_of_the_driver, that_calls_such_a_port_itself_is_found_out) {
-  if (const std::string missing = missing_pseudo_terminal(); !missing.empty()) GTEST_SKIP() << missing;
-  const int line = ending_of(drive_devices<serial_port, ph::threaded_sensor<example::net_ft>>);
-  if (WIFEXITED(line) && WEXITSTATUS(line) == no_filter) GTEST_SKIP() << "the kernel has no seccomp filters";
-  const int network = ending_of(drive_devices<ph::threaded_port<serial_port>, example::net_ft>);
-  for (const int status : {line, network}) {
-    ASSERT_TRUE(WIFSIGNALED(status)) << "ended with " << WEXITSTATUS(status);
-    EXPECT_EQ(WTERMSIG(status), SIGSYS);
-  }
+TEST_F(a_cycle_at_devices, makes_no_system_call_but_to_sleep) {
+  expect_well(ending_of(drive_devices<ph::threaded_port<serial_port>, ph::threaded_sensor<example::net_ft>>));
+}
+TEST_F(a_cycle_at_devices, that_calls_its_serial_line_itself_is_found_out) {
+  expect_found_out(ending_of(drive_devices<serial_port, ph::threaded_sensor<example::net_ft>>));
+}
+TEST_F(a_cycle_at_devices, that_calls_its_network_itself_is_found_out) {
+  expect_found_out(ending_of(drive_devices<ph::threaded_port<serial_port>, example::net_ft>));
 }

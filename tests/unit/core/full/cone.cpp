@@ -1,5 +1,6 @@
 // The projection onto a cone against an oracle in 50 digits.
 #include "../cone_oracle.hpp"
+#include "../cone_size.hpp"
 
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -14,12 +15,6 @@
 namespace ph = passive_haptics;
 
 namespace {
-
-template <class Scalar, int Rows, int Columns>
-struct size {
-  using T = Scalar;
-  static constexpr int rows = Rows, columns = Columns;
-};
 
 template <class Size>
 struct cone : ::testing::Test {

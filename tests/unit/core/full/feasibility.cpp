@@ -4,6 +4,7 @@
 #include "../../../stress/effort.hpp"
 #include "../adversarial_cones.hpp"
 #include "../cone_oracle.hpp"
+#include "../cone_size.hpp"
 
 #include <passive_haptics/core/linear/space_cone.hpp>
 
@@ -19,12 +20,6 @@
 namespace ph = passive_haptics;
 
 namespace {
-
-template <class Scalar, int Rows, int Columns>
-struct size {
-  using T = Scalar;
-  static constexpr int rows = Rows, columns = Columns;
-};
 
 template <class T>
 constexpr double eps = static_cast<double>(std::numeric_limits<T>::epsilon());
