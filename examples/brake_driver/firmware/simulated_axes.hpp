@@ -8,15 +8,18 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace firmware {
 
 /// Brakes that take their current at once, and encoders on axes that a hand turns to and fro, the slower the
-/// more its brake resists; then it rests for a while, so that a host finds the home pose.
+/// more its brake resists; where that held it up, it comes back to its path. Then it rests for a while, so
+/// that a host finds the home pose.
 class simulated_axes {
  public:
   static constexpr double hand_rate = 20'000;    ///< Of an encoder without brake [counts/s].
   static constexpr double hand_frequency = 0.5;  ///< To and fro [Hz].
+  static constexpr double hand_lag = 0.1;        ///< To come back to its path [s].
   static constexpr double moves = 4, rests = 2;  ///< So long, in turn [s].
   static constexpr double holding = 5000;        ///< Current that stops the hand [serial::current_unit].
 
@@ -31,10 +34,12 @@ class simulated_axes {
   void advance(double dt) {
     time_ += dt;
     if (std::fmod(time_, moves + rests) > moves) return;
+    const double w = 2 * std::numbers::pi * hand_frequency, comes_back = std::min(1.0, dt / hand_lag);
     for (std::size_t i = 0; i < position_.size(); ++i) {
+      const auto phase = static_cast<double>(i);
+      const double path = hand_rate / w * (std::sin(w * time_ + phase) - std::sin(phase));
       const double free = std::max(0.0, 1 - current_[i] / holding);
-      position_[i] +=
-          dt * free * hand_rate * std::cos(6.283185307 * hand_frequency * time_ + static_cast<double>(i));
+      position_[i] += free * comes_back * (path - position_[i]);
     }
   }
 
