@@ -1,5 +1,5 @@
-// Every C++ snippet in the documentation, and any other that names a file, is part of that file, and every
-// relative link leads somewhere.
+// Every C++ snippet in the documentation, and any other that names a file, is part of that file, every
+// relative link leads somewhere, and the messages that the guide explains are those of the programs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -128,6 +128,22 @@ TEST(documentation, relative_links_lead_somewhere) {
     const auto exists = [&](const std::string& target) { return fs::exists(page.parent_path() / target); };
     EXPECT_EQ(check_links(read_file(page), exists), errors()) << page;
   }
+}
+
+TEST(documentation, explains_messages_that_programs_have) {
+  std::string sources;
+  for (const char* folder : {"include", "examples"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+      if (entry.is_regular_file()) sources += read_file(entry.path());
+  static const std::regex row(R"(^\| `([^`]+)` \|.*$)");
+  int explained = 0;
+  for (const std::string& line : split(read_file(root / "docs/guide/troubleshooting.md"))) {
+    std::smatch match;
+    if (!std::regex_match(line, match, row)) continue;
+    ++explained;
+    EXPECT_NE(sources.find(match[1]), std::string::npos) << match[1];
+  }
+  EXPECT_GT(explained, 10);
 }
 
 // ---- the checks themselves

@@ -1,0 +1,98 @@
+#include <passive_haptics/driver/calibration/device_calibration.hpp>
+#include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/safe_port.hpp>
+#include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/plant/simulated_device.hpp>
+
+#include <iostream>
+
+namespace ph = passive_haptics;
+using scara = ph::two_link<double>;
+
+const ph::planar_sensor_frame<2> on_the_last_link{.link = {1, 1}};
+ph::device_calibration_parameters<scara> measured() {
+  ph::device_calibration_parameters<scara> p;
+  for (ph::brake_curve& brake : p.brakes) brake = {.torque_per_ampere = 2, .current_limit = 0.5};
+  return p;
+}
+
+// In place of your hardware: a simulated arm, whose handle a hand presses into the wall and along it.
+struct bench {
+  ph::simulated_device<scara> device{
+      scara({.length_1 = 0.2, .length_2 = 0.1}), ph::brakes_of<scara>(), 0.5, {0.9, 0.3}};
+  ph::device_calibration<scara, 2, ph::planar_sensor_frame<2>> units{device.mechanism(), measured(),
+                                                                     on_the_last_link};
+  ph::vector<double, 2> torque = {0, 0};
+};
+
+// Your hardware, as the library sees it: counts come, currents go.
+struct board {
+  static constexpr int encoder_count = 2, brake_count = 2;
+  bench* at;
+  std::uint32_t sequence = 0;
+
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<2>& sample) noexcept {
+    for (int k = 0; k < 10; ++k) at->device.advance(1e-4, at->torque, {0.8, 2});
+    const auto counts = at->units.encoders.counts(at->device.q());
+    sample = {
+        ph::monotonic_seconds(), ++sequence, {std::floor(counts[0]), std::floor(counts[1])}, {true, true}};
+    return ph::port_status::ok;
+  }
+  ph::port_status write(const ph::brake_currents<2>& currents) noexcept {
+    at->torque = {2 * currents[0], 2 * currents[1]};
+    return ph::port_status::ok;
+  }
+  void release() noexcept { at->torque.setZero(); }
+};
+
+struct force_sensor {
+  static constexpr int channel_count = 2;
+  bench* at;
+  std::uint32_t sequence = 0;
+
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<2>& sample) noexcept {
+    const ph::vector<double, 2> felt =
+        on_the_last_link(at->device.q()).transpose() * at->device.sensed_force();
+    sample = {ph::monotonic_seconds(), ++sequence, {felt[0], felt[1]}, {true, true}};
+    return ph::port_status::ok;
+  }
+};
+
+int main() {
+  bench hardware;
+  const scara arm = hardware.device.mechanism();
+  const double wall = hardware.device.position()[1] + 0.002;  // 2 mm before the handle
+
+  ph::device_calibration calibration(arm, measured(), on_the_last_link);
+  ph::velocity_direct_control_parameters constants;
+  constants.margin = 0.001;
+  ph::controller control(
+      arm, ph::brakes_of<scara>(),
+      ph::scene(ph::wall(ph::offset(ph::half_space<2>({0, wall}, {0, -1}), constants.margin))),
+      ph::velocity_direct_control(constants));
+  ph::safe_port<board, force_sensor> port(
+      {&hardware}, {&hardware},
+      {.sensor = {.range = {50, 50}}, .currents = {.largest = {0.5, 0.5}}, .hold_over = 1});
+  if (const std::string missing = port.open(); !missing.empty()) {
+    std::cerr << missing << "\n";
+    return 1;
+  }
+
+  double deepest = 0;
+  ph::control_loop loop({.most_overruns = 1000, .longest_sleep = 1});  // on a machine that does much else
+  const ph::loop_report report = loop.run(
+      [&](const ph::loop_cycle& now) {
+        port.read(now.time);
+        port.activate();  // a real program homes and tares before
+        const auto state = calibration.state(port.position_time(), port.position(), port.force());
+        port.write(calibration.currents(control(state).capacity));
+        deepest = std::max(deepest, hardware.device.position()[1] - wall);
+        return now.number < 500;
+      },
+      [] { return false; }, [&](ph::fault why) { port.release({why}); });
+
+  std::cout << report.cycles << " cycles; " << 1e3 * deepest << " mm deep at most\n";
+  return deepest > 0 && deepest < 0.005 && hardware.torque.isZero(0) ? 0 : 1;
+}
