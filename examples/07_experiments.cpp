@@ -14,6 +14,7 @@
 #include <page_tables.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -28,7 +29,8 @@ namespace {
 
 constexpr std::uint64_t seed = 20040627;
 constexpr std::size_t plant_count = 300;
-constexpr std::size_t few_plants = 60;  // of laws that bounce on all of them
+constexpr std::size_t few_plants = 60;      // of laws that bounce on all of them
+constexpr std::size_t planned_runs = 9600;  // of all that run on all cores
 
 std::string text(std::string_view view) { return std::string(view); }
 std::string milliseconds(double time) {
@@ -56,15 +58,18 @@ void follow_walls(report& table, page_tables& page) {
   for (const named_wall* wall : {&planar, &concave, &convex})
     for (const double rate : {1000.0, 20.0})
       for (const law which : all_laws) cells.push_back({wall, rate, which});
-  const auto runs = on_all_cores("Figs. 8 to 10", cells.size(), [&](std::size_t k) {
-    setup how;
-    how.environment_rate = cells[k].rate;
-    return follow_with_arm(cells[k].which, cells[k].wall->wall, how);
-  });
   table.section("Figs. 8 to 10: the tendon device; planar wall y = 0.225 m, circles of 0.325 m");
-  for (std::size_t k = 0; k < cells.size(); ++k)
-    table.add({"tendon", cells[k].wall->name, hertz(cells[k].rate), text(name_of(cells[k].which)),
-               runs[k].figures, runs[k].energy.imbalance()});
+  const auto runs = on_all_cores(
+      "Figs. 8 to 10", cells.size(),
+      [&](std::size_t k) {
+        setup how;
+        how.environment_rate = cells[k].rate;
+        return follow_with_arm(cells[k].which, cells[k].wall->wall, how);
+      },
+      [&](std::size_t k, const run_result& run) {
+        table.add({"tendon", cells[k].wall->name, hertz(cells[k].rate), text(name_of(cells[k].which)),
+                   run.figures, run.energy.imbalance()});
+      });
 
   std::printf("\nThe least alpha of direct control:");
   for (std::size_t k = 0; k < cells.size(); ++k)
@@ -109,13 +114,12 @@ void both_readings(page_tables& page) {
 // The same of the middle hand, drawn.
 void draw_figures(const std::filesystem::path& directory) {
   const auto runs_along = [](const named_wall& wall, double rate) {
-    std::vector<named_run> runs;
-    for (const law which : {law::none, law::direct, law::saturated, law::velocity}) {
+    constexpr std::array laws{law::none, law::direct, law::saturated, law::velocity};
+    return on_all_cores("pictures, " + wall.name, laws.size(), [&](std::size_t k) {
       setup how = middle_hand();
       how.environment_rate = rate;
-      runs.push_back({text(name_of(which)), follow_with_arm(which, wall.wall, how)});
-    }
-    return runs;
+      return named_run{text(name_of(laws[k])), follow_with_arm(laws[k], wall.wall, how)};
+    });
   };
   const auto draw = [&](const char* name, const char* title, const named_wall& wall, double rate) {
     draw_figure(directory, name, title, wall.wall, runs_along(wall, rate));
@@ -131,67 +135,91 @@ void draw_figures(const std::filesystem::path& directory) {
 // The dead band of direct control with weak brakes: what a lab could tune.
 void weak_brakes(report& table) {
   table.section("Brakes of 0.3 N m, 3 % weaker than thought; dead band 0.025 m/s");
-  for (const double rate : {1000.0, 20.0}) {
-    for (const law which : {law::none, law::direct, law::direct_dead_band, law::velocity}) {
-      setup how;
-      how.environment_rate = rate;
-      how.limit = 0.3;
-      how.gain = 0.97;
-      const auto run = follow_with_arm(which, planar.wall, how);
-      table.add({"tendon", "planar", hertz(rate), text(name_of(which)), run.figures, run.energy.imbalance()});
-    }
-  }
+  std::vector<std::pair<double, law>> cells;
+  for (const double rate : {1000.0, 20.0})
+    for (const law which : {law::none, law::direct, law::direct_dead_band, law::velocity})
+      cells.emplace_back(rate, which);
+  on_all_cores(
+      "weak brakes", cells.size(),
+      [&](std::size_t k) {
+        setup how;
+        how.environment_rate = cells[k].first;
+        how.limit = 0.3;
+        how.gain = 0.97;
+        return follow_with_arm(cells[k].second, planar.wall, how);
+      },
+      [&](std::size_t k, const run_result& run) {
+        table.add({"tendon", "planar", hertz(cells[k].first), text(name_of(cells[k].second)), run.figures,
+                   run.energy.imbalance()});
+      });
 }
 
 // Conclusion 1: the XY table along slanted walls, with brake lag, slow environment, both or none.
 void slanted_walls(report& table, const std::filesystem::path& directory) {
-  std::vector<slant_row> rows;
+  struct cell {
+    double slant, lag, rate;
+    law which;
+  };
+  std::vector<cell> cells;
+  for (const double slant : {0.0, 10.0, 20.0, 30.0})
+    for (const double lag : {0.0, 0.020})
+      for (const double rate : {1000.0, 20.0})
+        for (const law which : {law::none, law::velocity}) cells.push_back({slant, lag, rate, which});
   table.section(
       "The XY table of Fig. 4 along slanted walls: delay by the brakes' lag, the environment's rate, or "
       "both");
-  for (const double slant : {0.0, 10.0, 20.0, 30.0}) {
-    for (const double lag : {0.0, 0.020}) {
-      for (const double rate : {1000.0, 20.0}) {
-        for (const law which : {law::none, law::velocity}) {
-          setup how;
-          how.environment_rate = rate;
-          how.lag = lag;
-          const auto run = follow_with_table(which, planar_wall(ph::radians(slant)), how);
-          table.add({"table", std::to_string(static_cast<int>(slant)) + " deg",
-                     hertz(rate) + (lag > 0 ? ", 20 ms" : ", 0 ms"), text(name_of(which)), run.figures,
-                     run.energy.imbalance()});
-          const char* cell = lag > 0 ? (rate < 1000 ? "lag and slow environment" : "lag of the brakes")
-                                     : (rate < 1000 ? "slow environment" : "no delay");
-          rows.push_back({slant, cell, text(name_of(which)), run.figures});
-        }
-      }
-    }
-  }
+  std::vector<slant_row> rows;
+  on_all_cores(
+      "slanted walls", cells.size(),
+      [&](std::size_t k) {
+        setup how;
+        how.environment_rate = cells[k].rate;
+        how.lag = cells[k].lag;
+        return follow_with_table(cells[k].which, planar_wall(ph::radians(cells[k].slant)), how);
+      },
+      [&](std::size_t k, const run_result& run) {
+        const auto& [slant, lag, rate, which] = cells[k];
+        table.add({"table", std::to_string(static_cast<int>(slant)) + " deg",
+                   hertz(rate) + (lag > 0 ? ", 20 ms" : ", 0 ms"), text(name_of(which)), run.figures,
+                   run.energy.imbalance()});
+        const char* delay = lag > 0 ? (rate < 1000 ? "lag and slow environment" : "lag of the brakes")
+                                    : (rate < 1000 ? "slow environment" : "no delay");
+        rows.push_back({slant, delay, text(name_of(which)), run.figures});
+      });
   draw_slants(directory, rows);
 }
 
 // Section 5.2: how deep the handle gets before the brakes hold it.
 void penetration(const std::filesystem::path& directory) {
-  std::vector<penetration_row> rows;
+  const std::vector<double> lags{0.0, 0.005, 0.010, 0.020, 0.040}, speeds{0.025, 0.05, 0.1, 0.15};
+  struct cell {
+    law which;
+    double speed, lag;
+  };
+  std::vector<cell> cells;
+  for (const law which : {law::none, law::velocity_on_touch, law::velocity})
+    for (const double speed : speeds)
+      for (const double lag : lags) cells.push_back({which, speed, lag});
   std::printf("\nDeepest point [mm] at the first contact, planar wall, 1 kHz\n%-26s",
               "lag of the brakes [ms]");
-  const std::vector<double> lags{0.0, 0.005, 0.010, 0.020, 0.040}, speeds{0.025, 0.05, 0.1, 0.15};
   for (const double lag : lags) std::printf("%8.0f", 1e3 * lag);
   std::printf("\n");
-  for (const law which : {law::none, law::velocity_on_touch, law::velocity}) {
-    for (const double speed : speeds) {
-      std::printf("%-15.15s %4.0f mm/s ", text(name_of(which)).c_str(), 1e3 * speed);
-      for (const double lag : lags) {
+  std::vector<penetration_row> rows;
+  on_all_cores(
+      "penetration", cells.size(),
+      [&](std::size_t k) {
         setup how;
-        how.lag = lag;
-        how.approach = speed;
-        const double depth = follow_with_arm(which, planar.wall, how).figures.depth_max;
-        std::printf("%8.3f", 1e3 * depth);
+        how.lag = cells[k].lag;
+        how.approach = cells[k].speed;
+        return follow_with_arm(cells[k].which, planar.wall, how).figures.depth_max;
+      },
+      [&](std::size_t k, double depth) {
+        const auto& [which, speed, lag] = cells[k];
+        if (k % lags.size() == 0)
+          std::printf("%-15.15s %4.0f mm/s ", text(name_of(which)).c_str(), 1e3 * speed);
+        std::printf("%8.3f%s", 1e3 * depth, (k + 1) % lags.size() == 0 ? "\n" : "");
         rows.push_back({text(name_of(which)), lag, speed, depth});
-      }
-      std::printf("\n");
-    }
-  }
+      });
   draw_penetration(directory, rows);
 }
 
@@ -293,20 +321,22 @@ void in_space(report& table, page_tables& page, const std::filesystem::path& dir
     for (const auto wall : space_walls)
       for (const double rate : {1000.0, 20.0})
         for (const law which : space_laws) cells.push_back({device, wall, rate, which});
-  const auto runs = on_all_cores("three degrees of freedom", cells.size(), [&](std::size_t k) {
-    setup how;
-    how.environment_rate = cells[k].rate;
-    return follow_in_space(cells[k].device, cells[k].wall, cells[k].which, how);
-  });
   table.section("Three degrees of freedom; of an edge each of its planes");
   std::vector<space_row> rows;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    const auto device = text(name_of(cells[k].device)), wall = text(name_of(cells[k].wall)),
-               law_name = text(name_of(cells[k].which));
-    for (const auto& figures : runs[k].figures)
-      table.add({device, wall, hertz(cells[k].rate), law_name, figures, runs[k].energy.imbalance()});
-    if (cells[k].rate < 1000) rows.push_back({device, wall, law_name, runs[k].trace});
-  }
+  const auto runs = on_all_cores(
+      "three degrees of freedom", cells.size(),
+      [&](std::size_t k) {
+        setup how;
+        how.environment_rate = cells[k].rate;
+        return follow_in_space(cells[k].device, cells[k].wall, cells[k].which, how);
+      },
+      [&](std::size_t k, const space_result& run) {
+        const auto device = text(name_of(cells[k].device)), wall = text(name_of(cells[k].wall)),
+                   law_name = text(name_of(cells[k].which));
+        for (const auto& figures : run.figures)
+          table.add({device, wall, hertz(cells[k].rate), law_name, figures, run.energy.imbalance()});
+        if (cells[k].rate < 1000) rows.push_back({device, wall, law_name, run.trace});
+      });
   draw_in_space(directory, rows);
 
   page["in_space"] = markdown_head({"device, wall", "separations, no law / direct / velocity", "deepest [mm]",
@@ -488,6 +518,7 @@ int main(int argc, char** argv) try {
   const auto directory = example::output_directory(
       argc, argv,
       "07_experiments: the paper's experiments and more, as a table, experiments.csv and pictures");
+  progress_bar::plan(planned_runs);
   report table;
   page_tables page;
   follow_walls(table, page);
@@ -502,6 +533,8 @@ int main(int argc, char** argv) try {
   wide_devices(page);
   const bool hold = bands();
   const bool agrees = is_told(page);
+  if (const std::size_t runs = progress_bar::done_of_all(); hold && runs != planned_runs)
+    throw std::logic_error("planned_runs, expected " + std::to_string(runs));
   std::printf(
       "\nCounted from the first contact; depths after the first 10 %% of the path, std is their standard "
       "deviation.\n"

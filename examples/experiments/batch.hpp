@@ -1,4 +1,4 @@
-// Many runs on all cores, with a progress bar.
+// Many runs on all cores: their results as they come, and how long the rest will take.
 #pragma once
 
 #include <algorithm>
@@ -16,54 +16,86 @@
 
 namespace experiments {
 
-// Draws "name [#####     ] 50 %" on a terminal's last line while it lives; nothing where stderr is no
-// terminal.
+// "name [#####     ] 50 %, all: about 2 min" on a terminal's last line; nothing where stderr is no terminal.
 class progress_bar {
  public:
-  progress_bar(std::string name, std::size_t total)
-      : name_(std::move(name)), total_(total), on_terminal_(isatty(STDERR_FILENO) != 0) {}
-  ~progress_bar() {
-    if (on_terminal_) std::fprintf(stderr, "\r%*s\r", width + 50, "");
-  }
+  progress_bar(std::string name, std::size_t total) : name_(std::move(name)), total_(total) {}
+  ~progress_bar() { erase(); }
   progress_bar(const progress_bar&) = delete;
   progress_bar& operator=(const progress_bar&) = delete;
 
   void advance() {
-    const std::lock_guard lock(drawing_);
     ++done_;
+    ++done_of_all_;
+    draw();
+  }
+  // For a line of output in its place.
+  void erase() const {
+    if (on_terminal_) std::fprintf(stderr, "\r%*s\r", width + 72, "");
+  }
+  void draw() const {
     if (!on_terminal_) return;
-    const std::size_t filled = static_cast<std::size_t>(width) * done_ / total_;
-    std::fprintf(stderr, "\r%-32s [%-*s] %3zu %%", name_.c_str(), width, std::string(filled, '#').c_str(),
-                 100 * done_ / total_);
+    const std::string bar(static_cast<std::size_t>(width) * done_ / total_, '#');
+    std::fprintf(stderr, "\r%-32s [%-*s] %3zu %%%s ", name_.c_str(), width, bar.c_str(), 100 * done_ / total_,
+                 rest_of_all().c_str());
   }
 
+  // How many runs the whole program makes.
+  static void plan(std::size_t runs) {
+    all_ = runs;
+    start_ = clock::now();
+  }
+  static std::size_t done_of_all() { return done_of_all_; }
+
  private:
+  using clock = std::chrono::steady_clock;
   static constexpr int width = 30;
+
+  static std::string rest_of_all() {
+    if (done_of_all_ >= all_) return "";
+    const double spent = std::chrono::duration<double>(clock::now() - start_).count();
+    const double rest = spent * static_cast<double>(all_ - done_of_all_) / static_cast<double>(done_of_all_);
+    const auto seconds = static_cast<long>(rest + 0.5);
+    return ", all: about " +
+           (seconds < 90 ? std::to_string(seconds) + " s" : std::to_string((seconds + 30) / 60) + " min");
+  }
+
+  inline static std::size_t all_ = 0, done_of_all_ = 0;
+  inline static clock::time_point start_{};
   std::string name_;
   std::size_t total_, done_ = 0;
-  bool on_terminal_;
-  std::mutex drawing_;
+  bool on_terminal_ = isatty(STDERR_FILENO) != 0;
 };
 
-// job(0), ..., job(count - 1) on all cores; their results in that order. The first exception of a job is
-// thrown here.
-template <class Job>
-auto on_all_cores(const std::string& name, std::size_t count, Job&& job) {
+// job(0), ..., job(count - 1) on all cores; their results in that order, each given to show(k, result) as
+// soon as all before it are there. The first exception of a job is thrown here.
+template <class Job, class Show>
+auto on_all_cores(const std::string& name, std::size_t count, Job&& job, Show&& show) {
   std::vector<decltype(job(std::size_t{0}))> results(count);
+  std::vector<bool> there(count);
+  std::size_t shown = 0;
+  std::exception_ptr failure;
+  std::mutex telling;
   progress_bar bar(name, count);
   std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex failing;
+  const auto tell = [&](std::size_t k) {
+    there[k] = true;
+    if (k == shown) bar.erase();
+    for (; shown < count && there[shown]; ++shown) show(shown, results[shown]);
+    bar.advance();
+  };
   const auto work = [&] {
     for (std::size_t k = next++; k < count; k = next++) {
       try {
-        results[k] = job(k);
+        auto result = job(k);
+        const std::lock_guard lock(telling);
+        results[k] = std::move(result);
+        tell(k);
       } catch (...) {
-        const std::lock_guard lock(failing);
+        const std::lock_guard lock(telling);
         if (!failure) failure = std::current_exception();
         next = count;
       }
-      bar.advance();
     }
   };
   {
@@ -74,6 +106,12 @@ auto on_all_cores(const std::string& name, std::size_t count, Job&& job) {
   }
   if (failure) std::rethrow_exception(failure);
   return results;
+}
+
+// The same, and nothing is shown.
+template <class Job>
+auto on_all_cores(const std::string& name, std::size_t count, Job&& job) {
+  return on_all_cores(name, count, job, [](std::size_t, const auto&) {});
 }
 
 }  // namespace experiments

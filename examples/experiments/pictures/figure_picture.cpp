@@ -1,21 +1,33 @@
-// Figs. 8 to 10: ten panels over the way along the wall, one colour a law.
+// Figs. 8 to 10: ten panels over the path along the wall, one colour a law.
 #include "../surface.hpp"
 #include "picture_style.hpp"
 #include "pictures.hpp"
 
 #include <output.hpp>
 
+#include <algorithm>
+#include <iomanip>
+#include <vector>
+
 namespace experiments {
 
 namespace {
 
 constexpr int surface_points = 101;
-constexpr double settling_share = 0.5;  // of the way: only then is the first contact over on every wall
+constexpr double zoomed_out = 0.1;  // share of the depths in contact above the zoom, and below it
 
 struct extent {
   style::range x, y, depth, normal, tangential;
   style::range zoom;  // depth of the law that keeps it best [mm]
 };
+
+style::range middle_of(std::vector<double> values) {
+  style::range middle;
+  std::sort(values.begin(), values.end());
+  const auto out = static_cast<std::size_t>(zoomed_out * static_cast<double>(values.size()));
+  for (std::size_t k = out; k + out < values.size(); ++k) middle.add(values[k]);
+  return middle;
+}
 
 std::string figure_table(const test_wall& wall, const std::vector<named_run>& runs, extent& e) {
   style::table csv;
@@ -23,8 +35,7 @@ std::string figure_table(const test_wall& wall, const std::vector<named_run>& ru
     csv.start_block(law,
                     "time [s], x [m], y [m], depth [mm], w1 [rad/s], w2 [rad/s], Fh into the wall [N], "
                     "Fh along the wall [N], alpha [1], capacity1 [N m], capacity2 [N m]");
-    const double start = run.trace.front().position[0], end = run.trace.back().position[0];
-    style::range settled;
+    std::vector<double> in_contact;
     for (const instant& i : run.trace) {
       const plane_vector n = wall.gradient(i.position), along(-n[1], n[0]);
       const double depth = 1e3 * i.depth, normal = -i.hand_force.dot(n), tangential = i.hand_force.dot(along);
@@ -35,9 +46,10 @@ std::string figure_table(const test_wall& wall, const std::vector<named_run>& ru
       e.depth.add(depth);
       e.normal.add(normal);
       e.tangential.add(tangential);
-      if (i.position[0] > start + settling_share * (end - start)) settled.add(depth);
+      if (depth > 0) in_contact.push_back(depth);
     }
-    if (e.zoom.empty() || settled.width() < e.zoom.width()) e.zoom = settled;
+    const style::range most = middle_of(std::move(in_contact));
+    if (e.zoom.empty() || most.width() < e.zoom.width()) e.zoom = most;
   }
   csv.start_block("surface", "x [m], y [m]");
   for (int k = 0; k < surface_points; ++k) {
@@ -46,6 +58,14 @@ std::string figure_table(const test_wall& wall, const std::vector<named_run>& ru
     e.y.add(1e3 * surface_height(wall, x));
   }
   return csv.str();
+}
+
+// Beyond this x [m] the force approximation takes brake 2 alone: the nearest force lies on its edge.
+double last_use_of_brake_1(const run_result& run) {
+  double last = run.trace.front().position[0];
+  for (const instant& i : run.trace)
+    if (i.capacity[0] > 0) last = i.position[0];
+  return last;
 }
 
 std::string legend_of(const std::vector<named_run>& runs) {
@@ -104,7 +124,11 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
   panel("w1 [rad/s]", "2:5",
         "unset xlabel\nset format x ''\nset yrange [*:*]\nset offsets 0,0,graph 0.05,0\n");
   panel("w2 [rad/s]", "2:6");
-  panel("capacity of brake 1 [N m]", "2:10");
+  std::ostringstream why;
+  why << "set label 2 'beyond x = " << std::setprecision(2) << last_use_of_brake_1(runs.front().run)
+      << " m the nearest force is that of brake 2 alone' at graph 0.98,0.9 right front\n";
+  panel("capacity of brake 1 [N m]", "2:10", why.str());
+  script << "unset label 2\n";
   panel("capacity of brake 2 [N m]", "2:11");
   script << "unset offsets\nset logscale y\nset yrange [1e-5:2]\nset format y '%g'\n"
          << "set label 2 'a law that is not drawn has alpha = 1, or none' at graph 0.02,0.07 left front\n"

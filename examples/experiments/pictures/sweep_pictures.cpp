@@ -131,7 +131,7 @@ void draw_in_space(const std::filesystem::path& directory, const std::vector<spa
            .settings = "set offsets 0,0,graph 0.05,graph 0.05\n"};
   for (const std::string& device : style::distinct(rows, [](const space_row& r) { return r.device; })) {
     for (const std::string& wall : walls) {
-      panel one{device + ", " + wall, "way [mm]", "depth [mm]", {}};
+      panel one{device + ", " + wall, "path length [mm]", "depth [mm]", {}};
       for (const space_row& r : rows) {
         if (r.device != device || r.wall != wall || r.trace.empty()) continue;
         for (std::size_t k = 0; k < r.trace.front().second.size(); ++k) {
