@@ -189,8 +189,8 @@ class active_set {
   const T* f_;
   qr qr_;
   T vanishing_;                                             // |r|^2 that is rounding
-  T square_[Columns];                                       // |b_j|^2
-  alignas(16) T weight_[Columns];                           // 1 / |b_j|^2 of those that may enter, else 0
+  T square_[std::size_t(Columns)];                          // |b_j|^2
+  alignas(16) T weight_[std::size_t(Columns)];              // 1 / |b_j|^2 of those that may enter, else 0
   std::array<int, static_cast<std::size_t>(most)> member_;  // columns in the set, in the order of the QR
   coefficients mu_;                                         // of the members
   half_space_set members_ = 0;

@@ -25,7 +25,7 @@ struct proxy_tracker {
   bool known = false;  ///< Whether the handle was seen.
   bool held = false;   ///< Whether the surface keeps the proxy from the handle; else they are in one place.
   std::array<double, static_cast<std::size_t>(D)> position{};  ///< Of the proxy, if held [m].
-  std::array<int, most_facets> facets{};                       ///< On which it rests, if held.
+  std::array<int, std::size_t(most_facets)> facets{};          ///< On which it rests, if held.
   int facet_count = 0;                                         ///< How many.
   int nearest = 0;  ///< A facet that was nearest: where to search first.
 };

@@ -75,7 +75,7 @@ class box {
   }
 
   /// The 2 D faces as walls whose common inside is the box: axis 0 positive and negative, axis 1, ...
-  std::array<half_space<D>, 2 * D> faces() const {
+  std::array<half_space<D>, std::size_t(2 * D)> faces() const {
     const auto face = [this](int k) {
       const point<D> normal = (k % 2 == 0 ? 1 : -1) * axes_.col(k / 2);
       return half_space<D>(centre_ + half_extents_[k / 2] * normal, normal);
