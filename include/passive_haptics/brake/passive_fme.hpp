@@ -10,7 +10,7 @@ namespace passive_haptics {
 
 /// Signs (-1 or 1) of the torques of m brakes in one passive FME.
 template <int Brakes>
-using torque_signs = std::array<int, Brakes>;
+using torque_signs = std::array<int, std::size_t(Brakes)>;
 
 /// The 2^m passive FMEs, named by the signs of their torques. For two brakes (+,+), (+,-), (-,+), (-,-): the
 /// second is the paper's passive FME 2, the only one whose signs it prints.

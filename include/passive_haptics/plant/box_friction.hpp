@@ -13,9 +13,9 @@ namespace passive_haptics {
 /// Impulses of m brakes over one time step.
 template <class T, int Brakes>
 struct friction_impulses {
-  vector<T, Brakes> impulse;        ///< p [N m s], |p_i| <= limit_i.
-  std::array<bool, Brakes> sticks;  ///< True where the brake ends the step at rest.
-  bool solved = true;               ///< False if rounding kept the pivoting from ending.
+  vector<T, Brakes> impulse;                     ///< p [N m s], |p_i| <= limit_i.
+  std::array<bool, std::size_t(Brakes)> sticks;  ///< True where the brake ends the step at rest.
+  bool solved = true;                            ///< False if rounding kept the pivoting from ending.
 };
 
 namespace detail {
@@ -40,7 +40,7 @@ template <class T, int Brakes>
 friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>& A,
                                                 const vector<T, Brakes>& w0, const vector<T, Brakes>& limit) {
   enum class mode { stick, upper, lower };
-  std::array<mode, Brakes> modes;
+  std::array<mode, std::size_t(Brakes)> modes;
   modes.fill(mode::stick);
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const T slack = rounding_tolerance<T>(Brakes);

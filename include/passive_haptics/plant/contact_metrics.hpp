@@ -77,7 +77,7 @@ class contact_meter {
       ++result_.recontacts;
     }
     ++samples_;
-    stuck_ += std::abs(now.rate) < stick_rate ? 1 : 0;
+    if (std::abs(now.rate) < stick_rate) ++stuck_;
     force_sum_ += now.retarding_force;
     hand_force_.add(now.hand_force);
     result_.brake_energy += now.brake_energy;

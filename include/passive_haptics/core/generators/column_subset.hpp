@@ -20,11 +20,12 @@ namespace passive_haptics::detail {
 template <class T, int D, int M>
 class column_subset {
  public:
-  using row = packets<T, M>;            ///< A number for each column of V.
-  using packet = typename row::packet;  ///< Some of them.
+  using row = packets<T, M>;                           ///< A number for each column of V.
+  using packet = typename row::packet;                 ///< Some of them.
+  static constexpr std::size_t rows = std::size_t(D);  ///< Of V.
 
   /// Of V by rows and f. in_set: 1 for the columns in S, else 0.
-  [[gnu::always_inline]] column_subset(const row (&V)[D], const vector<T, D>& f, const row& in_set) {
+  [[gnu::always_inline]] column_subset(const row (&V)[rows], const vector<T, D>& f, const row& in_set) {
     unrolled<D>([&](auto k) {
       r_[k] = V[k];
       z_[k] = f[k];
@@ -55,7 +56,7 @@ class column_subset {
   /// The shortest solution of V_S x = g for another g; of columns outside of S what does not matter.
   [[gnu::always_inline]] row solution_of(const vector<T, D>& g) const {
     row u{};
-    T z[D];
+    T z[rows];
     unrolled<D>([&](auto k) {
       z[k] = g[equation_[k]];
       for (int l = 0; l < k; ++l) z[k] -= lower_[k][l] * z[l];
@@ -111,11 +112,13 @@ class column_subset {
     std::swap(lower_[k], lower_[l]);
   }
 
-  row r_[D];
-  T z_[D], rest_[D], before_[D], inverse_[D];  // rest: |r_k|^2 on S; before: when its digits were still whole
-  T lower_[D][D] = {};                         // L below its diagonal of ones
-  int equation_[D];                            // that row k came from
-  T total_ = T(0), unreached_ = T(0);          // |V_S|^2; the largest z of a row that was dropped
+  row r_[rows];
+  T z_[rows];
+  T rest_[rows], before_[rows];  // |r_k|^2 on S, now and when its digits were still whole
+  T inverse_[rows];
+  T lower_[rows][rows] = {};           // L below its diagonal of ones
+  int equation_[rows];                 // that row k came from
+  T total_ = T(0), unreached_ = T(0);  // |V_S|^2; the largest z of a row that was dropped
 };
 
 }  // namespace passive_haptics::detail

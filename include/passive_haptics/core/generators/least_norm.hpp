@@ -148,7 +148,7 @@ class least_norm {
 
   const matrix<T, D, M>& v_;
   const vector<T, D>& f_;
-  row rows_[D];  // V by rows
+  row rows_[std::size_t(D)];  // V by rows
 };
 
 }  // namespace passive_haptics::detail

@@ -44,7 +44,7 @@ template <class T, int N>
 struct lane_mask {
   static constexpr int width = detail::packets<T, N>::width;  ///< Numbers of a register.
   static constexpr int count = detail::packets<T, N>::count;  ///< Registers.
-  typename detail::truths_of<T>::type p[count];               ///< All bits of a number set where it is true.
+  typename detail::truths_of<T>::type p[std::size_t(count)];  ///< All bits of a number set where it is true.
 
   /// Truth i.
   [[gnu::always_inline]] bool operator[](int i) const {
@@ -75,7 +75,7 @@ struct lanes {
   using mask = lane_mask<T, N>;                           ///< What a comparison gives.
   static constexpr int width = mask::width;               ///< Numbers of a register.
   static constexpr int count = mask::count;               ///< Registers.
-  packet p[count];                                        ///< The numbers, and zeros beyond.
+  packet p[std::size_t(count)];                           ///< The numbers, and zeros beyond.
 
   lanes() = default;
   /// N times the same number, also beyond the last.

@@ -33,7 +33,7 @@ struct packets {
   using packet = typename packet_of<T>::type;  ///< A register of T.
   static constexpr int width = sizeof(packet) / sizeof(T), count = (N + width - 1) / width, rest = N % width;
 
-  packet p[count];
+  packet p[std::size_t(count)];
 
   /// x[0] .. x[N - 1], at any address.
   [[gnu::always_inline]] static packets load(const T* x) {
@@ -98,7 +98,7 @@ template <class T, int N, class F>
   constexpr int width = packets<T, N>::width;
   packets<T, N> a;
   unrolled<packets<T, N>::count>([&](auto i) {
-    packet x[width];
+    packet x[std::size_t(width)];
     unrolled<width>([&](auto k) { x[k] = i * width + k < N ? f(i * width + k) : packet{}; });
     if constexpr (width == 1) {
       a.p[i] = x[0];

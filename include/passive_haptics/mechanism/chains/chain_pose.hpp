@@ -14,19 +14,19 @@ namespace passive_haptics {
 /// Where the joints of a chain are in a pose, base frame.
 template <class T, int N, int D>
 struct chain_pose {
-  std::array<vector<T, D>, N> axis;   ///< Of joint i; in the plane 0 if it turns.
-  std::array<vector<T, D>, N> point;  ///< The point of body i that lies on its joint [m].
-  vector<T, D> handle;                ///< End effector [m].
+  std::array<vector<T, D>, std::size_t(N)> axis;   ///< Of joint i; in the plane 0 if it turns.
+  std::array<vector<T, D>, std::size_t(N)> point;  ///< The point of body i that lies on its joint [m].
+  vector<T, D> handle;                             ///< End effector [m].
 };
 
 /// What inertia needs beside. With the angular and linear part of each joint's motion, revolute and prismatic
 /// joints obey the same formulas.
 template <class T, int N, int D>
 struct chain_bodies : chain_pose<T, N, D> {
-  std::array<matrix<T, D, D>, N> turn;  ///< Orientation of body i: of a frame of its own.
+  std::array<matrix<T, D, D>, std::size_t(N)> turn;  ///< Orientation of body i: of a frame of its own.
   /// Angular velocity per unit rate of joint i; 0 if it slides.
-  std::array<angular_vector<T, D>, N> rotation;
-  std::array<vector<T, D>, N> sliding;  ///< Velocity per unit rate of joint i; 0 if it turns.
+  std::array<angular_vector<T, D>, std::size_t(N)> rotation;
+  std::array<vector<T, D>, std::size_t(N)> sliding;  ///< Velocity per unit rate of joint i; 0 if it turns.
 };
 
 namespace detail {
@@ -47,7 +47,7 @@ class chain_frames;
 template <class T, int N>
 class chain_frames<T, N, 2> {
  public:
-  using joints = std::array<zero_pose_joint<T, 2>, N>;  ///< Of the chain.
+  using joints = std::array<zero_pose_joint<T, 2>, std::size_t(N)>;  ///< Of the chain.
 
   /// tip: from the last body's point to the handle [m].
   chain_frames(const joints& all, const vector<T, 2>& tip) : joints_(all), tip_(tip) {}
@@ -95,7 +95,7 @@ class chain_frames<T, N, 2> {
 template <class T, int N>
 class chain_frames<T, N, 3> {
  public:
-  using joints = std::array<zero_pose_joint<T, 3>, N>;  ///< Of the chain.
+  using joints = std::array<zero_pose_joint<T, 3>, std::size_t(N)>;  ///< Of the chain.
 
   /// tip: from the last body's point to the handle [m].
   chain_frames(const joints& all, const vector<T, 3>& tip) : start_(all[0].offset) {
@@ -182,8 +182,8 @@ class chain_frames<T, N, 3> {
   vector<T, 3> start_;          // point of joint 1 [m]
   matrix<T, 3, 3> first_;       // frame with z along joint 1
   vector<T, N> turns_, phase_;  // body i turns about z by turns_i q_i + phase_i: turns_i is 0 if it slides
-  std::array<body, N> bodies_;
-  std::array<matrix<T, 3, 3>, N> zero_;
+  std::array<body, std::size_t(N)> bodies_;
+  std::array<matrix<T, 3, 3>, std::size_t(N)> zero_;
 };
 
 }  // namespace detail

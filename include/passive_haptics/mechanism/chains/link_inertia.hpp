@@ -73,7 +73,7 @@ link_inertia<T, D> joined(const link_inertia<T, D>& a, const link_inertia<T, D>&
 /// Inertia of a serial chain: a link a joint, the rotors of the brakes, what the hand holds, gravity.
 template <class T, int N, int D>
 struct serial_chain_inertia {
-  std::array<link_inertia<T, D>, N> links = {};  ///< Link i moves with joint i.
+  std::array<link_inertia<T, D>, std::size_t(N)> links = {};  ///< Link i moves with joint i.
   /// On the joints' axes [kg m^2, or kg]; that of two_link.
   vector<T, N> rotor_inertia = vector<T, N>::Constant(T(5e-5));
   T handle_mass = T(0.1);                       ///< Point mass at the end effector [kg]; that of two_link.

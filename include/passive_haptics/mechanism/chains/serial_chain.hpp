@@ -96,7 +96,7 @@ class serial_chain {
  private:
   using algebra = detail::rigid_body_algebra<T, D>;
   static constexpr std::size_t size = std::size_t(N);
-  using joints = std::array<detail::zero_pose_joint<T, D>, N>;
+  using joints = std::array<detail::zero_pose_joint<T, D>, size>;
 
   // Of the handle per unit rate of joint i
   vector<T, D> velocity(const chain_pose<T, N, D>& at, std::size_t i) const {

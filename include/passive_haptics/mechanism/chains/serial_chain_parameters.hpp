@@ -62,7 +62,7 @@ chain_joint<T, D> prismatic_joint(const vector<T, D>& axis) {
 /// N joints from the base outwards, and the handle. From DH parameters: denavit_hartenberg.hpp.
 template <class T, int N, int D>
 struct serial_chain_parameters {
-  std::array<chain_joint<T, D>, N> joints = {};  ///< No default fits.
+  std::array<chain_joint<T, D>, std::size_t(N)> joints = {};  ///< No default fits.
   /// End effector, zero pose [m]; no default.
   vector<T, D> handle = vector<T, D>::Constant(std::numeric_limits<T>::quiet_NaN());
 

@@ -85,8 +85,8 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
 
   // Angular velocity and, with constant joint rates, accelerations of all bodies
   struct motion {
-    std::array<angular, N> w, wd;
-    std::array<vector<T, D>, N> a;  // of the bodies' points
+    std::array<angular, size> w, wd;
+    std::array<vector<T, D>, size> a;  // of the bodies' points
 
     motion(const chain_bodies<T, N, D>& at, const vector<T, N>& qd) {
       angular w0 = angular::Zero(), wd0 = angular::Zero();
@@ -120,7 +120,7 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
 
   serial_chain_inertia<T, N, D> inertia_;
   // From the body's point, its own frame; the last one with the handle
-  std::array<link_inertia<T, D>, N> links_;
+  std::array<link_inertia<T, D>, size> links_;
 };
 
 }  // namespace passive_haptics
