@@ -177,7 +177,7 @@ class serial_line {
     // is all right.
     serial_struct driver;
     if (ioctl(fd_.get(), TIOCGSERIAL, &driver) == 0) {
-      driver.flags |= ASYNC_LOW_LATENCY;
+      driver.flags |= int(ASYNC_LOW_LATENCY);
       ioctl(fd_.get(), TIOCSSERIAL, &driver);
     }
     return "";

@@ -48,7 +48,7 @@ template <int D>
 double from_polytope(const ph::point<D>& x, const std::vector<ph::half_space_parameters<D>>& planes) {
   using number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,
                                                boost::multiprecision::et_off>;
-  using direction = std::array<number, D>;
+  using direction = std::array<number, std::size_t(D)>;
   const auto dot = [](const direction& a, const direction& b) {
     number sum = 0;
     for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];

@@ -70,7 +70,7 @@ long double least(const F& f) {
   return std::fmin(f((low + high) / 2), std::fmin(f(0.0L), f(1.0L)));
 }
 template <int D>
-double searched_distance(const std::array<ph::point<D>, D>& c, const ph::point<D>& x) {
+double searched_distance(const std::array<ph::point<D>, std::size_t(D)>& c, const ph::point<D>& x) {
   using wide = ph::vector<long double, D>;
   const auto as_wide = [](const ph::point<D>& y) { return wide(y.template cast<long double>()); };
   const wide a = as_wide(c[0]), ab = as_wide(c[1]) - a, to_x = as_wide(x) - a;
@@ -89,7 +89,7 @@ TYPED_TEST(a_mesh, facet_has_the_nearest_point_that_a_search_finds) {
   constexpr int D = TestFixture::dimension;
   random_source random(seed);
   for (int k = 0; k < 300; ++k) {
-    std::array<ph::point<D>, D> corners;
+    std::array<ph::point<D>, std::size_t(D)> corners;
     for (auto& c : corners) c = anywhere<D>(random, 1);
     if (k % 3 == 0) corners[D - 1] = corners[0] + random.positive(1e-4, 1e-1) * random.direction<double, D>();
     const ph::mesh_facet<D> f{corners, ph::detail::normal_of(corners)};
