@@ -1,0 +1,27 @@
+// What names a version names the one of the headers.
+#include "headers.hpp"
+
+#include <passive_haptics/core/version.hpp>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace {
+
+TEST(versions, are_those_of_the_headers) {
+  const std::string version = std::to_string(PASSIVE_HAPTICS_VERSION_MAJOR) + "." +
+                              std::to_string(PASSIVE_HAPTICS_VERSION_MINOR) + "." +
+                              std::to_string(PASSIVE_HAPTICS_VERSION_PATCH);
+  const std::pair<const char*, std::string> places[] = {
+      {"README.md", "GIT_TAG v" + version + ")\n"},
+      {"CITATION.cff", "\nversion: " + version + "\n"},
+      {"CHANGELOG.md", "\n## [" + version + "]\nThe git tag `v" + version + "`.\n"}};
+  const std::filesystem::path root = PASSIVE_HAPTICS_SOURCE_DIR;
+  for (const auto& [file, text] : places)
+    EXPECT_NE(repository::read(root / file).find(text), std::string::npos) << file << " lacks " << text;
+}
+
+}  // namespace
