@@ -30,7 +30,7 @@ TYPED_TEST(torque_limits, scale_all_brakes_by_the_smallest_factor_or_cut_each) {
   constexpr int m = M::brake_count, D = M::task_dimension;
   const M mechanism;
   ph::testing::random_source random(seed);
-  int cut[m + 1] = {};
+  int cut[std::size_t(m + 1)] = {};
   for (int k = 0; k < 3000; ++k) {
     const ph::joint_vector<M> q =
         ph::joint_vector<M>::NullaryExpr([&] { return random.uniform(T(0.3), T(0.9)); });
