@@ -2,6 +2,7 @@
 // the handle moves along -y. Uses the stages one by one; a control loop would call step() or a controller.
 #include <passive_haptics/passive_haptics.hpp>
 
+#include <command_line.hpp>
 #include <output.hpp>
 
 #include <Eigen/LU>
@@ -13,9 +14,9 @@ namespace ph = passive_haptics;
 using device = ph::two_link<double>;
 using force = ph::vector<double, 2>;
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const auto directory = example::output_directory(
-      argc, argv, "02_passive_fme: what two brakes can display, as a table and as passive_fme.svg");
+      argc, argv, "passive_fme", "What two brakes can display: a table, passive_fme.svg and its data.");
   const device arm({.length_1 = 1, .length_2 = 1});
   const ph::joint_vector<device> q(ph::radians(45.0), ph::radians(90.0));
   const ph::brakes_of<device> brakes;
@@ -107,4 +108,7 @@ plot 'passive_fme_outlines.csv' index 1 using 2:3 with filledcurves closed fs tr
      '+' using (0):(0):(0):(-0.6) every ::0::0 with vectors lw 4 lc rgb '#56b4e9' title 'v, velocity'
 unset multiplot
 )");
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "error: %s\n", error.what());
+  return 1;
 }

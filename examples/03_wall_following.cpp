@@ -4,6 +4,7 @@
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
+#include <command_line.hpp>
 #include <output.hpp>
 
 #include <Eigen/LU>
@@ -131,9 +132,8 @@ unset multiplot
 
 int main(int argc, char** argv) try {
   const auto directory = example::output_directory(
-      argc, argv,
-      "03_wall_following: the paper's device along a virtual wall, as a table, CSV files and "
-      "wall_following.svg");
+      argc, argv, "wall_following",
+      "The paper's device along a virtual wall: a table, CSV files and wall_following.svg.");
 
   std::printf("%-8s  %-24s %8s %8s %8s %8s %10s %9s %9s\n", "environ.", "law", "separa-", "deepest", "depth",
               "depth", "brake 2", "Fh std", "retarding");

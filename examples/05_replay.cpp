@@ -1,4 +1,5 @@
 // Runs a log of a device's motion through a control law and writes what the brakes would have been told.
+#include <command_line.hpp>
 #include <number_list.hpp>
 #include <output_file.hpp>
 #include <replay.hpp>
@@ -17,70 +18,35 @@ namespace ph = passive_haptics;
 
 namespace {
 
-constexpr const char* help = R"(usage: 05_replay [OPTION VALUE]...
-
-Reads a log of a device's motion, runs each line through a control law beside one virtual wall, and writes what the
-brakes would have been told. Without options: a short log of the tendon device, made up here.
-
-options
-  --mechanism NAME     two_link, tendon_two_link (default), xy_table, five_bar, five_bar_4 or delta, with the
-                       library's default dimensions
-  --wall SHAPE         plane:POINT,NORMAL     wall behind POINT [m], NORMAL points to the free side
-                       solid:CENTRE,RADIUS    round, free outside [m]
-                       hollow:CENTRE,RADIUS   round, free inside [m]
-                       coordinates x,y or x,y,z; default plane:0,0.225,0,-1 (3-D: plane:0,0,-0.15,0,0,1)
-  --stiffness K        of the wall [N/m], default 1e7
-  --law NAME           direct_control (default) or no_direct_control
-  --limit T            torque limit of each brake [N m; N for a slide], default 1
-  --dead-band W        rate under which a brake counts as at rest [rad/s; m/s for a slide], default 0.02
-  --input FILE         the log; default: a short one made up here
-  --output FILE        default replay.csv; written whole, or not at all
-  --help               this text
-
-columns of the log (comma-separated, this header first; SI units, base frame)
-  t                    time [s], never decreasing
-  q1 ...               joint positions [rad; m for a slide]
-  qd1 ...              joint rates [rad/s; m/s for a slide]
-  Fh_x Fh_y (Fh_z)     force of the hand on the handle [N]; 0 where there is no force sensor
-
-columns of the output
-  t                    time [s], as in the log
-  power                class of the desired force by power: none, active, passive I, passive II
-  display              how it is displayed: exact, approximate, none, empty cone
-  gamma                angle between desired and displayed force [rad]
-  alpha                scale factor of the law [1]
-  Fd_x ...             desired force [N]
-  Fc_x ...             displayed force before alpha and torque limits [N]
-  capacity1 ...        what each brake may hold [N m; N for a slide], >= 0
-  torque1 ...          what each brake is predicted to do [N m; N for a slide]
-  status               ok, or why the brakes are released
-)";
-
-using options = std::map<std::string, std::string>;
+struct options {
+  std::string mechanism = "tendon_two_link", wall, law = "direct_control", input;
+  double stiffness = 1e7, limit = 1, dead_band = 0.02;
+  std::filesystem::path directory = ".";
+};
 
 options parse(int argc, char** argv) {
-  options chosen{{"--mechanism", "tendon_two_link"},
-                 {"--wall", ""},
-                 {"--stiffness", "1e7"},
-                 {"--law", "direct_control"},
-                 {"--limit", "1"},
-                 {"--dead-band", "0.02"},
-                 {"--input", ""},
-                 {"--output", "replay.csv"}};
-  for (int i = 1; i < argc; i += 2) {
-    const std::string name = argv[i];
-    if (name == "--help" || name == "-h") {
-      std::cout << help;
-      std::exit(0);
-    }
-    if (!chosen.contains(name)) {
-      std::string choices;
-      for (const auto& [option, value] : chosen) choices += option + " ";
-      throw std::invalid_argument("unknown option '" + name + "'; choices: " + choices + "--help");
-    }
-    if (i + 1 == argc) throw std::invalid_argument("a value is missing after '" + name + "'");
-    chosen[name] = argv[i + 1];
-  }
+  options chosen;
+  example::command_line line(
+      "replay",
+      "Reads a log of a device's motion, runs each line through a control law beside one virtual "
+      "wall, and writes\nwhat the brakes would have been told to replay.csv. Without options: a "
+      "short log of the tendon device, made up here.");
+  line.choice("--mechanism", chosen.mechanism,
+              {"two_link", "tendon_two_link", "xy_table", "five_bar", "five_bar_4", "delta"},
+              "with the library's default dimensions");
+  line.text("--wall", chosen.wall, "SHAPE",
+            "plane:POINT,NORMAL    wall behind POINT [m], NORMAL points to the free side\n"
+            "solid:CENTRE,RADIUS   round, free outside [m]\n"
+            "hollow:CENTRE,RADIUS  round, free inside [m]\n"
+            "coordinates x,y or x,y,z; default plane:0,0.225,0,-1 (3-D: plane:0,0,-0.15,0,0,1)");
+  line.positive("--stiffness", chosen.stiffness, "of the wall [N/m]");
+  line.choice("--law", chosen.law, {"direct_control", "no_direct_control"}, "the control law");
+  line.positive("--limit", chosen.limit, "torque limit of each brake [N m; N for a slide]");
+  line.not_negative("--dead-band", chosen.dead_band,
+                    "rate under which a brake counts as at rest [rad/s; m/s for a slide]");
+  line.text("--input", chosen.input, "FILE", "the log; without it a short one, made up here");
+  line.output(chosen.directory);
+  line.parse(argc, argv);
   return chosen;
 }
 
@@ -129,12 +95,12 @@ std::string made_up_log() {
 template <class M>
 void run(const options& chosen, std::istream& in) {
   ph::brakes_of<M> brakes;
-  brakes.torque_limit.setConstant(example::number("--limit", chosen.at("--limit")));
-  brakes.rate_dead_band.setConstant(example::number("--dead-band", chosen.at("--dead-band")));
-  const ph::wall wall(wall_of<M::task_dimension>(chosen.at("--wall")),
-                      example::number("--stiffness", chosen.at("--stiffness")));
+  brakes.torque_limit.setConstant(chosen.limit);
+  brakes.rate_dead_band.setConstant(chosen.dead_band);
+  const ph::wall wall(wall_of<M::task_dimension>(chosen.wall), chosen.stiffness);
 
-  example::output_file out(chosen.at("--output"));
+  const auto path = chosen.directory / "replay.csv";
+  example::output_file out(path);
   const auto start = std::chrono::steady_clock::now();
   auto told = start;
   const auto progress = [&](std::size_t lines) {
@@ -143,7 +109,7 @@ void run(const options& chosen, std::istream& in) {
     told = now;
     std::fprintf(stderr, "%zu lines\n", lines);
   };
-  const auto& law = chosen.at("--law");
+  const auto& law = chosen.law;
   std::size_t lines = 0;
   if (law == "direct_control")
     lines = example::replay(in, out.stream(), M(), brakes, wall, ph::direct_control(), progress);
@@ -151,8 +117,7 @@ void run(const options& chosen, std::istream& in) {
     lines = example::replay(in, out.stream(), M(), brakes, wall, ph::no_direct_control(), progress);
   else throw std::invalid_argument("--law: '" + law + "', expected direct_control or no_direct_control");
   out.commit();
-  std::cout << lines << " lines: " << std::filesystem::weakly_canonical(chosen.at("--output")).string()
-            << "\n";
+  std::cout << lines << " lines: " << std::filesystem::weakly_canonical(path).string() << "\n";
 }
 
 }  // namespace
@@ -161,21 +126,20 @@ int main(int argc, char** argv) try {
   const options chosen = parse(argc, argv);
   std::ifstream file;
   std::istringstream made_up;
-  if (chosen.at("--input").empty()) made_up.str(made_up_log());
-  else file.open(chosen.at("--input"), std::ios::binary);
-  if (!chosen.at("--input").empty() && !file)
-    throw std::runtime_error("cannot read '" + chosen.at("--input") + "'");
-  std::istream& in = chosen.at("--input").empty() ? static_cast<std::istream&>(made_up) : file;
+  if (chosen.input.empty()) made_up.str(made_up_log());
+  else file.open(chosen.input, std::ios::binary);
+  if (!chosen.input.empty() && !file) throw std::runtime_error("cannot read '" + chosen.input + "'");
+  std::istream& in = chosen.input.empty() ? static_cast<std::istream&>(made_up) : file;
 
   const std::map<std::string, void (*)(const options&, std::istream&)> mechanisms{
       {"two_link", run<ph::two_link<double>>},      {"tendon_two_link", run<ph::tendon_two_link<double>>},
       {"xy_table", run<ph::xy_table<double>>},      {"five_bar", run<ph::five_bar<double>>},
       {"five_bar_4", run<ph::five_bar<double, 4>>}, {"delta", run<ph::delta<double>>}};
-  const auto found = mechanisms.find(chosen.at("--mechanism"));
+  const auto found = mechanisms.find(chosen.mechanism);
   if (found == mechanisms.end()) {
     std::string names;
     for (const auto& [name, function] : mechanisms) names += " " + name;
-    throw std::invalid_argument("--mechanism: '" + chosen.at("--mechanism") + "', expected one of" + names);
+    throw std::invalid_argument("--mechanism: '" + chosen.mechanism + "', expected one of" + names);
   }
   found->second(chosen, in);
 } catch (const std::invalid_argument& error) {

@@ -1,7 +1,8 @@
 // A scene that costs what it touches: a hand wanders among 10 to 100 000 small balls over a hill of
 // triangles. A table and a picture of what a cycle looks at and how long it takes, beside a look at
 // everything.
-#include "output.hpp"
+#include <command_line.hpp>
+#include <output.hpp>
 
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
@@ -93,7 +94,8 @@ double nanoseconds_each(const std::vector<ph::point<3>>& path, std::size_t strid
 
 int main(int argc, char** argv) try {
   const auto directory = example::output_directory(
-      argc, argv, "06_large_scene: what a cycle pays for a scene, as a table and large_scene.svg");
+      argc, argv, "large_scene",
+      "What a cycle pays for a large scene: a table, large_scene.svg and its data.");
   const auto path = wandering();
   const auto surface = hill();
   std::ostringstream data;

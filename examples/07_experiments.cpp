@@ -10,6 +10,7 @@
 #include "experiments/space.hpp"
 #include "experiments/wide_devices.hpp"
 
+#include <command_line.hpp>
 #include <output.hpp>
 #include <page_tables.hpp>
 
@@ -516,8 +517,8 @@ bool is_told(const page_tables& tables) {
 
 int main(int argc, char** argv) try {
   const auto directory = example::output_directory(
-      argc, argv,
-      "07_experiments: the paper's experiments and more, as a table, experiments.csv and pictures");
+      argc, argv, "experiments",
+      "The paper's experiments and more, minutes of them: a table, experiments.csv and pictures.");
   progress_bar::plan(planned_runs);
   report table;
   page_tables page;

@@ -1,5 +1,5 @@
 #include <devices/haptic_device.hpp>
-#include <ports/file_descriptor.hpp>
+#include <file_descriptor.hpp>
 #include <ports/ports.hpp>
 #include <report/report.hpp>
 #include <session.hpp>

@@ -8,37 +8,8 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
-#include <string_view>
 
 namespace example {
-
-/// The directory named by `--output DIR` (default: the current one), made if it is not there. `--help` prints
-/// `help` and ends the program; anything else is named as a mistake and ends it with status 2.
-inline std::filesystem::path output_directory(int argc, char** argv, std::string_view help) {
-  std::filesystem::path directory = ".";
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view argument = argv[i];
-    if (argument == "--help" || argument == "-h") {
-      std::cout << help << "\noptions:\n  --output DIR  where the files go (default: the current directory)\n"
-                << "  --help        this text\n";
-      std::exit(0);
-    }
-    if (argument != "--output" || i + 1 == argc) {
-      const char* problem = argument == "--output" ? "a directory is missing after " : "unknown argument ";
-      std::cerr << "error: " << problem << "'" << argument << "'; choices: --output DIR, --help\n";
-      std::exit(2);
-    }
-    directory = argv[++i];
-  }
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) {
-    std::cerr << "error: cannot make the directory '" << directory.string() << "': " << error.message()
-              << "\n";
-    std::exit(1);
-  }
-  return directory;
-}
 
 /// Gives `path` this content, or leaves what was there and throws std::runtime_error.
 inline void write_file(const std::filesystem::path& path, const std::string& content) {

@@ -2,7 +2,7 @@
 /// An ATI Net F/T force/torque sensor, read over the network (raw data transfer, RDT).
 #pragma once
 
-#include <ports/udp_peer.hpp>
+#include <udp_peer.hpp>
 
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/port.hpp>

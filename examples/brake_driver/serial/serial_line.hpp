@@ -2,7 +2,7 @@
 /// A serial port of the operating system: raw bytes, both ways, without waiting.
 #pragma once
 
-#include <ports/file_descriptor.hpp>
+#include <file_descriptor.hpp>
 
 #include <passive_haptics/core/parameters.hpp>
 

@@ -175,6 +175,14 @@ TEST_F(a_running_driver, refuses_to_keep_currents_where_no_watchdog_ends_them) {
   EXPECT_TRUE(nothing_is_left());
 }
 
+TEST_F(a_running_driver, makes_the_folder_of_its_log) {
+  file("c.toml", settings{}.text());
+  const outcome o = run({"--config=c.toml", "--seconds=0.1", "--output=there/too", "--quiet"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(has(o.out, "log: there/too/brake_driver.csv, 0 cycles lost")) << o.out;
+  EXPECT_TRUE(log_file(directory / "there/too/brake_driver.csv").is_whole());
+}
+
 TEST_F(a_running_driver, writes_no_log_where_none_is_wanted) {
   file("c.toml", settings{.top = "log = \"\""}.text());
   const outcome o = run({"--config", "c.toml", "--seconds", "0.3"});

@@ -2,7 +2,7 @@
 /// Datagrams to and from one peer, without waiting.
 #pragma once
 
-#include <ports/file_descriptor.hpp>
+#include <file_descriptor.hpp>
 
 #include <passive_haptics/core/parameters.hpp>
 

@@ -1,0 +1,53 @@
+/// @file
+/// The command line of an example.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace example {
+
+/// Options as `--option VALUE` or `--option=VALUE`. `--help` prints examples/help/NAME.txt's text; a mistake
+/// is told in one line, with status 2. (CLI11 does it, behind one compiled file: it costs 2 s of the
+/// compiler.)
+class command_line {
+ public:
+  /// name: as ./examples/run has it; about: what the example does and what it leaves.
+  command_line(const std::string& name, const std::string& about);
+  ~command_line();
+
+  /// Values hold their defaults; an option that is not there changes nothing.
+  void flag(const std::string& option, bool& value, const std::string& about);
+  /// A text that is not empty; kind: what it is, as FILE.
+  void text(const std::string& option, std::string& value, const std::string& kind, const std::string& about);
+  /// The same, as often as one likes.
+  void texts(const std::string& option, std::vector<std::string>& values, const std::string& kind,
+             const std::string& about);
+  /// One of these words.
+  void choice(const std::string& option, std::string& value, const std::vector<std::string>& words,
+              const std::string& about);
+  /// A finite number, >= 0 or > 0.
+  void not_negative(const std::string& option, double& value, const std::string& about);
+  void positive(const std::string& option, double& value, const std::string& about);
+  /// A UDP port, 1 to 65535.
+  void port(const std::string& option, int& value, const std::string& about);
+  /// `--output DIR`, where the example's files go; the last one counts. parse() makes it.
+  void output(std::filesystem::path& directory);
+  /// What `--help` says below the options.
+  void notes(const std::string& text);
+
+  /// Ends the program for --help with status 0, for a mistake with 2, for no directory with 1.
+  void parse(int argc, char** argv);
+
+ private:
+  struct options;
+  std::unique_ptr<options> all_;
+};
+
+/// The directory of an example whose only option is `--output DIR`.
+std::filesystem::path output_directory(int argc, char** argv, const std::string& name,
+                                       const std::string& about);
+
+}  // namespace example

@@ -1,0 +1,131 @@
+// The examples as their users meet them: options, folders that cannot be written, help without a compiler.
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string source = PASSIVE_HAPTICS_SOURCE_DIR, folder = PASSIVE_HAPTICS_EXAMPLES_DIR;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct an_example : ::testing::Test {
+  struct outcome {
+    int status;  // or 128 + the signal that it died of, as of a shell
+    std::string out, err;
+  };
+  fs::path here;
+
+  an_example() {
+    std::string name = (fs::temp_directory_path() / "examples_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no directory " + name);
+    here = name;
+  }
+  ~an_example() override { fs::remove_all(here); }
+
+  // A line of a shell that stands in `here`.
+  outcome shell(const std::string& line) const {
+    const std::string there = "cd '" + here.string() + "' && ";
+    const int status = std::system((there + "{ " + line + "; } >out.txt 2>err.txt").c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(here / "out.txt"),
+            text_of(here / "err.txt")};
+  }
+  outcome run(const std::string& program, const std::string& arguments) const {
+    return shell("'" + folder + "/" + program + "' " + arguments);
+  }
+};
+
+TEST_F(an_example, says_what_its_help_text_says) {
+  for (const char* name : {"01_one_wall", "02_passive_fme", "03_wall_following", "04_new_mechanism"}) {
+    const outcome o = run(name, "--help");
+    EXPECT_EQ(o.status, 0) << name;
+    EXPECT_EQ(o.out, text_of(source + "/examples/help/" + name + ".txt")) << name;
+    EXPECT_EQ(o.err, "") << name;
+  }
+}
+
+TEST_F(an_example, refuses_what_it_does_not_know_in_one_line) {
+  for (const char* name : {"01_one_wall", "02_passive_fme", "03_wall_following", "04_new_mechanism"})
+    for (const auto& [arguments, message] :
+         {std::pair{"--foo", "The following argument was not expected: --foo"},
+          {"--outputs=there", "The following argument was not expected: --outputs=there"},
+          {"there", "The following argument was not expected: there"}}) {
+      const outcome o = run(name, arguments);
+      EXPECT_EQ(o.status, 2) << name << " " << arguments;
+      EXPECT_EQ(o.err, std::string("error: ") + message + "; --help lists the options\n");
+      EXPECT_EQ(o.out, "");
+    }
+  EXPECT_EQ(run("02_passive_fme", "--output").err,
+            "error: --output: 1 required DIR missing; --help lists the options\n");
+  EXPECT_EQ(run("02_passive_fme", "--output ''").err,
+            "error: --output: empty, expected a value; --help lists the options\n");
+}
+
+TEST_F(an_example, makes_its_folder_and_the_last_one_counts) {
+  EXPECT_EQ(run("02_passive_fme", "--output there --output=here/and_there").status, 0);
+  EXPECT_TRUE(fs::exists(here / "here/and_there/passive_fme_forces.csv"));
+  EXPECT_FALSE(fs::exists(here / "there"));
+}
+
+TEST_F(an_example, tells_of_a_folder_that_cannot_be_written) {
+  fs::create_directories(here / "taken/passive_fme_outlines.csv");
+  fs::create_directories(here / "taken/wall_following_no_direct_control.csv");
+  for (const char* name : {"02_passive_fme", "03_wall_following"})
+    for (const char* directory : {"/proc/none", "/dev/null/none", "taken"}) {
+      const outcome o = run(name, std::string("--output=") + directory);
+      EXPECT_EQ(o.status, 1) << name << " " << directory << o.err;
+      EXPECT_EQ(o.err.rfind("error: cannot ", 0), 0U) << o.err;
+      EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
+    }
+}
+
+TEST_F(an_example, tells_of_a_disk_that_is_full) {
+  // Files of nothing at all stand for it
+  const outcome o = shell("(trap '' XFSZ; ulimit -f 0; '" + folder +
+                          "/02_passive_fme' --output there 2>&1 >/dev/null; echo $?) | cat");
+  EXPECT_EQ(o.out.rfind("error: cannot write all of 'there/passive_fme_outlines.csv.part': ", 0), 0U)
+      << o.out;
+  EXPECT_EQ(o.out.substr(o.out.find('\n')), "\n1\n");
+}
+
+TEST_F(an_example, is_explained_without_a_compiler) {
+  // Whoever builds or installs leaves a trace
+  fs::create_directory(here / "bin");
+  for (const char* tool : {"cmake", "apt-get", "ninja", "g++", "sudo"}) {
+    const fs::path stub = here / "bin" / tool;
+    std::ofstream(stub) << "#!/bin/sh\ntouch '" << (here / "trace").string() << "'\n";
+    fs::permissions(stub, fs::perms::owner_all);
+  }
+  int count = 0;
+  for (const auto& one : fs::directory_iterator(source + "/examples")) {
+    if (one.path().extension() != ".cpp") continue;
+    const std::string stem = one.path().stem(), name = stem.substr(3);
+    const std::string there = "PATH='" + (here / "bin").string() + "':$PATH '" + source + "/examples/run' ";
+    const std::string expected = text_of(source + "/examples/help/" + stem + ".txt");
+    EXPECT_NE(expected.find("Usage: " + name + " [OPTIONS]"), std::string::npos) << stem;
+    for (const char* help : {" --help", " --output=there -h"}) {
+      const outcome o = shell(there + name + help);
+      EXPECT_EQ(o.status, 0) << o.err;
+      EXPECT_EQ(o.out, expected) << stem;
+      EXPECT_EQ(o.err, "");
+    }
+    ++count;
+  }
+  EXPECT_GE(count, 8);
+  EXPECT_FALSE(fs::exists(here / "trace"));
+}
+
+}  // namespace
