@@ -3,6 +3,7 @@
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -26,12 +27,11 @@ void use(const X& x) {
 
 enum class account { whole, command_alone };
 
-template <account Account = account::whole, class M>
-row cycles(const M& mechanism, bool in_contact) {
+template <class M>
+std::vector<ph::device_state<M>> random_states(const M& mechanism) {
   using T = typename M::scalar;
   constexpr int n = M::dof, d = M::task_dimension;
   ph::testing::random_source random(seed);
-  const ph::point<d> out = ph::point<d>::Unit(0);
   std::vector<ph::device_state<M>> states;
   while (states.size() < inputs) {
     ph::device_state<M> s;
@@ -40,12 +40,43 @@ row cycles(const M& mechanism, bool in_contact) {
     s.hand_force = T(2) * random.direction<T, d>();
     if (ph::all_finite(mechanism.position(s.q))) states.push_back(s);
   }
-  const ph::half_space<d> wall((in_contact ? 10 : -10) * out, out);  // everything lies behind it, or nothing
-  ph::controller control(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(wall, 1e3)), ph::direct_control());
+  return states;
+}
+
+// Everything lies behind the walls, or nothing.
+template <account Account = account::whole, class M, class... Walls>
+row cycles(const M& mechanism, const Walls&... walls) {
+  const auto states = random_states(mechanism);
+  ph::controller control(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(walls, 1e3)...),
+                         ph::direct_control());
   return [states, control]() mutable {
     for (const auto& s : states) {
       if constexpr (Account == account::whole) use(control(s));
       else use(control.command(s));
+    }
+  };
+}
+
+// A wall with its normal at this angle to the x axis, behind which everything lies
+ph::half_space<2> wall_around(double degrees) {
+  const ph::point<2> out(std::cos(ph::radians(degrees)), std::sin(ph::radians(degrees)));
+  return {10 * out, out};
+}
+
+// Position and Jacobian of a chain of six joints, roughly a human arm
+row poses() {
+  const auto at = [](double x) { return ph::point<3>(x, 0, 0.1); };
+  const auto X = ph::point<3>::UnitX(), Y = ph::point<3>::UnitY(), Z = ph::point<3>::UnitZ();
+  const ph::serial_chain<double, 6, 3> arm(ph::serial_chain_parameters<double, 6, 3>{
+      .joints = {ph::revolute_joint<double>(Z, at(0)), ph::revolute_joint<double>(Y, at(0)),
+                 ph::revolute_joint<double>(X, at(0)), ph::revolute_joint<double>(Y, at(0.25)),
+                 ph::revolute_joint<double>(Z, at(0.5)), ph::revolute_joint<double>(Y, at(0.5))},
+      .handle = ph::point<3>(0.6, 0, 0.1)});
+  return [arm, states = random_states(arm)] {
+    for (const auto& s : states) {
+      const auto here = ph::pose(arm, s.q);
+      use(arm.position(here));
+      use(ph::jacobian(arm, here));
     }
   };
 }
@@ -71,17 +102,26 @@ row projections(bool warm) {
 
 template <class M>
 void add(std::map<std::string, std::function<row()>>& rows, const std::string& name, const M& mechanism) {
-  rows[name + "/free"] = [=] { return cycles(mechanism, false); };
-  rows[name + "/contact"] = [=] { return cycles(mechanism, true); };
+  using wall = ph::half_space<M::task_dimension>;
+  const ph::point<M::task_dimension> out = ph::point<M::task_dimension>::Unit(0);
+  rows[name + "/free"] = [=] { return cycles(mechanism, wall(-10 * out, out)); };
+  rows[name + "/contact"] = [=] { return cycles(mechanism, wall(10 * out, out)); };
 }
 
 std::map<std::string, std::function<row()>> all_rows() {
   std::map<std::string, std::function<row()>> rows;
   add(rows, "two_link", ph::two_link<double>());
   add(rows, "tendon_two_link", ph::tendon_two_link<double>());
-  rows["tendon_two_link/command"] = [] {
-    return cycles<account::command_alone>(ph::tendon_two_link<double>(), true);
+  const auto commands = [](const auto&... walls) {
+    return cycles<account::command_alone>(ph::tendon_two_link<double>(), walls...);
   };
+  const auto a = wall_around(10), b = wall_around(115), c = wall_around(200), d = wall_around(300);
+  rows["tendon_two_link/command"] = [=] { return commands(wall_around(0)); };
+  rows["tendon_two_link/command_of_2_walls"] = [=] { return commands(a, b); };
+  rows["tendon_two_link/command_of_3_walls"] = [=] { return commands(a, b, c); };
+  rows["tendon_two_link/command_of_4_walls"] = [=] { return commands(a, b, c, d); };
+  rows["tendon_two_link/2_walls"] = [=] { return cycles(ph::tendon_two_link<double>(), a, b); };
+  rows["chain_of_6/pose_and_jacobian"] = poses;
   add(rows, "tendon_two_link_float", ph::tendon_two_link<float>());
   add(rows, "xy_table", ph::xy_table<double>());
   add(rows, "five_bar", ph::five_bar<double>());

@@ -17,8 +17,7 @@ status check_state(const State& state) {
   return finite ? status::ok : status::state_not_finite;
 }
 
-/// Whether what a cycle reads of the brakes and the options is finite and no limit or dead band negative. The
-/// lag is read by laws that need it.
+/// Whether what a cycle reads of the brakes and the options is finite and no limit or dead band negative.
 template <class L, class T, class B>
 status check_parameters([[maybe_unused]] const B& brakes, const step_options<T>& options) {
   const auto valid_each = [](const auto& x) { return all_finite(x) && (x.array() >= T(0)).all(); };
@@ -130,10 +129,11 @@ Answer account(const cycle_parts<M, B, L>&, const Now& now, const Walls& touched
                const desired_force<T, D>& Fd, const Force& Fc, T alpha, const Force& Fc_scaled,
                const saturated_torque<T, Brakes>& td, const brake_vector<M>& t, step_memory<L>&) {
   const bool is_share = alpha >= T(0) && alpha <= T(1);
-  status outcome = check_command<T>(touched, outward(Fd, now.v), is_share, Fc_scaled.torque);
-  // An account that overflows, though its torques do not, is none
-  if constexpr (requires(Answer answer) { answer.control_force; })
-    if (outcome == status::ok && !all_finite(Fc.force, Fc.torque)) outcome = status::result_not_finite;
+  const T leaving = outward(Fd, now.v);
+  status outcome;
+  if constexpr (requires(Answer answer) { answer.control_force; })  // not smaller than Fc_scaled
+    outcome = check_command<T>(touched, leaving, is_share, Fc.force, Fc.torque);
+  else outcome = check_command<T>(touched, leaving, is_share, Fc_scaled.torque);
   return outcome == status::ok ? detail::told<Answer, M>(now, touched, Fd, Fc, alpha, td, t)
                                : released<Answer>(outcome);
 }

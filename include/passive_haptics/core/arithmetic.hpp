@@ -40,7 +40,8 @@ constexpr T sgn(T x) {
   return static_cast<T>((x > T(0)) - (x < T(0)));
 }
 
-/// a where it is true, else b, of one number or enumerator, without a branch.
+/// a where it is true, else b, of one number or enumerator, without a branch: also where clang++ would make
+/// two of what depends on the choice, one for a and one for b.
 template <class X>
   requires(std::is_arithmetic_v<X> || std::is_enum_v<X>)
 X choose(bool where, X a, X b) {
@@ -49,7 +50,11 @@ X choose(bool where, X a, X b) {
   } else {
     using bits = std::conditional_t<sizeof(X) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
     const auto x = std::bit_cast<bits>(a), y = std::bit_cast<bits>(b);
-    return std::bit_cast<X>(y ^ ((x ^ y) & -static_cast<bits>(where)));
+    bits mask = -static_cast<bits>(where);
+#if defined(__clang__)
+    asm("" : "+r"(mask));
+#endif
+    return std::bit_cast<X>(y ^ ((x ^ y) & mask));
   }
 }
 

@@ -38,7 +38,7 @@ struct approximated_force {
   T cosine_squared = T(0);  ///< cos^2(gamma) = (Fd / Fc)^2; 1 if exact, 0 if none.
 
   /// cos(gamma), of the angle between desired and displayed force.
-  T cosine() const { return std::sqrt(cosine_squared); }
+  T cosine() const { return sqrt(lanes<T, 2>(cosine_squared))[0]; }
 };
 
 /// a F: the force a Fc has the torques a t, as t = E^T F. The angle stays.
@@ -101,8 +101,7 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
   const auto holds = swapped(drives) & (sign * alone <= T(0)) & (along * along >= least * least * square);
   const auto nearest = choose(any(holds), display_class::approximate, display_class::none);
   const each of_Fc = choose(first(holds), scale, T(0));  // both hold where their columns are parallel
-  return {choose(some[0], nearest, display_class::exact),
-          choose(some, vector<T, 2>(sum(Rx * of_Fc), sum(Ry * of_Fc)), n),
+  return {choose(some[0], nearest, display_class::exact), choose(some, sums(Rx * of_Fc, Ry * of_Fc), n),
           choose(some, choose(holds, alone, T(0)), t),
           choose(some, sum(choose(first(holds), cosine_squared, T(0))), T(1))[0]};
 }

@@ -66,6 +66,7 @@ TYPED_TEST(lanes, compute_what_single_numbers_do) {
       fixture::expect_same(abs(a)[i], std::abs(x[i]));
       fixture::expect_same(copysign(a, b)[i], std::copysign(x[i], y[i]));
       fixture::expect_same(sgn(a)[i], ph::sgn(x[i]));
+      fixture::expect_same(sqrt(a)[i], std::sqrt(x[i]));
       fixture::expect_same(min(a, b)[i], std::min(x[i], y[i]));
       fixture::expect_same(max(a, b)[i], std::max(x[i], y[i]));
       fixture::expect_same(choose(a < b, a, b)[i], x[i] < y[i] ? x[i] : y[i]);
@@ -91,6 +92,8 @@ TYPED_TEST(lanes, reduce_their_numbers_alone) {
   for (int i = 0; i < fixture::count; ++i) x[i] = T(i + 2);  // what is beyond the last, 0, must not count
   EXPECT_EQ(sum(each(x)), x.sum());
   EXPECT_EQ(least(each(x)), T(2));
+  const ph::lanes<T, 2> a = ph::vector<T, 2>(T(1), T(2)), b = ph::vector<T, 2>(T(3), T(5));
+  EXPECT_EQ((ph::vector<T, 2>(sums(a, b))), (ph::vector<T, 2>(T(3), T(8))));
   EXPECT_FALSE(any(each(x) <= T(1)));
 }
 

@@ -144,6 +144,7 @@ Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<
   const bool are_shares = (scales.alpha.array() >= T(0) && scales.alpha.array() <= T(1)).all();
   status outcome = check_command<T>(touched, leaving, are_shares, magnitude);
   if (outcome == status::ok && !all_finite(Fc.map.G)) outcome = status::pose_undefined;
+  if (outcome == status::ok && !all_finite(Fc_scaled.torque)) outcome = status::result_not_finite;
   if (outcome != status::ok) return released<Answer>(outcome);
 
   const auto summary = [&](const Force& F) {

@@ -184,6 +184,14 @@ lanes<T, N> abs(const lanes<T, N>& x) {
   return copysign(x, lanes<T, N>(T(0)));
 }
 
+/// The root. Of doubles without a branch: std::sqrt has one, to set errno where x < 0. (Eigen's of four
+/// floats is an approximation.)
+template <class T, int N>
+lanes<T, N> sqrt(const lanes<T, N>& x) {
+  if constexpr (std::same_as<T, double>) return vector<T, N>(vector<T, N>(x).cwiseSqrt());
+  else return lanes<T, N>([&](int i) { return std::sqrt(x[i]); });
+}
+
 /// -1, 0 or 1; 0 for NaN.
 template <class T, int N>
 lanes<T, N> sgn(const lanes<T, N>& x) {
@@ -208,6 +216,16 @@ T sum(const lanes<T, N>& x) {
   T all = x[0];
   unrolled<N - 1>([&](auto i) { all += x[i + 1]; });
   return all;
+}
+
+/// (x_0 + x_1, y_0 + y_1), added crosswise.
+template <class T>
+lanes<T, 2> sums(const lanes<T, 2>& x, const lanes<T, 2>& y) {
+  if constexpr (lanes<T, 2>::width != 2) return lanes<T, 2>([&](int i) { return sum(i == 0 ? x : y); });
+  else
+    return lanes<T, 2>::each([&](auto k) {
+      return __builtin_shufflevector(x.p[k], y.p[k], 0, 2) + __builtin_shufflevector(x.p[k], y.p[k], 1, 3);
+    });
 }
 
 /// The least of x_0, ..., x_{N-1}.
