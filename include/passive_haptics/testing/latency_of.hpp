@@ -176,9 +176,9 @@ class measured_loop {
 ///   - name/cold: all caches evicted before each cycle, as in a loop that wakes up once a millisecond.
 ///
 /// Each row has p50_ns, p99_ns, p99.9_ns and max_ns of cycles that are timed one by one, less what the clock
-/// takes, in steps of the clock (some 10 ns). Give 64 states or so of the kind that matters (in contact,
-/// free), or the branch predictor learns them. A state that gives a fault fails its row. Rows compare within
-/// one run; the machine's load slows all of them.
+/// takes, in steps of the clock (some 10 ns). Give some 16 000 states of the kind that matters (in contact,
+/// free), in random order: the branch predictor learns fewer. A state that gives a fault fails its row. Rows
+/// compare within one run; the machine's load slows all of them, CPU times least.
 ///
 /// Errors: std::invalid_argument without states or samples. Memory: twice the largest cache.
 template <class M, class S, class L, class State>

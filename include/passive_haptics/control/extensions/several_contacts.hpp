@@ -144,7 +144,6 @@ Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<
   const bool are_shares = (scales.alpha.array() >= T(0) && scales.alpha.array() <= T(1)).all();
   status outcome = check_command<T>(touched, leaving, are_shares, magnitude);
   if (outcome == status::ok && !all_finite(Fc.map.G)) outcome = status::pose_undefined;
-  if (outcome == status::ok && !all_finite(Fc_scaled.torque)) outcome = status::result_not_finite;
   if (outcome != status::ok) return released<Answer>(outcome);
 
   const auto summary = [&](const Force& F) {
@@ -159,7 +158,8 @@ Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<
     if (!displays_by_generators<M> && !detail::is_in_cone(now, whole))
       whole = {display_class::approximate, Fc_scaled.force, Fc_scaled.torque,
                cosine_squared(Fc_scaled.force, Fd[Fd.governing].direction)};
-    Answer answer = summary(whole);
+    Answer answer =
+        all_finite(Fc_scaled.torque) ? summary(whole) : released<Answer>(status::result_not_finite);
     if (answer.outcome != status::ok) return answer;
     answer.saturated =
         (td.torque.array().abs() >= torque_limits_of<T, M::brake_count>(now.brakes).array()).any();
