@@ -46,10 +46,9 @@ class elimination {
   /// Minimises |A x - b| in what is left to decide. True if nothing is left then.
   template <int Rows>
   bool minimise(const least_squares_level<T, Rows, N>& level) {
-    const T square = level.A.squaredNorm(), least = square * least_share<Rows>() * growth_;
-    if (square == T(0)) return left_ == 0;
     matrix<T, Rows, N> A = level.A;
     vector<T, Rows> b = level.b - A * x_;
+    const T square = A.squaredNorm(), least = square * least_share<Rows>() * growth_;
     for (int k = 0; k < count_; ++k) substitute(k, A, b);
     while (left_ > 0) {
       int p = -1;

@@ -11,12 +11,13 @@ namespace passive_haptics {
 
 namespace detail {
 
-// x without bounds, of the unknowns that are not held.
+// x without bounds, of the unknowns that are not held. Levels of zeros, of which most problems have some,
+// cost nothing.
 template <class T, int N, int... Rows>
 vector<T, N> without_bounds(const vector<T, N>& x, const vector<bool, N>& held,
                             const least_squares_level<T, Rows, N>&... levels) {
   elimination<T, N> free(x, held);
-  static_cast<void>((free.minimise(levels) || ...));
+  static_cast<void>(((!levels.A.isZero(T(0)) && free.minimise(levels)) || ...));
   return free.solution();
 }
 
