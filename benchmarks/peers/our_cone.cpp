@@ -24,14 +24,14 @@ struct library {
 template <int N>
 struct warm {
   struct problem : cone_problem<N> {
-    problem(const cone_problem<N>& p)
-        : cone_problem<N>(p), start(ph::project_onto_half_spaces(p.B, p.f).active) {}
-    ph::half_space_set start;
+    problem(const cone_problem<N>& p) : cone_problem<N>(p) { ph::project_onto_half_spaces(p.B, p.f, start); }
+    ph::half_space_start start;
   };
   static constexpr double tolerance = rounding;
 
   ph::vector<double, N> solve(const problem& p) {
-    return ph::project_onto_half_spaces(p.B, p.f, p.start).point;
+    ph::half_space_start start = p.start;
+    return ph::project_onto_half_spaces(p.B, p.f, start).point;
   }
 };
 

@@ -81,22 +81,32 @@ row poses() {
   };
 }
 
+// Half-spaces to begin with: none, the right ones, those of another problem, as after a jump.
+enum class start { none, right, wrong };
+
 template <int N>
-row projections(bool warm) {
+row projections(start with) {
   ph::testing::random_source random(seed);
   struct problem {
     ph::matrix<double, N, N> B;
     ph::vector<double, N> f;
-    ph::half_space_set start;
+    ph::half_space_start start;
   };
   std::vector<problem> all(inputs);
+  ph::half_space_start before;
   for (problem& p : all) {
     for (int j = 0; j < N; ++j) p.B.col(j) = random.normal_vector<double, N>();
     p.f = random.direction<double, N>();
-    p.start = warm ? ph::project_onto_half_spaces(p.B, p.f).active : 0u;
+    ph::half_space_start own;
+    ph::project_onto_half_spaces(p.B, p.f, own);
+    if (with != start::none) p.start = with == start::right ? own : before;
+    before = own;
   }
   return [all] {
-    for (const problem& p : all) use(ph::project_onto_half_spaces(p.B, p.f, p.start));
+    for (const problem& p : all) {
+      ph::half_space_start begin = p.start;
+      use(ph::project_onto_half_spaces(p.B, p.f, begin));
+    }
   };
 }
 
@@ -126,15 +136,18 @@ std::map<std::string, std::function<row()>> all_rows() {
   add(rows, "xy_table", ph::xy_table<double>());
   add(rows, "five_bar", ph::five_bar<double>());
   add(rows, "delta", ph::delta<double>());
-  rows["cone_2"] = [] { return projections<2>(false); };
-  rows["cone_3"] = [] { return projections<3>(false); };
-  rows["cone_4"] = [] { return projections<4>(false); };
-  rows["cone_6"] = [] { return projections<6>(false); };
-  rows["cone_7"] = [] { return projections<7>(false); };
-  rows["cone_3_warm"] = [] { return projections<3>(true); };
-  rows["cone_4_warm"] = [] { return projections<4>(true); };
-  rows["cone_6_warm"] = [] { return projections<6>(true); };
-  rows["cone_7_warm"] = [] { return projections<7>(true); };
+  rows["cone_2"] = [] { return projections<2>(start::none); };
+  rows["cone_3"] = [] { return projections<3>(start::none); };
+  rows["cone_4"] = [] { return projections<4>(start::none); };
+  rows["cone_6"] = [] { return projections<6>(start::none); };
+  rows["cone_7"] = [] { return projections<7>(start::none); };
+  rows["cone_3_warm"] = [] { return projections<3>(start::right); };
+  rows["cone_4_warm"] = [] { return projections<4>(start::right); };
+  rows["cone_6_warm"] = [] { return projections<6>(start::right); };
+  rows["cone_7_warm"] = [] { return projections<7>(start::right); };
+  rows["cone_4_wrong"] = [] { return projections<4>(start::wrong); };
+  rows["cone_6_wrong"] = [] { return projections<6>(start::wrong); };
+  rows["cone_7_wrong"] = [] { return projections<7>(start::wrong); };
   return rows;
 }
 

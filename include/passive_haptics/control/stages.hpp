@@ -74,7 +74,7 @@ template <class M, class B, ScalingLaw L, class Now, class T, int D>
   requires(!displays_by_generators<M>)
 auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>& Fd,
                const auto& /*touched*/, step_memory<L>& memory) {
-  return Fd.magnitude * approximate(now.E, now.s, Fd.direction, with.options.min_cosine, memory.active);
+  return Fd.magnitude * approximate(now.E, now.s, Fd.direction, with.options.min_cosine, memory.start);
 }
 
 /// alpha (step 2); 1 where there is nothing to scale.

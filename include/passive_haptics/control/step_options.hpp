@@ -29,7 +29,7 @@ template <class L>
 struct step_memory {
   static_assert(ControlLaw<L>, "passive_haptics: the law must model ControlLaw (control/control_law.hpp).");
   [[no_unique_address]] law_memory<L> law = {};  ///< The law's own part.
-  half_space_set active = 0;  ///< Brakes that the last approximation released: a warm start.
+  half_space_start start = {};                   ///< Where the next approximation begins.
 };
 
 }  // namespace passive_haptics

@@ -64,16 +64,15 @@ T cosine_squared(const vector<T, D>& force, const vector<T, D>& n) {
 /// where |Fp| is of rounding size or gamma is over the limit. Feasible to rounding is Fp = Fc cos^2(gamma),
 /// not Fc itself.
 ///
-/// active: brakes to begin with, left with those that the answer releases. The answer does not depend on
-/// them. Cost: nearest_force, but nothing where the force is exact.
+/// start: where the search begins, left for the next cycle; the answer does not depend on it. Cost:
+/// core/linear/cone.hpp, but nothing where the force is exact.
 template <class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
-                                             const vector<T, D>& n, T min_cosine, half_space_set& active) {
+                                             const vector<T, D>& n, T min_cosine, half_space_start& start) {
   const vector<T, Brakes> t = brake_torque(E, n);
   if (producible(s, t)) return {display_class::exact, n, t, T(1)};
-  const auto nearest = nearest_force(E, s, n, active);
-  active = nearest.active;
-  const vector<T, D>& Fp = nearest.force;
+  const auto nearest = project_onto_half_spaces(half_spaces_of(E, s), n, start);
+  const vector<T, D>& Fp = nearest.point;
   const T square = Fp.squaredNorm(), least = std::max(min_cosine, rounding_tolerance<T>(D));
   if (!(square >= least * least)) return {};
 
@@ -81,7 +80,7 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
   vector<T, Brakes> tc = brake_torque(E, Fc);
   // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0
   unrolled<Brakes>([&](auto i) {
-    if ((active >> i & 1u) != 0 || s[i] * tc[i] > T(0)) tc[i] = T(0);
+    if ((nearest.active >> i & 1u) != 0 || s[i] * tc[i] > T(0)) tc[i] = T(0);
   });
   return {display_class::approximate, Fc, tc, square};
 }
@@ -90,7 +89,7 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
 /// reference force R (Fig. 3), at right angles to the released one's column of E: Fc = R / (R . n).
 template <class T>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
-                                        const vector<T, 2>& n, T min_cosine, half_space_set&) {
+                                        const vector<T, 2>& n, T min_cosine, half_space_start&) {
   using each = lanes<T, 2>;  // of both brakes
   const each sign = s, t = brake_torque(E, n), x = row(E, 0), y = row(E, 1);
   const each Rx = swapped(y), Ry = -swapped(x);
@@ -109,7 +108,7 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
 /// The same for a diagonal E: each axis alone.
 template <class T, int D>
 approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
-                                        const vector<T, D>& n, T min_cosine, half_space_set&) {
+                                        const vector<T, D>& n, T min_cosine, half_space_start&) {
   const vector<T, D> t = brake_torque(E, n);
   const auto drives = s.array() * t.array() > T(0);
   if (!drives.any()) return {display_class::exact, n, t, T(1)};
@@ -123,8 +122,8 @@ approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const ve
 template <class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, T min_cosine) {
-  half_space_set active = 0;
-  return approximate(E, s, n, min_cosine, active);
+  half_space_start start;
+  return approximate(E, s, n, min_cosine, start);
 }
 
 }  // namespace passive_haptics

@@ -25,19 +25,19 @@ matrix<T, D, Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<
 /// Projection of Fd on C = { F : s_i (E^T F)_i <= 0 }, the forces that brakes of signs s can produce.
 /// E (d x m) from brake_jacobian; J may be singular and n > d (then C leaves the self-motion alone).
 /// Brakes with s_i = 0 restrict nothing. Fd of moderate norm: pass a unit vector. Fp = 0 may come out as a
-/// vector of rounding size, not exactly 0. start: half-spaces to begin with, best those active in the cycle
-/// before; the answer does not depend on them. Cost: core/linear/cone.hpp.
+/// vector of rounding size, not exactly 0.
+/// Cost: core/linear/cone.hpp.
 template <class T, int D, int Brakes>
 nearest_force_result<T, D, Brakes> nearest_force(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
-                                                 const vector<T, D>& Fd, half_space_set start = 0) {
-  const auto projection = project_onto_half_spaces(half_spaces_of(E, s), Fd, start);
+                                                 const vector<T, D>& Fd) {
+  const auto projection = project_onto_half_spaces(half_spaces_of(E, s), Fd);
   return {projection.point, projection.active};
 }
 
 /// The same for a diagonal E: each axis alone, nothing to solve, Fp exact.
 template <class T, int D>
 nearest_force_result<T, D, D> nearest_force(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
-                                            const vector<T, D>& Fd, half_space_set = 0) {
+                                            const vector<T, D>& Fd) {
   nearest_force_result<T, D, D> result{Fd, 0};
   for (int i = 0; i < D; ++i) {
     if (!(s[i] * E.diagonal()[i] * Fd[i] > T(0))) continue;

@@ -76,6 +76,19 @@ TYPED_TEST(packets, subtract_multiply_and_sum) {
   }
 }
 
+TYPED_TEST(packets, know_where_they_are_positive) {
+  using T = typename TestFixture::number;
+  ph::testing::random_source random(6);
+  for (int trial = 0; trial < 40; ++trial) {
+    auto x = this->draw(random);
+    x[static_cast<std::size_t>(trial % TestFixture::length)] =
+        trial % 3 == 0 ? T(0) : (trial % 3 == 1 ? -T(0) : std::numeric_limits<T>::quiet_NaN());
+    unsigned set = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) set |= (x[i] > 0 ? 1u : 0u) << i;
+    EXPECT_EQ(ph::detail::positive_entries(this->load(x)), set);
+  }
+}
+
 TYPED_TEST(packets, sums_stand_in_order) {
   constexpr int N = TestFixture::length;
   using T = typename TestFixture::number;
@@ -102,8 +115,22 @@ TYPED_TEST(packets, largest_is_found_wherever_it_stands) {
   }
 }
 
+TYPED_TEST(packets, largest_value_passes_over_what_is_no_number) {
+  using T = typename TestFixture::number;
+  ph::testing::random_source random(7);
+  for (int where = 0; where < TestFixture::length; ++where) {
+    auto x = this->draw(random);
+    for (T& one : x) one = std::abs(one);
+    x[static_cast<std::size_t>(where)] = T(2);
+    EXPECT_EQ(ph::detail::largest_value(this->load(x)), T(2)) << "entry " << where;
+    x[static_cast<std::size_t>((where + 1) % TestFixture::length)] = std::numeric_limits<T>::quiet_NaN();
+    EXPECT_EQ(ph::detail::largest_value(this->load(x)), T(2)) << "entry " << where;
+  }
+}
+
 TYPED_TEST(packets, largest_of_zeros_is_zero) {
   EXPECT_EQ(ph::detail::largest(typename TestFixture::vector{}).value, 0);
+  EXPECT_EQ(ph::detail::largest_value(typename TestFixture::vector{}), 0);
 }
 
 }  // namespace

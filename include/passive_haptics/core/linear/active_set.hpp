@@ -14,9 +14,10 @@ namespace passive_haptics::detail {
 /// Lawson and Hanson's non-negative least squares, argmin |B mu - f|, mu >= 0, over an explicit thin QR of
 /// the active columns; the residual is the nearest point of the cone.
 ///
-/// Begins with the half-spaces that were active before, or a guess. Where those hold f back and violate no
-/// other, which is the rule, that was it; else exchanges follow, at most 6 Columns. Reference: Lawson,
-/// Hanson, Solving Least Squares Problems (1974), ch. 23.
+/// Begins with the half-spaces that were active before, if f violates the same ones as it did then, else with
+/// a guess: where f jumped, the guess is better. Where these hold f back and violate no other, which is the
+/// rule, that was it; else exchanges follow, at most 6 Columns. Reference: Lawson, Hanson, Solving Least
+/// Squares Problems (1974), ch. 23.
 template <class T, int Rows, int Columns>
 class active_set {
  public:
@@ -24,14 +25,15 @@ class active_set {
   [[gnu::always_inline]] active_set(const matrix<T, Rows, Columns>& B, const vector<T, Rows>& f)
       : b_(B.data()), f_(f.data()), qr_(column::load(f_)) {}
 
-  /// The nearest point to f.
-  PASSIVE_HAPTICS_FLATTEN half_space_projection<T, Rows, Columns> nearest(half_space_set active) {
+  /// The nearest point to f; `start` is left for a neighbouring problem.
+  PASSIVE_HAPTICS_FLATTEN half_space_projection<T, Rows, Columns> nearest(half_space_start& start) {
     prepare();
-    active &= all;
-    if (active == 0) guess();
-    for (; active != 0 && qr_.size() < most; active &= active - 1) append(std::countr_zero(active));
-    qr_.solve(mu_);
-    if (!all_positive(mu_) || most_violated() >= 0) exchange();
+    const auto products = products_with(qr_.residual());
+    const half_space_set violated = positive_entries(products);
+    if (violated == start.violated) append_all(start.active & all);
+    else guess(products);
+    if (!is_nearest()) exchange();
+    start = {members_, violated};
     half_space_projection<T, Rows, Columns> result{{}, vector<T, Columns>::Zero(), members_};
     qr_.clean_residual().store(result.point.data());
     for (int k = 0; k < qr_.size(); ++k) result.coefficients[member_[at(k)]] = mu_[at(k)];
@@ -68,40 +70,58 @@ class active_set {
     return sums<T, Columns>([&](int j) { return half_space(j).products(x); });
   }
 
-  // The half-space that is violated by the largest angle, of those that may enter, and the square of x's part
-  // beyond it; from B^T x.
-  [[gnu::always_inline]] largest_entry<T> most_violated(by_half_space beyond) const {
+  // The squares of x's parts beyond the half-spaces that may enter; from B^T x.
+  [[gnu::always_inline]] by_half_space squares_beyond(by_half_space products) const {
     const auto weight = by_half_space::load(weight_);
     unrolled<by_half_space::count>([&](auto i) {
-      const packet x = beyond.p[i] > packet{} ? beyond.p[i] : packet{};
-      beyond.p[i] = weight.p[i] * x * x;
+      const packet x = products.p[i] > packet{} ? products.p[i] : packet{};
+      products.p[i] = weight.p[i] * x * x;
     });
-    return largest(beyond);
+    return products;
+  }
+
+  // The same of the residual r, and what so many roundings of it come to: of an r that is rounding, anything.
+  [[gnu::always_inline]] by_half_space squares_beyond() const {
+    return squares_beyond(products_with(qr_.residual()));
+  }
+  [[gnu::always_inline]] T square_of(int roundings) const {
+    const T rr = qr_.residual().dot(qr_.residual());
+    const T tolerance = T(roundings) * std::numeric_limits<T>::epsilon();
+    return rr > vanishing_ ? tolerance * tolerance * rr : std::numeric_limits<T>::infinity();
+  }
+
+  // Whether the members hold f back, and the residual violates no other half-space; with mu.
+  [[gnu::always_inline]] bool is_nearest() {
+    qr_.solve(mu_);
+    if (!all_positive(mu_)) return false;
+    if (qr_.size() == most) return true;
+    return !(largest_value(squares_beyond()) > square_of(1));
   }
 
   // The half-space that the residual violates by the largest angle, if by more than so many roundings; else
   // -1.
-  [[gnu::always_inline]] int most_violated(int roundings = 1) const {
+  int most_violated(int roundings) const {
     if (qr_.size() == most) return -1;
-    const auto worst = most_violated(products_with(qr_.residual()));
-    const T rr = qr_.residual().dot(qr_.residual());
-    const T tolerance = T(roundings) * std::numeric_limits<T>::epsilon();
-    return rr > vanishing_ && worst.value > tolerance * tolerance * rr ? worst.index : -1;
+    const auto worst = largest(squares_beyond());
+    return worst.value > square_of(roundings) ? worst.index : -1;
+  }
+
+  [[gnu::always_inline]] void append_all(half_space_set set) {
+    for (; set != 0 && qr_.size() < most; set &= set - 1) append(std::countr_zero(set));
   }
 
   // All that the residual violates, one after the other, without a look at the signs of mu; the products with
   // the residual are carried along, so that the next one need not wait for it. They know what is violated to
-  // rounding of |f|, not of |r|.
-  [[gnu::always_inline]] void guess() {
+  // rounding of |f|, not of |r|. From B^T f.
+  [[gnu::always_inline]] void guess(by_half_space products) {
     T along[at(most)][at(Columns)];  // of v_k and b_j
-    auto beyond = products_with(qr_.residual());
     while (qr_.size() < most) {
-      const auto [value, j] = most_violated(beyond);
+      const auto [value, j] = largest(squares_beyond(products));
       if (!(value > T(Rows * Rows) * vanishing_)) return;
       const int k = qr_.size();
       if (!append(j, [&, j = j](int l) { return along[l][j]; })) continue;
       const auto product = products_with(qr_.orthogonal(k));
-      beyond.subtract(qr_.along(k), product);
+      products.subtract(qr_.along(k), product);
       const T scale = qr_.inverse_square(k);
       product.map([&](packet x) { return scale * x; }).store(along[k]);
     }

@@ -18,23 +18,32 @@ struct cone_solver;
 /// problem whose residual is the answer; no Gram matrix and no inverse, so p is feasible to rounding at any
 /// condition of B. In closed form for Rows <= 2 (plane_cone.hpp) and for three half-spaces in space
 /// (space_cone.hpp), there exact to a few roundings of |f| however flat the cone is; else by an active set
-/// (active_set.hpp) that starts with the `active` half-spaces, best those of the cycle before. Any of
-/// them give the same p to rounding.
+/// (active_set.hpp). From three half-spaces in space on it begins at `start`, and leaves that for the next
+/// cycle: a right start halves the time, a wrong one costs nothing to speak of, and from any p is the same to
+/// rounding.
 ///
 /// Zero columns restrict nothing; parallel and dependent ones, f = 0 and f on a face are fine. B must be
 /// finite and f of moderate norm (normalise it first).
 template <class T, int Rows, int Columns>
 half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T, Rows, Columns>& B,
                                                                  const vector<T, Rows>& f,
-                                                                 half_space_set active = 0) {
+                                                                 half_space_start& start) {
   static_assert(Columns <= 32, "passive_haptics: a cone has at most 32 half-spaces.");
   if constexpr (Rows == 1) return detail::nearest_on_line(B, f);
   else if constexpr (Rows == 2) return detail::nearest_in_plane(B, f);
   else if constexpr (requires { sizeof(detail::cone_solver<Rows>); })
-    return detail::cone_solver<Rows>::nearest(B, f, active);
+    return detail::cone_solver<Rows>::nearest(B, f, start);
   else
     static_assert(Rows < 3,
                   "passive_haptics: forces in space need <passive_haptics/core/linear/space_cone.hpp>.");
+}
+
+/// The same from nothing.
+template <class T, int Rows, int Columns>
+half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T, Rows, Columns>& B,
+                                                                 const vector<T, Rows>& f) {
+  half_space_start start;
+  return project_onto_half_spaces(B, f, start);
 }
 
 }  // namespace passive_haptics

@@ -115,6 +115,55 @@ template <class T, int N, class F>
   return a;
 }
 
+// Integers of the size of T, and a register of them.
+template <class T>
+using integer_of = std::conditional_t<sizeof(T) == 8, long long, int>;
+template <class T>
+struct integers_of {
+  using type [[gnu::vector_size(16)]] = integer_of<T>;
+};
+
+// first, first + 1, ...: where a packet's numbers stand.
+template <class T>
+[[gnu::always_inline]] inline auto places(int first) {
+  return [&]<int... K>(std::integer_sequence<int, K...>) {
+    return typename integers_of<T>::type{integer_of<T>(first + K)...};
+  }(std::make_integer_sequence<int, packets<T, 1>::width>());
+}
+
+/// The set of j with x[j] > 0, a bit for each.
+template <class T, int N>
+[[gnu::always_inline]] inline unsigned positive_entries(const packets<T, N>& x) {
+  constexpr int width = packets<T, N>::width;
+  unsigned set = 0;
+  if constexpr (width == 1) {
+    for (int i = 0; i < N; ++i) set |= (x.p[i] > T(0) ? 1u : 0u) << i;
+  } else {
+    using packet = typename packets<T, N>::packet;
+    using integers = typename integers_of<T>::type;
+    const integers one = integers{} + 1;
+    integers bits{};
+    unrolled<packets<T, N>::count>(
+        [&](auto i) { bits |= (x.p[i] > packet{}) & (one << places<T>(i * width)); });
+    unrolled<width>([&](auto k) { set |= static_cast<unsigned>(bits[k]); });
+  }
+  return set;
+}
+
+/// The largest of x >= 0; what is NaN counts as 0.
+template <class T, int N>
+[[gnu::always_inline]] inline T largest_value(const packets<T, N>& x) {
+  typename packets<T, N>::packet most{};
+  unrolled<packets<T, N>::count>([&](auto i) { most = x.p[i] > most ? x.p[i] : most; });
+  if constexpr (packets<T, N>::width == 1) {
+    return most;
+  } else {
+    T value = most[0];
+    unrolled<packets<T, N>::width - 1>([&](auto k) { value = most[k + 1] > value ? most[k + 1] : value; });
+    return value;
+  }
+}
+
 /// The largest of a vector's numbers and where it stands.
 template <class T>
 struct largest_entry {
@@ -126,22 +175,16 @@ struct largest_entry {
 template <class T, int N>
 [[gnu::always_inline]] inline largest_entry<T> largest_of_marked(const packets<T, N>& x) {
   using packet = typename packets<T, N>::packet;
-  using integer = std::conditional_t<sizeof(T) == 8, long long, int>;
-  using integers [[gnu::vector_size(16)]] = integer;
+  using integers = typename integers_of<T>::type;
   constexpr int width = packets<T, N>::width;
-  constexpr integer last_bits = 31;
+  constexpr integer_of<T> last_bits = 31;
   static_assert(N <= last_bits + 1);
-  packet most{};
+  packets<T, N> marked;
   unrolled<packets<T, N>::count>([&](auto i) {
-    const integers index = [&]<int... K>(std::integer_sequence<int, K...>) {
-      return integers{integer(i * width + K)...};
-    }(std::make_integer_sequence<int, width>());
-    const auto marked = std::bit_cast<packet>((std::bit_cast<integers>(x.p[i]) & ~last_bits) | index);
-    most = marked > most ? marked : most;
+    marked.p[i] =
+        std::bit_cast<packet>((std::bit_cast<integers>(x.p[i]) & ~last_bits) | places<T>(i * width));
   });
-  T value = most[0];
-  unrolled<width - 1>([&](auto k) { value = most[k + 1] > value ? most[k + 1] : value; });
-  const auto bits = std::bit_cast<integer>(value);
+  const auto bits = std::bit_cast<integer_of<T>>(largest_value(marked));
   return {std::bit_cast<T>(bits & ~last_bits), static_cast<int>(bits & last_bits)};
 }
 

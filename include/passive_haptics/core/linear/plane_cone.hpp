@@ -13,12 +13,18 @@ namespace passive_haptics {
 /// A set of half-spaces: bit j stands for column j.
 using half_space_set = unsigned;
 
+/// Where a search for the nearest point begins: left by one problem for the next, best one cycle later.
+struct half_space_start {
+  half_space_set active = 0;    ///< Those that held p back.
+  half_space_set violated = 0;  ///< Those that f lay beyond, b_j . f > 0; other ones tell that f has jumped.
+};
+
 /// Nearest point of a cone { p : B^T p <= 0 }, from project_onto_half_spaces.
 template <class T, int Rows, int Columns>
 struct half_space_projection {
   vector<T, Rows> point;            ///< p, the nearest point of the cone.
   vector<T, Columns> coefficients;  ///< mu >= 0 in f = p + B mu; 0 but for active half-spaces.
-  half_space_set active;  ///< Those that hold p back, b_j . p = 0: to start a neighbouring problem with.
+  half_space_set active;            ///< Those that hold p back, b_j . p = 0.
 };
 
 /// True if vectors a and b, area = a x b, are parallel to rounding: then the foot on one edge lies on the

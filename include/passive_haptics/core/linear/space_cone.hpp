@@ -216,19 +216,22 @@ class space_cone_start {
 };
 
 /// The nearest point of { p : B^T p <= 0 } to f: of three half-spaces in space in closed form, else, and
-/// where that will not do, by an active set. Either begins with the `active` half-spaces.
+/// where that will not do, by an active set. Either begins at `start`.
 template <int Rows>
 struct cone_solver {
   /// The nearest point.
   template <class T, int Columns>
   static half_space_projection<T, Rows, Columns> nearest(const matrix<T, Rows, Columns>& B,
-                                                         const vector<T, Rows>& f, half_space_set active) {
+                                                         const vector<T, Rows>& f, half_space_start& start) {
     if constexpr (Rows == 3 && Columns == 3) {
       half_space_projection<T, 3, 3> answer;
-      if (active != 0 && space_cone_start<T>(B, f).nearest(active, answer)) return answer;
-      if (space_cone<T>(B, f).nearest(answer)) return answer;
+      if ((start.active != 0 && space_cone_start<T>(B, f).nearest(start.active, answer)) ||
+          space_cone<T>(B, f).nearest(answer)) {
+        start.active = answer.active;
+        return answer;
+      }
     }
-    return active_set<T, Rows, Columns>(B, f).nearest(active);
+    return active_set<T, Rows, Columns>(B, f).nearest(start);
   }
 };
 

@@ -160,28 +160,66 @@ TYPED_TEST(cone, forces_on_a_face_inside_and_in_the_polar_cone) {
   }
 }
 
-// Whatever half-spaces it begins with, the answer is the same to rounding, and its own begin it best.
+// Whatever half-spaces it begins with, the answer is the same to rounding, and its own begin it best. Those
+// that f violates are told as they are: other ones would be no start.
 TYPED_TEST(cone, any_start_gives_the_same_answer) {
   using T = typename TestFixture::number;
   constexpr unsigned sets = 1u << TestFixture::C;
   ph::testing::random_source random(6);
   for (int k = 0; k < this->trials; ++k) {
-    const auto [B, f] = draw<TestFixture>(random);
-    const auto cold = ph::project_onto_half_spaces(B, f);
+    const auto problem = draw<TestFixture>(random);
+    const auto& B = problem.B;
+    const auto& f = problem.f;
+    ph::half_space_start left;
+    const auto cold = ph::project_onto_half_spaces(B, f, left);
+    const auto begun_with = [&](ph::half_space_set active) {
+      ph::half_space_start start{active, left.violated};
+      return ph::project_onto_half_spaces(B, f, start);
+    };
     SCOPED_TRACE(::testing::Message() << "seed 6, trial " << k << "\nB =\n"
                                       << B << "\nf = " << f.transpose());
     for (int j = 0; j < TestFixture::C; ++j)
       EXPECT_EQ((cold.active >> j & 1u) != 0, cold.coefficients[j] > T(0)) << "half-space " << j;
     const T terms = B.colwise().norm().dot(cold.coefficients.transpose()) + T(1);
     for (unsigned start = 0; start < sets; ++start) {
-      const auto warm = ph::project_onto_half_spaces(B, f, start);
-      ASSERT_LE((warm.point - cold.point).norm(), ph::rounding_tolerance<T>(TestFixture::R) * terms)
+      ASSERT_LE((begun_with(start).point - cold.point).norm(),
+                ph::rounding_tolerance<T>(TestFixture::R) * terms)
           << "start " << start;
     }
-    EXPECT_EQ(ph::project_onto_half_spaces(B, f, cold.active).active, cold.active);
-    EXPECT_EQ(ph::project_onto_half_spaces(B, f, cold.active | ~(sets - 1)).active, cold.active)
-        << "there are no such half-spaces";
+    EXPECT_EQ(begun_with(cold.active).active, cold.active);
+    EXPECT_EQ(begun_with(cold.active | ~(sets - 1)).active, cold.active) << "there are no such half-spaces";
   }
+}
+
+// Those without a closed form.
+template <class Size>
+struct searched_cone : cone<Size> {};
+
+using searched_sizes = ::testing::Types<size<double, 3, 4>, size<double, 4, 4>, size<double, 6, 6>,
+                                        size<double, 7, 7>, size<float, 3, 4>, size<long double, 4, 4>>;
+TYPED_TEST_SUITE(searched_cone, searched_sizes);
+
+// Where f violates other half-spaces than it did, the start is forgotten: to the last bit it is as though
+// there had been none.
+TYPED_TEST(searched_cone, after_a_jump_begins_from_nothing) {
+  ph::testing::random_source random(7);
+  ph::half_space_start start;
+  int jumps = 0;
+  for (int k = 0; k < 200; ++k) {
+    const auto [B, f] = draw<TestFixture>(random);
+    const ph::half_space_set before = start.violated;
+    const auto warm = ph::project_onto_half_spaces(B, f, start);
+    ph::half_space_set violated = 0;
+    for (int j = 0; j < TestFixture::C; ++j) violated |= (B.col(j).dot(f) > 0 ? 1u : 0u) << j;
+    ASSERT_EQ(start.active, warm.active) << "seed 7, trial " << k;
+    ASSERT_EQ(start.violated, violated) << "seed 7, trial " << k;
+    if (violated == before) continue;
+    ++jumps;
+    const auto cold = ph::project_onto_half_spaces(B, f);
+    ASSERT_EQ(warm.point, cold.point) << "seed 7, trial " << k;
+    ASSERT_EQ(warm.coefficients, cold.coefficients) << "seed 7, trial " << k;
+  }
+  EXPECT_GT(jumps, 150);
 }
 
 // On a line a half-space lets f through or leaves 0.

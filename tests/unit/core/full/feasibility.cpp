@@ -38,18 +38,20 @@ TYPED_TEST(adversarial_cone, holds_the_nearest_force_to_8_roundings_from_any_sta
   constexpr int R = TypeParam::rows, C = TypeParam::columns;
   const std::uint64_t seed = stress::first_seed(), count = stress::effort(5000, 650000);
   adversarial::cones<T, R, C> cones(seed);
-  ph::half_space_set start = 0;
+  ph::half_space_set of_another = 0;
   double worst = 0;
   for (std::uint64_t k = 0; k < count; ++k) {
     const auto [B, f] = cones.draw();
-    for (const auto& result :
-         {ph::project_onto_half_spaces(B, f), ph::project_onto_half_spaces(B, f, start)}) {
+    ph::half_space_start start;
+    const auto cold = ph::project_onto_half_spaces(B, f, start);
+    start.active = of_another;
+    for (const auto& result : {cold, ph::project_onto_half_spaces(B, f, start)}) {
       const double outside = adversarial::violation<T, R, C>(B, result.point);
-      ASSERT_LE(outside, 8 * eps<T>) << "seed " << seed << ", problem " << k << ", start " << start
+      ASSERT_LE(outside, 8 * eps<T>) << "seed " << seed << ", problem " << k << ", start " << of_another
                                      << "\nB =\n"
                                      << B << "\nf = " << f.transpose();
       worst = std::max(worst, outside);
-      start = result.active;
+      of_another = result.active;
     }
   }
   std::printf("worst violation %.2f eps of %llu problems\n", worst / eps<T>,
@@ -88,8 +90,9 @@ TYPED_TEST(adversarial_cone_in_50_digits, is_exact_to_rounding_in_closed_form_el
     bool moderate = true;  // the closed form in space takes no others
     for (int j = 0; j < n; ++j) moderate &= ph::detail::is_moderate(B.col(j).squaredNorm());
     if (!moderate) continue;
-    const auto cold = ph::project_onto_half_spaces(B, f);
-    const auto warm = ph::project_onto_half_spaces(B, f, cold.active);
+    ph::half_space_start start;
+    const auto cold = ph::project_onto_half_spaces(B, f, start);
+    const auto warm = ph::project_onto_half_spaces(B, f, start);
     const auto truth = oracle::project<T, n, n>(B, f);
     for (const auto& p : {cold.point, warm.point}) {
       oracle::column off(p.data(), p.data() + n);

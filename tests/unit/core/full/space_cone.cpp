@@ -87,7 +87,8 @@ TYPED_TEST(space_cone, finds_what_the_active_set_finds) {
                                       << B << "\nf = " << f.transpose());
     typename TestFixture::projection answer;
     ASSERT_TRUE(TestFixture::closed_form(B, f, answer));
-    const auto expected = ph::detail::active_set<TypeParam, 3, 3>(B, f).nearest(0);
+    ph::half_space_start none;
+    const auto expected = ph::detail::active_set<TypeParam, 3, 3>(B, f).nearest(none);
     EXPECT_EQ(answer.active, expected.active);
     const auto size = static_cast<TypeParam>(1) + expected.coefficients.norm();
     const auto tolerance = ph::rounding_tolerance<TypeParam>(20) * size * size;
