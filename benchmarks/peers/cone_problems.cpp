@@ -32,28 +32,12 @@ oracle::column exact(const ph::vector<double, N>& x) {
   return {x.data(), x.data() + N};
 }
 
-// Holds f back with the half-spaces that the library calls active. Right, whatever the library says, where
-// that takes coefficients >= 0 and ends inside of all half-spaces: the optimality conditions. Else the best
-// of all sets.
-template <int N>
-oracle::column exact_answer(const cone_problem<N>& problem) {
-  const auto& [B, f] = problem;
-  const auto coefficients = ph::project_onto_half_spaces(B, f).coefficients;
-  std::vector<oracle::column> active;
-  for (int j = 0; j < N; ++j)
-    if (coefficients[j] > 0) active.push_back(exact<N>(B.col(j)));
-  oracle::projection found;
-  bool optimal = oracle::cut(active, exact<N>(f), found);
-  for (int j = 0; j < N; ++j)
-    optimal = optimal && oracle::dot(exact<N>(B.col(j)), found.point) < oracle::real(1e-40);
-  return optimal ? found.point : oracle::project(B, f).point;
-}
-
 template <int N>
 const std::vector<oracle::column>& exact_answers() {
   static const std::vector<oracle::column> answers = [] {
     std::vector<oracle::column> all;
-    for (const auto& problem : cone_problems<N>()) all.push_back(exact_answer(problem));
+    for (const auto& [B, f] : cone_problems<N>())
+      all.push_back(oracle::nearest_point(B, f, ph::project_onto_half_spaces(B, f).active));
     return all;
   }();
   return answers;

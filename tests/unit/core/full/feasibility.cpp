@@ -78,25 +78,26 @@ TYPED_TEST_SUITE(adversarial_cone_in_50_digits, square_sizes);
 
 TYPED_TEST(adversarial_cone_in_50_digits, is_exact_to_rounding_in_closed_form_else_to_the_condition) {
   using T = typename TypeParam::T;
-  constexpr int n = TypeParam::columns,
-                harder = n < 4 ? 0 : n - 3;  // each half-space more takes thrice as long
-  const std::uint64_t seed = stress::first_seed(), count = stress::effort(1000, 100000) >> 2 * harder;
+  constexpr int n = TypeParam::columns;
+  // Nearer to parallel, two columns of a closed form are one
+  const double steepest = n <= 3 ? 0.02 / eps<T> : 1e16;
+  const std::uint64_t seed = stress::first_seed(), count = stress::effort(1000, 100000);
   adversarial::cones<T, n, n> cones(seed);
   double worst = 0;
-  for (std::uint64_t k = 0; k < count; ++k) {
+  for (std::uint64_t k = 0, checked = 0; checked < count; ++k) {
     const auto [B, f] = cones.draw();
     const double condition = ::condition<T, n, n>(B);
-    if (!(condition < 0.02 / eps<T>)) continue;
     bool moderate = true;  // the closed form in space takes no others
     for (int j = 0; j < n; ++j) moderate &= ph::detail::is_moderate(B.col(j).squaredNorm());
-    if (!moderate) continue;
+    if (!moderate || !(condition <= steepest)) continue;
+    ++checked;
     ph::half_space_start start;
     const auto cold = ph::project_onto_half_spaces(B, f, start);
     const auto warm = ph::project_onto_half_spaces(B, f, start);
-    const auto truth = oracle::project<T, n, n>(B, f);
+    const auto truth = oracle::nearest_point(B, f, cold.active);
     for (const auto& p : {cold.point, warm.point}) {
       oracle::column off(p.data(), p.data() + n);
-      for (std::size_t i = 0; i < off.size(); ++i) off[i] -= truth.point[i];
+      for (std::size_t i = 0; i < off.size(); ++i) off[i] -= truth[i];
       const double error = static_cast<double>(oracle::norm(off)) / eps<T>;
       ASSERT_LE(error, n <= 3 ? 4 : (4 * n + 2) * (1 + condition))
           << "roundings; seed " << seed << ", problem " << k << ", condition " << condition << "\nB =\n"
