@@ -30,17 +30,17 @@ struct part_of_way {
 
 /// Calls f(corner, outward) for each rim of a facet: a point of it and the unit vector in the facet's plane
 /// out of it.
-template <class F>
-void for_each_rim(const mesh_facet<2>& f, const F& rim) {
-  const point<2> along(-f.normal[1], f.normal[0]);
-  rim(f.corners[0], point<2>(-along));
-  rim(f.corners[1], along);
-}
-template <class F>
-void for_each_rim(const mesh_facet<3>& f, const F& rim) {
-  for (int i = 0; i < 3; ++i) {
-    const point<3> out = cross<double>(f.corner(i + 1) - f.corner(i), f.normal);
-    rim(f.corner(i), point<3>(out / out.norm()));
+template <int D, class F>
+void for_each_rim(const mesh_facet<D>& f, const F& rim) {
+  if constexpr (D == 2) {
+    const point<D> along(-f.normal[1], f.normal[0]);
+    rim(f.corners[0], point<D>(-along));
+    rim(f.corners[1], along);
+  } else {
+    for (int i = 0; i < D; ++i) {
+      const point<D> out = cross<double>(f.corner(i + 1) - f.corner(i), f.normal);
+      rim(f.corner(i), point<D>(out / out.norm()));
+    }
   }
 }
 

@@ -18,7 +18,7 @@ struct height_field_parameters {
   double spacing_y = 0;  ///< Between rows [m], > 0.
   /// z over the origin [m], row by row: that of column i and row j is [j columns + i].
   std::vector<double> heights;
-  point<3> origin = point<3>::Zero();  ///< Of column 0 and row 0, at height 0 [m].
+  point<3> origin{0, 0, 0};  ///< Of column 0 and row 0, at height 0 [m].
 
   static constexpr const char* grid = "2 or more, and at most 2^31 triangles in all";  ///< In errors.
   static constexpr const char* owner = "a height_field";                               ///< In errors.
@@ -51,15 +51,15 @@ struct height_field_parameters {
 /// Two triangles for each cell, cut along the diagonal whose ends differ less in height, so that a ridge or a
 /// valley is not cut into teeth. An open surface: take mesh_surface. Throws std::invalid_argument with the
 /// text of validate(p).
-template <class = void>
-mesh_parameters<3> height_field(const height_field_parameters& p) {
+template <int D = 3>
+mesh_parameters<D> height_field(const height_field_parameters& p) {
   require_valid(p);
-  mesh_parameters<3> m;
+  mesh_parameters<D> m;
   m.vertices.reserve(p.heights.size());
   for (int j = 0; j < p.rows; ++j) {
     for (int i = 0; i < p.columns; ++i)
       m.vertices.push_back(p.origin +
-                           point<3>(i * p.spacing_x, j * p.spacing_y, p.heights[m.vertices.size()]));
+                           point<D>(i * p.spacing_x, j * p.spacing_y, p.heights[m.vertices.size()]));
   }
   const auto z = [&](int k) { return p.heights[static_cast<std::size_t>(k)]; };
   for (int j = 0; j + 1 < p.rows; ++j) {

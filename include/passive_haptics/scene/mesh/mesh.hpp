@@ -2,6 +2,7 @@
 /// A surface of segments (2-D) or triangles (3-D) and the point of it nearest to another.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
 #include <passive_haptics/scene/mesh/mesh_topology.hpp>
 
@@ -54,11 +55,12 @@ class mesh {
 
   /// The nearest point of the surface; starts with facet `guess`, best that of a neighbouring x. About log n.
   /// A NaN in x gives a NaN distance.
-  mesh_point<D> nearest(const point<D>& x, int guess = 0) const {
+  PASSIVE_HAPTICS_FLATTEN mesh_point<D> nearest(const point<D>& x, int guess = 0) const {
     mesh_point<D> best{nearest_point((*this)[guess], x), guess};
     double limit = best.squared_distance;
     auto search = data_->tree.start();
     data_->tree.go_on(search, squared_distance_from<D>(x), limit, [&](int i, double) {
+      if (i == guess) return;
       const auto candidate = nearest_point((*this)[i], x, limit);
       if (!(candidate.squared_distance < limit)) return;
       best = {candidate, i};
@@ -131,8 +133,8 @@ class mesh {
     void find_edges() {
       const auto ridges = detail::sorted_ridges<D>(vertices, vertex_normals.size());
       edge_normals.reserve(ridges.size() / 2);
-      for (const detail::ridge *r = ridges.data(), *end = r + ridges.size(); r != end;) {
-        const detail::ridge* const first = r;
+      for (auto r = ridges.data(), end = r + ridges.size(); r != end;) {
+        const auto first = r;
         point<D> sum = point<D>::Zero();
         for (; r != end && r->same_place(*first); ++r) {
           const auto f = static_cast<std::size_t>(r->facet);

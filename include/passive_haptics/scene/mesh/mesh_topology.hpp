@@ -34,6 +34,7 @@ std::vector<int> welded(const std::vector<point<D>>& vertices) {
 
 /// Where facets meet, one entry for each facet there: an edge between two vertices (3-D) or a vertex (2-D,
 /// low = high).
+template <int D>
 struct ridge {
   int low, high;  // vertices
   int facet, index;
@@ -50,25 +51,25 @@ void for_each_ridge(const std::vector<std::array<int, static_cast<std::size_t>(D
       const int from = facets[k][static_cast<std::size_t>(i)];
       const int to = D == 2 ? from : facets[k][static_cast<std::size_t>((i + 1) % D)];
       const int turn = D == 2 ? 1 - 2 * i : (from < to ? 1 : -1);
-      f(ridge{std::min(from, to), std::max(from, to), static_cast<int>(k), i, turn});
+      f(ridge<D>{std::min(from, to), std::max(from, to), static_cast<int>(k), i, turn});
     }
   }
 }
 
 /// All of them, those in the same place one after the other, facet by facet. O(n): a vertex has few.
 template <int D>
-std::vector<ridge> sorted_ridges(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets,
-                                 std::size_t vertex_count) {
+std::vector<ridge<D>> sorted_ridges(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets,
+                                    std::size_t vertex_count) {
   // Where those of each low vertex begin; once they are placed, where they end
   std::vector<std::size_t> at(vertex_count + 1);
-  for_each_ridge<D>(facets, [&](const ridge& r) { ++at[static_cast<std::size_t>(r.low) + 1]; });
+  for_each_ridge<D>(facets, [&](const ridge<D>& r) { ++at[static_cast<std::size_t>(r.low) + 1]; });
   std::partial_sum(at.begin(), at.end(), at.begin());
-  std::vector<ridge> all(at.back());
-  for_each_ridge<D>(facets, [&](const ridge& r) { all[at[static_cast<std::size_t>(r.low)]++] = r; });
+  std::vector<ridge<D>> all(at.back());
+  for_each_ridge<D>(facets, [&](const ridge<D>& r) { all[at[static_cast<std::size_t>(r.low)]++] = r; });
   auto begin = all.begin();
   for (std::size_t v = 0; v < vertex_count; ++v) {
     const auto end = all.begin() + static_cast<std::ptrdiff_t>(at[v]);
-    std::sort(begin, end, [](const ridge& a, const ridge& b) {
+    std::sort(begin, end, [](const ridge<D>& a, const ridge<D>& b) {
       return std::pair(a.high, a.facet) < std::pair(b.high, b.facet);
     });
     begin = end;
@@ -78,9 +79,9 @@ std::vector<ridge> sorted_ridges(const std::vector<std::array<int, static_cast<s
 
 /// What keeps the facets that meet in [first, last) from enclosing anything; empty if nothing.
 template <int D>
-std::string check_ridge(const ridge* first, const ridge* last) {
+std::string check_ridge(const ridge<D>* first, const ridge<D>* last) {
   int turns = 0;
-  for (const ridge* r = first; r != last; ++r) turns += r->turn;
+  for (const ridge<D>* r = first; r != last; ++r) turns += r->turn;
   if (turns == 0) return {};  // each facet has its partner, also where two bodies touch in an edge
   std::string text = indexed(D == 2 ? "vertex " : "edge between vertices ", first->low, "");
   if (D == 3) text = indexed(text.append(" and "), first->high, "");

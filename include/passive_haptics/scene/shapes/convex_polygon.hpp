@@ -36,7 +36,7 @@ struct convex_polygon_parameters {
   /// All corners in one place, which is refused.
   static std::array<point<2>, static_cast<std::size_t>(K)> nowhere() {
     std::array<point<2>, static_cast<std::size_t>(K)> all;
-    all.fill(point<2>::Zero());
+    all.fill({0, 0});
     return all;
   }
   /// The table of core/parameters.hpp.
@@ -82,9 +82,9 @@ class convex_polygon {
   explicit convex_polygon(const Parameters& p) {
     const double turn = sgn(detail::twice_area(require_valid(p).corners));
     for (std::size_t i = 0; i < corner_count; ++i) {
-      const point<2> r = p.corners[(i + 1) % corner_count] - p.corners[i];
-      const point<2> along = r.stableNormalized();
-      edges_[i] = {p.corners[i], along, turn * point<2>(along.y(), -along.x()), r.stableNorm()};
+      const auto r = (p.corners[(i + 1) % corner_count] - p.corners[i]).eval();
+      const auto along = r.stableNormalized();
+      edges_[i] = {p.corners[i], along, {turn * along.y(), -turn * along.x()}, r.stableNorm()};
     }
   }
 
@@ -122,18 +122,19 @@ class convex_polygon {
     point<2> gradient;
   };
 
-  result nearest(const point<2>& x) const {
-    result inside{-std::numeric_limits<double>::infinity(), point<2>::UnitX()};
-    result outside{std::numeric_limits<double>::infinity(), point<2>::UnitX()};
+  template <class Point>  // a template, so that who has no polygon does not compile it
+  result nearest(const Point& x) const {
+    result inside{-std::numeric_limits<double>::infinity(), {1, 0}};
+    result outside{std::numeric_limits<double>::infinity(), {1, 0}};
     for (const edge& e : edges_) {
-      const point<2> r = x - e.start;
+      const Point r = x - e.start;
       const double over = e.normal.dot(r), s = e.along.dot(r);
       if (!(over <= inside.distance)) inside = {over, e.normal};
       if (!(over > 0)) continue;  // from outside, the nearest edge is in sight
       if (s >= 0 && s <= e.length) {
         if (over < outside.distance) outside = {over, e.normal};
       } else {
-        const point<2> from_corner = s < 0 ? r : point<2>(r - e.length * e.along);
+        const Point from_corner = s < 0 ? r : Point(r - e.length * e.along);
         const double d = from_corner.norm();
         if (d < outside.distance) outside = {d, detail::direction_or<2>(from_corner, e.normal)};
       }
