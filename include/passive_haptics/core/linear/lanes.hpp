@@ -22,7 +22,7 @@ struct truths_of {
   using type [[gnu::vector_size(16)]] = std::int32_t;
 };
 template <class T>
-  requires std::same_as<typename packet_of<T>::type, T>
+requires std::same_as<typename packet_of<T>::type, T>
 struct truths_of<T> {
   using type = bool;
 };
@@ -88,7 +88,7 @@ struct lanes {
   }
   /// f(0), ..., f(N - 1), and zeros beyond.
   template <class F>
-    requires std::is_invocable_r_v<T, F, int>
+  requires std::is_invocable_r_v<T, F, int>
   [[gnu::always_inline]] explicit lanes(const F& f) {
     unrolled<count>([&](auto k) {
       const auto number = [&](int i) { return k * width + i < N ? f(k * width + i) : T(0); };
@@ -242,6 +242,24 @@ bool any(const lane_mask<T, N>& x) {
   bool some = false;
   unrolled<N>([&](auto i) { some |= x[i]; });
   return some;
+}
+
+/// Bit i is truth i.
+template <class T, int N>
+[[gnu::always_inline]] inline unsigned bits(const lane_mask<T, N>& x) {
+  unsigned all = 0;
+  if constexpr (lane_mask<T, N>::width == 4) {
+    unrolled<lane_mask<T, N>::count>([&](auto k) {
+      auto some = x.p[k] & typename detail::truths_of<T>::type{1, 2, 4, 8};
+      some |= __builtin_shufflevector(some, some, 2, 3, 0, 1);
+      some |= __builtin_shufflevector(some, some, 1, 0, 3, 2);
+      all |= static_cast<unsigned>(some[0]) << 4 * k;
+    });
+    if constexpr (N % 4 != 0) all &= (1u << N) - 1;  // what is beyond N is of no interest
+  } else {
+    unrolled<N>([&](auto i) { all |= static_cast<unsigned>(x[i]) << i; });
+  }
+  return all;
 }
 
 /// (x_1, x_0): of each of two what the other one has. x: lanes or a mask.

@@ -19,7 +19,7 @@ namespace passive_haptics {
 
 /// A tree of four branches a node over items 0 .. n-1, each known by its box. Immutable: any number of
 /// threads may search it. A search is limited by a function of four_outer_boxes: for each, the least that it
-/// seeks in the box can be, as four floats.
+/// seeks in the box can be, as four floats >= 0, each to four_outer_boxes::rounding.
 template <int D>
 class bounding_volume_tree {
  public:
@@ -93,14 +93,13 @@ class bounding_volume_tree {
              int budget = std::numeric_limits<int>::max()) const {
     const node* here;
     four bounds;
-    unsigned within;  // a bit for each branch: cheaper to find out first than to guess four times
+    unsigned within;  // a bit for each branch
     const auto open = [&](std::int32_t number) {
       --budget;
       here = &nodes_[static_cast<std::size_t>(number)];
-      bounds = bound(here->boxes);
-      within = 0;
-      unrolled<4>(
-          [&](auto k) { within |= static_cast<unsigned>(bounds[k] <= static_cast<float>(limit)) << k; });
+      const four nearly = bound(here->boxes);
+      within = bits(nearly <= static_cast<float>(limit) * (1 + rounding));
+      bounds = min(nearly * (1 - rounding), std::numeric_limits<float>::max());
     };
     while (s.size_ > 0 && budget > 0) {
       const auto top = s.stack_[static_cast<std::size_t>(--s.size_)];
@@ -130,6 +129,7 @@ class bounding_volume_tree {
   }
 
  private:
+  static constexpr float rounding = four_outer_boxes<D>::rounding;
   static constexpr std::ptrdiff_t leaf_size = 4;
   static constexpr std::int32_t empty = -1;
 
@@ -201,21 +201,21 @@ class bounding_volume_tree {
       branches[k] = {cut(most), most.end};
       most.end = branches[k].begin;
     }
-    bounding_box<D> about;
+    std::array<bounding_box<D>, 4> about;
     for (std::size_t k = 0; k < 4; ++k) {
       const range r = branches[k];
-      bounding_box<D> box;
       const bool leaf = r.size() <= leaf_size;
       nodes_[at].first[k] =
           static_cast<std::int32_t>(leaf ? r.begin - first : static_cast<std::ptrdiff_t>(nodes_.size()));
       nodes_[at].count[k] = !leaf ? 0 : r.size() > 0 ? static_cast<std::int32_t>(r.size()) : empty;
       if (leaf)
-        for (const centre* c = r.begin; c != r.end; ++c) box.extend(boxes[static_cast<std::size_t>(c->item)]);
-      else box = build(boxes, r, first);
-      nodes_[at].boxes.set(static_cast<int>(k), box, scale_);
-      about.extend(box);
+        for (const centre* c = r.begin; c != r.end; ++c)
+          about[k].extend(boxes[static_cast<std::size_t>(c->item)]);
+      else about[k] = build(boxes, r, first);
     }
-    return about;
+    nodes_[at].boxes = {about, scale_};
+    for (std::size_t k = 1; k < 4; ++k) about[0].extend(about[k]);
+    return about[0];
   }
 
   std::vector<node> nodes_;

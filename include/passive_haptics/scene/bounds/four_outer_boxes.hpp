@@ -2,41 +2,48 @@
 /// Four boxes side by side: what a node of a tree of boxes is looked at with.
 #pragma once
 
+#include <passive_haptics/core/linear/lanes.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 
+#include <array>
 #include <limits>
 
 namespace passive_haptics {
 
-/// Four boxes in float side by side, looked at together. Each is grown by what its arithmetic may lose: a
-/// bound all the same.
-template <int D>
+/// Four boxes in T side by side, looked at together. Each is grown by what its coordinates may lose.
+template <int D, class T = float>
 struct four_outer_boxes {
-  using four = Eigen::Array<float, 4, 1>;  ///< One value of each box.
+  using four = lanes<T, 4>;  ///< One value of each box.
 
-  Eigen::Array<float, 4, D> lower;  ///< A column for each axis [m].
-  Eigen::Array<float, 4, D> upper;  ///< A column for each axis [m].
+  std::array<four, static_cast<std::size_t>(D)> lower, upper;  ///< Of each axis [m].
 
-  /// Makes box k, 0 <= k < 4, hold b, whose coordinates are up to `scale` [m].
-  void set(int k, const bounding_box<D>& b, double scale) {
+  four_outer_boxes() = default;
+  /// Four that hold these, whose coordinates are up to `scale` [m].
+  four_outer_boxes(const std::array<bounding_box<D>, 4>& boxes, double scale) {
     const double margin = 4 * epsilon * scale;
+    const auto box = [&](int k) -> const bounding_box<D>& { return boxes[static_cast<std::size_t>(k)]; };
     unrolled<D>([&](auto i) {
-      lower(k, i) = static_cast<float>(b.lower[i] - margin);
-      upper(k, i) = static_cast<float>(b.upper[i] + margin);
+      const auto axis = static_cast<std::size_t>(i);
+      lower[axis] = four([&](int k) { return static_cast<T>(box(k).lower[i] - margin); });
+      upper[axis] = four([&](int k) { return static_cast<T>(box(k).upper[i] + margin); });
     });
   }
 
-  /// Not more than the squares of the distances from x to the boxes [m^2], and less by rounding only; 0
-  /// inside.
-  four squared_distances(const vector<float, D>& x) const {
-    constexpr float largest = std::numeric_limits<float>::max();
-    four sum = four::Zero();
-    unrolled<D>([&](auto i) { sum += (lower.col(i) - x[i]).max(x[i] - upper.col(i)).max(0.f).square(); });
-    return (1 - 8 * epsilon) * sum.min(largest);
+  /// Squares of the distances from x to the boxes [m^2], to `rounding`; 0 inside.
+  four squared_distances(const vector<T, D>& x) const {
+    four sum(T(0));
+    unrolled<D>([&](auto i) {
+      const auto axis = static_cast<std::size_t>(i);
+      const four outside = max(max(lower[axis] - x[i], x[i] - upper[axis]), T(0));
+      sum = sum + outside * outside;
+    });
+    return sum;
   }
 
+  static constexpr T rounding = 8 * std::numeric_limits<T>::epsilon();  ///< Relative, of a distance.
+
  private:
-  static constexpr float epsilon = std::numeric_limits<float>::epsilon();
+  static constexpr T epsilon = std::numeric_limits<T>::epsilon();
 };
 
 /// How far each of four boxes is from x [m^2]: what limits a search for what is near.

@@ -119,16 +119,15 @@ class proxy_way {
   // Which slab the step enters first; those of the facets on which the proxy rests only if told so.
   hit first_stop(const point<D>& step, bool resting_too) {
     const auto entry = [&](const four_outer_boxes<D>& boxes) {
-      Eigen::Array<float, 4, 1> times;
-      for (int k = 0; k < 4; ++k) {
+      return typename four_outer_boxes<D>::four([&](int k) {
         part_of_way way;
-        for (int i = 0; i < D; ++i)
-          way.keep_between(p_[i], step[i], double(boxes.lower(k, i)) - 2 * skin_,
-                           double(boxes.upper(k, i)) + 2 * skin_);
-        times[k] =
-            way.empty() ? 2.f : (1 - std::numeric_limits<float>::epsilon()) * static_cast<float>(way.first);
-      }
-      return times;
+        for (int i = 0; i < D; ++i) {
+          const auto axis = static_cast<std::size_t>(i);
+          way.keep_between(p_[i], step[i], double(boxes.lower[axis][k]) - 2 * skin_,
+                           double(boxes.upper[axis][k]) + 2 * skin_);
+        }
+        return way.empty() ? 2.f : static_cast<float>(way.first);
+      });
     };
     hit first{1, -1};
     auto search = surface_.tree().start();

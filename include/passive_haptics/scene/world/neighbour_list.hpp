@@ -47,17 +47,12 @@ class neighbour_list {
   template <class Look>
   void visit(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
     const double step = (x - last_).norm();
-    const bool jumped = !(step < usual_reach_);  // the first time, too
-    if (jumped) {
-      reset();
-      usual_reach_ *= 1.01;  // some day a list is tried again
-    } else {
-      travelled_ = (travelled_ + step) * (1 + 4 * epsilon);  // rather too far than too short
-    }
     last_ = x;
+    if (!(step < usual_reach_)) return jump(tree, x, look);  // the first time, too
+    travelled_ = (travelled_ + step) * (1 + 4 * epsilon);    // rather too far than too short
     if (collecting_) collect(tree, nodes_per_cycle);
     double from_centre = (x - near().centre).norm();
-    if (!jumped && !(from_centre < near().reach)) {
+    if (!(from_centre < near().reach)) {
       start_collecting(tree, x);
       collect(tree, std::numeric_limits<int>::max());
       from_centre = 0;
@@ -72,9 +67,7 @@ class neighbour_list {
     };
     look_at_near(next_due);
     look_at_others(next_due);
-    if (near().reach == 0) {  // jumped, or more items about x than the list holds
-      tree.visit_within(squared_distance_from<D>(x), 0.0, [&](int item, double) { look(item); });
-    }
+    if (near().reach == 0) look_about(tree, x, look);  // more items about x than the list holds
     double clearance = std::min(near().size > 0 ? near().items[0].due : unbounded, first_other_) - travelled_;
     // The next list in time; and while one is collected, every cycle takes its share
     clearance = collecting_ ? 0 : std::min(clearance, start_early * near().reach - from_centre);
@@ -131,6 +124,20 @@ class neighbour_list {
 
   list& near() { return lists_[static_cast<std::size_t>(current_)]; }
   list& next() { return lists_[static_cast<std::size_t>(1 - current_)]; }
+
+  // Nothing of before is of use, and nothing is kept that the next jump would make useless.
+  template <class Look>
+  void jump(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
+    reset();
+    usual_reach_ *= 1.002;  // some day a list is tried again
+    for (std::size_t i = 0; i < others_.size(); ++i) look(-1 - static_cast<int>(i));
+    look_about(tree, x, look);
+  }
+
+  template <class Look>
+  static void look_about(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
+    tree.visit_within(squared_distance_from<D>(x), 0.0, [&](int item, double) { look(item); });
+  }
 
   // Of a distance at x, beside its own share, and of the way [m]
   double rounding(const point<D>& x) const {
