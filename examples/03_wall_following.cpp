@@ -1,18 +1,22 @@
 // The main job: a hand moves the paper's device along a virtual wall (section 5) without direct control, with
-// it, and with velocity direct control; the environment at 1 kHz and at 20 Hz. Prints a table, leaves CSV and
-// a plot.
+// it, and with velocity direct control; the environment at 1 kHz and at 20 Hz. Prints a table, leaves logs
+// and a plot.
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
 #include <command_line.hpp>
+#include <log/decision.hpp>
+#include <log/live_stream.hpp>
 #include <output.hpp>
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace ph = passive_haptics;
 using device = ph::tendon_two_link<double>;
@@ -25,7 +29,6 @@ const ph::half_space<2> surface({0, 0.225}, {0, -1});
 const plane_vector start(0.045, 0.221);        // 4 mm off the wall [m]
 const plane_vector start_velocity(0.05, 0.1);  // along the wall and into it [m/s]
 constexpr double seen_before = 0.006;          // velocity direct control sees the wall so early [m]
-constexpr int kept_every = 50;                 // time steps between two lines of the CSV
 
 // A hand that yields: it aims 3 mm beyond where 300 N/m push with 1.75 N.
 ph::following_hand_parameters<double> yielding_hand() {
@@ -43,26 +46,36 @@ ph::brakes_of<device> weak_brakes() {
   return brakes;
 }
 
-std::string csv_line(const ph::wall_following_sample<device>& s) {
-  std::ostringstream line;
-  line << s.time << ", " << s.position[0] << ", " << s.position[1] << ", " << s.depth << ", " << s.rates[0]
-       << ", " << s.rates[1] << ", " << s.hand_force[0] << ", " << s.hand_force[1] << ", " << s.control->alpha
-       << ", " << s.control->capacity[0] << ", " << s.control->capacity[1] << ", " << s.brake_torque[0]
-       << ", " << s.brake_torque[1] << "\n";
-  return line.str();
-}
-constexpr const char* csv_header =
-    "time [s], x [m], y [m], depth [m], w1 [rad/s], w2 [rad/s], Fh_x [N], Fh_y [N], alpha [1], "
-    "capacity1 [N m], capacity2 [N m], t1 [N m], t2 [N m]\n";
+// The log of a run: what the controller was told and decided, and what was true 0.1 ms later.
+class run_log {
+ public:
+  explicit run_log(int live_port) : stream_(live_port) {}
 
-// One run under a law.
-struct run_result {
-  ph::contact_metrics figures;
-  std::string csv = csv_header;
+  void add(const ph::device_state<device>& told, const ph::wall_following_sample<device>& truth) {
+    row_.start();
+    put_motion(row_, {}, told);
+    put_decision(row_, {}, *truth.control);
+    row_.put("x", "m", truth.position[0]);
+    row_.put("y", "m", truth.position[1]);
+    row_.put("depth", "m", truth.depth);
+    row_.put("w", "rad/s", truth.rates);
+    row_.put_axes("true_Fh", "N", truth.hand_force);
+    row_.put("brake_torque", "N m", truth.brake_torque);
+    if (text_.empty()) text_ = row_.header();
+    text_ += row_.csv();
+    stream_.send(told.time, row_);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  example::log_row row_;
+  std::string text_;
+  example::paced_stream stream_;
 };
 
+// One run under a law.
 template <class Law>
-run_result follow(Law law, double environment_rate, double margin = 0) {
+ph::contact_metrics follow(Law law, double environment_rate, double margin, run_log& log) {
   const device arm;
   const auto brakes = weak_brakes();
   const auto q = arm.inverse(start, ph::elbow::left).q;
@@ -72,12 +85,14 @@ run_result follow(Law law, double environment_rate, double margin = 0) {
   ph::simulated_device plant(arm, brakes, hand.parameters().mass, q);
   plant.set_motion(q, arm.jacobian(q).partialPivLu().solve(start_velocity));
 
-  run_result run;
-  int step = 0;
-  run.figures = ph::follow_wall(plant, control, surface, hand, {}, [&](const auto& sample) {
-    if (step++ % kept_every == 0) run.csv += csv_line(sample);
+  std::optional<ph::device_state<device>> told;
+  const auto controller = [&](const ph::device_state<device>& state) {
+    told = state;
+    return control(state);
+  };
+  return ph::follow_wall(plant, controller, surface, hand, {}, [&](const auto& truth) {
+    if (told) log.add(*std::exchange(told, std::nullopt), truth);
   });
-  return run;
 }
 
 void print_line(double environment_rate, const char* law_name, const ph::contact_metrics& f) {
@@ -99,30 +114,31 @@ std::string plot_script(const std::string& name, double environment_rate) {
          << R"gnuplot(set grid lc rgb '#dddddd'
 set xrange [0.04:0.175]
 set style data lines
+set datafile columnheaders
 set style line 1 lw 1.2 lc rgb '#d55e00'
 set style line 2 lw 1.5 lc rgb '#0072b2'
 set style line 3 lw 1.5 lc rgb '#009e73'
 set key at screen 0.48,screen 0.957 center center maxrows 1
 set ytics nomirror
 set format x ''
-all(column) = sprintf("none every ::1 using 2:%s ls 1 title 'no direct control', \
-direct every ::1 using 2:%s ls 2 title 'direct control', \
-velocity every ::1 using 2:%s ls 3 title 'velocity direct control'", column, column, column)
+all(y) = sprintf("none every 5 using 'x':(%s) ls 1 title 'no direct control', \
+direct every 5 using 'x':(%s) ls 2 title 'direct control', \
+velocity every 5 using 'x':(%s) ls 3 title 'velocity direct control'", y, y, y)
 set ylabel 'depth [mm]'
 set yrange [*:*] reverse
-eval "plot 0 lc rgb '#999999' dt 2 notitle, ".all("(1e3*$4)")
+eval "plot 0 lc rgb '#999999' dt 2 notitle, ".all("1e3*column('depth')")
 unset key
 set yrange [*:*] noreverse
 set ylabel 'brake 2 [rad/s]'
-eval "plot ".all("6")
+eval "plot ".all("column('w2')")
 set ylabel 'Fh into wall [N]'
-eval "plot ".all("8")
+eval "plot ".all("column('true_Fh_y')")
 set ylabel 'Fh along wall [N]'
-eval "plot ".all("7")
+eval "plot ".all("column('true_Fh_x')")
 set xlabel 'x [m]'
 set format x '%.2f'
 set ylabel 'capacity 2 [N m]'
-eval "plot ".all("11")
+eval "plot ".all("column('capacity2')")
 unset multiplot
 )gnuplot";
   return script.str();
@@ -131,9 +147,16 @@ unset multiplot
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const auto directory = example::output_directory(
-      argc, argv, "wall_following",
-      "The paper's device along a virtual wall: a table, CSV files and wall_following.svg.");
+  std::filesystem::path directory = ".";
+  int live_port = 0;
+  example::command_line line(
+      "wall_following",
+      "The paper's device along a virtual wall: a table, wall_following.svg, and a log of each run in it.");
+  line.port(
+      "--live", live_port,
+      "send the logged runs to this UDP port of this machine as they pass, as JSON (docs/guide/log.md)");
+  line.output(directory);
+  line.parse(argc, argv);
 
   std::printf("%-8s  %-24s %8s %8s %8s %8s %10s %9s %9s\n", "environ.", "law", "separa-", "deepest", "depth",
               "depth", "brake 2", "Fh std", "retarding");
@@ -143,11 +166,13 @@ int main(int argc, char** argv) try {
   constexpr double drawn = 20;
   for (const double rate : {1000.0, drawn}) {
     const auto run = [&](const char* law_name, const char* file_name, auto law, double margin = 0) {
-      const run_result result = follow(law, rate, margin);
-      print_line(rate, law_name, result.figures);
-      most_power = std::max(most_power, result.figures.largest_brake_power);
+      run_log log(rate == drawn ? live_port : 0);
+      const ph::contact_metrics figures = follow(law, rate, margin, log);
+      print_line(rate, law_name, figures);
+      most_power = std::max(most_power, figures.largest_brake_power);
       if (rate == drawn)
-        example::write_file(directory / ("wall_following_" + std::string(file_name) + ".csv"), result.csv);
+        example::write_file(directory / std::string("wall_following_").append(file_name).append(".csv"),
+                            log.text());
     };
     run("no direct control", "no_direct_control", ph::no_direct_control());
     run("direct control", "direct_control", ph::saturated_direct_control());

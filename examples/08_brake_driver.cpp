@@ -32,6 +32,8 @@ arguments parse(int argc, char** argv) {
                 "end after so long; otherwise Ctrl-C ends it, which releases the brakes first");
   line.flag("--check", all.check, "only say whether the configuration is right");
   line.flag("--quiet", quiet, "no live table");
+  line.port("--live", all.options.live_port,
+            "send the log to this UDP port of this machine as it comes, as JSON (docs/guide/log.md)");
   line.output(all.directory);
   line.notes(
       "Signals: SIGINT (Ctrl-C), SIGTERM and SIGHUP release and end; SIGUSR1 rearms after a fault that is "

@@ -30,7 +30,7 @@ class session {
         options_(options),
         device_(make_device(c)),
         port_(make_port(c, *device_, port_use::control), make_sensor(c, *device_), c.safety),
-        record_(report_sink(c.log, options.live, c)),
+        record_(report_sink(options, c)),
         guard_(make_port(c, *device_, port_use::release), c.supervisor, c.safety.at_release,
                c.safety.currents) {}
 
@@ -144,7 +144,7 @@ class session {
   }
 
   samples last_samples(double now) const noexcept {
-    return {now, port_.position_time(), port_.position(), port_.force()};
+    return {now - begin_, port_.position_time(), port_.position(), port_.force()};
   }
 
   void log(const ph::loop_cycle& now, record& r) {

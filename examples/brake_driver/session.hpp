@@ -12,6 +12,7 @@ namespace example {
 struct session_options {
   double seconds = std::numeric_limits<double>::infinity();  ///< When it ends by itself.
   bool live = true;                                          ///< Whether the terminal shows it.
+  int live_port = 0;  ///< Local UDP port that gets the log as it comes (docs/guide/log.md); 0 for none.
 };
 
 /// Runs until a signal, the time or an exception ends it. 0, or 1 where the device is not there; else 3 where

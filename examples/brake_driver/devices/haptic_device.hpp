@@ -13,7 +13,7 @@ namespace example {
 
 /// The last good samples of encoders and force sensor.
 struct samples {
-  double now = 0;   ///< [s]
+  double now = 0;   ///< [s], since the loop began.
   double time = 0;  ///< When the encoders were read [s].
   std::array<double, axes> counts{};
   std::array<double, sensor_channels> readings{};

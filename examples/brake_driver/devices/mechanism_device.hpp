@@ -5,6 +5,7 @@
 #include <devices/haptic_device.hpp>
 #include <ports/simulation.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace example {
@@ -52,23 +53,25 @@ class mechanism_device final : public haptic_device {
     auto state = calibration_.state(now.time, now.counts, now.readings);
     state.time = now.now;
     typename decltype(control_)::result_type decided;
-    if (doing == phase::running) decided = control_(state);
+    r.was_asked = doing == phase::running;
+    if (r.was_asked) decided = control_(state);
 
-    r.outcome = decided.outcome;
-    r.power = decided.power;
-    r.display = decided.display;
-    r.gamma = decided.wall < 0 ? 0 : decided.approximation_angle();
-    r.alpha = decided.alpha;
-    const ph::task_vector<M> x = control_.mechanism().position(state.q);
-    for (int i = 0; i < 2; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      r.q[k] = state.q[i];
-      r.qd[k] = state.qd[i];
-      r.x[k] = x[i];
-      r.hand[k] = state.hand_force[i];
-      r.desired[k] = decided.desired_force[i];
-      r.capacity[k] = decided.capacity[i];
+    const auto copy = [](const auto& from, pair& to) { std::copy_n(from.data(), to.size(), to.data()); };
+    if (doing_ != phase::homing) {
+      copy(state.q, r.q);
+      copy(state.qd, r.qd);
+      copy(control_.mechanism().position(state.q), r.x);
     }
+    if (doing_ == phase::running && configuration_.sensor != "none") copy(state.hand_force, r.hand_force);
+    r.decision = {.outcome = decided.outcome,
+                  .power = decided.power,
+                  .display = decided.display,
+                  .gamma = decided.approximation_angle(),
+                  .alpha = decided.alpha};
+    copy(decided.desired_force, r.decision.desired_force);
+    copy(decided.control_force, r.decision.control_force);
+    copy(decided.capacity, r.decision.capacity);
+    copy(decided.torque, r.decision.torque);
     return calibration_.currents(decided.capacity);
   }
 

@@ -51,20 +51,30 @@ std::string bar(double share, std::size_t width) {
   return std::string(full, '#') + std::string(width - full, '.');
 }
 
-// A field of the log: some texts have a comma.
-std::string field(std::string_view words) {
-  const bool comma = words.find(',') != std::string_view::npos;
-  return comma ? std::string("\"").append(words).append("\"") : std::string(words);
-}
-std::string field(const ph::fault_record& i) {
-  return i.what == ph::fault::none ? std::string() : field(to_string(i));
+std::string words(const ph::fault_record& i) { return i.what == ph::fault::none ? "" : to_string(i); }
+
+// A line of the log: what all logs have, then what only a device has.
+void put(log_row& row, const joint_kinds& joints, const record& r) {
+  row.start();
+  put_motion(row, joints, r);
+  put_decision(row, joints, r.decision, r.was_asked);
+  row.put("cycle", "1", r.number);
+  row.put("state", to_string(r.state));
+  row.put("reason", words(r.reason));
+  row.put("held_over", words(r.held_over));
+  row.put("x", "m", r.x[0]);
+  row.put("y", "m", r.x[1]);
+  row.put("current", "A", r.current);
+  row.put("late", "s", r.late);
+  row.put("compute", "s", r.compute);
 }
 
+// "-" for what is not known yet.
+std::string number(const char* format, double value) { return std::isnan(value) ? "-" : text(format, value); }
+
 // A terminal breaks longer lines, and loses those at its top: then it could not be written over.
-std::string fitting(const std::string& table) {
-  winsize terminal{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &terminal) != 0 || terminal.ws_row < 2 || terminal.ws_col < 2)
-    return table;
+std::string fitting(const std::string& table, const winsize& terminal) {
+  if (terminal.ws_row < 2 || terminal.ws_col < 2) return table;
   std::istringstream lines(table);
   std::string all, line;
   for (int rows = 1; rows < terminal.ws_row && std::getline(lines, line); ++rows)
@@ -94,10 +104,12 @@ std::string bars(const ph::duration_histogram& h) {
   return all;
 }
 
-report_sink::report_sink(std::string file, bool live, const configuration& c)
-    : name_(std::move(file)),
+report_sink::report_sink(const session_options& options, const configuration& c)
+    : name_(c.log),
       title_(c.mechanism + ", " + c.port + " device, " + c.sensor + " force sensor, " + c.law),
-      live_(live) {
+      live_(options.live),
+      live_port_(options.live_port),
+      joints_{std::vector<bool>(axes, c.mechanism == "xy_table")} {
   for (std::size_t i = 0; i < c.curves.size(); ++i) current_limit_[i] = c.curves[i].current_limit;
 }
 
@@ -109,10 +121,12 @@ std::string report_sink::open() {
   if (terminal_ || (fstat(STDOUT_FILENO, &kind) == 0 && S_ISFIFO(kind.st_mode)))
     output_ = ::open("/proc/self/fd/1", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (output_ < 0) output_ = STDOUT_FILENO;
+  if (const std::string error = stream_.open(live_port_); !error.empty())
+    return "UDP port " + std::to_string(live_port_) + ": " + error;
+  put(row_, joints_, {});  // names the columns
   if (name_.empty()) return {};
   file_ = std::make_unique<output_file>(name_);
-  file_->stream() << "t,cycle,state,reason,held_over,status,power,display,gamma,alpha,q1,q2,qd1,qd2,x,y,Fh_x,"
-                     "Fh_y,Fd_x,Fd_y,capacity1,capacity2,current1,current2,late,compute\n";
+  file_->stream() << row_.header();
   return {};
 }
 
@@ -121,16 +135,11 @@ void report_sink::take(const record& r) {
   ++count_;
   late_.add(std::llround(1e9 * r.late));
   compute_.add(std::llround(1e9 * r.compute));
+  put(row_, joints_, r);
+  if (live_port_ != 0) stream_.send(row_);
   if (!file_) return;
   file_->keep();
-  file_->stream() << text(
-      "%.6f,%lld,%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,"
-      "%.6g,%.6g,%.3g,%.3g\n",
-      r.time, static_cast<long long>(r.number), to_string(r.state).data(), field(r.reason).c_str(),
-      field(r.held_over).c_str(), field(to_string(r.outcome)).c_str(), to_string(r.power).data(),
-      to_string(r.display).data(), r.gamma, r.alpha, r.q[0], r.q[1], r.qd[0], r.qd[1], r.x[0], r.x[1],
-      r.hand[0], r.hand[1], r.desired[0], r.desired[1], r.capacity[0], r.capacity[1], r.current[0],
-      r.current[1], r.late, r.compute);
+  file_->stream() << row_.csv();
 }
 
 void report_sink::rest(std::uint64_t missing) {
@@ -162,7 +171,7 @@ std::string report_sink::loss() const {
 
 void report_sink::show() {
   const record& r = last_;
-  const double degrees = ph::degrees(r.gamma);
+  const double degrees = ph::degrees(r.decision.gamma);
   const char* const ampere = r.current_is_known ? "A" : "A?";
   std::string state(to_string(r.state));
   if (r.state == ph::port_state::ready) state += std::string(", ") + words(r.doing);
@@ -173,10 +182,11 @@ void report_sink::show() {
   if (!terminal_) {
     if (!rearm.empty()) state += " (" + rearm + ")";
     pending_ = text(
-        "%7.1f s  %-10s handle (%.4f, %.4f) m  hand (%5.2f, %5.2f) N  %-11s brakes %.3f, %.3f %s  late %s at "
+        "%7.1f s  %-10s handle (%s, %s) m  hand (%5s, %5s) N  %-11s brakes %.3f, %.3f %s  late %s at "
         "most%s\n",
-        r.time, state.c_str(), r.x[0], r.x[1], r.hand[0], r.hand[1],
-        displays(r) ? to_string(r.display).data() : "no display", r.current[0], r.current[1], ampere,
+        r.time, state.c_str(), number("%.4f", r.x[0]).c_str(), number("%.4f", r.x[1]).c_str(),
+        number("%.2f", r.hand_force[0]).c_str(), number("%.2f", r.hand_force[1]).c_str(),
+        displays(r) ? to_string(r.decision.display).data() : "no display", r.current[0], r.current[1], ampere,
         duration(static_cast<double>(late_.largest())).c_str(),
         loss().empty() ? "" : ("  " + loss()).c_str());
     write_shown();
@@ -187,15 +197,20 @@ void report_sink::show() {
                 text("%.1f s", r.time).c_str());
   table += "state    " + state + "\n";
   if (!rearm.empty()) table += "rearm    " + rearm + "\n";
-  table += text("handle   x %8.4f m    y %8.4f m\n", r.x[0], r.x[1]);
-  table += text("hand     x %8.3f N    y %8.3f N\n", r.hand[0], r.hand[1]);
-  table += displays(r)
-               ? text("wall     x %8.1f N    y %8.1f N    %s, %s, gamma %.0f deg, alpha %.2f\n", r.desired[0],
-                      r.desired[1], to_string(r.power).data(), to_string(r.display).data(), degrees, r.alpha)
-               : "wall     not displayed\n";
+  const auto xy = [&](const char* name, const char* format, const pair& v, const char* unit) {
+    table += text("%-8s x %8s %s    y %8s %s\n", name, number(format, v[0]).c_str(), unit,
+                  number(format, v[1]).c_str(), unit);
+  };
+  xy("handle", "%.4f", r.x, "m");
+  xy("hand", "%.3f", r.hand_force, "N");
+  table += displays(r) ? text("wall     x %8.1f N    y %8.1f N    %s, %s, gamma %.0f deg, alpha %.2f\n",
+                              r.decision.desired_force[0], r.decision.desired_force[1],
+                              to_string(r.decision.power).data(), to_string(r.decision.display).data(),
+                              degrees, r.decision.alpha)
+                       : "wall     not displayed\n";
   for (std::size_t i = 0; i < r.current.size(); ++i)
-    table += text("brake %zu  %9.4f /s  may hold %6.3f N m  %6.3f %s  ", i + 1, r.qd[i], r.capacity[i],
-                  r.current[i], ampere) +
+    table += text("brake %zu  %9s /s  may hold %6.3f %s  %6.3f %s  ", i + 1, number("%.4f", r.qd[i]).c_str(),
+                  r.decision.capacity[i], joints_.torque()(i), r.current[i], ampere) +
              bar(r.current[i] / current_limit_[i], 20) + "\n";
   for (const auto& [name, h] : {std::pair{"late", &late_}, std::pair{"compute", &compute_}})
     table += text("%-8s p50 %8s   p99 %8s   p99.9 %8s   max %8s\n", name,
@@ -206,8 +221,13 @@ void report_sink::show() {
   if (!loss().empty()) table += loss() + "\n";
   table += "late, of " + text("%llu cycles\n", static_cast<unsigned long long>(count_)) + bars(late_);
 
-  table = fitting(table);
-  pending_ = lines_ > 0 ? text("\033[%dA", lines_) : "";  // over the table before
+  // Over the table before; whose lines a terminal may have broken that has another size now
+  winsize size{};
+  ioctl(STDOUT_FILENO, TIOCGWINSZ, &size);
+  const bool resized = size.ws_row != size_.ws_row || size.ws_col != size_.ws_col;
+  table = fitting(table, size_ = size);
+  if (lines_ == 0) pending_.clear();
+  else pending_ = resized ? "\033[H\033[2J" : text("\033[%dA", lines_);
   lines_ = static_cast<int>(std::count(table.begin(), table.end(), '\n'));
   for (const char c : table) pending_ += c == '\n' ? std::string("\033[K\n") : std::string(1, c);
   pending_ += "\033[J";

@@ -3,10 +3,15 @@
 #pragma once
 
 #include <configuration/configuration.hpp>
+#include <log/decision.hpp>
+#include <log/live_stream.hpp>
 #include <output_file.hpp>
 #include <report/record.hpp>
+#include <session.hpp>
 
 #include <passive_haptics/driver/duration_histogram.hpp>
+
+#include <sys/ioctl.h>
 
 #include <array>
 #include <cstdint>
@@ -15,12 +20,13 @@
 
 namespace example {
 
-/// A RecordSink: a CSV file, whole or not at all, and a table in the terminal; what is lost, as it happens.
-/// Lives in the recorder's process. A terminal or a pipe that nobody reads loses tables; the file goes on.
+/// A RecordSink: a log, whole or not at all, the same as a stream for who draws it, and a table in the
+/// terminal; what is lost, as it happens. Lives in the recorder's process. A terminal or a pipe that nobody
+/// reads loses tables; the file goes on.
 class report_sink {
  public:
-  /// Nothing is shown without `live`, no file is written without a name.
-  report_sink(std::string file, bool live, const configuration& c);
+  /// Nothing is shown without `live`, no file is written without a name, nothing sent without a port.
+  report_sink(const session_options& options, const configuration& c);
 
   std::string open();
   void take(const record& r);
@@ -38,12 +44,17 @@ class report_sink {
 
   std::string name_, title_;
   bool live_, terminal_ = false;
+  int live_port_;
+  joint_kinds joints_;
+  log_row row_;
+  live_stream stream_;
   std::array<double, axes> current_limit_{};
   std::unique_ptr<output_file> file_;
   record last_;
   std::uint64_t count_ = 0, kept_ = 0, lost_ = 0, missing_ = 0;
   double shown_ = -1;  // time of the last record that was shown [s]
-  int lines_ = 0;      // of the table on the terminal
+  int lines_ = 0;      // of the table on the terminal,
+  winsize size_{};     // which had this size then
   int output_ = -1;
   std::string pending_;  // what is shown but had no room yet
   ph::duration_histogram late_, compute_;

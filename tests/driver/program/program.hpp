@@ -81,13 +81,14 @@ inline int status_of(pid_t process) {
   _exit(127);
 }
 
-// A line of the log, by the names of its columns.
+// A line of the log, by the names of its columns; below version and units.
 class log_file {
  public:
   explicit log_file(const fs::path& file) : text_(text_of(file)) {
     std::istringstream lines(text_);
     std::string line;
-    if (std::getline(lines, line)) names_ = split(line);
+    while (names_.empty() && std::getline(lines, line))
+      if (!line.starts_with('#')) names_ = split(line);
     while (std::getline(lines, line)) rows_.push_back(split(line));
   }
 

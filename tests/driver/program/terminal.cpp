@@ -27,6 +27,13 @@ class screen {
     for (const auto& line : lines_) all += line + "\n";
     return all;
   }
+  // Of another size: what was there is broken into other lines.
+  void resize(int rows, int columns) {
+    columns_ = columns;
+    lines_.assign(static_cast<std::size_t>(rows), "torn");
+    row_ = lines_.size() / 2;
+    column_ = 0;
+  }
   bool broke_a_line = false;
   int redrawn = 0;
 
@@ -64,6 +71,11 @@ class screen {
       const auto up = static_cast<std::size_t>(std::stoi(escape_.substr(2)));
       row_ -= std::min(row_, up);
       ++redrawn;
+    } else if (what == 'H') {
+      row_ = 0;
+      column_ = 0;
+    } else if (escape_ == "\033[2J") {
+      for (auto& line : lines_) line.clear();
     } else if (what == 'K') {
       lines_[row_].resize(std::min(lines_[row_].size(), static_cast<std::size_t>(column_)));
     } else if (what == 'J') {
@@ -168,6 +180,34 @@ TEST_F(a_terminal, that_is_small_shows_what_fits) {
   EXPECT_FALSE(shown.broke_a_line) << shown.text();
   EXPECT_EQ(shown.count("state "), 1) << shown.text();
   EXPECT_EQ(shown.count("tendon_two_link"), 1) << shown.text();
+  send(SIGINT);
+  eventually([this] {
+    look();
+    return waitpid(pid, nullptr, WNOHANG) != 0;
+  });
+}
+
+TEST_F(a_terminal, of_another_size_keeps_nothing_of_the_table_before) {
+  start_in(50, 100);
+  ASSERT_TRUE(reaches("active")) << ended();
+  ASSERT_TRUE(redraws(2));
+  for (const auto& [rows, columns] : {std::pair{20, 50}, {40, 120}}) {
+    winsize size{};
+    size.ws_row = static_cast<unsigned short>(rows);
+    size.ws_col = static_cast<unsigned short>(columns);
+    look();
+    ASSERT_EQ(ioctl(terminal, TIOCSWINSZ, &size), 0);
+    shown.resize(rows, columns);
+    EXPECT_TRUE(eventually([this] {
+      look();
+      return shown.count("torn") == 0;
+    })) << shown.text();
+    shown.broke_a_line = false;  // by a table on its way
+    ASSERT_TRUE(redraws(shown.redrawn + 3));
+    EXPECT_FALSE(shown.broke_a_line) << shown.text();
+    EXPECT_EQ(shown.count("state    active"), 1) << shown.text();
+    EXPECT_EQ(shown.count("tendon_two_link"), 1) << shown.text();
+  }
   send(SIGINT);
   eventually([this] {
     look();

@@ -1,0 +1,156 @@
+#include <log/log_reader.hpp>
+#include <log/log_row.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace example {
+namespace {
+
+std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+bool take(std::string_view& text, std::string_view beginning) {
+  if (!text.starts_with(beginning)) return false;
+  text.remove_prefix(beginning.size());
+  return true;
+}
+
+}  // namespace
+
+log_reader::log_reader(std::istream& in, std::string name) : in_(in), file_(std::move(name)) {
+  if (!next_line()) fail(0, "the log is empty", "a line of names, t,q1,...");
+  if (line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);  // a byte order mark
+  while (line_.starts_with('#')) {
+    read_remark();
+    if (!next_line()) fail(0, "the log ends", "a line of names, t,q1,...");
+  }
+  split(line_, fields_);
+  names_.assign(fields_.begin(), fields_.end());
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    if (find(names_[i]) != i) fail(i + 1, "a second " + in_quotes(names_[i]), "each name once");
+  if (!units_.empty() && units_.size() != names_.size())
+    fail(0, std::to_string(names_.size()) + " names", std::to_string(units_.size()) + ", as there are units");
+  time_column_ = column("t", {"s"});
+  time_ = -std::numeric_limits<double>::infinity();
+}
+
+void log_reader::read_remark() {
+  std::string_view text = line_;
+  if (take(text, "# passive_haptics log ")) {
+    if (text != std::to_string(log_version))
+      fail(0, std::string("version ").append(text), "version " + std::to_string(log_version));
+  } else if (take(text, "# units:")) {
+    split(text, fields_);
+    units_.assign(fields_.begin(), fields_.end());
+  }
+}
+
+std::optional<std::size_t> log_reader::find(std::string_view name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names_.begin());
+}
+
+std::size_t log_reader::column(std::string_view name, const std::vector<std::string_view>& units) const {
+  const auto found = find(name);
+  if (!found) fail(0, "no column " + in_quotes(name), "one among " + in_quotes(line_));
+  const std::string_view of = unit(*found);
+  if (!of.empty() && std::find(units.begin(), units.end(), of) == units.end()) {
+    std::string choices;
+    for (const auto one : units) choices.append(choices.empty() ? "" : " or ").append(one);
+    fail(*found + 1, in_quotes(name) + " in " + in_quotes(of), "it in " + choices);
+  }
+  return *found;
+}
+
+std::string_view log_reader::unit(std::size_t column) const {
+  return units_.empty() ? std::string_view() : units_[column];
+}
+
+bool log_reader::next() {
+  if (!next_line()) return false;
+  if (line_.empty()) {  // blank lines may end a log
+    while (next_line())
+      if (!line_.empty()) fail(0, "a blank line before this one", "numbers in each line");
+    return false;
+  }
+  split(line_, fields_);
+  if (fields_.size() > names_.size())
+    fail(names_.size() + 1, in_quotes(fields_[names_.size()]), std::to_string(names_.size()) + " cells");
+  if (fields_.size() < names_.size())
+    fail(fields_.size() + 1, "the line ends", "a cell for " + in_quotes(names_[fields_.size()]));
+  const double t = number(time_column_);
+  if (!(t >= time_))
+    fail(time_column_ + 1, std::isnan(t) ? "no time" : "time " + std::string(fields_[time_column_]),
+         "no time before that of the line above");
+  time_ = t;
+  return true;
+}
+
+double log_reader::number(std::size_t column) const {
+  const std::string_view field = fields_[column];
+  const auto refuse = [&](const std::string& found, const std::string& more = "") {
+    fail(column + 1, found, "a finite number for " + in_quotes(names_[column]) + more);
+  };
+  if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double value = 0;
+  const char* const end = field.data() + field.size();
+  const bool plus = field.front() == '+' && field.size() > 1 && field[1] != '-';  // from_chars takes no plus
+  const auto [stop, error] = std::from_chars(field.data() + (plus ? 1 : 0), end, value);
+  if (error == std::errc::result_out_of_range) refuse(in_quotes(field) + " is out of range");
+  if (error != std::errc()) refuse(in_quotes(field));
+  if (stop != end) {
+    if (*stop == ';' || *stop == '\t') fail(column + 1, in_quotes(field), "cells separated by commas");
+    refuse(in_quotes(std::string_view(stop, static_cast<std::size_t>(end - stop))) + " after a number",
+           " alone; units stand in the header");
+  }
+  if (!std::isfinite(value)) refuse(in_quotes(field));
+  return value;
+}
+
+void log_reader::fail(std::size_t column, const std::string& found, const std::string& expected) const {
+  std::string where = file_;
+  where.append(", line ").append(std::to_string(number_));
+  if (column > 0) where.append(", column ").append(std::to_string(column));
+  throw log_error(where.append(": ").append(found).append(", expected ").append(expected));
+}
+
+bool log_reader::next_line() {
+  line_.clear();
+  ++number_;
+  std::streambuf& buffer = *in_.rdbuf();
+  for (int c = buffer.sbumpc(); c != std::istream::traits_type::eof(); c = buffer.sbumpc()) {
+    if (c == '\n') {
+      if (!line_.empty() && line_.back() == '\r') line_.pop_back();
+      return true;
+    }
+    if (c == '\0') fail(0, "a zero byte", "text");
+    line_.push_back(static_cast<char>(c));
+    if (line_.size() > longest_line)
+      fail(0, "more than " + std::to_string(longest_line) + " characters", "a shorter line");
+  }
+  return !line_.empty();
+}
+
+// At the commas outside of quotes.
+void log_reader::split(std::string_view line, std::vector<std::string_view>& fields) const {
+  fields.clear();
+  bool inside = false;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    if (i < line.size() && line[i] == '"') inside = !inside;
+    if (i < line.size() && (line[i] != ',' || inside)) continue;
+    fields.push_back(trimmed(line.substr(from, i - from)));
+    from = i + 1;
+  }
+}
+
+}  // namespace example

@@ -1,0 +1,57 @@
+/// @file
+/// Reads a log of docs/guide/log.md line by line, and says what is wrong with it, where, and what was
+/// expected.
+#pragma once
+
+#include <istream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace example {
+
+/// A log is not as it should be; the text names file, line, column and expectation.
+struct log_error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Columns are found by name, in any order, beside others that nobody asks for. Memory does not grow with the
+/// log. A log without lines on version and units is taken as one of this version in the units asked for.
+class log_reader {
+ public:
+  static constexpr std::size_t longest_line = 4096;  ///< Longer lines are a mistake, not a log [characters].
+
+  /// Reads the header. name: of the file, for the messages.
+  log_reader(std::istream& in, std::string name);
+
+  /// Where a column stands, if it is there.
+  std::optional<std::size_t> find(std::string_view name) const;
+  /// Where a column stands whose unit is one of these.
+  std::size_t column(std::string_view name, const std::vector<std::string_view>& units) const;
+  /// Its unit; empty where the log tells none.
+  std::string_view unit(std::size_t column) const;
+
+  /// Goes to the next line; false at the end of the log. Its time `t` is never before that of the line above.
+  bool next();
+  /// The number in a column of this line, NaN in an empty cell.
+  double number(std::size_t column) const;
+  /// Number of the line that was read last, from 1.
+  std::size_t line_number() const { return number_; }
+
+ private:
+  [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected) const;
+  bool next_line();
+  void split(std::string_view line, std::vector<std::string_view>& fields) const;
+  void read_remark();
+
+  std::istream& in_;
+  std::string file_, line_;
+  std::vector<std::string> names_, units_;
+  std::vector<std::string_view> fields_;
+  std::size_t number_ = 0, time_column_ = 0;
+  double time_ = 0;
+};
+
+}  // namespace example

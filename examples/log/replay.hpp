@@ -1,0 +1,145 @@
+/// @file
+/// Runs a logged motion through a control law, line by line.
+#pragma once
+
+#include <log/decision.hpp>
+#include <log/log_reader.hpp>
+
+#include <passive_haptics/passive_haptics.hpp>
+
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace example {
+
+namespace ph = passive_haptics;
+
+/// How a replay went [lines].
+struct replay_summary {
+  std::size_t lines = 0;
+  std::size_t decided = 0;   ///< All but those in which a number is missing, as before homing.
+  std::size_t compared = 0;  ///< Of them, those whose capacities the log has as well,
+  std::size_t same = 0;      ///< and has the same to the last digit.
+};
+
+/// A shape that is chosen at run time.
+template <int D>
+class any_shape {
+ public:
+  static constexpr int dimension = D;
+
+  /// Takes on the shape of s.
+  template <ph::Shape S>
+    requires(!std::same_as<S, any_shape>)
+  explicit any_shape(const S& s)
+      : distance_([s](const ph::point<D>& x) { return s.distance(x); }),
+        gradient_([s](const ph::point<D>& x) { return s.gradient(x); }) {}
+
+  double distance(const ph::point<D>& x) const { return distance_(x); }
+  ph::point<D> gradient(const ph::point<D>& x) const { return gradient_(x); }
+
+ private:
+  std::function<double(const ph::point<D>&)> distance_;
+  std::function<ph::point<D>(const ph::point<D>&)> gradient_;
+};
+
+/// Where the numbers of a mechanism M stand in a log.
+template <class M>
+class motion_columns {
+ public:
+  /// Throws log_error if there is no t, q1 ..., qd1 ..., in the right units; nor Fh_x ..., unless that is
+  /// optional.
+  motion_columns(const log_reader& log, bool needs_force) : log_(log), time_(log.column("t", {"s"})) {
+    for (int i = 1; i <= M::dof; ++i) {
+      q_.push_back(log.column("q" + std::to_string(i), {"rad", "m"}));
+      qd_.push_back(log.column("qd" + std::to_string(i), {"rad/s", "m/s"}));
+    }
+    for (int i = 0; i < M::task_dimension; ++i) {
+      const std::string name = std::string("Fh_") + "xyz"[i];
+      if (needs_force || log.find(name)) force_.push_back(log.column(name, {"N"}));
+    }
+    for (int i = 1; i <= M::brake_count; ++i)
+      if (const auto found = log.find("capacity" + std::to_string(i))) capacity_.push_back(*found);
+  }
+
+  joint_kinds joints() const {
+    joint_kinds all;
+    for (const std::size_t q : q_) all.slides.push_back(log_.unit(q) == "m");
+    return all;
+  }
+
+  /// NaN stands for an empty cell.
+  ph::device_state<M> state() const {
+    ph::device_state<M> s;
+    s.time = log_.number(time_);
+    for (int i = 0; i < M::dof; ++i) {
+      s.q[i] = log_.number(q_[static_cast<std::size_t>(i)]);
+      s.qd[i] = log_.number(qd_[static_cast<std::size_t>(i)]);
+    }
+    s.hand_force.setConstant(std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < force_.size(); ++i)
+      s.hand_force[static_cast<int>(i)] = log_.number(force_[i]);
+    return s;
+  }
+
+  /// What the log says that the brakes were told, if it does.
+  std::optional<ph::brake_vector<M>> capacity() const {
+    ph::brake_vector<M> all;
+    if (capacity_.size() != M::brake_count) return std::nullopt;
+    for (int i = 0; i < M::brake_count; ++i) all[i] = log_.number(capacity_[static_cast<std::size_t>(i)]);
+    if (!all.allFinite()) return std::nullopt;
+    return all;
+  }
+
+ private:
+  const log_reader& log_;
+  std::size_t time_;
+  std::vector<std::size_t> q_, qd_, force_, capacity_;
+};
+
+/// Runs each line of a log through a controller and writes it with the decision to `out`, a log itself. A
+/// line in which a number is missing is written without a decision; where no force is needed, a missing one
+/// is 0, as of a device without a force sensor. Throws log_error on the first malformed line. Memory does not
+/// grow with the log. `progress` hears the number of lines done, every 65 536 of them.
+template <class Control>
+replay_summary replay(log_reader& log, std::ostream& out, Control& control, bool needs_force = true,
+                      const std::function<void(std::size_t)>& progress = {}) {
+  using M = std::remove_cvref_t<decltype(control.mechanism())>;
+  const motion_columns<M> columns(log, needs_force);
+  const joint_kinds joints = columns.joints();
+  typename Control::result_type decision;
+  log_row row;
+  const auto fill = [&](const ph::device_state<M>& state, bool was_asked) {
+    row.start();
+    put_motion(row, joints, state);
+    put_decision(row, joints, decision, was_asked);
+  };
+  fill({}, false);
+  out << row.header();
+
+  replay_summary all;
+  while (log.next()) {
+    const ph::device_state<M> logged = columns.state();
+    ph::device_state<M> state = logged;
+    if (!needs_force && !state.hand_force.allFinite()) state.hand_force.setZero();
+    const bool is_whole = state.q.allFinite() && state.qd.allFinite() && state.hand_force.allFinite();
+    if (is_whole) {
+      decision = control(state);
+      ++all.decided;
+      if (const auto capacity = columns.capacity()) {
+        ++all.compared;
+        all.same += *capacity == decision.capacity;
+      }
+    }
+    fill(logged, is_whole);
+    out << row.csv();
+    if (++all.lines % 65536 == 0 && progress) progress(all.lines);
+  }
+  return all;
+}
+
+}  // namespace example

@@ -1,0 +1,173 @@
+// The log of a run: what is not known is empty, replay makes the same decisions of it, and who draws it gets
+// it as it comes.
+#include "program.hpp"
+
+#include <arpa/inet.h>
+#include <sys/socket.h>
+
+#include <array>
+
+namespace {
+
+using namespace program;
+
+struct a_log : a_driver {
+  outcome replay(const words& arguments) {
+    words command{PASSIVE_HAPTICS_REPLAY};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const int status = status_of(spawn(command, "replay"));
+    return {status, text_of(directory / "replay.out"), text_of(directory / "replay.err")};
+  }
+};
+
+// Nothing is at 5145.8 rad, and an offset is no force.
+TEST_F(a_log, is_empty_where_nothing_is_known_yet) {
+  file("c.toml", settings{}.text());
+  ASSERT_EQ(run({"--config=c.toml", "--seconds=1", "--quiet"}).status, 0);
+  const log_file all = log();
+  std::size_t i = 0;
+  const auto is_empty = [&](const char* name) { return all.text(i, name).empty(); };
+  const auto expect = [&](bool homed, bool tared, bool asked) {
+    for (const char* name : {"q1", "q2", "qd1", "qd2", "x", "y"})
+      EXPECT_EQ(is_empty(name), !homed) << name << i;
+    for (const char* name : {"Fh_x", "Fh_y"}) EXPECT_EQ(is_empty(name), !tared) << name << i;
+    for (const char* name :
+         {"status", "power", "display", "gamma", "alpha", "Fd_x", "Fc_y", "capacity1", "torque2"})
+      EXPECT_EQ(is_empty(name), !asked) << name << i;
+    for (const char* name : {"t", "cycle", "state", "current1", "current2", "late", "compute"})
+      EXPECT_FALSE(is_empty(name)) << name << i;
+  };
+  expect(false, false, false);
+  while (i < all.size() && is_empty("q1")) ++i;
+  ASSERT_LT(i, all.size());
+  EXPECT_NEAR(all.number(i, "q1"), 1.8812, 1e-3);
+  expect(true, false, false);
+  while (i < all.size() && is_empty("Fh_x")) ++i;
+  ASSERT_LT(i, all.size());
+  EXPECT_NEAR(all.number(i, "Fh_x"), 0, 0.5);
+  i = all.size() - 1;
+  expect(true, true, true);
+}
+
+TEST_F(a_log, names_its_version_and_units) {
+  file("xy.toml", "[mechanism]\ntype = \"xy_table\"\n[homing]\nduration = 0.1\n");
+  run({"--config=xy.toml", "--seconds=0.2", "--quiet"});
+  std::istringstream in(text_of(log_path()));
+  std::string version, units, names;
+  std::getline(in, version);
+  std::getline(in, units);
+  std::getline(in, names);
+  EXPECT_EQ(version, "# passive_haptics log 1");
+  EXPECT_EQ(units, "# units: s,m,m,m/s,m/s,N,N,,,,rad,1,N,N,N,N,N,N,N,N,1,,,,m,m,A,A,s,s");
+  EXPECT_EQ(
+      names,
+      "t,q1,q2,qd1,qd2,Fh_x,Fh_y,status,power,display,gamma,alpha,Fd_x,Fd_y,Fc_x,Fc_y,capacity1,capacity2,"
+      "torque1,torque2,cycle,state,reason,held_over,x,y,current1,current2,late,compute");
+}
+
+TEST_F(a_log, replays_to_the_same_decisions_to_the_last_digit) {
+  for (const char* law : {"direct_control", "velocity_direct_control"}) {
+    file("c.toml",
+         std::string("law = \"") + law + "\"\n" +
+             settings{.hand_start = 0.5,
+                      .sections = "[mechanism]\nlength_1 = 0.151\n[brakes]\nrate_dead_band = 0.03\n"}
+                 .text());
+    ASSERT_EQ(run({"--config=c.toml", "--seconds=2", "--quiet"}).status, 0);
+    const words arguments{"--input=brake_driver.csv", std::string("--law=") + law, "--dead-band=0.03",
+                          "--output=once"};
+    words right = arguments;
+    right.push_back("--parameter=length_1=0.151");
+    const outcome o = replay(right);
+    ASSERT_EQ(o.status, 0) << o.err;
+    const log_file logged = log(), replayed(directory / "once/replay.csv");
+    ASSERT_EQ(replayed.size(), logged.size());
+    std::size_t decisions = 0, in_contact = 0;
+    for (std::size_t i = 0; i < logged.size(); ++i) {
+      for (const char* name :
+           {"t",     "q1",    "q2",   "qd1",  "qd2",  "Fh_x", "Fh_y",      "status",    "power",   "display",
+            "gamma", "alpha", "Fd_x", "Fd_y", "Fc_x", "Fc_y", "capacity1", "capacity2", "torque1", "torque2"})
+        ASSERT_EQ(replayed.text(i, name), logged.text(i, name)) << law << ", line " << i << ", " << name;
+      decisions += !logged.text(i, "capacity1").empty();
+      in_contact += logged.number(i, "Fd_y") < 0;
+    }
+    EXPECT_GT(in_contact, 100U) << "of " << decisions << " decisions";
+    const std::string same = std::to_string(decisions) + " of " + std::to_string(decisions);
+    EXPECT_TRUE(has(o.out, "capacities as in the log, to the last digit: " + same)) << o.out;
+    // Of another arm they differ
+    EXPECT_FALSE(has(replay(arguments).out, same));
+    // Its own output is a log
+    ASSERT_EQ(replay({"--input=once/replay.csv", std::string("--law=") + law, "--dead-band=0.03",
+                      "--parameter=length_1=0.151", "--output=twice"})
+                  .status,
+              0);
+    EXPECT_EQ(text_of(directory / "twice/replay.csv"), text_of(directory / "once/replay.csv"));
+  }
+}
+
+TEST_F(a_log, that_is_wrong_is_named_with_file_line_and_column) {
+  file("a.csv", "t,q1,q2,qd1,qd2,Fh_x,Fh_y\n0,1,2,3,4,5,x\n");
+  for (const auto& [arguments, status, message] : {
+           std::tuple{words{"--input=a.csv"}, 1,
+                      "error: a.csv, line 2, column 7: 'x', expected a finite number for 'Fh_y'\n"},
+           {words{"--input=none.csv"}, 1, "error: cannot read 'none.csv'\n"},
+           {words{"--parameter=length=1"}, 2,
+            "error: --parameter: 'length', expected one of length_1, length_2, mass_1, mass_2, handle_mass, "
+            "rotor_inertia_1, rotor_inertia_2, reduction_2\n"},
+           {words{"--parameter=length_1=x"}, 2,
+            "error: --parameter: length_1: 'x' in 'x', expected a finite number\n"},
+           {words{"--parameter=length_1=-1"}, 2,
+            "error: passive_haptics: arm.length_1 [m] = -1, expected a finite number > 0\n"},
+           {words{"--mechanism=five_bar", "--parameter=assembly=up"}, 2,
+            "error: --parameter: 'up', expected one of left, right\n"},
+           {words{"--wall=cube:1"}, 2, "error: --wall: shape 'cube', expected plane:, solid: or hollow:\n"},
+           {words{"--law=direct"}, 2,
+            "error: --law: 'direct', expected one of direct_control, velocity_direct_control, "
+            "no_direct_control; --help lists the options\n"},
+       }) {
+    const outcome o = replay(arguments);
+    EXPECT_EQ(o.status, status) << message;
+    EXPECT_EQ(o.err, message);
+    EXPECT_EQ(o.out, "");
+    EXPECT_FALSE(fs::exists(directory / "replay.csv") || fs::exists(directory / "replay.csv.part"));
+  }
+  EXPECT_EQ(replay({"--help"}).out, text_of(shipped + "/../help/05_replay.txt"));
+}
+
+TEST_F(a_log, of_a_simulation_is_made_up_where_none_is_given) {
+  const outcome o = replay({"--output=there"});
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_TRUE(o.out.starts_with("500 lines, 500 with a decision: ")) << o.out;
+  EXPECT_EQ(log_file(directory / "there/replay.csv").size(), 500U);
+}
+
+TEST_F(a_log, comes_live_as_json_to_a_port_of_this_machine) {
+  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0), room = 1 << 22;
+  setsockopt(socket, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  ASSERT_EQ(bind(socket, reinterpret_cast<const sockaddr*>(&address), size), 0);
+  getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size);
+  file("c.toml", settings{}.text());
+  start({"--config=c.toml", "--seconds=1", "--quiet", "--live=" + std::to_string(ntohs(address.sin_port))});
+  std::vector<std::string> rows;
+  const timeval patience{10, 0};
+  setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  std::array<char, 4096> bytes;
+  while (rows.size() < 100) {
+    const ssize_t n = recv(socket, bytes.data(), bytes.size(), 0);
+    ASSERT_GT(n, 0) << "nothing came";
+    rows.emplace_back(bytes.data(), static_cast<std::size_t>(n));
+  }
+  close(socket);  // nobody has to listen
+  const outcome o = end();
+  EXPECT_EQ(o.status, 0) << o.err;
+  const log_file all = log();
+  ASSERT_TRUE(all.is_whole());
+  EXPECT_TRUE(rows[0].starts_with("{\"t\":" + all.text(0, "t") + ",\"cycle\":")) << rows[0];
+  EXPECT_TRUE(rows[0].ends_with(",\"compute\":" + all.text(0, "compute") + "}")) << rows[0];
+  EXPECT_TRUE(has(rows[0], ",\"state\":\"ready\",")) << rows[0];
+}
+
+}  // namespace

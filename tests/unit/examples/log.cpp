@@ -1,0 +1,249 @@
+// The format of a log: what is written reads back, what is wrong is named with file, line and column.
+#include <log/live_stream.hpp>
+#include <log/log_reader.hpp>
+#include <log/log_row.hpp>
+
+#include <gtest/gtest.h>
+
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <sstream>
+
+namespace {
+
+using example::log_reader;
+using example::log_row;
+
+const std::string header = "t,q1,note\n";
+
+std::string message_for(const std::string& log) {
+  std::istringstream in(log);
+  try {
+    log_reader reader(in, "a.csv");
+    const std::size_t q = reader.column("q1", {"rad", "m"});
+    while (reader.next()) reader.number(q);
+  } catch (const example::log_error& error) {
+    return error.what();
+  }
+  return "no message";
+}
+
+std::size_t lines_in(const std::string& log) {
+  std::istringstream in(log);
+  log_reader reader(in, "a.csv");
+  std::size_t count = 0;
+  while (reader.next()) {
+    reader.number(reader.column("q1", {"rad"}));
+    ++count;
+  }
+  return count;
+}
+
+log_row example_row() {
+  log_row row;
+  row.start();
+  row.put("t", "s", 0.1);
+  row.put("q", "rad", std::array{1.5, std::nan("")});
+  row.put_axes("Fh", "N", std::array{-2e-7, HUGE_VAL});
+  row.put("cycle", "1", std::int64_t{1'000'000});
+  row.put("state", "released: \"late\", twice");
+  row.put("reason", "");
+  return row;
+}
+
+// Datagrams to a port of this machine.
+class listener {
+ public:
+  listener() {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    const timeval patience{10, 0};
+    setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&address), size), 0);
+    EXPECT_EQ(getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size), 0);
+    port = ntohs(address.sin_port);
+  }
+  ~listener() { close(socket_); }
+
+  std::string next() {
+    std::array<char, 4096> bytes;
+    const ssize_t n = recv(socket_, bytes.data(), bytes.size(), 0);
+    return n < 0 ? "nothing came" : std::string(bytes.data(), static_cast<std::size_t>(n));
+  }
+  int port = 0;
+
+ private:
+  int socket_ = socket(AF_INET, SOCK_DGRAM, 0);
+};
+
+const std::string example_json =
+    R"({"t":0.1,"q1":1.5,"Fh_x":-2e-07,"cycle":1000000,"state":"released: \"late\", twice"})";
+
+}  // namespace
+
+TEST(log_row, is_a_line_of_csv_below_version_units_and_names) {
+  log_row row = example_row();
+  EXPECT_EQ(row.header(),
+            "# passive_haptics log 1\n# units: s,rad,rad,N,N,1,,\nt,q1,q2,Fh_x,Fh_y,cycle,state,reason\n");
+  EXPECT_EQ(row.csv(), "0.1,1.5,,-2e-07,,1000000,\"released: \"\"late\"\", twice\",\n");
+  row.start();
+  row.put("t", "s", 0.2);
+  EXPECT_EQ(row.csv(), "0.2\n");
+}
+
+TEST(log_row, is_an_object_of_json_without_the_empty_cells) {
+  EXPECT_EQ(example_row().json(), example_json);
+  log_row row;
+  row.start();
+  row.put("t", "s", NAN);
+  EXPECT_EQ(row.json(), "{}");
+}
+
+// Any finite number, to its last bit; seed 20040627.
+TEST(log_row, reads_back_as_the_same_numbers) {
+  std::mt19937_64 random(20040627);
+  using limits = std::numeric_limits<double>;
+  std::vector<double> numbers{
+      0,   -0.0,    limits::min(), limits::max(), limits::lowest(), limits::denorm_min(),
+      0.1, 1.0 / 3, 5145.8,        1e22};
+  while (numbers.size() < 20'000)
+    if (const double x = std::bit_cast<double>(random()); std::isfinite(x)) numbers.push_back(x);
+  log_row row;
+  std::string log;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    row.start();
+    row.put("t", "s", static_cast<double>(i));
+    row.put("q1", "rad", numbers[i]);
+    if (i == 0) log = row.header();
+    log += row.csv();
+  }
+  std::istringstream in(log);
+  log_reader reader(in, "a.csv");
+  const std::size_t q = reader.column("q1", {"rad"});
+  for (const double x : numbers) {
+    ASSERT_TRUE(reader.next());
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(reader.number(q)), std::bit_cast<std::uint64_t>(x)) << x;
+  }
+  EXPECT_FALSE(reader.next());
+}
+
+TEST(log_reader, finds_columns_by_name_beside_others) {
+  std::istringstream in(
+      "# passive_haptics log 1\n# made by hand\n# units: ,rad,s\nnote,q1,t\n\"a, b\",1,2\n,,3\n");
+  log_reader reader(in, "a.csv");
+  const std::size_t q = reader.column("q1", {"m", "rad"});
+  EXPECT_EQ(q, 1U);
+  EXPECT_EQ(reader.unit(q), "rad");
+  EXPECT_FALSE(reader.find("q2"));
+  ASSERT_TRUE(reader.next());
+  EXPECT_EQ(reader.number(q), 1);
+  ASSERT_TRUE(reader.next());
+  EXPECT_TRUE(std::isnan(reader.number(q))) << "an empty cell";
+  EXPECT_FALSE(reader.next());
+}
+
+TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
+  const std::string good = "0.5,1,x\n", number = ", expected a finite number for 'q1'";
+  struct malformed {
+    const char* what;
+    std::string log, message;
+  };
+  const malformed all[] = {
+      {"nothing at all", "", "line 1: the log is empty, expected a line of names, t,q1,..."},
+      {"remarks alone", "# a\n", "line 2: the log ends, expected a line of names, t,q1,..."},
+      {"no header", good, "line 1: no column 't', expected one among '0.5,1,x'"},
+      {"no such column", "t,q2\n", "line 1: no column 'q1', expected one among 't,q2'"},
+      {"a column twice", "t,q1,q1\n", "line 1, column 3: a second 'q1', expected each name once"},
+      {"a unit in a name", "t [s],q1\n", "line 1: no column 't', expected one among 't [s],q1'"},
+      {"another unit", "# units: s,deg,\n" + header,
+       "line 2, column 2: 'q1' in 'deg', expected it in rad or m"},
+      {"time in another unit", "# units: ms,rad,\n" + header,
+       "line 2, column 1: 't' in 'ms', expected it in s"},
+      {"too few units", "# units: s,rad\n" + header, "line 2: 3 names, expected 2, as there are units"},
+      {"a log to come", "# passive_haptics log 2\n" + header, "line 1: version 2, expected version 1"},
+      {"a line too short", header + "0.6,1\n", "line 2, column 3: the line ends, expected a cell for 'note'"},
+      {"a line too long", header + "0,1,2,3\n", "line 2, column 4: '3', expected 3 cells"},
+      {"no time", header + " ,1,2\n",
+       "line 2, column 1: no time, expected no time before that of the line above"},
+      {"a word", header + "0,two,3\n", "line 2, column 2: 'two'" + number},
+      {"a quoted number", header + "0,\"1\",2\n", "line 2, column 2: '\"1\"'" + number},
+      {"a number with a unit", header + "0,1 rad,2\n",
+       "line 2, column 2: ' rad' after a number" + number + " alone; units stand in the header"},
+      {"a decimal comma", header + "0,1;5,2\n",
+       "line 2, column 2: '1;5', expected cells separated by commas"},
+      {"not a number", header + "0,nan,2\n", "line 2, column 2: 'nan'" + number},
+      {"infinity", header + "0,-inf,2\n", "line 2, column 2: '-inf'" + number},
+      {"a number out of range", header + "0,1e999,2\n", "line 2, column 2: '1e999' is out of range" + number},
+      {"a hexadecimal number", header + "0,0x10,2\n",
+       "line 2, column 2: 'x10' after a number" + number + " alone; units stand in the header"},
+      {"two signs", header + "0,+-1,2\n", "line 2, column 2: '+-1'" + number},
+      {"time that runs backwards", header + good + "0.4,1,2\n",
+       "line 3, column 1: time 0.4, expected no time before that of the line above"},
+      {"a blank line in between", header + good + "\n" + good,
+       "line 4: a blank line before this one, expected numbers in each line"},
+      {"a zero byte", header + std::string("0,1,2\0,3", 8), "line 2: a zero byte, expected text"},
+      {"an endless line", header + std::string(5000, '1'),
+       "line 2: more than 4096 characters, expected a shorter line"},
+      {"an open quote", header + "0,1,\"x\n0.1,1,2\n", "no message"},  // of a column that nobody reads
+  };
+  for (const auto& [what, log, message] : all)
+    EXPECT_EQ(message_for(log), (message == "no message" ? "" : "a.csv, ") + message) << what;
+}
+
+TEST(log_reader, takes_what_programs_write) {
+  const std::string good = "0.5,1,x\n";
+  EXPECT_EQ(lines_in(header), 0U);
+  EXPECT_EQ(lines_in(header + good + good), 2U);
+  EXPECT_EQ(lines_in("\xEF\xBB\xBF" + header + good), 1U);                // a byte order mark
+  EXPECT_EQ(lines_in("t, q1, note\r\n0, 1, 2\r\n"), 1U);                  // blanks, and lines as of Windows
+  EXPECT_EQ(lines_in(header + "0,1,2"), 1U);                              // no newline at the end
+  EXPECT_EQ(lines_in(header + good + "\n\n"), 1U);                        // blank lines at the end
+  EXPECT_EQ(lines_in(header + "+0,1e0,\n1,.5,\n2,-3.,\n3,1e-320,"), 4U);  // all spellings of a number
+}
+
+TEST(live_stream, sends_each_row_as_json_to_a_port_of_this_machine) {
+  listener there;
+  example::live_stream stream;
+  ASSERT_EQ(stream.open(there.port), "");
+  log_row row = example_row();
+  stream.send(row);
+  EXPECT_EQ(there.next(), example_json);
+}
+
+TEST(live_stream, sends_nothing_unless_asked_and_needs_no_listener) {
+  example::live_stream off, alone;
+  log_row row = example_row();
+  EXPECT_EQ(off.open(0), "");
+  off.send(row);
+  {
+    listener gone;
+    ASSERT_EQ(alone.open(gone.port), "");
+  }
+  for (int i = 0; i < 10; ++i) alone.send(row);
+}
+
+TEST(paced_stream, sends_all_that_it_was_given_before_it_ends) {
+  listener there;
+  log_row row;
+  {
+    example::paced_stream stream(there.port);
+    for (const double t : {0.0, 0.01, 0.02}) {
+      row.start();
+      row.put("t", "s", t);
+      stream.send(t, row);
+    }
+  }
+  for (const char* expected : {R"({"t":0})", R"({"t":0.01})", R"({"t":0.02})"})
+    EXPECT_EQ(there.next(), expected);
+  example::paced_stream off(0);
+  off.send(1000, row);
+}
