@@ -14,7 +14,7 @@ cat >"$folder/one_step.cpp" <<'END'
 #include <passive_haptics/passive_haptics.hpp>
 namespace ph = passive_haptics;
 using arm = ph::tendon_two_link<double>;
-using loop = ph::controller<arm, ph::scene<ph::half_space<2>>, ph::direct_control>;
+using loop = ph::controller<arm, ph::static_scene<ph::half_space<2>>, ph::direct_control>;
 void cycle(loop& control, const ph::device_state<arm>& state, ph::step_result<arm>& result) {
   result = control(state);
 }

@@ -22,7 +22,7 @@ namespace ph = passive_haptics;
 namespace {
 
 using arm = ph::tendon_two_link<double>;
-using controller = ph::controller<arm, ph::scene<ph::half_space<2>>, ph::direct_control>;
+using controller = ph::controller<arm, ph::static_scene<ph::half_space<2>>, ph::direct_control>;
 
 constexpr unsigned seed = 20040627;
 constexpr std::size_t state_count = 1u << 14;  // more than a branch predictor learns

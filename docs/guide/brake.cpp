@@ -26,7 +26,7 @@ int main() {
   const auto t = ph::passive_torque({0.5, 0.5}, w, th, brakes);      // what they make of 0.5 N m each
   std::cout << "s = " << s.transpose() << "\nt = " << t.transpose() << " N m\n";
 
-  const ph::scene wall(ph::wall(ph::half_space<2>({0, 0.2249}, {0, -1}), 1e4));
+  const auto wall = ph::scene(ph::wall(ph::half_space<2>({0, 0.2249}, {0, -1}), 1e4));
   ph::controller gliding(arm, lagging_brakes(), wall, ph::velocity_direct_control());
   ph::controller bare(arm, ph::unlimited_brakes(), wall, ph::no_direct_control());
   const ph::device_state<device> state{0, q, {-0.3, 0.1}, {0, 2}};

@@ -41,7 +41,7 @@ int main() {
   const auto stopped = way("end stops", ph::with_effects(nothing, stops), {2, 0});
 
   // Beside a wall
-  const ph::scene floor{ph::wall(ph::half_space<2>({0, 1e-3}, {0, 1}), 1e4)};
+  const auto floor = ph::scene(ph::wall(ph::half_space<2>({0, 1e-3}, {0, 1}), 1e4));
   const auto stuck = way("wall friction", ph::with_effects(floor, rough), {3, -8});
   const auto both = way("honey on a rough wall", ph::with_effects(floor, rough, honey), {6, -8});
 

@@ -56,3 +56,5 @@
 #include <passive_haptics/control/laws/velocity_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity_ratio_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
+
+#include <passive_haptics/plant/simulated_device_declaration.hpp>

@@ -6,5 +6,5 @@ namespace ph = passive_haptics;
 int main() {
   const ph::mesh_surface<2> line(ph::polyline({{{0, 0}, {1, 0}}, {{0, 1}}}));
   const ph::wall sheet(line);
-  const ph::scene scene(sheet);
+  const auto scene = ph::scene(sheet);
 }

@@ -55,8 +55,8 @@ void run_all(const M& mechanism, double size) {
   constexpr int d = M::task_dimension;
   ph::point<d> low = ph::point<d>::Zero(), up = ph::point<d>::UnitX();
   low[0] = size / 3;
-  const ph::scene walls{ph::wall(ph::half_space<d>(low, up), 1e3),
-                        ph::wall(ph::ball<d>(low, size, ph::filling::hollow), 2e3)};
+  const auto walls = ph::scene(ph::wall(ph::half_space<d>(low, up), 1e3),
+                               ph::wall(ph::ball<d>(low, size, ph::filling::hollow), 2e3));
   const ph::held_scene held(walls, 0.01);
   ways seen;
   run<M, ph::direct_control, decltype(walls), ph::device_state<M>>(mechanism, walls, {}, seen);

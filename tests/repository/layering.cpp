@@ -23,7 +23,7 @@ const std::set<std::string> rooms_of_the_path{"core/linear", "force/torques"};
 
 bool is_dependency(const std::string& include, const std::string& folder) {
   if (include.find_first_of("/.") == std::string::npos) return true;  // the standard library
-  if (include.starts_with("Eigen/") || include.starts_with("unsupported/Eigen/")) return true;
+  if (include.starts_with("Eigen/")) return true;
   if (include.starts_with("boost/hana/"))
     return true;  // in parts: the whole of it does not compile with libc++
   return (folder == "testing" && (include.starts_with("gtest/") || include.starts_with("benchmark/"))) ||

@@ -65,7 +65,7 @@ static_assert(ph::needs_torque_limit<ph::velocity_ratio_control> &&
               !ph::needs_torque_limit<ph::velocity_direct_control>);
 
 // A controller's brakes are those that it is made of, brakes_of<M> where nothing else is said
-using plane = ph::scene<ph::half_space<2>>;
+using plane = ph::static_scene<ph::half_space<2>>;
 static_assert(std::is_same_v<ph::controller<arm, plane, ph::direct_control>,
                              ph::controller<arm, plane, ph::direct_control, ph::brakes_of<arm>>>);
 using braced = decltype(ph::controller(arm(), {}, std::declval<plane>(), ph::direct_control()));

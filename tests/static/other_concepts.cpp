@@ -77,7 +77,7 @@ static_assert(!ph::Shape<distance_in_float> && !ph::Shape<distance_not_const> &&
               !ph::Shape<gradient_in_float>);
 static_assert(!ph::Shape<gradient_of_wrong_size> && !ph::Shape<gradient_as_expression> &&
               !ph::Shape<shape_of_no_dimension>);
-static_assert(!ph::Shape<int> && !ph::Shape<ph::scene<ph::disc>>);
+static_assert(!ph::Shape<int> && !ph::Shape<ph::static_scene<ph::disc>>);
 
 // ---- control laws
 

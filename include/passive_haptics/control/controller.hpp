@@ -11,9 +11,6 @@
 
 namespace passive_haptics {
 namespace detail {
-template <class S, int D>
-concept has_another_dimension = requires { requires S::dimension != D; };
-
 // A law whose parameters can be checked, passed on once they are.
 template <class L>
 L&& require_valid_law(L&& law) {
@@ -32,15 +29,14 @@ const B& require_valid_brakes(const B& brakes) {
 
 /// Owns all that a control loop needs but the state, which comes in each cycle.
 ///
-/// S: a scene<...>, held_scene<...>, world<...> or latest_scene<...>, or any type with a contacts_type for
-/// which sense(s, x) or sense(s, x, time) gives such contacts. Where there is a scene_status(s), a cycle ends
-/// with it unless it is ok. B: brakes_of<M>, or any type with some of its members (brake/brake_concepts.hpp):
-/// what it lacks costs nothing.
+/// S: a static_scene<...>, held_scene<...>, world<...> or latest_scene<...>, or any type with a contacts_type
+/// for which sense(s, x) or sense(s, x, time) gives such contacts. Where there is a scene_status(s), a cycle
+/// ends with it unless it is ok. B: brakes_of<M>, or any type with some of its members
+/// (brake/brake_concepts.hpp): what it lacks costs nothing.
 template <class M, class S, class L, class B = brakes_of<M>>
 class controller {
   static_assert(mechanism_requirements<M>::met);
-  static_assert(!detail::has_another_dimension<S, M::task_dimension>,
-                "passive_haptics: the scene's dimension must be the mechanism's task_dimension.");
+  static_assert(detail::scene_requirements<S, M>::met);
   static_assert(detail::law_brake_requirements<M, L, B>::met);
 
  public:

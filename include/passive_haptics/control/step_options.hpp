@@ -27,7 +27,6 @@ struct step_options {
 /// What a step remembers; start a motion with a fresh one.
 template <class L>
 struct step_memory {
-  static_assert(ControlLaw<L>, "passive_haptics: the law must model ControlLaw (control/control_law.hpp).");
   [[no_unique_address]] law_memory<L> law = {};  ///< The law's own part.
   half_space_start start = {};                   ///< Where the next approximation begins.
 };

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 
 namespace passive_haptics {
 
@@ -47,6 +48,26 @@ constexpr std::array<double, static_cast<std::size_t>(N)> same_for_each(double v
 template <int N>
 using brake_currents = std::array<double, static_cast<std::size_t>(N)>;
 
+namespace detail {
+template <class P>
+concept names_port_sizes = requires {
+  requires(std::integral_constant<int, P::encoder_count>::value >= 0);
+  requires(std::integral_constant<int, P::brake_count>::value >= 0);
+};
+template <class P>
+concept opens = requires(P port) {
+  { port.open() } -> std::same_as<std::string>;
+};
+template <class P>
+concept reads_encoders = requires(P port, port_sample<P::encoder_count>& sample) {
+  { port.read(sample) } noexcept -> std::same_as<port_status>;
+};
+template <class P>
+concept writes_currents = requires(P port, const brake_currents<P::brake_count>& currents) {
+  { port.write(currents) } noexcept -> std::same_as<port_status>;
+};
+}  // namespace detail
+
 /// The way to the brakes and encoders of a device. A minimal one has
 ///
 ///     static constexpr int encoder_count, brake_count;
@@ -73,13 +94,29 @@ using brake_currents = std::array<double, static_cast<std::size_t>(N)>;
 /// to the same device in another process, of which only open(), write() and release() are called
 /// (supervisor).
 template <class P>
-concept BrakePort =
-    requires(P port, port_sample<P::encoder_count>& sample, const brake_currents<P::brake_count>& currents) {
-      { port.open() } -> std::same_as<std::string>;
-      { port.read(sample) } noexcept -> std::same_as<port_status>;
-      { port.write(currents) } noexcept -> std::same_as<port_status>;
-      { port.release() } noexcept;
-    };
+concept BrakePort = detail::names_port_sizes<P> && detail::opens<P> && detail::reads_encoders<P> &&
+                    detail::writes_currents<P> && requires(P port) {
+                      { port.release() } noexcept;
+                    };
+
+/// The requirements of BrakePort, one short message for each.
+template <class P>
+struct port_requirements {
+  static_assert(
+      detail::names_port_sizes<P>,
+      "passive_haptics: a port needs `static constexpr int encoder_count, brake_count`, each >= 0.");
+  static_assert(detail::opens<P>, "passive_haptics: a port needs `std::string open()`.");
+  static_assert(!detail::names_port_sizes<P> || detail::reads_encoders<P>,
+                "passive_haptics: a port needs `port_status read(port_sample<encoder_count>&) noexcept`.");
+  static_assert(
+      !detail::names_port_sizes<P> || detail::writes_currents<P>,
+      "passive_haptics: a port needs `port_status write(const brake_currents<brake_count>&) noexcept`.");
+  static_assert(
+      requires(P port) {
+        { port.release() } noexcept;
+      }, "passive_haptics: a port needs `void release() noexcept`.");
+  static constexpr bool met = true;  ///< Or the compiler says what is not.
+};
 
 /// Width of the counters behind a port [bits]; 0 where they never wrap.
 template <BrakePort P>
@@ -101,6 +138,15 @@ template <class S>
 concept ForceSensor = requires(S sensor, port_sample<S::channel_count>& sample) {
   { sensor.open() } -> std::same_as<std::string>;
   { sensor.read(sample) } noexcept -> std::same_as<port_status>;
+};
+
+/// The requirements of ForceSensor in a message.
+template <class S>
+struct sensor_requirements {
+  static_assert(ForceSensor<S>,
+                "passive_haptics: a force sensor needs `static constexpr int channel_count`, `std::string "
+                "open()` and `port_status read(port_sample<channel_count>&) noexcept`.");
+  static constexpr bool met = true;  ///< Or the compiler says what is not.
 };
 
 /// For a device without a force sensor.

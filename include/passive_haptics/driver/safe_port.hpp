@@ -24,17 +24,17 @@ namespace passive_haptics {
 /// not valid, or no cycle came for `hold_over` seconds. An older sample than that counts as bad. Where nobody
 /// knows any more how far the encoders went, the program must start again, with homing. Nothing here
 /// allocates, throws, locks or reads a clock after open().
-template <BrakePort Port, ForceSensor Sensor = no_force_sensor>
+template <class Port, class Sensor = no_force_sensor>
 class safe_port {
  public:
+  static_assert(port_requirements<Port>::met && sensor_requirements<Sensor>::met);
   static constexpr int encoder_count = Port::encoder_count;              ///< Encoders.
   static constexpr int brake_count = Port::brake_count;                  ///< Brakes.
   static constexpr int channel_count = Sensor::channel_count;            ///< Channels of the force sensor.
   using currents = brake_currents<brake_count>;                          ///< [A]
   using parameters = safe_port_parameters<brake_count, channel_count>;   ///< What it allows.
   using encoder_counts = typename encoder_check<encoder_count>::counts;  ///< [counts]
-  /// As the sensor tells.
-  using force_reading = std::array<double, static_cast<std::size_t>(channel_count)>;
+  using force_reading = std::array<double, std::size_t(channel_count)>;  ///< As the sensor tells.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit safe_port(Port port, Sensor sensor = {}, const parameters& p = {})

@@ -2,16 +2,15 @@
 /// The Jacobian and the transmission of any mechanism, from whatever the mechanism gives.
 #pragma once
 
+#include <passive_haptics/core/dual_number.hpp>
 #include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
-
-#include <unsupported/Eigen/AutoDiff>
 
 namespace passive_haptics {
 namespace detail {
 
 template <class M>
-using derivative_scalar = Eigen::AutoDiffScalar<joint_vector<M>>;
+using derivative_scalar = dual_number<typename M::scalar, M::dof>;
 
 template <class M>
 concept differentiates_itself =
@@ -32,7 +31,7 @@ template <class M>
 jacobian_matrix<M> automatic_jacobian(const M& mechanism, const joint_vector<M>& q) {
   using scalar = detail::derivative_scalar<M>;
   vector<scalar, M::dof> seeded;
-  for (int i = 0; i < M::dof; ++i) seeded[i] = scalar(q[i], M::dof, i);
+  for (int i = 0; i < M::dof; ++i) seeded[i] = scalar::variable(q[i], i);
   const vector<scalar, M::task_dimension> x = mechanism.position(seeded);
   jacobian_matrix<M> J;
   for (int i = 0; i < M::task_dimension; ++i) J.row(i) = x[i].derivatives();

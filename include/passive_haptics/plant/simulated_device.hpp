@@ -9,12 +9,15 @@
 #include <passive_haptics/plant/box_friction.hpp>
 #include <passive_haptics/plant/energy_balance.hpp>
 #include <passive_haptics/plant/simulated_brakes.hpp>
+#include <passive_haptics/plant/simulated_device_declaration.hpp>
 
 #include <algorithm>
 #include <concepts>
 #include <utility>
 
 namespace passive_haptics {
+
+struct detail::simulated_device_header {};
 
 /// Simulated device: M qdd + c = J^T Fh + T^T t, where the brakes are Coulomb friction with exact stick and
 /// viscous drag; the friction's strength follows the commanded capacity as simulated_brakes says. Any m, n, d
@@ -25,6 +28,7 @@ namespace passive_haptics {
 /// sensor between them feels what reaches the device. energy() tells where the energy went. Cost of a step:
 /// M, J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
 template <class M>
+  requires(detail::simulated_device_requirements<M>::met)
 class simulated_device {
   static_assert(mechanism_requirements<M>::met);
   static_assert(Dynamics<M>,

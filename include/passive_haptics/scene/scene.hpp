@@ -2,8 +2,7 @@
 /// A scene of walls known at compile time.
 #pragma once
 
-#include <passive_haptics/core/parameters.hpp>
-#include <passive_haptics/scene/contacts.hpp>
+#include <passive_haptics/scene/wall.hpp>
 
 #include <boost/hana/at.hpp>
 #include <boost/hana/for_each.hpp>
@@ -13,44 +12,10 @@
 
 namespace passive_haptics {
 
-/// A shape that resists with F = stiffness * depth along its gradient; frictionless. One with a tracker is
-/// for a world (scene/world/tracked_shape.hpp).
-template <class S>
-struct wall {
-  static_assert(
-      Shape<S> || requires { typename S::tracker; },
-      "passive_haptics: a wall needs a Shape: `static constexpr int dimension`, "
-      "`double distance(x) const`, `point<dimension> gradient(x) const`.");
-  /// Throws std::invalid_argument if the stiffness [N/m] is negative or not finite; section 5.1: 1e7 N/m.
-  explicit wall(S geometry, double newton_per_metre = 1e7)
-      : shape(std::move(geometry)), stiffness(newton_per_metre) {
-    require_valid(*this);
-  }
-  S shape;           ///< Geometry.
-  double stiffness;  ///< [N/m]
-
-  static constexpr const char* owner = "a wall";  ///< In errors.
-  /// The table of core/parameters.hpp.
-  static constexpr auto members() {
-    using p = wall;
-    return member_table(member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(0, 1e9)));
-  }
-};
-
-/// All that a contact of this wall at x [m] tells, but the wall's number.
-template <class S>
-void describe(const wall<S>& w, const point<S::dimension>& x, double distance, contact<S::dimension>& c) {
-  c.normal = w.shape.gradient(x);
-  c.depth = -distance;
-  c.stiffness = w.stiffness;
-  c.wall_velocity = surface_velocity(w.shape, x);
-  c.position = x;
-  c.curvature = surface_curvature(w.shape, x);
-}
-
-/// Fixed walls of any shapes and one dimension. Only the code for the shapes it names exists.
+/// Fixed walls of any shapes and one dimension, made by scene(). Only the code for the shapes it names
+/// exists.
 template <class First, class... Rest>
-class scene {
+class static_scene {
  public:
   static constexpr int dimension = First::dimension;                        ///< d
   static constexpr int wall_count = 1 + static_cast<int>(sizeof...(Rest));  ///< Walls, so most contacts.
@@ -64,7 +29,8 @@ class scene {
   using contacts_type = contacts<dimension, wall_count>;
 
   /// The walls, in the order of their numbers.
-  explicit scene(wall<First> first, wall<Rest>... rest) : walls_(std::move(first), std::move(rest)...) {}
+  explicit static_scene(wall<First> first, wall<Rest>... rest)
+      : walls_(std::move(first), std::move(rest)...) {}
 
   /// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a
   /// contact with a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for
@@ -102,5 +68,22 @@ class scene {
  private:
   boost::hana::tuple<wall<First>, wall<Rest>...> walls_;
 };
+
+/// The scene of these walls, in the order of their numbers: `scene(wall(shape, stiffness), ...)`. (A
+/// function, as a class template here would read as the declaration of a function.)
+template <class First, class... Rest>
+static_scene<First, Rest...> scene(wall<First> first, wall<Rest>... rest) {
+  return static_scene<First, Rest...>(std::move(first), std::move(rest)...);
+}
+
+/// Not for what is no wall.
+template <class... X>
+  requires(!(detail::is_wall<X> && ...))
+auto scene(const X&...) {
+  static_assert(
+      (detail::is_wall<X> && ...),
+      "passive_haptics: a scene is made of walls: put each shape into one, "
+      "`scene(wall(shape, stiffness))`; effects stand beside a scene, `with_effects(scene, effect)`.");
+}
 
 }  // namespace passive_haptics

@@ -20,9 +20,9 @@ TEST(no_allocation, in_a_step_with_a_transmission_that_depends_on_the_pose) {
 template <class M>
 void run_torque_laws(const M& mechanism, double size) {
   constexpr int d = M::task_dimension;
-  const ph::scene walls{
-      ph::wall(ph::half_space<d>(ph::point<d>::UnitX() * (size / 3), ph::point<d>::UnitX()), 1e3),
-      ph::wall(ph::ball<d>(ph::point<d>::Zero(), size, ph::filling::hollow), 2e3)};
+  const auto walls =
+      ph::scene(ph::wall(ph::half_space<d>(ph::point<d>::UnitX() * (size / 3), ph::point<d>::UnitX()), 1e3),
+                ph::wall(ph::ball<d>(ph::point<d>::Zero(), size, ph::filling::hollow), 2e3));
   ways seen;
   using walls_type = decltype(walls);
   using felt = ph::device_state<M>;
@@ -46,8 +46,8 @@ void run_with_effects(const M& mechanism, double size) {
   constexpr int d = M::task_dimension, n = M::dof;
   ph::point<d> low = ph::point<d>::Zero(), up = ph::point<d>::UnitX();
   low[0] = size / 3;
-  const ph::scene walls{ph::wall(ph::half_space<d>(low, up), 1e3),
-                        ph::wall(ph::ball<d>(low, size, ph::filling::hollow), 2e3)};
+  const auto walls = ph::scene(ph::wall(ph::half_space<d>(low, up), 1e3),
+                               ph::wall(ph::ball<d>(low, size, ph::filling::hollow), 2e3));
   const auto scene =
       ph::with_effects(walls, ph::viscous_field<T, d>({.viscosity = ph::matrix<T, d, d>::Identity()}),
                        ph::detents<T, d>({.spacing = T(0.02), .strength = T(3)}),

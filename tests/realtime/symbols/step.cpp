@@ -4,7 +4,7 @@
 namespace ph = passive_haptics;
 
 template <class M, class L>
-using control = ph::controller<M, ph::held_scene<ph::scene<ph::half_space<2>, ph::disc>>, L>;
+using control = ph::controller<M, ph::held_scene<ph::static_scene<ph::half_space<2>, ph::disc>>, L>;
 
 using arm = ph::tendon_two_link<double>;
 using table = ph::xy_table<float>;

@@ -298,7 +298,7 @@ TEST(control_law_parameters, say_what_is_wrong) {
 }
 
 TEST(control_law_parameters, are_checked_by_a_controller) {
-  const ph::scene walls(ph::wall(ph::half_space<2>({0, 0}, {0, -1})));
+  const auto walls = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, -1})));
   const table device;
   const ph::brakes_of<table> brakes;
   EXPECT_THROW(ph::controller(device, brakes, walls, ph::direct_control{.velocity_dead_band = -1}),

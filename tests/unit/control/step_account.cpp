@@ -63,7 +63,7 @@ TEST(a_law, is_told_by_a_step_that_it_commands_nothing) {
 
 TEST(a_law, is_told_by_a_controller_that_it_commands_nothing) {
   double latest = never;
-  const ph::scene floor{ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 1e3)};
+  const auto floor = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 1e3));
   ph::controller control(M(), ph::brakes_of<M>(), floor, noting_law{&latest});
   const auto cycle = [&](const ph::device_state<M>& state) {
     latest = never;
@@ -79,7 +79,7 @@ TEST(a_law, is_told_by_a_controller_that_it_commands_nothing) {
   EXPECT_EQ(cycle(at(3, -1e-3)), never);
   EXPECT_EQ(cycle(at(4, -1e-3, nan)), 4) << "a fault";
   EXPECT_EQ(cycle(at(5, nan)), 5) << "a fault";
-  ph::controller soft(M(), ph::brakes_of<M>(), ph::scene{ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 0.0)},
+  ph::controller soft(M(), ph::brakes_of<M>(), ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 0.0)),
                       noting_law{&latest});
   latest = never;
   soft(at(6, -1e-3));

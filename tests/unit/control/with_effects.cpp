@@ -106,7 +106,7 @@ struct failing {
 TEST(with_effects, releases_the_brakes_where_an_effect_is_no_number) {
   using M = ph::xy_table<double>;
   for (const double y : {-1e-3, 1.0}) {  // beside a wall and without
-    ph::controller control(M(), ph::brakes_of<M>(), ph::with_effects(ph::scene{the_floor}, failing()),
+    ph::controller control(M(), ph::brakes_of<M>(), ph::with_effects(ph::scene(the_floor), failing()),
                            ph::direct_control());
     EXPECT_EQ(control(ph::device_state<M>{0, {-1, y}, {1, -1}, {0, 0}}).outcome, ph::status::ok);
     const auto result = control(ph::device_state<M>{0, {1, y}, {1, -1}, {0, 0}});
@@ -146,8 +146,8 @@ struct strict_law {
 
 TEST(with_effects, asks_no_law_in_free_space) {
   using M = ph::xy_table<double>;
-  const ph::scene one{the_floor};
-  const ph::scene two{the_floor, the_floor};
+  const auto one = ph::scene(the_floor);
+  const auto two = ph::scene(the_floor, the_floor);
   ph::controller first(M(), ph::brakes_of<M>(), ph::with_effects(one, honey(1)), strict_law());
   ph::controller second(M(), ph::brakes_of<M>(), ph::with_effects(two, honey(1)), strict_law());
   const ph::device_state<M> state{0, {0, 1}, {1, 1}, {0, 0}};

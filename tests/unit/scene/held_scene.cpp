@@ -10,7 +10,7 @@
 
 namespace {
 
-const ph::scene walls{ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 1.0)};
+const auto walls = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 1.0));
 
 // The depth that the held scene shows at a time when the true one is `depth`.
 template <class Held>

@@ -41,7 +41,7 @@ TEST(shapes, gradient_at_the_centre_of_a_ball_is_some_unit_vector) {
 }
 
 TEST(sensing, nothing_is_touched_on_the_surface_itself) {
-  const ph::scene walls{ph::wall(floor_below)};
+  const auto walls = ph::scene(ph::wall(floor_below));
   EXPECT_TRUE(sense(walls, {5, 0}).empty());
   EXPECT_TRUE(sense(walls, {5, 1e-300}).empty());
   const auto touched = sense(walls, {5, -1e-300});
@@ -50,7 +50,8 @@ TEST(sensing, nothing_is_touched_on_the_surface_itself) {
 }
 
 TEST(sensing, a_contact_says_all_about_its_wall) {
-  const ph::scene walls{ph::wall(floor_below, 1e4), ph::wall(ph::disc({0, 0}, 1, ph::filling::hollow), 2e4)};
+  const auto walls =
+      ph::scene(ph::wall(floor_below, 1e4), ph::wall(ph::disc({0, 0}, 1, ph::filling::hollow), 2e4));
   static_assert(decltype(walls)::wall_count == 2 && decltype(walls)::dimension == 2);
   const auto touched = sense(walls, {-1.5, 0.5});
   ASSERT_EQ(touched.size(), 1);
@@ -65,7 +66,7 @@ TEST(sensing, a_contact_says_all_about_its_wall) {
 TEST(sensing, gives_exactly_the_touched_walls_in_the_order_of_construction) {
   const ph::half_space<3> ground({0, 0, 0}, {0, 0, 1}), side({0.5, 0, 0}, {-1, 0, 0});
   const ph::ball<3> stone({0, 0, 0.2}, 0.4), room({0, 0, 0}, 1, ph::filling::hollow);
-  const ph::scene walls{ph::wall(ground, 1), ph::wall(stone, 2), ph::wall(side, 3), ph::wall(room, 4)};
+  const auto walls = ph::scene(ph::wall(ground, 1), ph::wall(stone, 2), ph::wall(side, 3), ph::wall(room, 4));
   ph::testing::random_source random(8);
   unsigned seen = 0;
   for (int k = 0; k < 2000; ++k) {
@@ -92,7 +93,7 @@ TEST(sensing, gives_exactly_the_touched_walls_in_the_order_of_construction) {
 }
 
 TEST(sensing, a_position_that_is_not_finite_touches_with_a_depth_that_is_not) {
-  const ph::scene walls{ph::wall(floor_below), ph::wall(ph::disc({0, 0}, 1))};
+  const auto walls = ph::scene(ph::wall(floor_below), ph::wall(ph::disc({0, 0}, 1)));
   const auto touched = sense(walls, {0.0, std::numeric_limits<double>::quiet_NaN()});
   ASSERT_EQ(touched.size(), 2);
   for (const auto& c : touched) EXPECT_TRUE(std::isnan(c.depth));

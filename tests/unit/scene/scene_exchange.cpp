@@ -86,7 +86,7 @@ void expect_carried_on(const Scene& scene) {
 }
 
 TEST(a_latest_scene, carries_moving_walls_on_only_if_asked) {
-  ph::scene fixed_walls{ph::wall(ph::moving(ph::half_space<2>({0, 0}, up)))};
+  auto fixed_walls = ph::scene(ph::wall(ph::moving(ph::half_space<2>({0, 0}, up))));
   fixed_walls.get<0>().shape.set_motion(0.2 * up, 0.5 * up);
   expect_carried_on(fixed_walls);
 

@@ -38,7 +38,8 @@ template <class M, class B, TorqueLaw L, class Now, class T, int D>
 auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>&,
                const auto& touched, step_memory<L>& memory) {
   static_assert(!needs_dynamics<L> || Dynamics<M>,
-                "passive_haptics: this law needs a mechanism that models Dynamics (mechanism/dynamics.hpp).");
+                "passive_haptics: this law needs a mechanism that models Dynamics: give it mass_matrix, "
+                "bias_torque and bias_acceleration (mechanism/dynamics.hpp), or take direct_control.");
   commanded_force<T, D, M::brake_count, law_memory<L>> Fc{{display_class::exact}, memory.law};
   brake_vector<M> wanted;
   if constexpr (requires { typename L::memory; }) {

@@ -51,8 +51,9 @@ struct supervisor_parameters {
 /// Where loop and supervisor are both dead, or stopped, the device's own watchdog is what is left.
 ///
 /// Start it before the loop's real-time set-up and before any thread.
-template <BrakePort Port>
+template <class Port>
 class supervisor {
+  static_assert(port_requirements<Port>::met);
   static_assert(
       !requires { typename Port::port_type; },
       "passive_haptics: a supervisor may wait, so it takes the port itself: threaded_port::port_type");

@@ -66,8 +66,10 @@ class sample_mailbox {
 ///
 /// Start other processes before open(), and set the scheduling before, which the thread inherits. A
 /// supervisor takes the port itself: it may wait, and has to be done when it ends.
-template <BrakePort Port>
+template <class Port>
 class threaded_port {
+  static_assert(port_requirements<Port>::met);
+
  public:
   using port_type = Port;                                    ///< What a supervisor takes.
   static constexpr int encoder_count = Port::encoder_count;  ///< Encoders.

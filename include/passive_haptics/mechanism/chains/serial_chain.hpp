@@ -37,7 +37,7 @@ class serial_chain {
   const serial_chain_parameters<T, N, D>& parameters() const { return p_; }
 
   /// End effector [m], base frame. Any scalar S that can be made from T.
-  template <class S>
+  template <class S = T>
   vector<S, D> position(const vector<S, N>& q) const {
     vector<S, D> x = tip_.template cast<S>();
     for (std::size_t i = size; i-- > 0;) {

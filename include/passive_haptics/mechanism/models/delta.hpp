@@ -53,7 +53,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
   /// Middle of the platform [m], base frame: from the circumcentre of the elbows, at right angles to their
   /// plane. The height is a product of differences of lengths, so no squares cancel. Any scalar S that
   /// multiplies with T.
-  template <class S>
+  template <class S = T>
   vector<S, 3> position(const vector<S, 3>& q) const {
     const auto angle = sine_cosine(q);
     return handle(elbow_point(0, lever(0, angle[0])), elbow_point(1, lever(1, angle[1])),

@@ -45,7 +45,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
 
   /// Handle [m], base frame: the middle of the elbows, then along and across the line between them. The
   /// height is a product of differences of lengths: no squares cancel. Any scalar S that multiplies with T.
-  template <class S>
+  template <class S = T>
   vector<S, 2> position(const vector<S, 2>& q) const {
     const auto angle = sine_cosine(q);
     return handle(elbow_point(0, lever(0, angle[0])), elbow_point(1, lever(1, angle[1])));

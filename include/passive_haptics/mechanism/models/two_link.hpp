@@ -65,7 +65,7 @@ class two_link {
   const two_link_parameters<T>& parameters() const { return p_; }
 
   /// End effector [m], base frame. Any scalar S that multiplies with T.
-  template <class S>
+  template <class S = T>
   vector<S, 2> position(const vector<S, 2>& q) const {
     using std::cos, std::sin;
     const S q12 = q[0] + q[1];

@@ -36,7 +36,7 @@ class xy_table {
   explicit xy_table(const xy_table_parameters<T>& p = {}) : p_(require_valid(p)) {}
 
   /// End effector [m].
-  template <class S>
+  template <class S = T>
   vector<S, 2> position(const vector<S, 2>& q) const {
     return q;
   }

@@ -23,12 +23,12 @@ complement<capsule<D>> tube(const point<D>& from, const point<D>& to, double rad
 /// (2-D: along a line without ends). Two walls, of which one at most is touched at a time; wall 0 is on the
 /// side of the normal. Stiffness in N/m.
 template <int D>
-scene<half_space<D>, half_space<D>> slot(const point<D>& centre, const point<D>& normal, double half_width,
-                                         double stiffness = 1e7) {
+static_scene<half_space<D>, half_space<D>> slot(const point<D>& centre, const point<D>& normal,
+                                                double half_width, double stiffness = 1e7) {
   require_no_error(check_value("half_width", half_width, "m", range::not_negative, "a slot"));
   const point<D> n = normal.stableNormalized();
-  return scene<half_space<D>, half_space<D>>(wall(half_space<D>(centre + half_width * n, -n), stiffness),
-                                             wall(half_space<D>(centre - half_width * n, n), stiffness));
+  return scene(wall(half_space<D>(centre + half_width * n, -n), stiffness),
+               wall(half_space<D>(centre - half_width * n, n), stiffness));
 }
 
 }  // namespace passive_haptics

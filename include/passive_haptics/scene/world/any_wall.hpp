@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
-#include <passive_haptics/scene/scene.hpp>
+#include <passive_haptics/scene/wall.hpp>
 #include <passive_haptics/scene/world/tracked_shape.hpp>
 
 #include <memory>

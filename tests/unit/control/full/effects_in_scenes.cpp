@@ -41,16 +41,16 @@ TEST(with_effects, goes_around_every_scene) {
   ph::world_walls<2> walls;
   walls.add(the_floor);
   ph::scene_exchange<ph::world<2>> exchange(ph::world<2>(walls), 0.0);
-  expect_both(ph::scene{the_floor});
+  expect_both(ph::scene(the_floor));
   expect_both(ph::scene(the_floor, ph::wall(ph::half_space<2>({0, 9}, {0, -1}))));
-  expect_both(ph::held_scene(ph::scene{the_floor}, 0.01));
+  expect_both(ph::held_scene(ph::scene(the_floor), 0.01));
   expect_both(ph::world<2>(walls));
   expect_both(ph::latest_scene(exchange, {.stale_after = 2}));
 }
 
 TEST(with_effects, says_what_its_scene_says) {
   using M = ph::xy_table<double>;
-  ph::scene_exchange exchange(ph::scene{the_floor}, 0.0);
+  ph::scene_exchange exchange(ph::scene(the_floor), 0.0);
   ph::controller control(M(), ph::brakes_of<M>(),
                          ph::with_effects(ph::latest_scene(exchange, {.stale_after = 0.1}), honey(1)),
                          ph::direct_control());

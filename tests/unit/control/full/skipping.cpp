@@ -65,7 +65,7 @@ state handle_at(double y, const pair& v, const pair& hand = {0, 1}) {
 
 struct skipping : ::testing::Test {
   calls count;
-  ph::controller<counting_arm, ph::scene<counting_wall>, ph::direct_control> control{
+  ph::controller<counting_arm, ph::static_scene<counting_wall>, ph::direct_control> control{
       counting_arm{&count},
       ph::brakes_of<counting_arm>(),
       ph::scene(ph::wall(counting_wall{&count}, 1e4)),
@@ -212,8 +212,8 @@ TYPED_TEST(hints, a_diagonal_transmission_changes_nothing_but_the_cost) {
 TEST(command, is_that_of_the_whole_cycle_and_its_warm_start) {
   constexpr unsigned seed = 31;
   using M = ph::tendon_two_link<double>;
-  const ph::scene corner{ph::wall(ph::half_space<2>({0, 0.2}, {0, -1}), 1e4),
-                         ph::wall(ph::half_space<2>({0.1, 0}, {-1, 0.2}), 1e3)};
+  const auto corner = ph::scene(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1}), 1e4),
+                                ph::wall(ph::half_space<2>({0.1, 0}, {-1, 0.2}), 1e3));
   ph::controller whole(M(), ph::brakes_of<M>(), corner, ph::direct_control{});
   ph::controller lean = whole;
   ph::testing::random_source random(seed);

@@ -216,9 +216,9 @@ void expect_twins(const Law& law, const Scene& scene, const Some& some, const Al
   EXPECT_GT(displayed, 100);
 }
 
-const ph::scene one(ph::wall(ph::half_space<2>({0.25, 0}, {-0.6, 0.8}), 1e4));
-const ph::scene corner(ph::wall(ph::half_space<2>({0, 0.1}, {0.6, -0.8}), 1e4),
-                       ph::wall(ph::half_space<2>({0.27, 0}, {-1, 0.1}), 1e3));
+const auto one = ph::scene(ph::wall(ph::half_space<2>({0.25, 0}, {-0.6, 0.8}), 1e4));
+const auto corner = ph::scene(ph::wall(ph::half_space<2>({0, 0.1}, {0.6, -0.8}), 1e4),
+                              ph::wall(ph::half_space<2>({0.27, 0}, {-1, 0.1}), 1e3));
 
 template <class M>
 struct absent_members : ::testing::Test {};
@@ -348,7 +348,7 @@ TEST(an_angle_that_is_not_finite, is_a_fault_in_contact_and_in_free_space) {
 TEST(faults_without_any_need, are_still_faults) {
   using M = ph::xy_table<double>;
   const double inf = std::numeric_limits<double>::infinity();
-  const ph::scene stiff(ph::wall(ph::half_space<2>({0, 0}, {0.6, 0.8}), 1e308));
+  const auto stiff = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0.6, 0.8}), 1e308));
   ph::controller control(M(), ph::unlimited_brakes(), stiff, ph::no_direct_control());
   ph::sensorless_device_state<M> s{0, {-1, -1}, {-1, 1}};
   EXPECT_EQ(control(s).outcome, ph::status::result_not_finite) << "1.4e308 N, scaled by 1 / 0.36";

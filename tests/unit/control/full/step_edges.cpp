@@ -176,7 +176,7 @@ TYPED_TEST(step_edges, a_pose_without_position_or_jacobian_is_a_fault_that_no_sc
   EXPECT_EQ(bare.outcome, ph::status::pose_undefined);
   EXPECT_TRUE(bare.capacity.isZero(0) && bare.torque.isZero(0));
 
-  const ph::scene floor{ph::wall(ph::half_space<2>({0, 3}, {0, 1}), 1.0)};
+  const auto floor = ph::scene(ph::wall(ph::half_space<2>({0, 3}, {0, 1}), 1.0));
   ph::controller control(M(), ph::brakes_of<M>(), ph::held_scene(floor, 1), ph::no_direct_control{});
   const auto at = [&](double time, T q) {
     return control(ph::device_state<M>{time, {1, q}, {0, 1}, {0, 0}});

@@ -170,7 +170,7 @@ TEST(a_controller, names_every_number_that_is_none_in_a_state_with_a_hand_force_
 
 TEST(a_controller, refuses_an_angle_that_is_none_whatever_its_brakes) {
   using M = ph::xy_table<double>;
-  const ph::scene walls{ph::wall(ph::half_space<2>({0, 0}, {0.6, 0.8}), 1e3)};
+  const auto walls = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0.6, 0.8}), 1e3));
   const auto state = state_of<M>({0, -1e-3}, {-1, 1});  // brake 1 alone helps
   ph::step_options<double> options;
   options.min_cosine = bad_numbers[0];
@@ -209,8 +209,8 @@ TEST(a_position_that_is_not_finite, reaches_no_scene_that_remembers) {
   EXPECT_EQ(control(state_of<long_slides>({2, 0}, {0, 0})).outcome, ph::status::pose_undefined);
   EXPECT_EQ(control.command(state_of<long_slides>({2, 0}, {0, 0})).outcome, ph::status::pose_undefined);
   EXPECT_EQ(control.scene().last, ph::point<2>(0.5e308, 0.5e308));
-  static_assert(ph::RemembersHandle<ph::held_scene<ph::scene<ph::half_space<2>>>, 2>);
-  static_assert(!ph::RemembersHandle<ph::scene<ph::half_space<2>>, 2>);
+  static_assert(ph::RemembersHandle<ph::held_scene<ph::static_scene<ph::half_space<2>>>, 2>);
+  static_assert(!ph::RemembersHandle<ph::static_scene<ph::half_space<2>>, 2>);
   static_assert(!ph::RemembersHandle<ph::contacts<2, 1>, 2>);
 }
 

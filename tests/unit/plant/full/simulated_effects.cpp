@@ -138,7 +138,7 @@ TEST(a_guide, keeps_a_simulated_device_on_its_line) {
 }
 
 TEST(wall_friction, holds_and_slows_a_simulated_device_that_the_wall_carries) {
-  const ph::scene floor{ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 1e4)};
+  const auto floor = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 1e4));
   const ph::rough_walls<double, 2> rough({.coefficient = 0.5});
   const auto slid = [&](const auto& scene, double push) {
     experiment device(scene, {0, -1e-3});
@@ -157,7 +157,7 @@ TEST(follow_wall, takes_a_controller_with_effects) {
   const arm mechanism;
   const ph::brakes_of<arm> brakes;
   const ph::half_space<2> wall({0, 0.225}, {0, -1});
-  const ph::scene scene{ph::wall(wall)};
+  const auto scene = ph::scene(ph::wall(wall));
   const ph::point<2> start(0.06, 0.2252);
   const auto figures = [&](const auto& walls) {
     ph::controller control(mechanism, brakes, walls, ph::direct_control());

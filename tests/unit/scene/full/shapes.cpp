@@ -385,13 +385,13 @@ TEST(a_user_shape, may_turn) {
     turntable() : ph::disc({0, 0}, 1) {}
     ph::point<2> velocity(const ph::point<2>& x) const { return {-3 * x.y(), 3 * x.x()}; }
   };
-  const ph::scene walls{ph::wall(turntable())};
+  const auto walls = ph::scene(ph::wall(turntable()));
   EXPECT_EQ(ph::sense(walls, {0.5, 0})[0].wall_velocity, ph::point<2>(0, 1.5));
 }
 
 TEST(a_scene, fills_the_wall_velocity_of_shapes_that_have_one) {
-  ph::scene walls{ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 100),
-                  ph::wall(ph::moving(ph::disc({0, 0}, 1)), 200)};
+  auto walls = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 100),
+                         ph::wall(ph::moving(ph::disc({0, 0}, 1)), 200));
   walls.get<1>().shape.set_motion({0, 0.5}, {1, 2});
   const auto touched = ph::sense(walls, {0, -0.25});
   ASSERT_EQ(touched.size(), 2);
@@ -404,7 +404,8 @@ TEST(a_scene, fills_the_wall_velocity_of_shapes_that_have_one) {
 }
 
 TEST(a_scene, takes_a_user_shape) {
-  const ph::scene ring{ph::wall(custom::torus(1.0, 0.3)), ph::wall(ph::offset(custom::torus(1.0, 0.3), 0.1))};
+  const auto ring =
+      ph::scene(ph::wall(custom::torus(1.0, 0.3)), ph::wall(ph::offset(custom::torus(1.0, 0.3), 0.1)));
   const auto touched = ph::sense(ring, {1.35, 0, 0});
   ASSERT_EQ(touched.size(), 1);
   EXPECT_NEAR(touched[0].depth, 0.05, 4 * eps);

@@ -1,0 +1,24 @@
+/// @file
+/// The name simulated_device, so that who lacks its header is told which one.
+#pragma once
+
+namespace passive_haptics {
+namespace detail {
+
+struct simulated_device_header;  // complete once plant/simulated_device.hpp is included
+
+template <class M, class Header = simulated_device_header>
+struct simulated_device_requirements {
+  static_assert(
+      requires { sizeof(Header); },
+      "passive_haptics: simulated_device needs #include <passive_haptics/plant/simulated_device.hpp>.");
+  static constexpr bool met = true;
+};
+
+}  // namespace detail
+
+template <class M>
+  requires(detail::simulated_device_requirements<M>::met)
+class simulated_device;
+
+}  // namespace passive_haptics

@@ -1,0 +1,25 @@
+// expect: passive_haptics: the law must model ControlLaw: give it .* const noexcept`
+#include <passive_haptics/passive_haptics.hpp>
+
+namespace ph = passive_haptics;
+
+struct arm {
+  using scalar = double;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
+  template <class S>
+  ph::vector<S, 2> position(const ph::vector<S, 2>& q) const {
+    return q;
+  }
+};
+
+struct law {
+  template <class T, int D>
+  T scale(const ph::contact_situation<T, D>&) const {
+    return 1;
+  }
+};
+
+int main() {
+  ph::controller control(arm(), ph::brakes_of<arm>(), ph::scene(ph::wall(ph::half_space<2>({0, 1}, {0, -1}))),
+                         law());
+}

@@ -1,0 +1,16 @@
+// expect: passive_haptics: this drops the derivatives of position.q.: .*`S x = q
+#include <passive_haptics/passive_haptics.hpp>
+
+namespace ph = passive_haptics;
+
+struct arm {
+  using scalar = double;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
+  template <class S>
+  ph::vector<S, 2> position(const ph::vector<S, 2>& q) const {
+    const double angle = q[0];
+    return {q[1], S(angle)};
+  }
+};
+
+const auto J = ph::jacobian(arm(), {0.3, 1});
