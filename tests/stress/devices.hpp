@@ -5,7 +5,7 @@
 #include "../property/closed_chain_cases.hpp"
 #include "../property/device_cases.hpp"
 
-#include <passive_haptics/mechanism/inertial.hpp>
+#include <passive_haptics/mechanism/self_motion.hpp>
 
 #include <cmath>
 
@@ -17,8 +17,8 @@ template <class T>
 struct four_brakes : closed_chains::lopsided_five_bar<T, 4> {};
 
 template <class Chain>
-struct with_inertial_forces : Chain {
-  using mechanism = ph::inertial<typename Chain::mechanism>;
+struct with_kinetostatic_forces : Chain {
+  using mechanism = ph::kinetostatic_mechanism<typename Chain::mechanism>;
   static mechanism make() { return mechanism(Chain::make()); }
 };
 
@@ -28,6 +28,7 @@ template <class T, int N, int D>
 struct linear_device {
   using scalar = T;
   static constexpr int dof = N, task_dimension = D, brake_count = N;
+  static constexpr bool inertial_forces = false;
   ph::matrix<T, D, N> J;
 
   linear_device(double condition, ph::testing::random_source& random) {

@@ -4,8 +4,8 @@
 
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
-#include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
+#include <passive_haptics/mechanism/self_motion.hpp>
 
 #include <limits>
 

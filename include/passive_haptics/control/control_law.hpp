@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>
-#include <passive_haptics/mechanism/mechanism.hpp>
+#include <passive_haptics/mechanism/self_motion.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
 #include <concepts>

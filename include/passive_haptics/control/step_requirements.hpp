@@ -33,6 +33,7 @@ struct law_brake_requirements {
       !TorqueLaw<L> || requires(const cycle_parts<M, B, L>& with, const brake_vector<M>& t) {
         limited(with, t);
       }, "passive_haptics: a TorqueLaw needs <passive_haptics/control/laws/torque_law.hpp>.");
+  static_assert(self_motion_requirements<M>::met);
   static_assert(
       !displays_by_generators<M> ||
           requires(const M& mechanism, const joint_vector<M>& q) { generators_of(mechanism, q); },

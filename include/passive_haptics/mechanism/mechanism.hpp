@@ -126,15 +126,6 @@ concept Mechanism = detail::has_supported_sizes<M> && detail::has_position<M> &&
                     (!detail::names_transmission<M> || detail::has_exact_transmission<M>) &&
                     (!detail::names_pose<M> || detail::has_pose<M>);
 
-/// A mechanism whose forces are understood inertially (inertial.hpp).
-template <class M>
-concept has_inertial_forces = requires { requires M::inertial_forces; };
-
-/// A mechanism whose displayable forces are told by generators, F = G t: redundant brakes, or inertial
-/// forces. Of all others they are the common part of half-spaces.
-template <class M>
-concept displays_by_generators = has_inertial_forces<M> || (M::brake_count > M::dof);
-
 /// The same requirements, one short message for each: a class or function template that takes a mechanism
 /// begins with `static_assert(mechanism_requirements<M>::met)`.
 template <class M>

@@ -5,7 +5,6 @@
 #include <passive_haptics/control/extensions/force_map.hpp>
 #include <passive_haptics/control/stages.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>
-#include <passive_haptics/mechanism/inertial.hpp>
 
 namespace passive_haptics {
 

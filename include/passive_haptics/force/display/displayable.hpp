@@ -144,7 +144,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
 /// The motion decides the signs: w = T J^+ v, s = sgn(w), and brake i makes s_i t_i <= 0 (3). A brake that
 /// rests in this motion (|w_i| of rounding size) can hold either way, so s_i = 0. Of a direction that a
 /// singular pose does not allow, the part that it does counts. With self-motion (n > d) the joint rates are
-/// taken for the least that make the motion, J^+ v; of inertial<M>, for those of a handle that is pulled
+/// taken for the least that make the motion, J^+ v; with inertial forces, for those of a handle that is pulled
 /// along, M^-1 J^T Lambda v. More brakes than joints leave nothing to assume.
 ///
 /// The strongest normal force has any tangential part. By virtual work,
@@ -165,7 +165,7 @@ displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
                                  const task_vector<M>& direction, const task_vector<M>& normal,
                                  const brake_vector<M>& torque_limit = brake_vector<M>::Constant(
                                      std::numeric_limits<typename M::scalar>::infinity())) {
-  static_assert(mechanism_requirements<M>::met);
+  static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
   displayable_force<M> found;
   if (!all_finite(q, direction)) found.outcome = status::state_not_finite;
   else if (!all_finite(normal) || normal.isZero(0)) found.outcome = status::contact_not_finite;

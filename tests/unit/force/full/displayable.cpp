@@ -1,11 +1,11 @@
 // What can be displayed at all, against brute force over torques, forces and signs.
 #include <passive_haptics/force/display/displayable.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
-#include <passive_haptics/mechanism/inertial.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/mechanism/self_motion.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include "../../../property/chain_cases.hpp"
@@ -233,8 +233,8 @@ TEST(displayable, is_the_best_of_all_torques) {
 
 // Devices with self-motion, which the brakes must leave alone.
 TEST(displayable, is_the_best_of_all_forces) {
-  using arm = ph::serial_chain<double, 3, 2>;
-  const arm planar(ph::planar_arm<double>(std::array<double, 3>{0.2, 0.2, 0.2}));
+  const auto planar = ph::kinetostatic(
+      ph::serial_chain<double, 3, 2>(ph::planar_arm<double>(std::array<double, 3>{0.2, 0.2, 0.2})));
   const counts seen = compare(
       planar, {-2, -2, -2}, {2, 2, 2}, 400, 1e-6,
       [&](auto& q, auto& v, auto& n, auto& limit, auto&) { return by_forces(planar, q, v, n, limit); });
@@ -243,7 +243,7 @@ TEST(displayable, is_the_best_of_all_forces) {
 }
 
 TEST(displayable, is_the_strongest_of_all_corners_in_space) {
-  const auto chain = chains::irregular_chain<double, 5, 3>::make();
+  const auto chain = ph::kinetostatic(chains::irregular_chain<double, 5, 3>::make());
   ph::testing::random_source random(3);
   int some = 0;
   for (int k = 0; k < 100; ++k) {
@@ -259,7 +259,7 @@ TEST(displayable, is_the_strongest_of_all_corners_in_space) {
 
 // Forces that may drive the self-motion, of brakes whose joints go as the handle pulls them.
 TEST(displayable, has_an_inertial_form) {
-  const ph::inertial arm(chains::irregular_chain<double, 3, 2>::make());
+  const auto arm = ph::inertial(chains::irregular_chain<double, 3, 2>::make());
   ph::testing::random_source random(5);
   for (int k = 0; k < 50; ++k) {
     const ph::vector<double, 3> q = random.normal_vector<double, 3>(), limit(1, 2, 0.5);

@@ -113,8 +113,9 @@ TEST(self_motion, leaves_an_empty_cone_in_about_a_quarter_of_the_poses_of_a_plan
 }
 
 TEST(self_motion, is_reported_by_a_step) {
-  using chain = ph::serial_chain<double, 3, 2>;
-  const chain arm(ph::planar_arm<double>(std::array<double, 3>{0.2, 0.2, 0.2}));
+  using chain = ph::kinetostatic_mechanism<ph::serial_chain<double, 3, 2>>;
+  const chain arm(
+      ph::serial_chain<double, 3, 2>(ph::planar_arm<double>(std::array<double, 3>{0.2, 0.2, 0.2})));
   const ph::vector<double, 3> q(0.3, 1.2, -0.8);
   const ph::point<2> x = arm.position(q);
   int seen[5] = {};
