@@ -56,7 +56,7 @@ concept LaggingBrakes = requires(const B brakes) {
 
 /// What a control cycle takes for the m brakes of mechanism M: a class with any of the members torque_limit,
 /// rate_dead_band, torque_dead_band and time_constant, of exactly these types. What a type lacks costs
-/// nothing. brake_parameters has all, unlimited_brakes none.
+/// nothing. brake_parameters has all, unlimited_brake_parameters the dead bands, unlimited_brakes none.
 template <class B, class M>
 concept BrakesFor =
     std::is_class_v<B> && (detail::is_unlimited<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>) &&

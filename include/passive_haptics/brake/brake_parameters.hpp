@@ -30,6 +30,16 @@ struct brake_parameters {
   }
 };
 
+/// Brakes that can be at rest, and never ask for more than they can make: dead bands, no limit.
+template <class T, int Brakes>
+struct unlimited_brake_parameters {
+  static constexpr bool unlimited = true;  ///< There is no torque_limit, and none is missing.
+  /// Karnopp dead band: a slower brake counts as at rest [rad/s].
+  vector<T, Brakes> rate_dead_band = brake_parameters<T, Brakes>().rate_dead_band;
+  /// A smaller hand torque counts as none [N m].
+  vector<T, Brakes> torque_dead_band = brake_parameters<T, Brakes>().torque_dead_band;
+};
+
 /// The brakes of mechanism M.
 template <class M>
 using brakes_of = brake_parameters<typename M::scalar, M::brake_count>;

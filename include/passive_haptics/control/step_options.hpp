@@ -6,6 +6,7 @@
 #include <passive_haptics/control/saturation.hpp>
 #include <passive_haptics/force/approximation.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace passive_haptics {
@@ -18,9 +19,10 @@ struct step_options {
   /// Throws std::invalid_argument with the text of validate(approximation).
   explicit step_options(const approximation_parameters<T>& approximation,
                         saturation on_limit = saturation::keep_direction)
-      : min_cosine(std::cos(require_valid(approximation).max_approximation_angle)), limits(on_limit) {}
+      : min_cosine(std::max(T(0), std::cos(require_valid(approximation).max_approximation_angle))),
+        limits(on_limit) {}
 
-  T min_cosine = T(0.0174524064372835128L);        ///< Cosine of the largest approximation angle, 89 deg.
+  T min_cosine = T(0.0174524064372835128L);        ///< Cosine of max_approximation_angle; 0: no cut-off.
   saturation limits = saturation::keep_direction;  ///< What gives way at a torque limit.
 };
 

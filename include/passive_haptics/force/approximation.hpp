@@ -17,14 +17,14 @@ namespace passive_haptics {
 template <class T>
 struct approximation_parameters {
   /// Beyond this angle between desired and producible force nothing is displayed [rad]: 1 / cos^2 explodes
-  /// near 90 degrees. In (0, pi/2).
+  /// near 90 degrees. In (0, pi/2]; pi/2 cuts nothing off.
   T max_approximation_angle = radians(T(89));
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = approximation_parameters;
     return member_table(member("max_approximation_angle", &p::max_approximation_angle, "rad",
-                               range{0, std::numbers::pi / 2}.as("an angle between 0 and pi/2"),
+                               range{0, std::numbers::pi / 2, true, false}.as("an angle > 0 and <= pi/2"),
                                plausible(radians(60.0), radians(89.9))));
   }
 };

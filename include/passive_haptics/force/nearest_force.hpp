@@ -24,9 +24,8 @@ matrix<T, D, Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<
 
 /// Projection of Fd on C = { F : s_i (E^T F)_i <= 0 }, the forces that brakes of signs s can produce.
 /// E (d x m) from brake_jacobian; J may be singular and n > d (then C leaves the self-motion alone).
-/// Brakes with s_i = 0 restrict nothing. Fd of moderate norm: pass a unit vector. Fp = 0 may come out as a
-/// vector of rounding size, not exactly 0.
-/// Cost: core/linear/cone.hpp.
+/// Brakes with s_i = 0 restrict nothing. Fd of any norm whose square neither overflows nor vanishes. Fp = 0
+/// may come out as a vector of rounding size, not exactly 0. Cost: core/linear/cone.hpp.
 template <class T, int D, int Brakes>
 nearest_force_result<T, D, Brakes> nearest_force(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
                                                  const vector<T, D>& Fd) {

@@ -83,6 +83,12 @@ matrix<typename M::scalar, M::dof, M::brake_count> transposed_transmission(const
   else return matrix<T, M::dof, M::brake_count>::Identity();
 }
 
+/// Velocity of the end effector, v = J qd [m/s], base frame.
+template <class M>
+task_vector<M> velocity(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
+  return times(jacobian(mechanism, q), qd);
+}
+
 /// Rates of the brakes' axes, w = T qd [rad/s or m/s].
 template <class M>
 brake_vector<M> brake_rates(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {

@@ -140,9 +140,11 @@ struct mechanism_requirements {
   static_assert(
       detail::names_brake_count<M>,
       "passive_haptics: the mechanism needs `static constexpr int brake_count`, its number of brakes.");
-  static_assert(!detail::names_sizes<M> || detail::has_supported_sizes<M>,
-                "passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension, or "
-                "brake_count > dof == task_dimension with a transmission.");
+  static_assert(
+      !detail::names_sizes<M> || detail::has_supported_sizes<M>,
+      "passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension, or "
+      "brake_count > dof == task_dimension with a transmission. A joint without a brake gives way to "
+      "any force that loads it: the others then hold none in most directions.");
   static_assert(
       !detail::has_supported_sizes<M> || detail::has_position<M>,
       "passive_haptics: position(q) must be const and return vector<scalar, task_dimension> exactly "

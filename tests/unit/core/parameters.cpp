@@ -101,16 +101,19 @@ TYPED_TEST(parameters, of_the_brakes_are_checked_one_by_one) {
 
 TYPED_TEST(parameters, of_the_approximation_are_checked) {
   using T = TypeParam;
-  for (const T angle : {T(0), T(-1), ph::radians(T(90)), T(2), std::numeric_limits<T>::quiet_NaN(),
+  for (const T angle : {T(0), T(-1), T(1.5708), T(2), std::numeric_limits<T>::quiet_NaN(),
                         std::numeric_limits<T>::infinity()}) {
     const ph::approximation_parameters<T> p{angle};
     const std::string text = validate(p);
     EXPECT_TRUE(text.starts_with("max_approximation_angle [rad] = ")) << text;
-    EXPECT_TRUE(text.ends_with(", expected an angle between 0 and pi/2")) << text;
+    EXPECT_TRUE(text.ends_with(", expected an angle > 0 and <= pi/2")) << text;
     EXPECT_EQ(thrown_by([&] { ph::step_options<T>{p}; }), "passive_haptics: " + text);
   }
-  for (const T angle : {T(0.01), T(1.57)}) EXPECT_EQ(validate(ph::approximation_parameters<T>{angle}), "");
+  for (const T angle : {T(0.01), T(1.57), ph::radians(T(90))})
+    EXPECT_EQ(validate(ph::approximation_parameters<T>{angle}), "");
   EXPECT_EQ(validate(ph::approximation_parameters<T>()), "");
+  const T none = ph::step_options<T>(ph::approximation_parameters<T>{ph::radians(T(90))}).min_cosine;
+  EXPECT_TRUE(0 <= none && none < std::numeric_limits<T>::epsilon());
 }
 
 TYPED_TEST(parameters, of_the_hand_are_checked) {

@@ -15,13 +15,25 @@ auto generators_of(const M& mechanism, const joint_vector<M>& q) {
   else return force_generators(mechanism, q);
 }
 
-/// F = G t in the form that fits the mechanism.
+/// F = G t in the form that fits the mechanism, E from brake_jacobian.
+template <class M, class EMatrix>
+auto force_map_of(const M& mechanism, const joint_vector<M>& q, const EMatrix& E) {
+  if constexpr (displays_by_generators<M>)
+    return force_map<typename M::scalar, M::task_dimension, M::brake_count>{generators_of(mechanism, q)};
+  else return invert_brake_jacobian(brake_matrix<M>(E));
+}
+
+/// The same in pose q.
+template <class M>
+auto force_map_of(const M& mechanism, const joint_vector<M>& q) {
+  static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
+  return force_map_of(mechanism, q, brake_jacobian(mechanism, q));
+}
+
+/// The same in a control cycle.
 template <class M, class EMatrix, class B>
 auto force_map_of(const brake_situation<M, EMatrix, B>& now) {
-  using T = typename M::scalar;
-  using map = force_map<T, M::task_dimension, M::brake_count>;
-  if constexpr (displays_by_generators<M>) return map{generators_of(now.mechanism, now.q)};
-  else return invert_brake_jacobian(matrix<T, M::task_dimension, M::brake_count>(now.E));
+  return force_map_of(now.mechanism, now.q, now.E);
 }
 
 }  // namespace passive_haptics

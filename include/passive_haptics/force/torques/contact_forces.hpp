@@ -45,6 +45,18 @@ force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
   return map;
 }
 
+/// Torques in the box that leave the self-motion alone, whose force G t comes nearest to Fd, of the least
+/// norm: the nearest force within limits of a device with n > d. For the force that signs alone allow see
+/// nearest_force. Cost: core/priorities/least_squares_by_priority.hpp, three levels.
+template <class T, int D, int Brakes>
+nearest_torque_result<T, D, Brakes> nearest_torque(const force_map<T, D, Brakes>& map,
+                                                   const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {
+  const vector<T, Brakes> t = least_squares_by_priority(box.lower, box.upper, least_squares_level{map.P},
+                                                        least_squares_level{map.G, Fd},
+                                                        least_squares_level{identity_matrix<T, Brakes>()});
+  return {t, map.G * t};
+}
+
 /// Torques for several contacts and what became of each.
 template <class T, int D, int Brakes, int Capacity>
 struct contact_forces_result {

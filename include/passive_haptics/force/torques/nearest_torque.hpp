@@ -125,4 +125,11 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
   return detail::nearest_in_box(G, box, Fd);
 }
 
+/// Both for a diagonal G.
+template <class T, int D, class Within>
+nearest_torque_result<T, D, D> nearest_torque(const diagonal_matrix<T, D>& G, const Within& signs_or_box,
+                                              const vector<T, D>& Fd) {
+  return nearest_torque(matrix<T, D, D>(G), signs_or_box, Fd);
+}
+
 }  // namespace passive_haptics
