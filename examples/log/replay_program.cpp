@@ -17,8 +17,8 @@ replay_options parse(int argc, char** argv, const std::vector<std::string>& mech
   replay_options chosen;
   chosen.mechanism = mechanisms.front();
   command_line line("replay",
-                    "Reads a log (docs/guide/log.md), runs each line through a control law beside virtual "
-                    "walls, and writes\n"
+                    "Reads a log (docs/guide/log.md), runs each line through a control law beside a virtual "
+                    "wall, and writes\n"
                     "what the brakes would have been told to replay.csv.");
   line.text("--input", chosen.input, "FILE",
             has_made_up ? "the log; without it a short one of the tendon device, made up here" : "the log");

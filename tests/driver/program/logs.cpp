@@ -93,14 +93,14 @@ TEST_F(a_log, replays_to_the_same_decisions_to_the_last_digit) {
     EXPECT_GT(in_contact, 100U) << "of " << decisions << " decisions";
     const std::string same = std::to_string(decisions) + " of " + std::to_string(decisions);
     EXPECT_TRUE(has(o.out, "capacities as in the log, to the last digit: " + same)) << o.out;
-    // Of another arm they differ
-    EXPECT_FALSE(has(replay(arguments).out, same));
     // Its own output is a log
     ASSERT_EQ(replay({"--input=once/replay.csv", std::string("--law=") + law, "--dead-band=0.03",
                       "--parameter=length_1=0.151", "--output=twice"})
                   .status,
               0);
-    EXPECT_EQ(text_of(directory / "twice/replay.csv"), text_of(directory / "once/replay.csv"));
+    EXPECT_TRUE(text_of(directory / "twice/replay.csv") == text_of(directory / "once/replay.csv"));
+    // Of another arm they differ
+    EXPECT_FALSE(has(replay(arguments).out, same));
   }
 }
 
