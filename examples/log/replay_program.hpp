@@ -112,7 +112,7 @@ replay_job replay_of() {
     ph::brakes_of<M> brakes;
     brakes.torque_limit.setConstant(options.limit);
     brakes.rate_dead_band.setConstant(options.dead_band);
-    const ph::scene scene(wall_of<M::task_dimension>(options));
+    const auto scene = ph::scene(wall_of<M::task_dimension>(options));
     const auto under = [&](const auto& law) {
       ph::controller control(mechanism, brakes, scene, law);
       return replay(log, out, control, options.law != "no_direct_control", progress);
