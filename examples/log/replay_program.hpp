@@ -4,12 +4,14 @@
 
 #include <log/replay.hpp>
 
+#include <passive_haptics/control/extensions/plausibility.hpp>
 #include <passive_haptics/core/parameter_text.hpp>
 
 #include <algorithm>
 #include <concepts>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -113,6 +115,7 @@ replay_job replay_of() {
     brakes.torque_limit.setConstant(options.limit);
     brakes.rate_dead_band.setConstant(options.dead_band);
     const auto scene = ph::scene(wall_of<M::task_dimension>(options));
+    std::cerr << ph::plausibility(mechanism, brakes, scene);
     const auto under = [&](const auto& law) {
       ph::controller control(mechanism, brakes, scene, law);
       return replay(log, out, control, options.law != "no_direct_control", progress);

@@ -48,6 +48,7 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/effects/with_effects.hpp>
 #include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/extensions/plausibility.hpp>
 #include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>

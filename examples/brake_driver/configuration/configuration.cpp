@@ -29,7 +29,7 @@ std::string without_library(const std::string& text) {
 }
 
 // A wall, and its normal near a point.
-wall_normal add_wall(toml_section& from, ph::world_walls<2>& walls) {
+wall_normal add_wall(toml_section& from, configuration& c) {
   std::string type = "plane", filling = "solid";
   ph::point<2> point(0, 0.225), normal(0, -1);
   double radius = 0, stiffness = ph::wall(ph::half_space<2>(point, normal)).stiffness;
@@ -40,7 +40,8 @@ wall_normal add_wall(toml_section& from, ph::world_walls<2>& walls) {
     from.read("normal", normal);
     try {
       const ph::half_space<2> plane(point, normal);
-      walls.add(ph::wall(plane, stiffness));
+      c.walls.add(ph::wall(plane, stiffness));
+      c.wall_remarks += ph::remarks(ph::wall(plane, stiffness));
       return [plane](const ph::point<2>& x) { return plane.gradient(x); };
     } catch (const std::invalid_argument& error) {
       from.require(without_library(error.what()));
@@ -50,7 +51,8 @@ wall_normal add_wall(toml_section& from, ph::world_walls<2>& walls) {
   from.read("filling", filling, {"solid", "hollow"});
   try {
     const ph::ball<2> ball(point, radius, filling == "solid" ? ph::filling::solid : ph::filling::hollow);
-    walls.add(ph::wall(ball, stiffness));
+    c.walls.add(ph::wall(ball, stiffness));
+    c.wall_remarks += ph::remarks(ph::wall(ball, stiffness));
     return [ball](const ph::point<2>& x) { return ball.gradient(x); };
   } catch (const std::invalid_argument& error) {
     from.require(without_library(error.what()));
@@ -62,10 +64,10 @@ void read_walls(toml_section& file, configuration& c) {
   auto walls = file.sections("wall");
   if (walls.empty()) {
     auto usual = toml_section::nothing();  // the paper's wall
-    c.first_normal = add_wall(usual, c.walls);
+    c.first_normal = add_wall(usual, c);
   }
   for (auto& from : walls) {
-    const wall_normal normal = add_wall(from, c.walls);
+    const wall_normal normal = add_wall(from, c);
     if (!c.first_normal) c.first_normal = normal;
   }
 }
@@ -268,7 +270,7 @@ std::string remarks(const configuration& c) {
   if (c.port == "simulated") add(c.simulation);
   if (c.port == "serial") add(c.serial);
   if (c.sensor == "net_ft") add(c.net_ft);
-  return all;
+  return all + c.wall_remarks;
 }
 
 configuration simulated(configuration c) {

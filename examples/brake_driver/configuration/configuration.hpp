@@ -35,6 +35,7 @@ struct configuration {
   ph::five_bar_parameters<double> five_bar;
 
   std::string law = "direct_control";  ///< Or velocity_direct_control, no_direct_control.
+  std::string wall_remarks;            // for remarks()
   ph::world_walls<2> walls;
   wall_normal first_normal;                   ///< Of the first of them.
   ph::brake_parameters<double, axes> brakes;  ///< What the controller believes.

@@ -50,6 +50,13 @@ class static_scene {
     return touched;
   }
 
+  /// Calls f(number, wall) for each wall.
+  template <class F>
+  void for_each(F&& f) const {
+    int number = 0;
+    boost::hana::for_each(walls_, [&](const auto& w) { f(number++, w); });
+  }
+
   /// Carries each shape that can be on for this time [s] (moving.hpp).
   void extrapolate(double seconds) {
     boost::hana::for_each(walls_, [&](auto& w) {

@@ -1,0 +1,38 @@
+// What looks odd about a device and its walls is said, and nothing about one on a desk.
+#include "../../property/custom_mechanisms.hpp"
+
+#include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/control/extensions/plausibility.hpp>
+#include <passive_haptics/mechanism/models/two_link.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+
+#include <gtest/gtest.h>
+
+namespace ph = passive_haptics;
+using device = ph::two_link<double>;
+
+TEST(plausibility, has_nothing_to_say_of_a_device_on_a_desk) {
+  EXPECT_EQ(ph::plausibility(device(), ph::brakes_of<device>(),
+                             ph::scene(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1}))), {0.3, 1.2}),
+            "");
+}
+
+TEST(plausibility, names_each_part_and_value) {
+  const device arm({.length_1 = 150});
+  ph::brakes_of<device> brakes;
+  brakes.torque_limit[1] = 1e6;
+  const auto walls = ph::scene(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1})),
+                               ph::wall(ph::half_space<2>({0, 0.2}, {0, -1}), 1));
+  EXPECT_EQ(ph::plausibility(arm, brakes, walls, {90, 0.1}),
+            "mechanism: length_1 [m] = 150, usually 0.01 to 2\n"
+            "brakes: torque_limit[1] [N m] = 1e6, usually 0.01 to 1000\n"
+            "wall 1: stiffness of a wall [N/m] = 1, usually 100 to 1e9\n"
+            "q[0] [rad or m] = 90, more than two turns: degrees?\n"
+            "mechanism: end effector 150.149 m from the base: millimetres?\n");
+}
+
+TEST(plausibility, asks_no_table_of_a_mechanism) {
+  using arm = custom::planar_arm<double>;
+  EXPECT_EQ(ph::plausibility(arm(), ph::unlimited_brakes(), 0, {0, 45, 0}),
+            "q[1] [rad or m] = 45, more than two turns: degrees?\n");
+}
