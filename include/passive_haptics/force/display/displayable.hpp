@@ -144,8 +144,8 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
 /// The motion decides the signs: w = T J^+ v, s = sgn(w), and brake i makes s_i t_i <= 0 (3). A brake that
 /// rests in this motion (|w_i| of rounding size) can hold either way, so s_i = 0. Of a direction that a
 /// singular pose does not allow, the part that it does counts. With self-motion (n > d) the joint rates are
-/// taken for the least that make the motion, J^+ v; with inertial forces, for those of a handle that is pulled
-/// along, M^-1 J^T Lambda v. More brakes than joints leave nothing to assume.
+/// taken for the least that make the motion, J^+ v; with inertial forces, for those of a handle that is
+/// pulled along, M^-1 J^T Lambda v. More brakes than joints leave nothing to assume.
 ///
 /// The strongest normal force has any tangential part. By virtual work,
 ///
