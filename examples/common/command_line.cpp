@@ -5,8 +5,11 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 
 namespace example {
@@ -15,6 +18,13 @@ namespace {
 [[noreturn]] void fail(const std::string& message, int status) {
   std::cerr << "error: " << message << "\n";
   std::exit(status);
+}
+
+// At the end of the program: what was printed may not have found room.
+void tell_of_a_full_disk() {
+  if (std::fflush(stdout) == 0 || (errno != ENOSPC && errno != EDQUOT && errno != EFBIG)) return;
+  std::fprintf(stderr, "error: cannot write all of the output: %s\n", std::strerror(errno));
+  std::_Exit(1);
 }
 
 // Validators of CLI11: empty, or what is wrong.
@@ -100,6 +110,7 @@ void command_line::output(std::filesystem::path& directory) {
 void command_line::notes(const std::string& text) { all_->footer(text); }
 
 void command_line::parse(int argc, char** argv) {
+  std::atexit(tell_of_a_full_disk);
   try {
     all_->parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -38,7 +38,8 @@ class command_line {
   /// What `--help` says below the options.
   void notes(const std::string& text);
 
-  /// Ends the program for --help with status 0, for a mistake with 2, for no directory with 1.
+  /// Ends the program for --help with status 0, for a mistake with 2, for no directory with 1. At its end
+  /// output that found no room is told, with status 1.
   void parse(int argc, char** argv);
 
  private:

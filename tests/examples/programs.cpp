@@ -99,6 +99,12 @@ TEST_F(an_example, tells_of_a_disk_that_is_full) {
   EXPECT_EQ(o.out.rfind("error: cannot write all of 'there/passive_fme_outlines.csv.part': ", 0), 0U)
       << o.out;
   EXPECT_EQ(o.out.substr(o.out.find('\n')), "\n1\n");
+  for (const char* name : {"01_one_wall", "02_passive_fme", "03_wall_following", "04_new_mechanism"}) {
+    const std::string arguments = name[1] == '2' || name[1] == '3' ? " --output there" : "";
+    const outcome full = shell("'" + folder + "/" + name + "'" + arguments + " >/dev/full");
+    EXPECT_EQ(full.status, 1) << name;
+    EXPECT_EQ(full.err, "error: cannot write all of the output: No space left on device\n") << name;
+  }
 }
 
 TEST_F(an_example, is_explained_without_a_compiler) {
