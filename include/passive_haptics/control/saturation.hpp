@@ -2,7 +2,7 @@
 /// Torque limits.
 #pragma once
 
-#include <passive_haptics/core/linear/lanes.hpp>
+#include <passive_haptics/core/linear/lane_products.hpp>
 
 namespace passive_haptics {
 

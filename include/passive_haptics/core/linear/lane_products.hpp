@@ -1,10 +1,62 @@
 /// @file
-/// Products of small matrices and vectors, a number in each lane.
+/// What lanes come to together: sums, truths, and products of small matrices and vectors.
 #pragma once
 
 #include <passive_haptics/core/linear/lanes.hpp>
 
 namespace passive_haptics {
+
+/// x_0 + ... + x_{N-1}
+template <class T, int N>
+T sum(const lanes<T, N>& x) {
+  T all = x[0];
+  unrolled<N - 1>([&](auto i) { all += x[i + 1]; });
+  return all;
+}
+
+/// (x_0 + x_1, y_0 + y_1), added crosswise.
+template <class T>
+lanes<T, 2> sums(const lanes<T, 2>& x, const lanes<T, 2>& y) {
+  if constexpr (lanes<T, 2>::width != 2) return lanes<T, 2>([&](int i) { return sum(i == 0 ? x : y); });
+  else
+    return lanes<T, 2>::each([&](auto k) {
+      return __builtin_shufflevector(x.p[k], y.p[k], 0, 2) + __builtin_shufflevector(x.p[k], y.p[k], 1, 3);
+    });
+}
+
+/// The least of x_0, ..., x_{N-1}.
+template <class T, int N>
+T least(const lanes<T, N>& x) {
+  T most = x[0];
+  unrolled<N - 1>([&](auto i) { most = x[i + 1] < most ? x[i + 1] : most; });
+  return most;
+}
+
+/// Whether it is true of some.
+template <class T, int N>
+bool any(const lane_mask<T, N>& x) {
+  bool some = false;
+  unrolled<N>([&](auto i) { some |= x[i]; });
+  return some;
+}
+
+/// Bit i is truth i.
+template <class T, int N>
+[[gnu::always_inline]] inline unsigned bits(const lane_mask<T, N>& x) {
+  unsigned all = 0;
+  if constexpr (lane_mask<T, N>::width == 4) {
+    unrolled<lane_mask<T, N>::count>([&](auto k) {
+      auto some = x.p[k] & typename detail::truths_of<T>::type{1, 2, 4, 8};
+      some |= __builtin_shufflevector(some, some, 2, 3, 0, 1);
+      some |= __builtin_shufflevector(some, some, 1, 0, 3, 2);
+      all |= static_cast<unsigned>(some[0]) << 4 * k;
+    });
+    if constexpr (N % 4 != 0) all &= (1u << N) - 1;  // what is beyond N is of no interest
+  } else {
+    unrolled<N>([&](auto i) { all |= static_cast<unsigned>(x[i]) << i; });
+  }
+  return all;
+}
 
 /// Row i of A.
 template <class T, int R, int C>

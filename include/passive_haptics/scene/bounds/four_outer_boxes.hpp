@@ -2,7 +2,7 @@
 /// Four boxes side by side: what a node of a tree of boxes is looked at with.
 #pragma once
 
-#include <passive_haptics/core/linear/lanes.hpp>
+#include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 
 #include <array>
