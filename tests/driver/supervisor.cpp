@@ -177,8 +177,8 @@ struct a_supervised_loop : ::testing::Test {
   }
   // The same after SIGKILL of the loop, until the supervisor has ended; `killed`: when that was [s].
   std::vector<written> by_supervisor_of_a_killed_loop(double& killed) {
-    kill(loop, SIGKILL);
     killed = ph::monotonic_seconds();
+    kill(loop, SIGKILL);
     end_of_loop();
     EXPECT_TRUE(supervisor_is_gone());
     return by_supervisor();
