@@ -123,8 +123,8 @@ const char* const ways[] = {"half-spaces (ours)",  "inverse",    "partial LU",  
 void print_line(const results& all, const std::string& way, const char* scalar, int d) {
   const auto row = all.find(way + "/" + scalar + "/d=" + std::to_string(d));
   if (row == all.end()) return;  // filtered out
-  const auto& [time, counters] = row->second;
-  std::printf("%-20s %-11s %6.0f |", way.c_str(), scalar, time);
+  const auto& [time, cpu_time, counters] = row->second;
+  std::printf("%-20s %-11s %6.0f |", way.c_str(), scalar, cpu_time);
   const double shown[] = {1e2, 1e6, 1e10, 1e14};
   for (const double c : shown) std::printf(" %7.0e", counters.at(at_condition("worst error", c)));
   std::printf(" |");

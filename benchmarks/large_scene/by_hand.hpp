@@ -3,7 +3,7 @@
 // that far, each with the way at which it is due again.
 #pragma once
 
-#include "many_shapes.hpp"
+#include "../../tests/unit/scene/many_shapes.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,12 +3,11 @@
 /// answer.
 #pragma once
 
+#include "../../tests/unit/core/cone_oracle.hpp"
 #include "ways.hpp"
 
 #include <passive_haptics/testing/support/percentile.hpp>
 #include <passive_haptics/testing/support/random.hpp>
-
-#include <cone_oracle.hpp>
 
 #include <boost/multiprecision/eigen.hpp>
 
