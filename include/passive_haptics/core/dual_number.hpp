@@ -18,7 +18,7 @@ concept PlainNumber = std::is_arithmetic_v<X>;
 
 /// A number x and its derivatives dx by N variables: f(x, dx) = (f(x), f'(x) dx), exact to rounding.
 ///
-/// It has the operators and the functions of <cmath> that have a derivative, found by the types of their
+/// It has the operators and the functions of `<cmath>` that have a derivative, found by the types of their
 /// arguments: `using std::cos; cos(x)`. It never becomes a plain number, as that would drop the derivatives:
 /// std::cos(x) is an error that says so. Compares by x alone.
 template <class T, int N>
@@ -162,21 +162,23 @@ class dual_number {
 
 }  // namespace passive_haptics
 
-/// Vectors of dual numbers are Eigen's.
+/// @cond
+// Vectors of dual numbers are Eigen's.
 template <class T, int N>
 struct Eigen::NumTraits<passive_haptics::dual_number<T, N>> : Eigen::NumTraits<T> {
-  using Real = passive_haptics::dual_number<T, N>;        ///< Itself.
-  using NonInteger = passive_haptics::dual_number<T, N>;  ///< Itself.
-  using Nested = passive_haptics::dual_number<T, N>;      ///< Itself.
-  enum { RequireInitialization = 1 };                     ///< Its parts are objects.
+  using Real = passive_haptics::dual_number<T, N>;
+  using NonInteger = passive_haptics::dual_number<T, N>;
+  using Nested = passive_haptics::dual_number<T, N>;
+  enum { RequireInitialization = 1 };
 };
-/// A dual number and a constant make a dual number.
+// A dual number and a constant make a dual number.
 template <class T, int N, class Operation>
 struct Eigen::ScalarBinaryOpTraits<passive_haptics::dual_number<T, N>, T, Operation> {
-  using ReturnType = passive_haptics::dual_number<T, N>;  ///< That.
+  using ReturnType = passive_haptics::dual_number<T, N>;
 };
-/// A constant and a dual number make a dual number.
+// A constant and a dual number make a dual number.
 template <class T, int N, class Operation>
 struct Eigen::ScalarBinaryOpTraits<T, passive_haptics::dual_number<T, N>, Operation> {
-  using ReturnType = passive_haptics::dual_number<T, N>;  ///< That.
+  using ReturnType = passive_haptics::dual_number<T, N>;
 };
+/// @endcond

@@ -15,7 +15,8 @@ template <int D, class T = float>
 struct four_outer_boxes {
   using four = lanes<T, 4>;  ///< One value of each box.
 
-  std::array<four, static_cast<std::size_t>(D)> lower, upper;  ///< Of each axis [m].
+  std::array<four, static_cast<std::size_t>(D)> lower;  ///< Of each axis [m].
+  std::array<four, static_cast<std::size_t>(D)> upper;  ///< The same.
 
   four_outer_boxes() = default;
   /// Four that hold these, whose coordinates are up to `scale` [m].
