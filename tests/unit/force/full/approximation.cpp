@@ -73,11 +73,11 @@ TYPED_TEST(approximation_in_the_plane, is_exact_to_rounding_within_rounding_of_a
     }
     ASSERT_GE(cosine, static_cast<double>(min_cosine) - 4 * this->eps);
     ++displayed;
-    const auto error = this->error_of(F, E, nearest);
-    ASSERT_LE(error.force, 4);
-    ASSERT_LE(error.torque, 4);
-    worst_force = std::max(worst_force, error.force);
-    worst_torque = std::max(worst_torque, error.torque);
+    const auto off = this->error_of(F, E, nearest);
+    ASSERT_LE(off.force, 4);
+    ASSERT_LE(off.torque, 4);
+    worst_force = std::max(worst_force, off.force);
+    worst_torque = std::max(worst_torque, off.torque);
   }
   EXPECT_GT(displayed, count / 2);
   std::printf("worst error of the force %.2g eps, of a torque %.2g eps of %llu problems\n", worst_force,
