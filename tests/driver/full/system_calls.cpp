@@ -88,13 +88,13 @@ class filtered_cycles {
   int number() const { return number_; }
   // After each: whether another one follows.
   bool end() { return has_filter_ && ++number_ < cycles; }
-  // Ends the process. Not by _exit(), before which a sanitizer makes calls of its own.
-  [[noreturn]] void end_process(bool braked) const {
+  // Ends the process. Not by _exit(), nor told to be [[noreturn]]: before these a sanitizer makes calls of
+  // its own.
+  void end_process(bool braked) const {
     syscall(SYS_exit_group, !has_filter_             ? no_filter
                             : allocations != before_ ? allocated
                             : braked                 ? well
                                                      : never_braked);
-    __builtin_unreachable();
   }
 
  private:
@@ -143,6 +143,7 @@ class filtered_cycles {
       },
       [&] { return signals.stop() != 0; }, [&](ph::fault why) { port.release({why}); });
   run.end_process(braked);
+  __builtin_unreachable();
 }
 
 // A board on a pseudo-terminal and a force sensor on the loopback interface, which live in a thread.
@@ -217,6 +218,7 @@ template <class Port, class Sensor>
       },
       [] { return false; }, [&](ph::fault why) { port.release({why}); });
   run.end_process(braked);
+  __builtin_unreachable();
 }
 
 template <class Drive>
