@@ -171,8 +171,8 @@ TEST_F(picture, in_space_draws_both_walls_of_an_edge) {
   }
   draw_in_space(directory(), rows);
   const std::string drawn = svg("in_space");
-  expect_texts(drawn, {"way [mm]", "depth [mm]", "delta, plane", "delta, edge", "arm, plane", "arm, edge",
-                       "second wall of an edge"});
+  expect_texts(drawn, {"path length [mm]", "depth [mm]", "delta, plane", "delta, edge", "arm, plane",
+                       "arm, edge", "second wall of an edge"});
   expect_legend(drawn);
   for (const law l : laws) EXPECT_EQ(curves(drawn, l), 6);
 }
