@@ -256,14 +256,14 @@ TEST_F(an_emulated_board, lets_go_in_its_stated_time_when_the_host_is_killed) {
   EXPECT_LE(silent, h.watchdog + h.period / 1000u);
 }
 
-TEST_F(an_emulated_board, is_released_at_once_when_the_loop_is_killed) {
+TEST_F(an_emulated_board, is_released_by_the_supervisor_when_the_loop_is_killed) {
   drive();
   ASSERT_TRUE(reaches("active")) << ended();
   ASSERT_TRUE(board_holds()) << ended();
   send(SIGKILL);
   end();
-  ASSERT_TRUE(eventually([&] { return (line->sample().state & serial::sample::active) == 0; }));
-  EXPECT_EQ(line->sample().state, 0) << "released by the supervisor, before the watchdog";
+  // Its watchdog may be faster on a busy machine, but would leave it tripped for good
+  EXPECT_TRUE(eventually([&] { return line->sample().state == 0; })) << "not released by the supervisor";
   EXPECT_TRUE(board_is_free());
 }
 
