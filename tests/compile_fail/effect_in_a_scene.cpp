@@ -1,18 +1,12 @@
 // expect: passive_haptics: a scene is made of walls: .*`with_effects.scene, effect.`
 #include <passive_haptics/passive_haptics.hpp>
 
-namespace ph = passive_haptics;
+#include "arm.hpp"
 
-struct arm {
-  using scalar = double;
-  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
-  template <class S>
-  ph::vector<S, 2> position(const ph::vector<S, 2>& q) const {
-    return q;
-  }
-};
+namespace ph = passive_haptics;
+using device = arm<2>;
 
 int main() {
-  ph::controller control(arm(), ph::brakes_of<arm>(), ph::scene(ph::viscous_field<double, 2>({})),
+  ph::controller control(device(), ph::brakes_of<device>(), ph::scene(ph::viscous_field<double, 2>({})),
                          ph::direct_control());
 }

@@ -1,18 +1,12 @@
 // expect: passive_haptics: inertial.mechanism. needs a mechanism that models Dynamics: give it mass_matrix
 #include <passive_haptics/passive_haptics.hpp>
 
-namespace ph = passive_haptics;
+#include "arm.hpp"
 
-struct arm {
-  using scalar = double;
-  static constexpr int dof = 3, task_dimension = 2, brake_count = 3;
-  template <class S>
-  ph::vector<S, 2> position(const ph::vector<S, 3>& q) const {
-    return q.template head<2>();
-  }
-};
+namespace ph = passive_haptics;
+using device = arm<3>;
 
 int main() {
-  ph::controller control(ph::inertial(arm()), ph::brakes_of<arm>(),
+  ph::controller control(ph::inertial(device()), ph::brakes_of<device>(),
                          ph::scene(ph::wall(ph::half_space<2>({0, 1}, {0, -1}))), ph::direct_control());
 }

@@ -2,18 +2,12 @@
 // mass_matrix, .*kinetostatic.mechanism.
 #include <passive_haptics/passive_haptics.hpp>
 
-namespace ph = passive_haptics;
+#include "arm.hpp"
 
-struct arm {
-  using scalar = double;
-  static constexpr int dof = 3, task_dimension = 2, brake_count = 3;
-  template <class S>
-  ph::vector<S, 2> position(const ph::vector<S, 3>& q) const {
-    return q.template head<2>();
-  }
-};
+namespace ph = passive_haptics;
+using device = arm<3>;
 
 int main() {
-  ph::controller control(arm(), ph::brakes_of<arm>(), ph::scene(ph::wall(ph::half_space<2>({0, 1}, {0, -1}))),
-                         ph::direct_control());
+  ph::controller control(device(), ph::brakes_of<device>(),
+                         ph::scene(ph::wall(ph::half_space<2>({0, 1}, {0, -1}))), ph::direct_control());
 }

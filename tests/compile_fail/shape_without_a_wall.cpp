@@ -1,18 +1,12 @@
 // expect: passive_haptics: a scene is made of walls: .*`scene.wall.shape, stiffness..`
 #include <passive_haptics/passive_haptics.hpp>
 
-namespace ph = passive_haptics;
+#include "arm.hpp"
 
-struct arm {
-  using scalar = double;
-  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
-  template <class S>
-  ph::vector<S, 2> position(const ph::vector<S, 2>& q) const {
-    return q;
-  }
-};
+namespace ph = passive_haptics;
+using device = arm<2>;
 
 int main() {
-  ph::controller control(arm(), ph::brakes_of<arm>(), ph::scene(ph::half_space<2>({0, 1}, {0, -1})),
+  ph::controller control(device(), ph::brakes_of<device>(), ph::scene(ph::half_space<2>({0, 1}, {0, -1})),
                          ph::direct_control());
 }

@@ -1,16 +1,10 @@
 // expect: passive_haptics: a wall needs a Shape: .*`point<dimension> gradient.x. const`
 #include <passive_haptics/passive_haptics.hpp>
 
-namespace ph = passive_haptics;
+#include "arm.hpp"
 
-struct arm {
-  using scalar = double;
-  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
-  template <class S>
-  ph::vector<S, 2> position(const ph::vector<S, 2>& q) const {
-    return q;
-  }
-};
+namespace ph = passive_haptics;
+using device = arm<2>;
 
 struct blob {
   static constexpr int dimension = 2;
@@ -18,5 +12,6 @@ struct blob {
 };
 
 int main() {
-  ph::controller control(arm(), ph::brakes_of<arm>(), ph::scene(ph::wall(blob())), ph::direct_control());
+  ph::controller control(device(), ph::brakes_of<device>(), ph::scene(ph::wall(blob())),
+                         ph::direct_control());
 }
