@@ -38,22 +38,19 @@ wall_normal add_wall(toml_section& from, configuration& c) {
   from.read(type == "plane" ? "point" : "centre", point);
   if (type == "plane") {
     from.read("normal", normal);
-    try {
-      const ph::half_space<2> plane(point, normal);
-      c.walls.add(ph::wall(plane, stiffness));
-      c.wall_remarks += ph::remarks(ph::wall(plane, stiffness));
-      return [plane](const ph::point<2>& x) { return plane.gradient(x); };
-    } catch (const std::invalid_argument& error) {
-      from.require(without_library(error.what()));
-    }
+  } else {
+    from.read("radius", radius);
+    from.read("filling", filling, {"solid", "hollow"});
   }
-  from.read("radius", radius);
-  from.read("filling", filling, {"solid", "hollow"});
+  const auto add = [&](const auto& shape) -> wall_normal {
+    const ph::wall wall(shape, stiffness);
+    c.walls.add(wall);
+    c.wall_remarks += ph::remarks(wall);
+    return [shape](const ph::point<2>& x) { return shape.gradient(x); };
+  };
   try {
-    const ph::ball<2> ball(point, radius, filling == "solid" ? ph::filling::solid : ph::filling::hollow);
-    c.walls.add(ph::wall(ball, stiffness));
-    c.wall_remarks += ph::remarks(ph::wall(ball, stiffness));
-    return [ball](const ph::point<2>& x) { return ball.gradient(x); };
+    if (type == "plane") return add(ph::half_space<2>(point, normal));
+    return add(ph::ball<2>(point, radius, filling == "solid" ? ph::filling::solid : ph::filling::hollow));
   } catch (const std::invalid_argument& error) {
     from.require(without_library(error.what()));
   }
