@@ -42,5 +42,5 @@ int main() {
   const auto figures = ph::follow_wall(simulated, control, plane, hand, {.path_end = 0.05});
   std::cout << figures.separations << " separations\n";
 
-  return only.capacity == all.capacity ? 0 : 1;
+  return all.capacity.maxCoeff() > 0 && only.capacity == all.capacity ? 0 : 1;
 }
