@@ -2,7 +2,7 @@
 // for this device alone: scalars, two divisions, no checks of its input and no account of what it did.
 #pragma once
 
-#include <passive_haptics/core/linear/sine_cosine.hpp>
+#include <passive_haptics/core/scalar/sine_cosine.hpp>
 
 #include <algorithm>
 #include <cmath>

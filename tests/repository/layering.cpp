@@ -19,7 +19,7 @@ const std::map<std::string, int> stages{{"core", 0},    {"mechanism", 1}, {"brak
 // Folders that nobody else includes, so not the umbrella either; but suites of testing/ are about ports, too.
 const std::set<std::string> leaves{"driver", "interop", "testing"};
 // Rooms that headers of the path may include.
-const std::set<std::string> rooms_of_the_path{"core/linear", "force/torques"};
+const std::set<std::string> rooms_of_the_path{"core/scalar", "core/linear", "force/torques"};
 
 bool is_dependency(const std::string& include, const std::string& folder) {
   if (include.find_first_of("/.") == std::string::npos) return true;  // the standard library

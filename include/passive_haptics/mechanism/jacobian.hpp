@@ -2,8 +2,8 @@
 /// The Jacobian and the transmission of any mechanism, from whatever the mechanism gives.
 #pragma once
 
-#include <passive_haptics/core/dual_number.hpp>
 #include <passive_haptics/core/linear/lane_products.hpp>
+#include <passive_haptics/core/scalar/dual_number.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 
 namespace passive_haptics {

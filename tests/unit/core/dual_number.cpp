@@ -1,7 +1,7 @@
 // Derivatives of dual numbers against a central difference in 50 digits.
 #include "../high_precision.hpp"
 
-#include <passive_haptics/core/dual_number.hpp>
+#include <passive_haptics/core/scalar/dual_number.hpp>
 
 #include <gtest/gtest.h>
 

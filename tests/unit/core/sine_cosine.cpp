@@ -1,5 +1,5 @@
 // Sine and cosine against 50 digits.
-#include <passive_haptics/core/linear/sine_cosine.hpp>
+#include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>

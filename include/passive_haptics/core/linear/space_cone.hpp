@@ -2,10 +2,10 @@
 /// Projection onto a cone of three half-spaces in space, in closed form.
 #pragma once
 
-#include <passive_haptics/core/difference_of_products.hpp>
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/active_set.hpp>
 #include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/core/scalar/difference_of_products.hpp>
 
 #include <array>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
-#include <passive_haptics/core/linear/sine_cosine.hpp>
 #include <passive_haptics/core/parameters.hpp>
+#include <passive_haptics/core/scalar/sine_cosine.hpp>
 
 #include <string>
 

@@ -2,8 +2,8 @@
 /// One set of brake torques for several contacts.
 #pragma once
 
-#include <passive_haptics/core/difference_of_products.hpp>
 #include <passive_haptics/core/priorities/least_squares_by_priority.hpp>
+#include <passive_haptics/core/scalar/difference_of_products.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 
 #include <array>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/packets.hpp>
-#include <passive_haptics/core/linear/sine_cosine.hpp>
+#include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/chains/rigid_body_algebra.hpp>
 
 #include <array>

@@ -2,7 +2,7 @@
 /// Serial chains in space from standard Denavit-Hartenberg parameters.
 #pragma once
 
-#include <passive_haptics/core/linear/sine_cosine.hpp>
+#include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/chains/rigid_body_algebra.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_parameters.hpp>
 

@@ -2,8 +2,8 @@
 /// A delta: three arms that move a platform in space without turning it.
 #pragma once
 
-#include <passive_haptics/core/linear/sine_cosine.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/delta_parameters.hpp>
 #include <passive_haptics/mechanism/models/leg_chain.hpp>

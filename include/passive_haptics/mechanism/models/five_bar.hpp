@@ -2,7 +2,7 @@
 /// A five-bar: two base joints, two legs that meet at the handle (pantograph).
 #pragma once
 
-#include <passive_haptics/core/linear/sine_cosine.hpp>
+#include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/five_bar_parameters.hpp>
 #include <passive_haptics/mechanism/models/leg_chain.hpp>

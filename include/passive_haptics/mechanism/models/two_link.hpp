@@ -2,8 +2,8 @@
 /// Two links in a plane, a brake on each joint (Figs. 2 and 3).
 #pragma once
 
-#include <passive_haptics/core/linear/sine_cosine.hpp>
 #include <passive_haptics/core/parameters.hpp>
+#include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/two_link_inverse.hpp>
 
