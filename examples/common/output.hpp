@@ -4,6 +4,8 @@
 
 #include <output_file.hpp>
 
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -24,13 +26,20 @@ inline void write_file(const std::filesystem::path& path, const std::string& con
 inline void draw(const std::filesystem::path& directory, const std::string& name, const std::string& script) {
   write_file(directory / (name + ".gp"), "if (!exists('output')) output = '" + name + ".svg'\n" + script);
   const std::filesystem::path picture = directory / (name + ".svg");
-  const std::string run =
-      "cd '" + directory.string() + "' && gnuplot -e \"output='" + name + ".svg.part'\" '" + name + ".gp'";
-  output_file file(picture, leftover::replace);
   if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) {
     std::cout << "no picture (gnuplot is not installed): run gnuplot on "
               << (directory / (name + ".gp")).string() << "\n";
-  } else if (std::system(run.c_str()) != 0) {
+    return;
+  }
+  // Through us, as gnuplot does not say that a disk is full
+  const std::string run =
+      "cd '" + directory.string() + "' && gnuplot -e \"output='/dev/stdout'\" '" + name + ".gp'";
+  output_file file(picture, leftover::replace);
+  FILE* drawn = popen(run.c_str(), "r");
+  std::array<char, 4096> bytes;
+  for (std::size_t n; drawn != nullptr && (n = fread(bytes.data(), 1, bytes.size(), drawn)) > 0;)
+    file.stream().write(bytes.data(), static_cast<std::streamsize>(n));
+  if (drawn == nullptr || pclose(drawn) != 0) {
     std::cout << "no picture: gnuplot failed on " << (directory / (name + ".gp")).string() << "\n";
   } else {
     file.commit();

@@ -1,5 +1,5 @@
 // What programs write is there whole or not at all, and only where a file may be.
-#include "../../../examples/common/output_file.hpp"
+#include <output.hpp>
 
 #include <gtest/gtest.h>
 
@@ -49,6 +49,24 @@ struct an_output_file : ::testing::Test {
     }
     return "none";
   }
+};
+
+// No file grows beyond so many bytes.
+class room_for {
+ public:
+  explicit room_for(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit few{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &few);
+  }
+  ~room_for() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
 };
 
 TEST_F(an_output_file, has_its_name_once_it_is_whole) {
@@ -190,13 +208,9 @@ TEST_F(an_output_file, says_that_its_folder_is_not_there) {
 
 TEST_F(an_output_file, that_does_not_fit_is_told_and_leaves_what_was_there) {
   put(at("a.csv"), "old");
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit few{100'000, before.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &few);
   std::string told;
   {
+    const room_for room(100'000);
     output_file file(at("a.csv"));
     file.stream() << std::string(99'000, 'x');
     file.stream().flush();
@@ -210,12 +224,31 @@ TEST_F(an_output_file, that_does_not_fit_is_told_and_leaves_what_was_there) {
       told = error.what();
     }
   }
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
   EXPECT_EQ(told, "cannot write all of '" + at("a.csv").string() +
                       ".part': File too large, expected room for it; make room, or choose another folder");
   EXPECT_EQ(text_of(at("a.csv")), "old");
   EXPECT_FALSE(fs::exists(at("a.csv.part")));
+}
+
+// A gnuplot of our own, first in PATH
+TEST_F(an_output_file, of_gnuplot_that_does_not_fit_is_told_and_leaves_the_old_picture) {
+  put(at("gnuplot"), "#!/bin/sh\nhead -c 200000 /dev/zero\n");
+  fs::permissions(at("gnuplot"), fs::perms::owner_all);
+  put(at("a.svg"), "old");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (folder.string() + ":" + path).c_str(), 1);
+  {
+    const room_for room(100'000);
+    EXPECT_THROW(example::draw(folder, "a", "plot x\n"), std::runtime_error);
+  }
+  EXPECT_EQ(text_of(at("a.svg")), "old");
+  example::draw(folder, "a", "plot x\n");
+  EXPECT_EQ(text_of(at("a.svg")).size(), 200'000u);
+  put(at("gnuplot"), "#!/bin/sh\nprintf half; exit 1\n");
+  example::draw(folder, "a", "plot x\n");
+  EXPECT_EQ(text_of(at("a.svg")).size(), 200'000u);
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(fs::exists(at("a.svg.part")));
 }
 
 }  // namespace
