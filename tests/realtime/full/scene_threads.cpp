@@ -25,7 +25,7 @@ namespace {
 
 namespace ph = passive_haptics;
 using M = ph::xy_table<double>;
-constexpr int loop_steps = 10'000'000;
+constexpr int loop_steps = 2'000'000;
 
 // Number `generation` of a scene: both floors are as deep as that number, so that a half-exchanged scene
 // would show.

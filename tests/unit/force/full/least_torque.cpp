@@ -135,14 +135,14 @@ void expect_no_jumps(unsigned seed) {
 }  // namespace
 
 TEST(least_torque, is_the_best_of_all_sets_of_brakes_in_50_digits) {
-  expect_least_torques<2, 3>(400);
-  expect_least_torques<2, 4>(200);
-  expect_least_torques<2, 6>(60);
-  expect_least_torques<2, 8>(20);
-  expect_least_torques<3, 3>(400);
-  expect_least_torques<3, 4>(200);
-  expect_least_torques<3, 6>(60);
-  expect_least_torques<3, 8>(20);
+  expect_least_torques<2, 3>(200);
+  expect_least_torques<2, 4>(80);
+  expect_least_torques<2, 6>(24);
+  expect_least_torques<2, 8>(8);
+  expect_least_torques<3, 3>(200);
+  expect_least_torques<3, 4>(80);
+  expect_least_torques<3, 6>(24);
+  expect_least_torques<3, 8>(8);
 }
 
 TEST(least_torque, changes_no_more_than_its_condition_along_a_path) {

@@ -72,8 +72,8 @@ void expect_nearest_within_limits(int cases) {
 }  // namespace
 
 TEST(limited_torque, makes_the_nearest_force_with_the_least_norm_in_50_digits) {
-  expect_nearest_within_limits<2, 3>(200);
-  expect_nearest_within_limits<2, 4>(100);
-  expect_nearest_within_limits<3, 4>(100);
-  expect_nearest_within_limits<3, 5>(30);
+  expect_nearest_within_limits<2, 3>(100);
+  expect_nearest_within_limits<2, 4>(40);
+  expect_nearest_within_limits<3, 4>(40);
+  expect_nearest_within_limits<3, 5>(10);
 }

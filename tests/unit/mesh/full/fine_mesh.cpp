@@ -39,7 +39,7 @@ TYPED_TEST(a_fine_mesh, of_a_ball_is_the_ball_within_its_sagitta) {
   const double error = sample_meshes::sagitta(p, radius);
   ASSERT_GE(solid.surface().size(), D == 2 ? 10'000 : 100'000);
   ASSERT_LT(error, 2e-4);
-  std::vector<ph::point<D>> points(D == 3 ? 100'000 : 10'000);
+  std::vector<ph::point<D>> points(D == 3 ? 30'000 : 10'000);
   for (auto& x : points) x = random.uniform(0.0, 1.1) * random.direction<double, D>();
   for (const auto& x : points) {
     const double beyond = solid.distance(x) - ball.distance(x);  // the mesh lies inside
