@@ -36,9 +36,11 @@ run_result follow_with_arm(law which, const test_wall& wall, const setup& how) {
   d.brakes.time_constant.setConstant(how.lag);
   d.real_brakes = ph::ideal_brakes(d.brakes);
   d.brakes.time_constant.setConstant(how.believed_lag.value_or(how.lag));
-  d.real_brakes.torque_limit.setConstant(how.limit * std::max(1.0, how.gain));
-  d.real_brakes.gain.setConstant(how.gain);
-  d.real_brakes.residual_torque.setConstant(how.residual);
+  for (ph::coulomb_brake<double>& brake : d.real_brakes) {
+    brake.torque_limit = how.limit * std::max(1.0, how.gain);
+    brake.gain = how.gain;
+    brake.residual.strength = how.residual;
+  }
   d.start = d.real.inverse(start_beside(wall, how.gap), ph::elbow::left).q;
   return follow(d, which, wall, how);
 }

@@ -19,7 +19,7 @@ template <class M>
 struct device {
   M real, believed;
   ph::brakes_of<M> brakes;  // as the controller knows them
-  ph::simulated_brakes_of<M> real_brakes;
+  ph::brake_models_of<M> real_brakes;
   double encoder_resolution;  // [rad or m]
   ph::joint_vector<M> start;  // joint positions
 };

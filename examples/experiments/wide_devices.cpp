@@ -49,7 +49,9 @@ double share_without(const M& real, const kind<M>& k, const ph::random_device<M>
     ph::reach(real, k.where, x, q);
     return ph::path_point<M>{q, d.plane.direction, d.plane.normal};
   };
-  return ph::undisplayable_share<M>(real, path, d.brakes.torque_limit, push, 40);
+  ph::brake_vector<M> limits;
+  for (int i = 0; i < M::brake_count; ++i) limits[i] = d.brakes[static_cast<std::size_t>(i)].torque_limit;
+  return ph::undisplayable_share<M>(real, path, limits, push, 40);
 }
 
 template <class M>

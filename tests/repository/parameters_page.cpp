@@ -163,7 +163,8 @@ std::string tables() {
   p.table<ph::release_probe_parameters>("release_probe_parameters", sensorless + "release_probe.hpp");
   p.table<ph::sensorless_parameters>("sensorless_parameters", sensorless + "sensorless_controller.hpp");
   p.stage("Simulation");
-  p.table<ph::simulated_brakes<T, 2>>("simulated_brakes", "plant/simulated_brakes.hpp");
+  p.table<ph::brake_resistance<T>>("brake_resistance", "brake/models/brake_model.hpp");
+  p.table<ph::coulomb_brake<T>>("coulomb_brake", "brake/models/coulomb_brake.hpp");
   p.table<ph::encoder_parameters>("encoder_parameters", "plant/encoder.hpp");
   p.table<ph::force_sensor_parameters>("force_sensor_parameters", "plant/force_sensor.hpp");
   p.table<ph::following_hand_parameters<T>>("following_hand_parameters", "plant/following_hand.hpp");

@@ -79,14 +79,14 @@ class simulation {
   static constexpr std::array<double, axes> somewhere{100.0, turn - 200};
   inline static const ph::vector<double, 2> offset{0.3, -0.2};  // [N]
 
-  static ph::simulated_brakes_of<M> real_brakes(const configuration& c) {
-    ph::simulated_brakes_of<M> real;
-    for (int i = 0; i < axes; ++i) {
-      const ph::brake_curve& curve = c.curves[static_cast<std::size_t>(i)];
-      real.residual_torque[i] = curve.residual_torque;
-      real.torque_limit[i] = torque_of_current(curve, curve.current_limit);
+  static ph::brake_models_of<M> real_brakes(const configuration& c) {
+    ph::brake_models_of<M> real;
+    for (std::size_t i = 0; i < real.size(); ++i) {
+      const ph::brake_curve& curve = c.curves[i];
+      real[i].residual.strength = curve.residual_torque;
+      real[i].torque_limit = torque_of_current(curve, curve.current_limit);
+      real[i].time_constant = c.simulation.brake_lag;
     }
-    real.time_constant.setConstant(c.simulation.brake_lag);
     return real;
   }
 

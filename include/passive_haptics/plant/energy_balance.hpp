@@ -26,15 +26,15 @@ struct energy_balance {
   double hand = 0;               ///< Work of the hand's muscles, in.
   double gravity = 0;            ///< Work of gravity, in.
   double brakes = 0;             ///< Dissipated by what was commanded of the brakes.
-  double residual_friction = 0;  ///< Dissipated by the brakes' residual torque.
-  double drag = 0;               ///< Dissipated by the viscous drag of the brakes.
+  double residual_friction = 0;  ///< Dissipated by the brakes' residual friction.
+  double drag = 0;               ///< Dissipated by the brakes' residual drag.
   double kinetic = 0;            ///< Kinetic energy of device and hand now.
   /// Largest power that one brake's friction gave to the device in one step [W], t_i w_i with the rates at
   /// the end of the step; 0 if none ever gave any. Friction is implicit, so it is 0 to rounding: at most
   /// rounding_tolerance(m) torque_i (|w_i| + A |torque| dt), see solve_box_friction.
   double largest_brake_power = 0;
 
-  /// Dissipated by the friction of the brakes, commanded and residual.
+  /// Dissipated by the brakes, all but their residual drag.
   double friction() const { return brakes + residual_friction; }
   /// Energy that nothing accounts for; see above how small it is.
   double imbalance() const { return kinetic - start - hand - gravity + brakes + residual_friction + drag; }

@@ -2,9 +2,9 @@
 /// Random devices, hands and planes: what a law meets that nobody tuned it for.
 #pragma once
 
+#include <passive_haptics/brake/models/coulomb_brake.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 #include <passive_haptics/plant/random_plane.hpp>
-#include <passive_haptics/plant/simulated_brakes.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ struct random_device {
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
   double inertia;                          ///< Of links and rotors, for each kg of the nominal device.
-  simulated_brakes_of<M> brakes;           ///< What they really are;
+  brake_models_of<M> brakes;               ///< What they really are;
   brakes_of<M> known_brakes;               ///< and what their data sheet tells: limit and rise.
   random_plane<M> plane;                   ///< Where it starts and goes.
   following_hand_parameters<scalar> hand;  ///< The hand.
@@ -82,13 +82,12 @@ random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::u
   d.known_brakes.time_constant.setConstant(static_cast<T>(rise));
   d.known_brakes.rate_dead_band /= per_torque;
   d.brakes = ideal_brakes(d.known_brakes);
-  d.brakes.fall_ratio.setConstant(static_cast<T>(fall / rise));
-  for (int i = 0; i < M::brake_count; ++i) {
-    d.brakes.gain[i] = static_cast<T>(even(r.gain));
-    d.brakes.residual_torque[i] = per_torque * static_cast<T>(even(r.residual_torque));
+  for (coulomb_brake<T>& brake : d.brakes) {
+    brake.fall_ratio = static_cast<T>(fall / rise);
+    brake.gain = static_cast<T>(even(r.gain));
+    brake.residual.strength = per_torque * static_cast<T>(even(r.residual_torque));
+    brake.torque_limit *= brake.gain;  // it tells what a brake makes of its full current, too
   }
-  // A gain tells what a brake makes of its full current, too
-  d.brakes.torque_limit.array() *= d.brakes.gain.array();
 
   const double push = even(r.push);
   const bool impedance = uniform_number(bits) < 0.5;

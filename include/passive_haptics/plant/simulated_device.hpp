@@ -2,13 +2,13 @@
 /// A device without hardware: a mechanism with inertia, real brakes and a hand's mass on its handle.
 #pragma once
 
+#include <passive_haptics/brake/models/coulomb_brake.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/plant/box_friction.hpp>
 #include <passive_haptics/plant/energy_balance.hpp>
-#include <passive_haptics/plant/simulated_brakes.hpp>
 #include <passive_haptics/plant/simulated_device_declaration.hpp>
 
 #include <algorithm>
@@ -20,17 +20,16 @@ namespace passive_haptics {
 struct detail::simulated_device_header {};
 
 /// Simulated device: M qdd + c = J^T Fh + T^T t, where the brakes are Coulomb friction with exact stick and
-/// viscous drag; the friction's strength follows the commanded capacity as simulated_brakes says. Any m, n, d
-/// of a Mechanism.
+/// viscous drag, both as the Model of each brake says. Any m, n, d of a Mechanism.
 ///
-/// Semi-implicit Euler on impulses, first order in dt: rates first (friction and drag implicit), then
-/// positions with the new rates. The hand's mass moves with the handle; the hand's force drives both, a
-/// sensor between them feels what reaches the device. energy() tells where the energy went. Cost of a step:
-/// M, J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
-template <class M>
-  requires(detail::simulated_device_requirements<M>::met)
-class simulated_device {
+/// Semi-implicit Euler on impulses, first order in dt: what the models resist with at the old rates, then the
+/// new rates (friction and drag implicit), then positions with the new rates. The hand's mass moves with the
+/// handle; the hand's force drives both, a sensor between them feels what reaches the device. energy() tells
+/// where the energy went. Cost of a step: M, J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
+template <class M, class Model>
+requires(detail::simulated_device_requirements<M>::met) class simulated_device {
   static_assert(mechanism_requirements<M>::met);
+  static_assert(brake_model_requirements<Model>::met);
   static_assert(Dynamics<M>,
                 "passive_haptics: a simulated device needs a mechanism that models Dynamics "
                 "(mass_matrix, bias_torque, bias_acceleration; mechanism/dynamics.hpp).");
@@ -41,13 +40,15 @@ class simulated_device {
   /// At rest at q, with brakes that are what their controller believes (ideal_brakes). hand_mass [kg] moves
   /// with the handle. Throws std::invalid_argument with the text of validate(brakes), or if the mass is
   /// negative or not finite.
-  simulated_device(M mechanism, const brakes_of<M>& brakes, scalar hand_mass, const joint_vector<M>& q)
+  simulated_device(M mechanism, const brakes_of<M>& brakes, scalar hand_mass,
+                   const joint_vector<M>& q) requires std::same_as<Model, coulomb_brake<scalar>>
       : simulated_device(std::move(mechanism), ideal_brakes(require_valid(brakes)), hand_mass, q) {}
 
   /// The same with real brakes, which a controller may be wrong about.
-  template <std::same_as<simulated_brakes_of<M>> RealBrakes>  // a template, so that {} means brakes_of<M>
+  template <std::same_as<brake_models_of<M, Model>> RealBrakes>  // a template, so that {} means brakes_of<M>
   simulated_device(M mechanism, const RealBrakes& brakes, scalar hand_mass, const joint_vector<M>& q)
-      : mechanism_(std::move(mechanism)), brakes_(require_valid(brakes)), hand_mass_(hand_mass) {
+      : mechanism_(std::move(mechanism)), brakes_(brakes), hand_mass_(hand_mass) {
+    if constexpr (Parameters<Model>) require_no_error(check_value("brakes", brakes, "", range::anything));
     require_no_error(check_value("hand_mass", hand_mass, "kg", range::not_negative));
     set_motion(q, joint_vector<M>::Zero());
   }
@@ -68,19 +69,20 @@ class simulated_device {
     const joint_vector<M> drive = J_.transpose() * handle_force - mechanism_.bias_torque(q_, qd_);
     const matrix<scalar, M::dof, M::brake_count> Tt = transposed_transmission(mechanism_, q_);
     const transmission_matrix<M> T = transposed(Tt);
-    const transmission_matrix<M> drag = (dt * brakes_.viscous_drag).asDiagonal() * T;
+    const resistances now = resist(dt, capacity, T * qd_);
+    const transmission_matrix<M> drag = (dt * (now.commanded_drag + now.residual_drag)).asDiagonal() * T;
     const cholesky<scalar, M::dof> inverse_mass(mass_ + Tt * drag);
 
     const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(mass_ * qd_ + dt * drive));
     const matrix<scalar, M::brake_count, M::brake_count> A = T * inverse_mass.solve(Tt);
-    strength_ = brakes_.strength_after(dt, strength_, brakes_.strength(capacity));
-    const brake_vector<M> limit = dt * (strength_ + brakes_.residual_torque);
+    const brake_vector<M> limit = dt * (strength_ + now.residual_strength);
     const brake_vector<M> impulse = friction(A, T * free, limit);
 
     const joint_vector<M> next = free + inverse_mass.solve(joint_vector<M>(Tt * impulse));
     sensed_force_ = handle_force - hand_mass_ / dt * (J_ * (next - qd_));
-    brake_torque_ = scalar(1) / dt * impulse;
     const brake_vector<M> rates = T * next;
+    const brake_vector<M> commanded_drag = now.commanded_drag.cwiseProduct(rates);
+    brake_torque_ = scalar(1) / dt * impulse - commanded_drag;
 
     // Work at the mid-point rate: see energy_balance
     const joint_vector<M> middle = (qd_ + next) / scalar(2);
@@ -89,10 +91,10 @@ class simulated_device {
     energy_.hand += as_double(dt * muscle_force.dot(J_ * middle));
     energy_.gravity -= as_double(dt * gravity.dot(middle));
     for (int i = 0; i < M::brake_count; ++i) {
-      energy_.drag += as_double(dt * rates[i] * brakes_.viscous_drag[i] * middle_rates[i]);
+      energy_.drag += as_double(dt * rates[i] * now.residual_drag[i] * middle_rates[i]);
       const double dissipated = -as_double(impulse[i] * middle_rates[i]);
       const double share = limit[i] > scalar(0) ? as_double(dt * strength_[i] / limit[i]) : 0.0;
-      energy_.brakes += share * dissipated;
+      energy_.brakes += share * dissipated + as_double(dt * commanded_drag[i] * middle_rates[i]);
       energy_.residual_friction += (1 - share) * dissipated;
       brake_power_[i] = brake_torque_[i] * rates[i];
       energy_.largest_brake_power = std::max(energy_.largest_brake_power, as_double(brake_power_[i]));
@@ -116,11 +118,11 @@ class simulated_device {
   brake_vector<M> rates() const { return brake_rates(mechanism_, q_, qd_); }
   /// Force of the hand on the handle in the last step [N]: muscle force less what moved the hand's own mass.
   const task_vector<M>& sensed_force() const { return sensed_force_; }
-  /// Mean friction of the brakes in the last step [N m], commanded and residual, without drag.
+  /// Mean torque of the brakes in the last step [N m]: friction, commanded and residual, and commanded drag.
   const brake_vector<M>& brake_torque() const { return brake_torque_; }
-  /// t_i w_i of that friction with the rates at the end of the last step [W]: <= 0 to rounding.
+  /// t_i w_i of it with the rates at the end of the last step [W]: <= 0 to rounding.
   const brake_vector<M>& brake_power() const { return brake_power_; }
-  /// What the brakes could hold now by command [N m], without residual torque.
+  /// What the brakes could hold at rest now by command [N m], without residual friction.
   const brake_vector<M>& brake_strength() const { return strength_; }
   /// Where the energy came from and went since the last set_motion, or the start.
   const energy_balance& energy() const { return energy_; }
@@ -139,7 +141,27 @@ class simulated_device {
   using joint_matrix = matrix<scalar, M::dof, M::dof>;
   using task_matrix = jacobian_matrix<M>;
 
+  // Of the brakes, beside strength_.
+  struct resistances {
+    brake_vector<M> commanded_drag, residual_strength, residual_drag;
+  };
+
   static double as_double(scalar x) { return static_cast<double>(x); }
+
+  // Brings the brakes dt forward; rates are those before.
+  resistances resist(scalar dt, const brake_vector<M>& capacity, const brake_vector<M>& rates) {
+    resistances all;
+    for (int i = 0; i < M::brake_count; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const brake_resistance<scalar> commanded = brakes_[k].advance(dt, capacity[i], rates[i], states_[k]);
+      const brake_resistance<scalar> residual = residual_of(brakes_[k]);
+      strength_[i] = commanded.strength;
+      all.commanded_drag[i] = commanded.drag;
+      all.residual_strength[i] = residual.strength;
+      all.residual_drag[i] = residual.drag;
+    }
+    return all;
+  }
 
   void measure_pose() {
     J_ = task_matrix(jacobian(mechanism_, q_));
@@ -156,7 +178,8 @@ class simulated_device {
   }
 
   M mechanism_;
-  simulated_brakes_of<M> brakes_;
+  brake_models_of<M, Model> brakes_;
+  std::array<typename Model::state, static_cast<std::size_t>(M::brake_count)> states_{};
   brake_vector<M> strength_ = brake_vector<M>::Zero();
   scalar hand_mass_;
   joint_vector<M> q_, qd_;
@@ -167,5 +190,9 @@ class simulated_device {
   brake_vector<M> brake_torque_ = brake_vector<M>::Zero();
   brake_vector<M> brake_power_ = brake_vector<M>::Zero();
 };
+
+template <class M, class Model, std::size_t Brakes>
+simulated_device(M, const std::array<Model, Brakes>&, typename M::scalar, const joint_vector<M>&)
+    -> simulated_device<M, Model>;
 
 }  // namespace passive_haptics

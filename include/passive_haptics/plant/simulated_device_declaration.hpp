@@ -3,6 +3,10 @@
 #pragma once
 
 namespace passive_haptics {
+
+template <class T>
+struct coulomb_brake;
+
 namespace detail {
 
 struct simulated_device_header;  // complete once plant/simulated_device.hpp is included
@@ -17,8 +21,7 @@ struct simulated_device_requirements {
 
 }  // namespace detail
 
-template <class M>
-  requires(detail::simulated_device_requirements<M>::met)
-class simulated_device;
+template <class M, class Model = coulomb_brake<typename M::scalar>>
+requires(detail::simulated_device_requirements<M>::met) class simulated_device;
 
 }  // namespace passive_haptics

@@ -69,8 +69,8 @@ struct wall_following_sample {
   task_vector<M> position;       ///< Of the handle [m].
   task_vector<M> velocity;       ///< Of the handle [m/s].
   brake_vector<M> rates;         ///< Of the brakes' axes [rad/s or m/s].
-  brake_vector<M> brake_torque;  ///< Friction of the brakes [N m].
-  brake_vector<M> brake_power;   ///< Of that friction, t_i w_i [W].
+  brake_vector<M> brake_torque;  ///< Of the brakes [N m], without residual drag.
+  brake_vector<M> brake_power;   ///< Of it, t_i w_i [W].
   task_vector<M> hand_force;     ///< Behind the sensor's low-pass, without its noise [N].
   task_vector<M> brake_force;    ///< Of the brakes at the handle [N].
   const Decision* control;       ///< The latest control cycle.
@@ -98,8 +98,8 @@ struct no_observer {
 /// brake_vector<M> `capacity`. observe(wall_following_sample) is called once a time step. Depth and figures
 /// are the true ones, not those read. Throws std::invalid_argument with the text of validate(parameters), or
 /// if there is no watched_brake.
-template <class M, class Shape, class Control, class Observer = detail::no_observer>
-contact_metrics follow_wall(simulated_device<M>& device, Control&& control, const Shape& shape,
+template <class M, class Model, class Shape, class Control, class Observer = detail::no_observer>
+contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,
                             const wall_following_parameters& parameters, Observer&& observe = {}) {
   using T = typename M::scalar;

@@ -17,11 +17,11 @@ const ph::workspace<tendon> space{{-3.1, -2.5}, {3.1, -0.6}, 0.1};
 
 TEST(random_device, is_the_same_for_the_same_seed_and_number) {
   const auto a = ph::draw_device(tendon(), space, 5, 17), b = ph::draw_device(tendon(), space, 5, 17);
-  EXPECT_EQ(a.brakes.gain, b.brakes.gain);
+  EXPECT_EQ(a.brakes[0].gain, b.brakes[0].gain);
   EXPECT_EQ(a.plane.q, b.plane.q);
   EXPECT_EQ(a.environment_rate, b.environment_rate);
-  EXPECT_NE(a.brakes.gain, ph::draw_device(tendon(), space, 5, 18).brakes.gain);
-  EXPECT_NE(a.brakes.gain, ph::draw_device(tendon(), space, 6, 17).brakes.gain);
+  EXPECT_NE(a.brakes[0].gain, ph::draw_device(tendon(), space, 5, 18).brakes[0].gain);
+  EXPECT_NE(a.brakes[0].gain, ph::draw_device(tendon(), space, 6, 17).brakes[0].gain);
 }
 
 TEST(random_device, lies_within_the_ranges) {
@@ -33,17 +33,18 @@ TEST(random_device, lies_within_the_ranges) {
   constexpr int count = 300;
   for (int k = 0; k < count; ++k) {
     const auto d = ph::draw_device(tendon(), space, 1, static_cast<std::uint64_t>(k));
-    EXPECT_EQ(validate(d.brakes), "");
     EXPECT_EQ(validate(d.hand), "");
     EXPECT_EQ(validate(d.run), "");
     EXPECT_TRUE(within(d.inertia, r.inertia));
     for (int i = 0; i < 2; ++i) {
-      EXPECT_TRUE(within(d.brakes.gain[i], r.gain));
-      EXPECT_TRUE(within(d.brakes.residual_torque[i], r.residual_torque));
-      EXPECT_TRUE(within(d.brakes.time_constant[i], r.rise_time_constant));
-      EXPECT_TRUE(within(d.brakes.fall_ratio[i] * d.brakes.time_constant[i], r.rise_time_constant));
+      const auto& brake = d.brakes[static_cast<std::size_t>(i)];
+      EXPECT_EQ(validate(brake), "");
+      EXPECT_TRUE(within(brake.gain, r.gain));
+      EXPECT_TRUE(within(brake.residual.strength, r.residual_torque));
+      EXPECT_TRUE(within(brake.time_constant, r.rise_time_constant));
+      EXPECT_TRUE(within(brake.fall_ratio * brake.time_constant, r.rise_time_constant));
       EXPECT_TRUE(within(d.known_brakes.torque_limit[i], r.torque_limit));
-      EXPECT_EQ(d.brakes.torque_limit[i], d.brakes.gain[i] * d.known_brakes.torque_limit[i]);
+      EXPECT_EQ(brake.torque_limit, brake.gain * d.known_brakes.torque_limit[i]);
     }
     EXPECT_TRUE(within(d.run.sensor_scale, r.sensor_scale));
     EXPECT_TRUE(within(2 * std::numbers::pi / d.run.encoder_resolution, r.encoder_counts));
@@ -104,8 +105,8 @@ TEST(random_plane, says_where_there_is_none) {
 TEST(random_device, of_slides_has_forces_and_lengths) {
   const auto turning = ph::draw_device(ph::xy_table<double>(), {{-0.1, -0.1}, {0.1, 0.1}, 0.1, 1.0}, 3, 4);
   const auto sliding = ph::draw_device(ph::xy_table<double>(), {{-0.1, -0.1}, {0.1, 0.1}, 0.1, 0.1}, 3, 4);
-  EXPECT_NEAR(sliding.brakes.torque_limit[0], 10 * turning.brakes.torque_limit[0], 1e-12);
-  EXPECT_NEAR(sliding.brakes.residual_torque[1], 10 * turning.brakes.residual_torque[1], 1e-12);
+  EXPECT_NEAR(sliding.brakes[0].torque_limit, 10 * turning.brakes[0].torque_limit, 1e-12);
+  EXPECT_NEAR(sliding.brakes[1].residual.strength, 10 * turning.brakes[1].residual.strength, 1e-12);
   EXPECT_NEAR(sliding.known_brakes.rate_dead_band[0], 0.1 * turning.known_brakes.rate_dead_band[0], 1e-15);
   EXPECT_NEAR(sliding.run.encoder_resolution, 0.1 * turning.run.encoder_resolution, 1e-15);
 }

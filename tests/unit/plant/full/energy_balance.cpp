@@ -88,14 +88,14 @@ struct run {
   double most_power = -1e300;  // largest t_i w_i over its rounding
   int sticks = 0, slips = 0;
 
-  static ph::simulated_brakes_of<M> brakes(ph::testing::random_source& random, bool braked) {
-    ph::simulated_brakes_of<M> real;
-    real.torque_limit.setConstant(T(Case::torque));
-    for (int i = 0; i < M::brake_count; ++i) {
-      real.gain[i] = random.uniform(T(0.7), T(1.2));
+  static ph::brake_models_of<M> brakes(ph::testing::random_source& random, bool braked) {
+    ph::brake_models_of<M> real;
+    for (ph::coulomb_brake<T>& brake : real) {
+      brake.torque_limit = T(Case::torque);
+      brake.gain = random.uniform(T(0.7), T(1.2));
       if (!braked) continue;
-      real.residual_torque[i] = random.uniform(T(0), T(0.05 * Case::torque));
-      real.viscous_drag[i] = random.uniform(T(0), T(0.02 * Case::torque));
+      brake.residual.strength = random.uniform(T(0), T(0.05 * Case::torque));
+      brake.residual.drag = random.uniform(T(0), T(0.02 * Case::torque));
     }
     return real;
   }

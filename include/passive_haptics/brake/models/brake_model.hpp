@@ -1,0 +1,112 @@
+/// @file
+/// The BrakeModel concept: what one brake makes of a command, whatever its controller believes.
+#pragma once
+
+#include <passive_haptics/core/parameters.hpp>
+
+#include <concepts>
+
+namespace passive_haptics {
+
+/// What a brake resists its motion with at one instant: at rate w the torque -strength sgn(w) - drag w, and
+/// at rest any torque within +-strength. With strength and drag >= 0 it only ever takes energy.
+template <class T>
+struct brake_resistance {
+  T strength = T(0);  ///< Coulomb friction [N m].
+  T drag = T(0);      ///< Viscous drag [N m s].
+
+  /// The table of core/parameters.hpp, of a resistance that is a parameter.
+  static constexpr auto members() {
+    using p = brake_resistance;
+    return member_table(member("strength", &p::strength, "N m", range::not_negative, plausible(0, 10)),
+                        member("drag", &p::drag, "N m s", range::not_negative, plausible(0, 10)));
+  }
+};
+
+namespace detail {
+
+template <class B>
+concept names_brake_scalar = std::floating_point<typename B::scalar>;
+template <class B>
+concept names_brake_state = names_brake_scalar<B> && std::copyable<typename B::state> &&
+    std::default_initializable<typename B::state>;
+template <class B>
+concept advances_brake = names_brake_state<B> &&
+    requires(const B brake, typename B::scalar x, typename B::state state) {
+  { brake.advance(x, x, x, state) }
+  noexcept->std::same_as<brake_resistance<typename B::scalar>>;
+};
+template <class B>
+concept limits_brake = names_brake_scalar<B> && requires(const B brake, typename B::scalar rate) {
+  { brake.torque_limit_at(rate) }
+  noexcept->std::same_as<typename B::scalar>;
+};
+
+}  // namespace detail
+
+/// One brake on its own axis; a mechanism has m. For a sliding brake read N for N m and m/s for rad/s.
+/// Minimal complete definition:
+///   - `using scalar`: float or double;
+///   - `struct state`, default-constructible and copyable: what the brake remembers. A new one is of a brake
+///     that has long been released;
+///   - `brake_resistance<scalar> advance(scalar dt, scalar command, scalar rate, state&) const noexcept`:
+///     brings the state dt [s] forward and returns what the brake then resists with by command. command: the
+///     capacity [N m] that a controller gives; rate [rad/s] at the beginning of dt;
+///   - `scalar torque_limit_at(scalar rate) const noexcept`: the most torque [N m] at this rate by command,
+///     what a controller may know of it.
+///
+/// Laws, of any command, rate and history (testing/brake_model_properties.hpp):
+///   - passive: strength and drag are finite and >= 0;
+///   - bounded: strength + drag |rate| <= torque_limit_at(rate);
+///   - a command that is negative or NaN is 0, an infinite one is the greatest that there is.
+///
+/// Optional:
+///   - `brake_resistance<scalar> residual`: what is there without a command and adds to it;
+///   - members(), the table of core/parameters.hpp: who takes the model then checks its parameters.
+///
+/// Refinement: InvertibleBrakeModel.
+template <class B>
+concept BrakeModel = detail::advances_brake<B> && detail::limits_brake<B>;
+
+/// A brake whose command can be found. Minimal complete definition: BrakeModel, and
+///   - `scalar command_for(scalar torque, scalar rate, const state&) const noexcept`: the command [N m] under
+///     which the brake, at this rate and with this past, ends in `torque` [N m], or as near as it can.
+template <class B>
+concept InvertibleBrakeModel = BrakeModel<B> &&
+    requires(const B brake, typename B::scalar x, const typename B::state state) {
+  { brake.command_for(x, x, state) }
+  noexcept->std::same_as<typename B::scalar>;
+};
+
+/// The same requirements, one short message for each: what takes a model begins with
+/// `static_assert(brake_model_requirements<B>::met)`.
+template <class B>
+struct brake_model_requirements {
+  static_assert(detail::names_brake_scalar<B>,
+                "passive_haptics: a brake model needs `using scalar = double` or float.");
+  static_assert(!detail::names_brake_scalar<B> || detail::names_brake_state<B>,
+                "passive_haptics: a brake model needs a default-constructible `struct state`, empty where it "
+                "remembers nothing.");
+  static_assert(!detail::names_brake_state<B> || detail::advances_brake<B>,
+                "passive_haptics: a brake model needs `brake_resistance<scalar> advance(scalar dt, scalar "
+                "command, scalar rate, state&) const noexcept`.");
+  static_assert(!detail::names_brake_scalar<B> || detail::limits_brake<B>,
+                "passive_haptics: a brake model needs `scalar torque_limit_at(scalar rate) const noexcept`.");
+  static constexpr bool met = true;  ///< Or the compiler says what is not.
+};
+
+/// What a brake resists with without a command; nothing where its model names no residual.
+template <class B>
+brake_resistance<typename B::scalar> residual_of(const B& brake) {
+  if constexpr (requires { brake.residual; }) return brake.residual;
+  else return {};
+}
+
+/// A command [N m] as a brake takes it: 0 where it is negative or NaN, never more than `most`.
+template <class T>
+constexpr T valid_command(T command, T most) {
+  if (!(command > T(0))) return T(0);
+  return command < most ? command : most;
+}
+
+}  // namespace passive_haptics
