@@ -16,6 +16,11 @@
 
 #include <passive_haptics/brake/drawing/fme_boundary.hpp>
 #include <passive_haptics/brake/measurement/encoder_axes.hpp>
+#include <passive_haptics/brake/models/compensated_brake.hpp>
+#include <passive_haptics/brake/models/delayed_brake.hpp>
+#include <passive_haptics/brake/models/eddy_current_brake.hpp>
+#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
+#include <passive_haptics/brake/models/stribeck_brake.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
 
 #include <passive_haptics/scene/held_scene.hpp>
@@ -49,6 +54,7 @@
 #include <passive_haptics/control/effects/with_effects.hpp>
 #include <passive_haptics/control/extensions/generator_form.hpp>
 #include <passive_haptics/control/extensions/plausibility.hpp>
+#include <passive_haptics/control/extensions/rate_limited_brakes.hpp>
 #include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>

@@ -65,8 +65,10 @@ struct scalar_of {
   using type = V;
 };
 template <class V>
-  requires requires { typename V::value_type; } && (!std::is_same_v<V, std::string>)
-struct scalar_of<V> : scalar_of<typename V::value_type> {};
+requires requires {
+  typename V::value_type;
+} &&(!std::is_same_v<V, std::string>)struct scalar_of<V> : scalar_of<typename V::value_type> {
+};
 
 class page {
  public:
@@ -164,7 +166,13 @@ std::string tables() {
   p.table<ph::sensorless_parameters>("sensorless_parameters", sensorless + "sensorless_controller.hpp");
   p.stage("Simulation");
   p.table<ph::brake_resistance<T>>("brake_resistance", "brake/models/brake_model.hpp");
-  p.table<ph::coulomb_brake<T>>("coulomb_brake", "brake/models/coulomb_brake.hpp");
+  const std::string models = "brake/models/";
+  p.table<ph::coulomb_brake<T>>("coulomb_brake", models + "coulomb_brake.hpp");
+  p.table<ph::stribeck_brake<T>>("stribeck_brake", models + "stribeck_brake.hpp");
+  p.table<ph::magnetorheological_brake<T>>("magnetorheological_brake",
+                                           models + "magnetorheological_brake.hpp");
+  p.table<ph::eddy_current_brake<T>>("eddy_current_brake", models + "eddy_current_brake.hpp");
+  p.table<ph::delayed_brake<ph::coulomb_brake<T>>>("delayed_brake", models + "delayed_brake.hpp");
   p.table<ph::encoder_parameters>("encoder_parameters", "plant/encoder.hpp");
   p.table<ph::force_sensor_parameters>("force_sensor_parameters", "plant/force_sensor.hpp");
   p.table<ph::following_hand_parameters<T>>("following_hand_parameters", "plant/following_hand.hpp");

@@ -64,6 +64,13 @@ struct coulomb_brake {
   }
 };
 
+/// A magnetic-particle brake of 7.5 N m: MAGPOWR GBA, Maxcess Designer's Notebook 2015, page 119 (rated
+/// torque, time constant of the torque after a step, drag torque without excitation).
+template <class T>
+constexpr coulomb_brake<T> magnetic_particle_brake() {
+  return {.torque_limit = T(7.5), .time_constant = T(0.22), .residual = {.strength = T(0.09)}};
+}
+
 /// The real brakes of mechanism M, a model for each.
 template <class M, class Model = coulomb_brake<typename M::scalar>>
 using brake_models_of = std::array<Model, static_cast<std::size_t>(M::brake_count)>;

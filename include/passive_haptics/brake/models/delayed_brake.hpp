@@ -1,0 +1,68 @@
+/// @file
+/// Dead time before any brake.
+#pragma once
+
+#include <passive_haptics/brake/models/brake_model.hpp>
+
+#include <array>
+
+namespace passive_haptics {
+
+/// Model, told each command dead_time later, to the nearest time step. Changes of the command wait in a
+/// queue; one more than Changes lets the oldest act early.
+template <BrakeModel Model, int Changes = 64>
+struct delayed_brake : Model {
+  using scalar = typename Model::scalar;  ///< Scalar.
+
+  /// From a command to its first effect [s]: of a bus, a power stage. 2 ms is two cycles at 1 kHz; assumed.
+  scalar dead_time = scalar(0.002);
+
+  /// What it remembers, beside the model.
+  struct state : Model::state {
+    /// A command, and when it acts.
+    struct change {
+      double due = 0;              ///< [s]
+      scalar command = scalar(0);  ///< [N m]
+    };
+    std::array<change, std::size_t(Changes)> waiting{};  ///< A ring.
+    int first = 0;                                       ///< The oldest in it.
+    int count = 0;                                       ///< In it.
+    double time = 0;                                     ///< Now [s].
+    scalar last = scalar(0);                             ///< What was told last [N m].
+    scalar acting = scalar(0);                           ///< What acts [N m].
+  };
+
+  /// See BrakeModel.
+  brake_resistance<scalar> advance(scalar dt, scalar command, scalar rate, state& now) const noexcept {
+    const scalar told = command > scalar(0) ? command : scalar(0);
+    if (told != now.last) {
+      if (now.count == Changes) act(now);
+      now.waiting[at(now.first + now.count++)] = {now.time + static_cast<double>(dead_time), told};
+      now.last = told;
+    }
+    const double soon = now.time + static_cast<double>(dt) / 2;
+    while (now.count > 0 && now.waiting[at(now.first)].due <= soon) act(now);
+    now.time += static_cast<double>(dt);
+    return Model::advance(dt, now.acting, rate, now);
+  }
+
+  /// The table of core/parameters.hpp, of a model that has one.
+  static constexpr auto members() requires Parameters<Model> {
+    return [](auto&& f) {
+      Model::members()(f);
+      member_table(
+          member("dead_time", &delayed_brake::dead_time, "s", range::not_negative, plausible(0, 0.05)))(f);
+    };
+  }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i % Changes); }
+
+  static void act(state& now) {
+    now.acting = now.waiting[at(now.first)].command;
+    now.first = (now.first + 1) % Changes;
+    --now.count;
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,166 @@
+// Each brake model against its closed form. What all models owe: tests/property/brake_models.cpp.
+#include "../support.hpp"
+
+#include <passive_haptics/brake/models/compensated_brake.hpp>
+#include <passive_haptics/brake/models/coulomb_brake.hpp>
+#include <passive_haptics/brake/models/delayed_brake.hpp>
+#include <passive_haptics/brake/models/eddy_current_brake.hpp>
+#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
+#include <passive_haptics/brake/models/stribeck_brake.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+constexpr double long_enough = 10;  // [s]
+
+// What a brake resists with at this rate once the command has been held.
+template <class B>
+double settled(const B& brake, double command, double rate, typename B::state& state) {
+  const auto r = brake.advance(long_enough, command, rate, state);
+  return r.strength + r.drag * std::abs(rate);
+}
+template <class B>
+double settled(const B& brake, double command, double rate) {
+  typename B::state fresh;
+  return settled(brake, command, rate, fresh);
+}
+
+TEST(stribeck_brake, is_strongest_at_rest) {
+  const ph::stribeck_brake<double> brake;
+  EXPECT_NEAR(settled(brake, 0.4, 0), 0.6, 1e-15);
+  EXPECT_NEAR(settled(brake, 0.4, -0.05), 0.4 * (1 + 0.5 / std::numbers::e), 1e-15);
+  EXPECT_NEAR(settled(brake, 0.4, 1), 0.4, 1e-15);
+  EXPECT_NEAR(settled(brake, 99, 0), 1.5, 1e-15);
+  EXPECT_NEAR(settled(brake, brake.command_for(0.6, 0.03, {}), 0.03), 0.6, 1e-15);
+}
+
+// Their curve at a gap of 3 mm: rpm and N m.
+TEST(eddy_current_brake, follows_lubin_and_rezzoug_to_twice_the_critical_rate) {
+  constexpr double curve[][2] = {{15, 0.88590},   {150, 8.6346},   {300, 16.0419},
+                                 {600, 25.0508},  {975, 27.7643},  {1200, 27.2209},
+                                 {1500, 25.6667}, {1800, 23.9115}, {1950, 23.0681}};
+  const ph::eddy_current_brake<double> brake;
+  for (const auto& [rpm, torque] : curve) {
+    const double rate = rpm * std::numbers::pi / 30;
+    EXPECT_NEAR(settled(brake, 1e9, rate), torque, 0.04 * torque) << rpm;
+    EXPECT_NEAR(brake.torque_limit_at(-rate), settled(brake, 1e9, rate), 1e-13 * torque);
+  }
+}
+
+TEST(eddy_current_brake, is_drag_at_low_rates_and_nothing_at_rest) {
+  const ph::eddy_current_brake<double> brake{.peak_torque = 2, .critical_rate = 100};
+  ph::eddy_current_brake<double>::state state;
+  const auto r = brake.advance(long_enough, 1.0, 0, state);
+  EXPECT_EQ(r.strength, 0);
+  EXPECT_NEAR(r.drag, 2.0 / 100, 1e-17);
+  EXPECT_EQ(brake.torque_limit_at(0), 0);
+  EXPECT_NEAR(brake.torque_limit_at(0.1) / brake.torque_limit_at(0.05), 2, 1e-5);
+  EXPECT_NEAR(settled(brake, 1.0, 100), 1, 1e-15) << "a command is the torque at the critical rate";
+  EXPECT_NEAR(settled(brake, 1.0, 1e4), 2 / (100 + 0.01), 1e-15) << "the field is weakened";
+  EXPECT_NEAR(settled(brake, brake.command_for(0.03, 1, {}), 1), 0.03, 1e-16);
+}
+
+TEST(magnetorheological_brake, goes_around_a_loop) {
+  const ph::magnetorheological_brake<double> brake{
+      .torque_limit = 2, .saturation = 1.2, .coercive_current = 0.1};
+  const auto f = [&](double m) { return 2 * std::tanh(1.2 * m) / std::tanh(1.2); };
+  ph::magnetorheological_brake<double>::state state;
+  EXPECT_NEAR(settled(brake, f(0.05), 0, state), 0, 1e-15) << "never energised";
+  EXPECT_NEAR(settled(brake, f(0.5), 0, state), f(0.4), 1e-14) << "on the way up";
+  EXPECT_NEAR(settled(brake, f(0.45), 0, state), f(0.4), 1e-14) << "the play";
+  EXPECT_NEAR(settled(brake, 99, 0, state), f(0.9), 1e-14);
+  EXPECT_NEAR(settled(brake, f(0.5), 0, state), f(0.6), 1e-14) << "on the way down";
+  EXPECT_NEAR(settled(brake, 0, 0, state), f(0.1), 1e-14) << "remanence";
+  EXPECT_NEAR(settled(brake, f(0.15), 0, state), f(0.1), 1e-14);
+  EXPECT_NEAR(settled(brake, f(0.5), 0, state), f(0.4), 1e-14) << "the loop closes";
+}
+
+// The slower the current swings, the narrower the loop: to that of the play alone.
+TEST(magnetorheological_brake, has_a_loop_that_is_wider_at_higher_frequencies) {
+  const ph::magnetorheological_brake<double> brake;
+  const auto area = [&](double frequency) {
+    ph::magnetorheological_brake<double>::state state;
+    constexpr int steps = 20000;
+    double sum = 0, before = 0;
+    for (int k = 0; k < 2 * steps; ++k) {
+      const double u = (1 - std::cos(2 * std::numbers::pi * k / steps)) / 2;
+      const double torque = brake.advance(1 / (frequency * steps), u, 0, state).strength;
+      if (k >= steps) sum += torque * (before - u);
+      before = u;
+    }
+    return sum;
+  };
+  EXPECT_LT(area(0.01), area(1));
+  EXPECT_LT(area(1), area(5));
+  // The play's own: twice its half-width where f is straight, less where it saturates
+  const double c = brake.coercive_current;
+  EXPECT_NEAR(area(0.01), 2 * c, c) << "[N m] of command times [N m]";
+}
+
+TEST(magnetorheological_brake, is_made_to_follow_by_a_driver_that_knows_it) {
+  const ph::compensated_brake<ph::magnetorheological_brake<double>> known;
+  const ph::magnetorheological_brake<double> unknown;
+  ph::magnetorheological_brake<double>::state state, other;
+  for (const double wanted : {0.3, 0.8, 0.9, 0.5, 0.2, 0.6, 0.1}) {
+    EXPECT_NEAR(settled(known, wanted, 0, state), wanted, 1e-14);
+    EXPECT_GT(std::abs(settled(unknown, wanted, 0, other) - wanted), 0.01);
+  }
+  EXPECT_NEAR(settled(known, 0, 0, state), unknown.torque_of(unknown.coercive_current), 1e-14)
+      << "no current takes away what remanence keeps";
+}
+
+TEST(delayed_brake, acts_a_dead_time_later) {
+  ph::delayed_brake<ph::coulomb_brake<double>> brake;
+  brake.time_constant = 0;
+  brake.dead_time = 0.002;
+  ph::delayed_brake<ph::coulomb_brake<double>>::state state;
+  for (int k = 0; k < 2000; ++k) {
+    const auto told = [](int j) { return j < 0 ? 0.0 : 0.5 + 0.3 * std::sin(0.01 * j); };
+    ASSERT_EQ(brake.advance(1e-4, told(k), 0, state).strength, told(k - 20)) << k;
+  }
+}
+
+TEST(delayed_brake, with_a_full_queue_lets_the_oldest_command_act_early) {
+  ph::delayed_brake<ph::coulomb_brake<double>, 4> brake;
+  brake.time_constant = 0;
+  brake.dead_time = 0.01;
+  decltype(brake)::state state;
+  for (int k = 0; k < 500; ++k) {
+    const auto told = [](int j) { return j < 0 ? 0.0 : (j + 1) / 1000.0; };
+    ASSERT_EQ(brake.advance(1e-3, told(k), 0, state).strength, told(k - 4)) << k;
+  }
+}
+
+TEST(brake_models, name_their_own_parameters_and_those_of_the_model_inside) {
+  ph::delayed_brake<ph::stribeck_brake<double>> brake;
+  EXPECT_EQ(validate(brake), "");
+  brake.static_ratio = 0.9;
+  EXPECT_EQ(validate(brake), "static_ratio [1] = 0.9, expected a finite number >= 1");
+  brake.static_ratio = 1;
+  brake.dead_time = -1;
+  EXPECT_EQ(validate(brake), "dead_time [s] = -1, expected a finite number >= 0");
+  brake.torque_limit = -1;
+  EXPECT_EQ(validate(brake), "torque_limit [N m] = -1, expected a finite number >= 0");
+}
+
+// ---- what is a model
+
+struct without_a_state {
+  using scalar = double;
+};
+struct with_a_command_of_its_own : ph::coulomb_brake<double> {
+  ph::brake_resistance<double> advance(double, double, state&) const noexcept { return {}; }
+};
+struct that_may_throw : ph::coulomb_brake<double> {
+  ph::brake_resistance<double> advance(double, double, double, state&) const { return {}; }
+};
+static_assert(ph::InvertibleBrakeModel<ph::coulomb_brake<float>>);
+static_assert(ph::InvertibleBrakeModel<ph::delayed_brake<ph::eddy_current_brake<double>>>);
+static_assert(!ph::BrakeModel<without_a_state>);
+static_assert(!ph::BrakeModel<with_a_command_of_its_own>);
+static_assert(!ph::BrakeModel<that_may_throw>);
+static_assert(!ph::BrakeModel<ph::brake_parameters<double, 2>>);
+
+}  // namespace

@@ -1,0 +1,80 @@
+// A simulated device with brakes of each model: first order, passive, and a wall to follow.
+#include "../support.hpp"
+
+#include <passive_haptics/brake/models/compensated_brake.hpp>
+#include <passive_haptics/brake/models/delayed_brake.hpp>
+#include <passive_haptics/brake/models/eddy_current_brake.hpp>
+#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
+#include <passive_haptics/brake/models/stribeck_brake.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/plant/simulated_device.hpp>
+
+#include <cmath>
+
+namespace {
+
+using M = ph::xy_table<double>;
+using pair = ph::vector<double, 2>;
+
+template <class Model>
+struct simulated_model : ::testing::Test {
+  // Where the handle is after 0.5 s under a push that swings and commands that change in steps
+  static ph::simulated_device<M, Model> run(double dt) {
+    Model strong;
+    strong.residual = {0.05, 0.1};
+    ph::simulated_device device(M(), ph::brake_models_of<M, Model>{strong, strong}, 0.3, {0, 0});
+    const long steps = std::lround(0.5 / dt);
+    for (long k = 0; k < steps; ++k) {
+      const double t = static_cast<double>(k) * dt, phase = std::floor(t / 0.02);
+      const pair capacity = pair::Constant(0.25 + 0.2 * std::sin(3 * phase));
+      device.advance(dt, capacity, {1.2 * std::sin(9 * t), 0.5 + 0.4 * std::cos(14 * t)});
+    }
+    return device;
+  }
+};
+
+using models = ::testing::Types<ph::coulomb_brake<double>, ph::stribeck_brake<double>,
+                                ph::eddy_current_brake<double>, ph::magnetorheological_brake<double>,
+                                ph::compensated_brake<ph::magnetorheological_brake<double>>,
+                                ph::delayed_brake<ph::coulomb_brake<double>>>;
+TYPED_TEST_SUITE(simulated_model, models);
+
+TYPED_TEST(simulated_model, is_of_first_order_in_the_time_step) {
+  const pair whole = this->run(1e-4).position(), half = this->run(5e-5).position(),
+             exact = this->run(1e-4 / 32).position();
+  const double error = (whole - exact).norm(), half_error = (half - exact).norm();
+  EXPECT_LE(half_error, 0.55 * error);
+  EXPECT_LE(error, 1e-3 * exact.norm());
+}
+
+TYPED_TEST(simulated_model, only_takes_energy) {
+  const auto device = this->run(1e-4);
+  const ph::energy_balance& energy = device.energy();
+  EXPECT_LE(energy.largest_brake_power, 1e-15);
+  EXPECT_GT(energy.brakes, 1e-4);
+  EXPECT_GT(energy.residual_friction, 0);
+  EXPECT_GT(energy.drag, 0);
+  EXPECT_LE(std::abs(energy.imbalance()), 1e-12) << "its mass matrix is constant";
+}
+
+// m dv/dt = -c v with c of the command: commanded drag is the brakes' work and their torque.
+TEST(simulated_eddy_currents, slow_down_as_drag_does_and_hold_nothing) {
+  using model = ph::eddy_current_brake<double>;
+  const model brake{.peak_torque = 10, .critical_rate = 1e6, .time_constant = 0};
+  ph::simulated_device device(M(), ph::brake_models_of<M, model>{brake, brake}, 0.0, {0, 0});
+  device.set_motion({0, 0}, {1, 0});
+  const double drag = 2 * 10 / 1e6, dt = 1e-3;
+  for (int k = 1; k <= 1000; ++k) {
+    device.advance(dt, {10, 10}, {0, 0});
+    ASSERT_NEAR(device.qd()[0], std::pow(1 + drag / 0.5 * dt, -k), 1e-12);
+    ASSERT_NEAR(device.brake_torque()[0], -drag * device.qd()[0], 1e-15);
+  }
+  EXPECT_NEAR(device.energy().brakes, (1 - device.qd()[0] * device.qd()[0]) / 4, 1e-12);
+  EXPECT_EQ(device.energy().drag, 0);
+  EXPECT_TRUE(device.brake_strength().isZero(0));
+  device.set_motion({0, 0}, {0, 0});
+  device.advance(dt, {10, 10}, {0.001, 0});
+  EXPECT_GT(device.qd()[0], 0) << "nothing sticks";
+}
+
+}  // namespace
