@@ -15,11 +15,11 @@ inline constexpr double start_x = 0.045, end_x = 0.17;  // [m]
 inline constexpr double trace_period = 5e-3;            // [s]
 
 // What differs between the devices.
-template <class M>
+template <class M, class Brakes = ph::brakes_of<M>, class Model = ph::coulomb_brake<double>>
 struct device {
   M real, believed;
-  ph::brakes_of<M> brakes;  // as the controller knows them
-  ph::brake_models_of<M> real_brakes;
+  Brakes brakes;  // as the controller knows them
+  ph::brake_models_of<M, Model> real_brakes;
   double encoder_resolution;  // [rad or m]
   ph::joint_vector<M> start;  // joint positions
 };
@@ -54,8 +54,8 @@ inline plane_vector start_beside(const test_wall& wall, double gap) {
   return x;
 }
 
-template <class M>
-run_result follow(const device<M>& d, law which, const test_wall& wall, const setup& how) {
+template <class M, class Brakes, class Model>
+run_result follow(const device<M, Brakes, Model>& d, law which, const test_wall& wall, const setup& how) {
   const plane_vector x0 = d.real.position(d.start), n = wall.gradient(x0), along(-n[1], n[0]);
   const ph::following_hand<double, 2> hand({1, 0}, x0, how.hand);
   ph::simulated_device plant(d.real, d.real_brakes, how.hand.mass, d.start);

@@ -16,6 +16,7 @@
 
 #include <passive_haptics/brake/drawing/fme_boundary.hpp>
 #include <passive_haptics/brake/measurement/encoder_axes.hpp>
+#include <passive_haptics/brake/models/any_brake.hpp>
 #include <passive_haptics/brake/models/compensated_brake.hpp>
 #include <passive_haptics/brake/models/delayed_brake.hpp>
 #include <passive_haptics/brake/models/eddy_current_brake.hpp>

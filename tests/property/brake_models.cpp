@@ -1,4 +1,5 @@
 // Every brake model under the suite; and models that are wrong, which must not pass it.
+#include <passive_haptics/brake/models/any_brake.hpp>
 #include <passive_haptics/brake/models/compensated_brake.hpp>
 #include <passive_haptics/brake/models/coulomb_brake.hpp>
 #include <passive_haptics/brake/models/delayed_brake.hpp>
@@ -42,6 +43,13 @@ struct late : case_of<ph::delayed_brake<Model>> {
   }
 };
 
+using some_brake =
+    ph::any_brake<ph::stribeck_brake<double>, ph::coulomb_brake<double>, ph::eddy_current_brake<double>>;
+template <class Model>
+struct chosen : case_of<some_brake> {
+  static some_brake make() { return Model(); }
+};
+
 template <class T>
 using compensated = ph::compensated_brake<ph::magnetorheological_brake<T>>;
 
@@ -52,7 +60,8 @@ using models = ::testing::Types<
     case_of<ph::magnetorheological_brake<float>>, case_of<ph::magnetorheological_brake<double>>,
     without_lag<double>, late<ph::coulomb_brake<float>>, late<ph::coulomb_brake<double>>,
     late<ph::eddy_current_brake<double>>, case_of<compensated<double>>,
-    case_of<ph::compensated_brake<ph::eddy_current_brake<double>>>, late<compensated<double>>>;
+    case_of<ph::compensated_brake<ph::eddy_current_brake<double>>>, late<compensated<double>>,
+    chosen<ph::coulomb_brake<double>>, chosen<ph::eddy_current_brake<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(models, brake_model_properties, models);
 
 // ---- what the suite must find

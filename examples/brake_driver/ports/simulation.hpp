@@ -5,6 +5,11 @@
 #include <configuration/configuration.hpp>
 #include <ports/simulated_wire.hpp>
 
+#include <passive_haptics/brake/models/any_brake.hpp>
+#include <passive_haptics/brake/models/compensated_brake.hpp>
+#include <passive_haptics/brake/models/eddy_current_brake.hpp>
+#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
+#include <passive_haptics/brake/models/stribeck_brake.hpp>
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
 #include <passive_haptics/plant/force_sensor.hpp>
@@ -79,15 +84,29 @@ class simulation {
   static constexpr std::array<double, axes> somewhere{100.0, turn - 200};
   inline static const ph::vector<double, 2> offset{0.3, -0.2};  // [N]
 
-  static ph::brake_models_of<M> real_brakes(const configuration& c) {
-    ph::brake_models_of<M> real;
-    for (std::size_t i = 0; i < real.size(); ++i) {
-      const ph::brake_curve& curve = c.curves[i];
-      real[i].residual.strength = curve.residual_torque;
-      real[i].torque_limit = torque_of_current(curve, curve.current_limit);
-      real[i].time_constant = c.simulation.brake_lag;
-    }
-    return real;
+  using brake = ph::any_brake<ph::coulomb_brake<double>, ph::stribeck_brake<double>,
+                              ph::magnetorheological_brake<double>,
+                              ph::compensated_brake<ph::eddy_current_brake<double>>>;
+
+  static ph::brake_models_of<M, brake> real_brakes(const configuration& c) {
+    const auto of = [&](const ph::brake_curve& curve) -> brake {
+      const double limit = torque_of_current(curve, curve.current_limit), lag = c.simulation.brake_lag;
+      const auto with = [&](auto model) {
+        if constexpr (requires { model.torque_limit; }) model.torque_limit = limit;
+        model.time_constant = lag;
+        model.residual.strength = curve.residual_torque;
+        return model;
+      };
+      switch (c.simulation.brake) {
+        case brake_kind::coulomb: break;
+        case brake_kind::stribeck: return with(ph::stribeck_brake<double>());
+        case brake_kind::magnetorheological: return with(ph::magnetorheological_brake<double>());
+        case brake_kind::eddy_current:  // its board turns a torque into a current by the rate
+          return with(ph::compensated_brake<ph::eddy_current_brake<double>>());
+      }
+      return with(ph::coulomb_brake<double>());
+    };
+    return {of(c.curves[0]), of(c.curves[1])};
   }
 
   void take_hold(double sense, double time) {
@@ -130,7 +149,7 @@ class simulation {
   ph::force_calibration_parameters<2, sensor_channels> force_;
   ph::brake_curves<axes> curves_;
   wall_normal normal_;
-  ph::simulated_device<M> device_;
+  ph::simulated_device<M, brake> device_;
   ph::force_sensor<double, 2> sensor_;
   std::optional<ph::following_hand<double, 2>> hand_;
   ph::vector<double, 2> hand_from_;

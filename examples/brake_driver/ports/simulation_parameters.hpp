@@ -12,6 +12,9 @@ namespace example {
 
 namespace ph = passive_haptics;
 
+/// What the simulated brakes are (passive_haptics/brake/models).
+enum class brake_kind { coulomb, stribeck, magnetorheological, eddy_current };
+
 /// A hand that goes along the first wall and presses on it, lifts off and goes back, again and again; and a
 /// sensor with noise.
 struct simulation_parameters {
@@ -19,13 +22,14 @@ struct simulation_parameters {
   std::array<double, 2> direction{1, 0};  ///< In which it goes first, base frame; any length.
   double path = 0.06;                     ///< How far it goes before it lifts off [m].
   double speed = 0.05;                    ///< Along the wall [m/s].
-  double push = 2;             ///< Into the wall [N]; a quarter of it off the wall on the way back.
-  double hand_mass = 0.5;      ///< [kg]
-  double brake_lag = 0.020;    ///< Time constant of the simulated brakes [s].
-  double sensor_noise = 0.02;  ///< Standard deviation of each force channel [N].
-  std::uint64_t seed = 1;      ///< Of that noise.
-  double watchdog = 1;         ///< Without currents for so long the simulated board lets go [s].
-  std::string wire;            ///< A new file that shows what flows (simulated_wire.hpp); empty for none.
+  double push = 2;         ///< Into the wall [N]; a quarter of it off the wall on the way back.
+  double hand_mass = 0.5;  ///< [kg]
+  brake_kind brake = brake_kind::coulomb;  ///< Each with the limit and residual torque of its curve.
+  double brake_lag = 0.020;                ///< Time constant of the simulated brakes [s].
+  double sensor_noise = 0.02;              ///< Standard deviation of each force channel [N].
+  std::uint64_t seed = 1;                  ///< Of that noise.
+  double watchdog = 1;                     ///< Without currents for so long the simulated board lets go [s].
+  std::string wire;  ///< A new file that shows what flows (simulated_wire.hpp); empty for none.
 
   /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
@@ -38,6 +42,7 @@ struct simulation_parameters {
         member("speed", &p::speed, "m/s", range::positive, plausible(0.001, 2)),
         member("push", &p::push, "N", range::not_negative, plausible(0, 100)),
         member("hand_mass", &p::hand_mass, "kg", range::positive, plausible(0.01, 10)),
+        ph::choice("brake", &p::brake, "coulomb, stribeck, magnetorheological, eddy_current"),
         member("brake_lag", &p::brake_lag, "s", range::positive, plausible(0.001, 1)),
         member("sensor_noise", &p::sensor_noise, "N", range::not_negative, plausible(0, 10)),
         member("seed", &p::seed),

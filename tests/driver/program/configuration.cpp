@@ -94,6 +94,8 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
            {"\n[homing]\npose = [2.8, -0.1", "3: Error while parsing array"},
            {"[brakes]\n[brakes]", "2: Error while parsing table header"},
            {"[.a]", "1: Error while parsing key"},
+           {"[simulation]\nbrake = \"air\"",
+            "2: simulation.brake = 'air', expected one of \"coulomb\", \"stribeck\", "},
            {"[simulation]\nseed = -1", "2: [simulation] seed = -1, expected a whole number >= 0"},
            {"log = \"brake\\u0000driver.csv\"", "1: log = "},
        }) {

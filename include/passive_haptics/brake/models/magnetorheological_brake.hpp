@@ -32,7 +32,7 @@ struct magnetorheological_brake {
   /// Torque of the calibrated curve at the greatest current [N m].
   T torque_limit = brake_parameters<T, 1>().torque_limit[0];
   T saturation = T(1.5);         ///< k [1]; the greater, the flatter the curve ends.
-  T coercive_current = T(0.05);  ///< c, for the greatest current [1].
+  T coercive_current = T(0.02);  ///< c, for the greatest current [1].
   /// Time constant of the coil [s].
   T time_constant = brake_parameters<T, 1>().time_constant[0];
   /// Friction of seals, drag of the fluid.
