@@ -47,11 +47,9 @@ void expect_the_limits_of_the_moment() {
   EXPECT_GT(working, 20) << "of 200 cycles";
 }
 
-TYPED_TEST(rate_limited, a_cycle_is_that_of_the_limits_of_the_moment) {
-  expect_the_limits_of_the_moment<ph::direct_control, ph::xy_table<TypeParam>>();
-  expect_the_limits_of_the_moment<ph::single_degree_of_freedom_control, ph::xy_table<TypeParam>>();
-}
-TEST(rate_limited_arm, a_cycle_of_the_recommended_law_is_that_of_the_limits_of_the_moment) {
+TEST(rate_limited_cycle, is_that_of_the_limits_of_the_moment) {
+  expect_the_limits_of_the_moment<ph::direct_control, ph::xy_table<float>>();
+  expect_the_limits_of_the_moment<ph::single_degree_of_freedom_control, ph::xy_table<double>>();
   expect_the_limits_of_the_moment<ph::velocity_direct_control, ph::tendon_two_link<double>>();
 }
 

@@ -24,7 +24,8 @@ namespace passive_haptics {
 /// independent of the rate, the lag makes the loop wider at higher frequencies. Exact for a command that is
 /// constant over a step.
 ///
-/// The defaults are assumed, of no published device: identify them at the bench.
+/// The defaults are assumed, of no published device: identify them at the bench. Other models beside a
+/// measured clutch: Actuators 12(5), 190, 2023; this one was not compared with its loops.
 template <class T>
 struct magnetorheological_brake {
   using scalar = T;  ///< Scalar.
