@@ -63,6 +63,7 @@
 #include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
 #include <passive_haptics/control/laws/velocity_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity_ratio_control.hpp>
+#include <passive_haptics/control/normal_force/braked_wall_at.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
 
 #include <passive_haptics/plant/simulated_device_declaration.hpp>

@@ -156,6 +156,7 @@ std::string tables() {
   const std::string laws = "control/laws/", sensorless = "control/sensorless/";
   p.table<ph::velocity_direct_control_parameters>("velocity_direct_control_parameters",
                                                   laws + "velocity_direct_control.hpp");
+  p.table<ph::braked_wall>("braked_wall", "control/normal_force/wall_limits.hpp");
   p.table<ph::on_off_parameters>("on_off_parameters", laws + "on_off_control.hpp");
   p.table<ph::single_degree_of_freedom_parameters>("single_degree_of_freedom_parameters",
                                                    laws + "single_degree_of_freedom_control.hpp");

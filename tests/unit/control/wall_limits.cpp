@@ -1,0 +1,154 @@
+// The wall calculator against the closed form of its equation of motion, and by hand on an XY table.
+#include <passive_haptics/control/normal_force/braked_wall_at.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+namespace {
+
+namespace ph = passive_haptics;
+
+// A wall whose brakes answer at once, a hand that brings no force.
+ph::braked_wall bare_wall() {
+  ph::braked_wall wall;
+  wall.force = wall.approximated_force = 10;
+  wall.inertia = 0.5;
+  wall.approach_speed = 0.1;
+  wall.time_constant = wall.push = wall.hand_damping = 0;
+  wall.control_period = 1e-9;
+  wall.scene_period = wall.reaction_time = wall.rest_depth = 0;
+  return wall;
+}
+
+TEST(wall_limits, a_hand_without_force_gives_its_energy_to_quick_brakes) {
+  EXPECT_NEAR(limits_of(bare_wall()).depth, 0.5 * 0.1 * 0.1 / (2 * 10), 1.1e-6);
+}
+
+TEST(wall_limits, slow_brakes_stop_it_by_their_rise) {
+  ph::braked_wall wall = bare_wall();
+  wall.time_constant = 100;
+  wall.inertia = 0.005;
+  const double v = wall.approach_speed;
+  EXPECT_NEAR(limits_of(wall).depth, 2.0 / 3 * v * std::sqrt(2 * 0.005 * v * 100 / 10), 1e-5);
+}
+
+TEST(wall_limits, what_comes_late_adds_the_way_made_meanwhile) {
+  ph::braked_wall wall = bare_wall();
+  const double before = limits_of(wall).depth;
+  wall.scene_period = 0.050;
+  wall.reaction_time = 0.004;
+  const ph::wall_limits after = limits_of(wall);
+  EXPECT_NEAR(after.depth, before + 0.029 * wall.approach_speed, 1e-5);
+  EXPECT_NEAR(after.rigid_depth, before + 0.025 * wall.approach_speed, 1e-5);
+  EXPECT_EQ(after.stiffness, wall.approximated_force / after.rigid_depth);
+}
+
+// Lambda v' = P - R - B v - F (1 - exp(-t / T_b)), solved; the depth at the first v = 0.
+double exact_depth(const ph::braked_wall& w) {
+  const double rate = w.hand_damping / w.inertia,
+               settled = (w.push - w.residual_force - w.force) / w.hand_damping;
+  const double forced = w.force / (w.hand_damping - w.inertia / w.time_constant);
+  const double free = w.approach_speed - settled - forced;
+  const auto v = [&](double t) {
+    return settled + free * std::exp(-rate * t) + forced * std::exp(-t / w.time_constant);
+  };
+  double before = 0, after = 1e-3;
+  while (v(after) > 0) after *= 1.01;
+  for (int k = 0; k < 100; ++k) (v((before + after) / 2) > 0 ? before : after) = (before + after) / 2;
+  return settled * after - free / rate * std::expm1(-rate * after) -
+         forced * w.time_constant * std::expm1(-after / w.time_constant);
+}
+
+TEST(wall_limits, the_landing_is_the_solution_of_its_equation) {
+  constexpr unsigned seed = 1904;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 bits(seed);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(bits);
+  };
+  for (int k = 0; k < 200; ++k) {
+    ph::braked_wall wall = bare_wall();
+    wall.force = between(8, 60);
+    wall.residual_force = between(-1, 1);
+    wall.inertia = between(0.2, 2);
+    wall.push = between(0, 5);
+    wall.hand_damping = between(1, 30);
+    wall.time_constant = between(0.002, 0.04);
+    wall.approach_speed = between(0.01, 0.2);
+    const double exact = exact_depth(wall);
+    EXPECT_NEAR(limits_of(wall).depth, exact, 1e-3 * exact + 1e-6) << k;
+  }
+}
+
+TEST(wall_limits, brakes_that_are_too_weak_hold_nothing) {
+  ph::braked_wall wall;
+  wall.push = 20;
+  wall.force = wall.approximated_force = 5;
+  EXPECT_FALSE(limits_of(wall).holds());
+  EXPECT_EQ(limits_of(wall).stiffness, 0);
+  wall.hand_stiffness = 1000;  // the hand itself gives way 15 mm deep
+  EXPECT_TRUE(limits_of(wall).holds());
+  wall.force = wall.approximated_force = 0;
+  EXPECT_EQ(limits_of(wall).stiffness, 0);
+}
+
+TEST(wall_limits, a_hand_that_does_not_come_rests_where_the_law_holds_it) {
+  ph::braked_wall wall;
+  wall.approach_speed = 0;
+  wall.push = -1;
+  EXPECT_EQ(limits_of(wall).depth, wall.rest_depth);
+}
+
+TEST(wall_limits, a_drift_is_told_by_a_count_in_twice_the_time_averaged) {
+  ph::braked_wall wall;
+  wall.depth_resolution = 1e-4;
+  wall.averaging_time = 0.016;
+  EXPECT_DOUBLE_EQ(limits_of(wall).drift, 1e-4 / 0.032);
+}
+
+TEST(wall_limits, impossible_values_are_refused_by_name) {
+  ph::braked_wall wall;
+  wall.inertia = 0;
+  try {
+    limits_of(wall);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("inertia of a braked_wall [kg] = 0"), std::string::npos)
+        << error.what();
+  }
+  wall = {};
+  wall.push = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(limits_of(wall), std::invalid_argument);
+}
+
+// Slides along x and y: along y the brake of y holds, and drags along x do not matter.
+template <class T>
+void an_xy_table_by_hand() {
+  const ph::xy_table<T> table;
+  using V = ph::vector<T, 2>;
+  ph::brakes_of<ph::xy_table<T>> brakes;
+  brakes.torque_limit = {T(7), T(12)};
+  brakes.time_constant = {T(0.01), T(0.02)};
+  const ph::braked_wall wall = ph::braked_wall_at(table, V(0, 0), V(T(0.05), T(-0.1)), V(0, 1), brakes,
+                                                  V(T(0.5), T(0.25)), V(T(1e-5), T(2e-5)), T(0.5));
+  const double rounding = 100 * double(std::numeric_limits<T>::epsilon());
+  EXPECT_NEAR(wall.force, 12, 12 * rounding);
+  EXPECT_NEAR(wall.approximated_force, 12, 12 * rounding);
+  EXPECT_NEAR(wall.residual_force, 0.25, rounding);
+  EXPECT_NEAR(wall.inertia, double(table.mass_matrix(V(0, 0))(1, 1)) + 0.5, 10 * rounding);
+  EXPECT_NEAR(wall.depth_resolution, 2e-5, 1e-5 * rounding);
+  EXPECT_NEAR(wall.approach_speed, 0.1, rounding);
+  EXPECT_NEAR(wall.time_constant, 0.02, rounding);
+}
+
+TEST(wall_limits, are_those_of_a_slide_by_hand) {
+  an_xy_table_by_hand<double>();
+  an_xy_table_by_hand<float>();
+}
+
+}  // namespace
