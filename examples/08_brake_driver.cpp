@@ -1,5 +1,6 @@
 // Drives the brakes of a real device, or of a simulated one, at 1 kHz.
 #include <command_line.hpp>
+#include <report/limits.hpp>
 #include <session.hpp>
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 
 struct arguments {
   std::string config;
-  bool simulate = false, check = false;
+  bool simulate = false, check = false, limits = false;
   std::filesystem::path directory = ".";
   example::session_options options;
 };
@@ -31,6 +32,7 @@ arguments parse(int argc, char** argv) {
   line.positive("--seconds", all.options.seconds,
                 "end after so long; otherwise Ctrl-C ends it, which releases the brakes first");
   line.flag("--check", all.check, "only say whether the configuration is right");
+  line.flag("--limits", all.limits, "only say what the first wall can be (docs/guide/wall_limits.md)");
   line.flag("--quiet", quiet, "no live table");
   line.port("--live", all.options.live_port,
             "send the log to this UDP port of this machine as it comes, as JSON (docs/guide/log.md)");
@@ -59,6 +61,10 @@ int main(int argc, char** argv) try {
     std::cout << (chosen.config.empty() ? "the built-in configuration" : chosen.config)
               << " is right: " << c.mechanism << ", " << c.port << " device, " << c.sensor
               << " force sensor, " << c.law << "\n";
+    return 0;
+  }
+  if (chosen.limits) {
+    example::print_limits(c);
     return 0;
   }
   return example::run_session(c, chosen.options);

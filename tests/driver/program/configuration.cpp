@@ -20,6 +20,15 @@ TEST_F(a_configuration, that_is_shipped_is_right) {
   EXPECT_GE(count, 4);
 }
 
+TEST_F(a_configuration, tells_what_its_wall_can_be) {
+  for (const std::string mechanism : {"tendon_two_link", "xy_table", "five_bar"}) {
+    file("c.toml", "[mechanism]\ntype = \"" + mechanism + "\"\n[homing]\npose = [1.9, 1.2]\n");
+    const outcome o = run({"--config", "c.toml", "--limits"});
+    EXPECT_EQ(o.status, 0) << o.err;
+    EXPECT_TRUE(has(o.out, "least noticeable drift")) << o.out;
+  }
+}
+
 TEST_F(a_configuration, of_another_mechanism_or_without_a_file_is_right) {
   EXPECT_EQ(run({"--check"}).status, 0);
   EXPECT_EQ(run({"--help"}).out, text_of(shipped + "/../help/08_brake_driver.txt"));
