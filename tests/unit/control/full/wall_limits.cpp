@@ -83,10 +83,14 @@ landing land(const device& d, const Law& law, double stiffness, double environme
 
 ph::braked_wall wall_of(const device& d, const landing& at) {
   ph::brakes_of<tendon> brakes = d.known_brakes;
-  brakes.torque_limit = d.brakes.torque_limit;
-  ph::braked_wall wall =
-      ph::braked_wall_at(tendon_of(d.inertia), at.q, at.velocity, d.plane.normal, brakes,
-                         d.brakes.residual_torque, V(V::Constant(d.run.encoder_resolution)), d.hand.mass);
+  V residual;
+  for (int i = 0; i < tendon::brake_count; ++i) {
+    const auto& real = d.brakes[static_cast<std::size_t>(i)];
+    brakes.torque_limit[i] = real.torque_limit;
+    residual[i] = real.residual.strength;
+  }
+  ph::braked_wall wall = ph::braked_wall_at(tendon_of(d.inertia), at.q, at.velocity, d.plane.normal, brakes,
+                                            residual, V(V::Constant(d.run.encoder_resolution)), d.hand.mass);
   wall.scene_period = 1 / d.environment_rate;
   wall.push = d.hand.push + d.hand.normal_stiffness * d.hand.target_depth;
   wall.hand_stiffness = d.hand.normal_stiffness;
