@@ -44,7 +44,9 @@ struct contact_situation {
 ///   - `static constexpr bool saturates_before_scaling`: alpha scales torques that are already cut to the
 ///     brakes' limits. Else they are cut after, as the paper prints it. Of one contact only;
 ///   - `static constexpr bool gives_way`: the force of a contact being left is scaled so that nothing remains
-///     normal to the wall. Of several contacts these are then met before the others.
+///     normal to the wall. Of several contacts these are then met before the others;
+///   - `static constexpr bool asked_always`: asked also where nothing can be displayed. A law of a few
+///     instructions costs less than the branch around it, which nobody can predict.
 template <class L>
 concept ScalingLaw = requires(const L law, const contact_situation<double, 2> situation) {
   { law.scale(situation) } noexcept -> std::same_as<double>;
@@ -89,6 +91,9 @@ concept ControlLaw = ScalingLaw<L> || TorqueLaw<L>;
 /// Whether a law gives way to a hand that leaves a wall.
 template <class L>
 inline constexpr bool gives_way = requires { requires L::gives_way; };
+/// Whether a law is asked also where nothing can be displayed.
+template <class L>
+inline constexpr bool asked_always = requires { requires L::asked_always; };
 /// Whether alpha of a law scales what the brakes can make of Fc, not Fc itself.
 template <class L>
 inline constexpr bool saturates_before_scaling = requires { requires L::saturates_before_scaling; };

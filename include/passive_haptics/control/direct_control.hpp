@@ -48,6 +48,7 @@ struct no_direct_control {
 struct direct_control {
   static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
   static constexpr bool gives_way = true;         ///< Leaves nothing normal where the handle moves out.
+  static constexpr bool asked_always = true;      ///< Costs less than a branch.
 
   double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is the law as printed.
 
@@ -62,9 +63,9 @@ struct direct_control {
   /// @equation{12}
   template <class T, int D>
   T scale(const contact_situation<T, D>& c) const noexcept {
-    const T pressing = -c.hand_force.dot(c.normal);
-    const lanes<T, 1> leaving = c.normal_velocity, nulling = pressing / c.desired_magnitude;
-    return choose(leaving > -static_cast<T>(velocity_dead_band), max(min(nulling, T(1)), T(0)), T(1))[0];
+    const lanes<T, 1> pressing = -c.hand_force.dot(c.normal), desired = c.desired_magnitude;
+    const lanes<T, 1> leaving = c.normal_velocity, nulling = max(min(pressing, desired), T(0)) / desired;
+    return choose(leaving > -static_cast<T>(velocity_dead_band), nulling, T(1))[0];
   }
 };
 

@@ -81,7 +81,7 @@ auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_f
 template <class M, class B, ScalingLaw L, class Now, class T, int D, int Brakes>
 T scale(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>& Fd,
         const approximated_force<T, D, Brakes>& Fc) {
-  if (!is_displayed(Fc.display)) return T(1);
+  if (!asked_always<L> && !is_displayed(Fc.display)) return T(1);
   const T leaving = outward(Fd, now.v);
   return with.law.scale(contact_situation<T, D>{Fd.direction, Fd.magnitude, leaving, now.hand_force});
 }

@@ -39,7 +39,7 @@ struct approximated_force {
   T cosine_squared = T(0);  ///< cos^2(gamma) = (Fd / Fc)^2; 1 if exact, 0 if none.
 
   /// cos(gamma), of the angle between desired and displayed force.
-  T cosine() const { return sqrt(lanes<T, 2>(cosine_squared))[0]; }
+  T cosine() const { return sqrt(lanes<T, 1>(cosine_squared))[0]; }
 };
 
 /// a F: the force a Fc has the torques a t, as t = E^T F. The angle stays.
@@ -96,25 +96,25 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
   const each Rx = swapped(y), Ry = -swapped(x);
   const each square = Rx * Rx + Ry * Ry, along = Rx * n[0] + Ry * n[1], scale = T(1) / along;
   const each alone = area_or_zero(x * Rx + y * Ry, square, swapped(square)) * scale;
-  const each cosine_squared = along * along / square, least = max(each(min_cosine), rounding_tolerance<T>(2));
+  const each cosine_squared = along * along / square, least = std::max(min_cosine, rounding_tolerance<T>(2));
   const auto drives = sign * t > T(0), some = drives | swapped(drives);
   const auto holds = swapped(drives) & (sign * alone <= T(0)) & (along * along >= least * least * square);
   const auto nearest = choose(any(holds), display_class::approximate, display_class::none);
   const each of_Fc = choose(first(holds), scale, T(0));  // both hold where their columns are parallel
   return {choose(some[0], nearest, display_class::exact), choose(some, sums(Rx * of_Fc, Ry * of_Fc), n),
           choose(some, choose(holds, alone, T(0)), t),
-          choose(some, sum(choose(first(holds), cosine_squared, T(0))), T(1))[0]};
+          choose(some[0], sum(choose(first(holds), cosine_squared, T(0))), T(1))};
 }
 
 /// The same for a diagonal E: each axis alone.
 template <class T, int D>
 approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
                                         const vector<T, D>& n, T min_cosine, half_space_start&) {
-  const vector<T, D> t = brake_torque(E, n);
-  const auto drives = s.array() * t.array() > T(0);
-  if (!drives.any()) return {display_class::exact, n, t, T(1)};
-  const vector<T, D> Fp = drives.select(T(0), n), tp = drives.select(T(0), t);
-  const T square = Fp.squaredNorm();
+  const lanes<T, D> t = brake_torque(E, n);
+  const auto drives = lanes(s) * t > T(0);
+  if (!any(drives)) return {display_class::exact, n, t, T(1)};
+  const lanes<T, D> Fp = choose(drives, T(0), n), tp = choose(drives, T(0), t);
+  const T square = sum(Fp * Fp);
   if (!(square > T(0) && square >= min_cosine * min_cosine)) return {};
   return {display_class::approximate, Fp / square, tp / square, square};
 }
