@@ -130,6 +130,19 @@ TEST_F(skipping, where_nothing_can_be_displayed_no_law_is_asked) {
   EXPECT_EQ(asked, 1);
 }
 
+struct eager_law : counting_law {
+  static constexpr bool asked_always = true;
+};
+
+TEST_F(skipping, but_one_that_costs_less_than_a_branch) {
+  int asked = 0;
+  ph::controller counted(counting_arm{&count}, ph::brakes_of<counting_arm>(),
+                         ph::scene(ph::wall(counting_wall{&count}, 1e4)), eager_law{{&asked}});
+  const auto result = counted.command(handle_at(0.23, {0, -0.5}));
+  EXPECT_EQ(result.capacity, decltype(result.capacity)::Zero());
+  EXPECT_EQ(asked, 1);
+}
+
 TEST_F(skipping, a_wall_without_stiffness_needs_no_jacobian) {
   ph::controller soft(counting_arm{&count}, ph::brakes_of<counting_arm>(),
                       ph::scene(ph::wall(counting_wall{&count}, 0.0)), ph::direct_control{});
