@@ -77,7 +77,7 @@ auto displayed(const cycle_parts<M, B, L>& with, const Now& now, const desired_f
   return Fd.magnitude * approximate(now.E, now.s, Fd.direction, with.options.min_cosine, memory.start);
 }
 
-/// alpha (step 2); 1 where there is nothing to scale.
+/// alpha (step 2); 1 where there is nothing to scale, unless the law is asked_always.
 template <class M, class B, ScalingLaw L, class Now, class T, int D, int Brakes>
 T scale(const cycle_parts<M, B, L>& with, const Now& now, const desired_force<T, D>& Fd,
         const approximated_force<T, D, Brakes>& Fc) {
