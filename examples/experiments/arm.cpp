@@ -15,6 +15,7 @@ std::string_view name_of(law which) {
     case law::single_degree_of_freedom: return "single deg. of freedom";
     case law::velocity_ratio: return "velocity ratio";
     case law::on_off: return "on-off";
+    case law::bang_bang: return "bang-bang";
   }
   return "unknown law";
 }

@@ -29,12 +29,12 @@ enum class law {
   single_degree_of_freedom,
   velocity_ratio,
   on_off,
+  bang_bang,
 };
 inline constexpr auto all_laws = [] {
   using enum law;
-  return std::array{
-      none,           direct, saturated,         direct_dead_band, coercive, single_degree_of_freedom,
-      velocity_ratio, on_off, velocity_on_touch, velocity};
+  return std::array{none,           direct, saturated, direct_dead_band,  coercive, single_degree_of_freedom,
+                    velocity_ratio, on_off, bang_bang, velocity_on_touch, velocity};
 }();
 std::string_view name_of(law which);
 

@@ -43,6 +43,7 @@ auto with_law(law which, const setup& how, F&& f) {
     case law::single_degree_of_freedom: return f(ph::single_degree_of_freedom_control(), 0.0);
     case law::velocity_ratio: return f(ph::velocity_ratio_control(), 0.0);
     case law::on_off: return f(ph::on_off_control(), 0.0);
+    case law::bang_bang: return f(ph::bang_bang_control(), 0.0);
   }
   throw std::logic_error("a law without a case");
 }

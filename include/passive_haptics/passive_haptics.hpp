@@ -57,6 +57,7 @@
 #include <passive_haptics/control/extensions/plausibility.hpp>
 #include <passive_haptics/control/extensions/rate_limited_brakes.hpp>
 #include <passive_haptics/control/extensions/several_contacts.hpp>
+#include <passive_haptics/control/laws/bang_bang_control.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>

@@ -5,6 +5,7 @@
 #include "device_cases.hpp"
 
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/laws/bang_bang_control.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>

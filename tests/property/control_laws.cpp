@@ -11,6 +11,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(single_dof, control_law_properties,
 INSTANTIATE_TYPED_TEST_SUITE_P(velocity_ratio, control_law_properties,
                                on_tendon_device<ph::velocity_ratio_control>);
 INSTANTIATE_TYPED_TEST_SUITE_P(on_off, control_law_properties, on_tendon_device<ph::on_off_control>);
+INSTANTIATE_TYPED_TEST_SUITE_P(bang_bang, control_law_properties, on_tendon_device<ph::bang_bang_control>);
 
 INSTANTIATE_TYPED_TEST_SUITE_P(direct_control, fault_properties, on_tendon_device<nulling_early>);
 INSTANTIATE_TYPED_TEST_SUITE_P(coercive, fault_properties,
@@ -20,3 +21,4 @@ INSTANTIATE_TYPED_TEST_SUITE_P(single_dof, fault_properties,
 INSTANTIATE_TYPED_TEST_SUITE_P(velocity_ratio, fault_properties,
                                on_tendon_device<ph::velocity_ratio_control>);
 INSTANTIATE_TYPED_TEST_SUITE_P(on_off, fault_properties, on_tendon_device<ph::on_off_control>);
+INSTANTIATE_TYPED_TEST_SUITE_P(bang_bang, fault_properties, on_tendon_device<ph::bang_bang_control>);

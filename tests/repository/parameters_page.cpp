@@ -158,6 +158,7 @@ std::string tables() {
                                                   laws + "velocity_direct_control.hpp");
   p.table<ph::braked_wall>("braked_wall", "control/normal_force/wall_limits.hpp");
   p.table<ph::on_off_parameters>("on_off_parameters", laws + "on_off_control.hpp");
+  p.table<ph::bang_bang_parameters>("bang_bang_parameters", laws + "bang_bang_control.hpp");
   p.table<ph::single_degree_of_freedom_parameters>("single_degree_of_freedom_parameters",
                                                    laws + "single_degree_of_freedom_control.hpp");
   p.table<ph::velocity_ratio_parameters>("velocity_ratio_parameters", laws + "velocity_ratio_control.hpp");

@@ -14,7 +14,7 @@ namespace experiments::style {
 
 // Colours that the colour-blind tell apart (Okabe and Ito 2008); a law has the same one in every picture.
 inline std::string colour_of(const std::string& law) {
-  constexpr std::array<std::pair<const char*, const char*>, 10> known{{{"no direct control", "#d55e00"},
+  constexpr std::array<std::pair<const char*, const char*>, 11> known{{{"no direct control", "#d55e00"},
                                                                        {"direct control", "#0072b2"},
                                                                        {"velocity direct control", "#009e73"},
                                                                        {"direct, limits first", "#cc79a7"},
@@ -23,7 +23,8 @@ inline std::string colour_of(const std::string& law) {
                                                                        {"coercive", "#994f00"},
                                                                        {"single deg. of freedom", "#e69f00"},
                                                                        {"velocity ratio", "#7f6000"},
-                                                                       {"on-off", "#888888"}}};
+                                                                       {"on-off", "#888888"},
+                                                                       {"bang-bang", "#aaaa00"}}};
   for (const auto& [name, colour] : known)
     if (law == name) return colour;
   return "#666666";

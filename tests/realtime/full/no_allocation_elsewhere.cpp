@@ -30,6 +30,7 @@ void run_torque_laws(const M& mechanism, double size) {
   run<M, ph::single_degree_of_freedom_control, walls_type, felt>(mechanism, walls, {}, seen);
   run<M, ph::velocity_ratio_control, walls_type, felt>(mechanism, walls, {}, seen);
   run<M, ph::on_off_control, walls_type, felt>(mechanism, walls, {}, seen);
+  run<M, ph::bang_bang_control, walls_type, felt>(mechanism, walls, {}, seen);
   EXPECT_TRUE(seen.free && seen.fault && seen.exact);
 }
 

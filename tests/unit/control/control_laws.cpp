@@ -2,11 +2,13 @@
 #include "../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/laws/bang_bang_control.hpp>
 #include <passive_haptics/control/laws/coercive_force_approximation.hpp>
 #include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
 #include <passive_haptics/control/laws/velocity_ratio_control.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
@@ -215,6 +217,73 @@ TEST(single_degree_of_freedom, asks_the_hand_where_brakes_are_at_rest) {
   EXPECT_EQ(sdof{.law = {band}}({0, 0}, {-1, 1}, slanted(2e-3)).capacity, V2(10, 10));
 }
 
+// The table with P-TER's brakes: on x, y, their difference and their sum.
+struct four_brakes {
+  using scalar = double;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 4;
+  V2 position(const V2& q) const { return q; }
+  ph::diagonal_matrix<double, 2> jacobian() const { return ph::diagonal_matrix<double, 2>(V2(1, 1)); }
+  ph::matrix<double, 4, 2> transmission() const {
+    return ph::matrix<double, 4, 2>{{1, 0}, {0, 1}, {1, -1}, {1, 1}};
+  }
+};
+
+// Which of them is locked; -1 for none, 4 for all.
+int locked_of_four(const V2& v, const V2& hand, const ph::contact<2>& wall) {
+  ph::brakes_of<four_brakes> brakes;
+  brakes.torque_limit.setConstant(10);
+  brakes.rate_dead_band.setConstant(0.002);
+  ph::contacts<2, 1> touched;
+  touched.push_back(wall);
+  ph::step_memory<ph::single_degree_of_freedom_control> memory;
+  const auto result = ph::step(four_brakes(), brakes, touched, ph::single_degree_of_freedom_control{band},
+                               state_of<four_brakes>({0, 0}, v, hand), memory);
+  EXPECT_EQ(result.outcome, ph::status::ok);
+  int locked = -1;
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_TRUE(result.capacity[i] == 0 || result.capacity[i] == 10);
+    EXPECT_LE(result.signs[i] * result.torque[i], 0);
+    if (result.capacity[i] > 0) locked = locked < 0 ? i : 4;
+  }
+  return locked;
+}
+
+// By (1, 0.6) the paths are (0, 1), (1, 0), (1, 1) and (1, -1), their slopes -0.8, 0.6, -0.14 and 0.99.
+TEST(single_degree_of_freedom, of_four_brakes_has_four_paths) {
+  const V2 v(0.1, 0.06);
+  EXPECT_EQ(locked_of_four(v, {0, 0}, slanted(1e-3)), 2) << "flattest";
+  EXPECT_EQ(locked_of_four(v, {0, 0}, slanted(2e-3)), 1) << "too deep: the flattest out";
+  EXPECT_EQ(locked_of_four(v, {0, 0}, slanted(0.1e-3)), 2) << "too far out: the flattest in";
+  EXPECT_EQ(locked_of_four({-0.06, 0.1}, {0, 0}, slanted(2e-3)), 4) << "(-1, 1), and no path leads out";
+  EXPECT_EQ(locked_of_four({0, 0}, {1, 0.6}, slanted(2e-3)), 1) << "at rest the hand is asked";
+}
+
+// With brake i locked the joints move along the one u with T_i u = 0.
+TEST(single_degree_of_freedom, of_four_brakes_locks_for_the_flattest_path_in_any_pose) {
+  using device = ph::five_bar<double, 4>;
+  const device chain;
+  ph::testing::random_source random(7);
+  for (int k = 0; k < 200; ++k) {
+    const V2 q(random.uniform(1.7, 2.6), random.uniform(0.5, 1.4));
+    const V2 qd(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
+    const double angle = random.uniform(-3.0, 3.0);
+    const ph::contact<2> wall{
+        .normal = V2(std::cos(angle), std::sin(angle)), .depth = 1e-3, .stiffness = 1e4};
+    V2::Index flattest = 0;
+    Eigen::Vector4d slope;
+    for (int i = 0; i < 4; ++i) {
+      const auto T = chain.transmission();
+      const V2 v = ph::velocity<device>(chain, q, V2(-T(i, 1), T(i, 0)));
+      slope[i] = std::abs(wall.normal.dot(v)) / v.norm();
+    }
+    slope.minCoeff(&flattest);
+    const auto result = step_once<ph::single_degree_of_freedom_control>(chain, ph::brakes_of<device>(),
+                                                                        state_of<device>(q, qd), wall);
+    EXPECT_GT(result.capacity[flattest], 0) << "seed 7, sample " << k;
+    EXPECT_EQ((result.capacity.array() > 0).count(), 1);
+  }
+}
+
 // ---- velocity ratio control
 
 using ratio = on_table<ph::velocity_ratio_control>;
@@ -281,6 +350,62 @@ TEST(on_off, displays_what_no_direct_control_does) {
   }
 }
 
+// ---- bang-bang control
+
+using steering = on_table<ph::bang_bang_control>;
+constexpr ph::bang_bang_parameters turns{.reference_depth = 1e-3,
+                                         .approach_length = 2e-3,
+                                         .approach_slope = 0.5,
+                                         .approach_hysteresis = 0.4,
+                                         .following_hysteresis = 0.2};
+// Along the wall above, out of it by this slope.
+V2 motion(double slope) { return 0.1 * V2(std::sqrt(1 - slope * slope), -slope); }
+
+TEST(bang_bang, turns_towards_a_slope_in_proportion_to_the_depth_error) {
+  const V2 free(0, 0), out(0, -10);
+  const auto torque = [](double slope, double depth) {
+    return steering{.law = {turns}}(motion(slope), {0, 0}, above(depth)).torque;
+  };
+  EXPECT_EQ(torque(-0.19, 1e-3), free) << "along the wall is wanted";
+  EXPECT_EQ(torque(-0.21, 1e-3), out) << "y moves in";
+  EXPECT_EQ(torque(-0.03, 1.4e-3), out) << "0.2 is wanted";
+  EXPECT_EQ(torque(0.03, 1.4e-3), free);
+  EXPECT_EQ(torque(-0.03, 0.6e-3), free) << "-0.2 is wanted";
+  EXPECT_EQ(torque(0.03, 0.6e-3), V2(0, 10)) << "y moves out";
+  EXPECT_EQ(torque(-0.03, 2.6e-3), out) << "0.5 is wanted, and 0.4 off is far";
+  EXPECT_EQ(torque(0.05, 9e-3), free) << "no brake moves in";
+}
+
+TEST(bang_bang, locks_the_brakes_that_move_the_wrong_way) {
+  const auto torque = [](const V2& v, double depth) {
+    return steering{.law = {turns}}(v, {0, 0}, slanted(depth)).torque;
+  };
+  EXPECT_EQ(torque({0.1, 0.1}, 2e-3), V2(0, -10)) << "x moves out, y in";
+  EXPECT_EQ(torque({-0.1, 0.1}, 2e-3), V2(10, -10)) << "both in";
+  EXPECT_EQ(torque({0.1, -0.1}, 0.1e-3), V2(-10, 10)) << "both out, and too far out";
+  EXPECT_EQ(torque({0.1, 0.001}, 0.1e-3), V2(-10, 0)) << "y rests";
+}
+
+TEST(bang_bang, turns_until_the_error_has_changed_its_sign) {
+  steering law{.law = {turns}};
+  const auto locked = [&](double slope) { return law(motion(slope), {0, 0}, above(1e-3)).capacity; };
+  EXPECT_EQ(locked(-0.1), V2(0, 0)) << "straight on";
+  EXPECT_EQ(locked(-0.3), V2(0, 10));
+  EXPECT_EQ(locked(-0.1), V2(0, 10)) << "still turning";
+  EXPECT_EQ(law({0.1, 0.001}, {0, 0}, above(1.2e-3)).capacity, V2(0, 10)) << "it stays locked at rest";
+  EXPECT_EQ(locked(0.01), V2(0, 0)) << "turned";
+  EXPECT_EQ(locked(-0.1), V2(0, 0));
+  EXPECT_EQ(locked(-0.3), V2(0, 10));
+  law.law.released(law.memory.law, 0);
+  EXPECT_EQ(locked(-0.1), V2(0, 0)) << "after free space straight on";
+}
+
+TEST(bang_bang, is_free_at_rest_and_asks_no_hand) {
+  steering law{.law = {turns}};
+  EXPECT_EQ(law({0, 0.1}, {0, 1}, above(2e-3)).capacity, V2(0, 10));
+  EXPECT_TRUE(law({0, 0}, {0, 1}, above(2e-3)).capacity.isZero(0));
+}
+
 // ---- parameters
 
 TEST(control_law_parameters, say_what_is_wrong) {
@@ -295,6 +420,9 @@ TEST(control_law_parameters, say_what_is_wrong) {
             "approach_length [m] = 0, expected a finite number > 0");
   EXPECT_EQ(validate(ph::on_off_parameters{}), "");
   EXPECT_EQ(validate(ph::on_off_parameters{.lead = -1}), "lead [s] = -1, expected a finite number >= 0");
+  EXPECT_EQ(validate(ph::bang_bang_parameters{}), "");
+  EXPECT_EQ(validate(ph::bang_bang_parameters{.approach_length = 0}),
+            "approach_length [m] = 0, expected a finite number > 0");
 }
 
 TEST(control_law_parameters, are_checked_by_a_controller) {
@@ -313,7 +441,7 @@ TEST(control_law_parameters, are_checked_by_a_controller) {
 template <class L>
 struct along_the_wall : ::testing::Test {};
 using rivals = ::testing::Types<ph::coercive_force_approximation, ph::single_degree_of_freedom_control,
-                                ph::velocity_ratio_control, ph::on_off_control>;
+                                ph::velocity_ratio_control, ph::on_off_control, ph::bang_bang_control>;
 TYPED_TEST_SUITE(along_the_wall, rivals);
 
 TYPED_TEST(along_the_wall, the_hand_arrives_near_its_surface) {
@@ -332,6 +460,34 @@ TYPED_TEST(along_the_wall, the_hand_arrives_near_its_surface) {
     EXPECT_LT(figures.depth_max, rate > 100 ? 2e-3 : 5e-3) << rate << " Hz";
     EXPECT_LT(figures.depth_range, rate > 100 ? 4e-3 : 8e-3) << rate << " Hz";
     EXPECT_LT(figures.retarding_force, 3) << rate << " Hz";
+  }
+}
+
+// Figures of the same hand along the same wall, with 2 or with P-TER's 4 brakes of a five-bar.
+template <int Brakes>
+ph::contact_metrics along_with(double slant) {
+  using device_type = ph::five_bar<double, Brakes>;
+  const device_type chain;
+  const ph::brakes_of<device_type> brakes;
+  const auto q = chain.inverse({-0.03, 0.1}).q;
+  const V2 n(std::sin(slant), -std::cos(slant)), along(-n[1], n[0]);
+  const ph::half_space<2> wall(chain.position(q) - 0.004 * n, n);
+  ph::controller control(chain, brakes, ph::scene(ph::wall(wall)), ph::single_degree_of_freedom_control());
+  const ph::following_hand<double, 2> hand(along, chain.position(q));
+  ph::simulated_device<device_type> device(chain, brakes, hand.parameters().mass, q);
+  device.set_motion(q, ph::jacobian(chain, q).inverse() * (0.05 * along - 0.1 * n));
+  ph::wall_following_parameters p;
+  p.path_end = 0.06;
+  return ph::follow_wall(device, control, wall, hand, p);
+}
+
+// More paths, of which one is flatter: less zigzag and less drag.
+TEST(single_degree_of_freedom, follows_a_wall_better_with_four_brakes_than_with_two) {
+  for (const double slant : {-0.2, 0.0, 0.2}) {
+    const auto two = along_with<2>(slant), four = along_with<4>(slant);
+    EXPECT_TRUE(two.arrived && four.arrived) << slant;
+    EXPECT_LT(four.depth_std, 0.6 * two.depth_std) << slant;
+    EXPECT_LT(four.retarding_force, 0.6 * two.retarding_force) << slant;
   }
 }
 

@@ -38,8 +38,12 @@ struct on_off_parameters {
 ///
 /// For any mechanism. Needs nothing but the state; cost: that of the approximation.
 ///
-/// Reference: Tsypkin, Relay control systems, Cambridge University Press, 1984 (the switching line).
-/// Assumed: all of its use on brakes; the paper names no such rival.
+/// Reference: the switching line in the plane of error and rate, Tsypkin, Relay control systems, Cambridge
+/// University Press, 1984. Brakes that are on or off, with a hysteresis and without a force sensor, lead a
+/// walker along a path in Andreetto, Divan, Fontanelli, Palopoli, 2016 (bang_bang_control is that law): for
+/// small angles sigma / (tau |v|) is the error of its slope, with an approach length of tau |v|. Assumed:
+/// here the depth is judged a time ahead and not a length, so that the brakes' lag is met at any speed; a
+/// wall lets a hand leave, so there is no turn into it; the approximated force for a locked brake.
 struct on_off_control {
   static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
 

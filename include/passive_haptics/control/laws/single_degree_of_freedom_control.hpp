@@ -2,6 +2,7 @@
 /// Single-degree-of-freedom control: one brake is locked, and the handle follows its path.
 #pragma once
 
+#include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/intended_rates.hpp>
@@ -27,23 +28,27 @@ struct single_degree_of_freedom_parameters {
   }
 };
 
-/// Locks one brake i, so that the handle moves as the others let it, v_i = v - w_i E e_i: on a path in the
-/// plane. With slope_i = n . v_i / |v_i| and the depth error e = depth - reference_depth:
+/// Locks one brake i, so that the handle moves as the others let it: on a path in the plane,
+///
+///     v_i = E (w - e_i w_i / P_ii),   P = T T^+ (I for m = n),
+///
+/// the motion with brake i at rest that changes the brakes' rates least, m rates of n joints. With slope_i =
+/// n . v_i / |v_i| and the depth error e = depth - reference_depth:
 ///
 ///   - e > band: the flattest path out, 0 <= slope_i; all brakes are locked where every path leads in;
 ///   - e < -band: the flattest path in, slope_i <= 0; where there is none, the flattest out;
 ///   - else the brake that is locked already; at first the one of the flattest path.
 ///
 /// The handle zigzags within the band. A hand that wants to leave the wall must follow the path, too.
-/// For n = d = m >= 2. In space the handle follows a surface, that of the one locked brake. Of several
-/// contacts the one that asks for the largest force governs. Needs the hand force (which way a brake at rest
-/// would turn); cost: E w.
+/// For m >= n = d >= 2: the more brakes, the more paths. In space the handle follows a surface, that of the
+/// one locked brake. Of several contacts the one that asks for the largest force governs. Needs the hand
+/// force (which way a brake at rest would turn); cost: E w, and for m > n one T^+.
 ///
 /// Reference: Swanson and Book, Obstacle avoidance methods for a passive haptic display, IEEE/ASME Int. Conf.
 /// on Advanced Intelligent Mechatronics, 2001, 1187-1192; the band: Sakaguchi, Furusho, Takesue, Passive
 /// force display using ER brakes and its control experiments, Virtual Reality 2001, 7-12. Both as the paper
-/// describes them. Assumed: the reference depth, the band's width, the flattest path among several, and that
-/// a locked brake is told its torque limit.
+/// describes them. Assumed: the reference depth, the band's width, the flattest path among several, that a
+/// locked brake is told its torque limit, and for m > n which motion is left.
 struct single_degree_of_freedom_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
@@ -65,8 +70,8 @@ struct single_degree_of_freedom_control {
   brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     static_assert(
-        M::brake_count == M::dof && M::dof == M::task_dimension && M::dof >= 2,
-        "passive_haptics: single_degree_of_freedom_control needs brake_count == dof == task_dimension >= 2.");
+        M::brake_count >= M::dof && M::dof == M::task_dimension && M::dof >= 2,
+        "passive_haptics: single_degree_of_freedom_control needs brake_count >= dof == task_dimension >= 2.");
     const auto& c = touched[governing_contact(touched)];
     remembered.walls.begin_cycle();
     int& locked = remembered.walls.of(c.wall).brake;
@@ -86,18 +91,25 @@ struct single_degree_of_freedom_control {
  private:
   static constexpr int all = -2;
 
-  // Sines of the angles at which the handle leaves the wall with brake i locked
+  // Sines of the angles at which the handle leaves the wall with brake i locked; 0 where that stops it
   template <class M, class EMatrix, int D, class B>
   static brake_vector<M> slopes(const brake_situation<M, EMatrix, B>& now, const contact<D>& c) {
     using T = typename M::scalar;
-    const brake_vector<M> w = intended_rates(now);
+    brake_vector<M> w = intended_rates(now), share = brake_vector<M>::Ones();  // P w, P_ii
+    if constexpr (M::brake_count > M::dof) {
+      const transmission_matrix<M> map = transmission(now.mechanism, now.q);
+      const auto P = times(map, pseudo_inverse(map));
+      w = P * w;
+      share = P.diagonal();
+    }
+    const T nothing = rounding_tolerance<T>(M::brake_count) * vector<T, D>(now.E * w).stableNorm();
     brake_vector<M> slope;
     unrolled<M::brake_count>([&](auto i) {
       brake_vector<M> others = w;
-      others[i] = T(0);
+      if (share[i] > T(0)) others[i] -= w[i] / share[i];  // else no joint turns it
       const vector<T, D> v = now.E * others - as<T>(c.wall_velocity);
       const T speed = v.stableNorm();
-      slope[i] = speed > T(0) ? as<T>(c.normal).dot(v) / speed : T(0);
+      slope[i] = speed > nothing ? as<T>(c.normal).dot(v) / speed : T(0);
     });
     return slope;
   }
