@@ -2,6 +2,7 @@
 #include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/driver/calibration/device_calibration.hpp>
 #include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/identification/bench_run.hpp>
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/real_time.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
@@ -199,6 +200,7 @@ std::string tables() {
   p.table<ph::device_calibration_parameters<ph::two_link<T>>>("device_calibration_parameters",
                                                               calibration + "device_calibration.hpp");
   p.table<ph::steady_parameters>("steady_parameters", calibration + "steady_mean.hpp");
+  p.table<ph::bench_parameters>("bench_parameters", "driver/identification/bench_run.hpp");
   return p.text();
 }
 

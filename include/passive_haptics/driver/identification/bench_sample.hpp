@@ -1,0 +1,62 @@
+/// @file
+/// What a test bench records of one brake, and what is to be believed of it.
+#pragma once
+
+#include <passive_haptics/core/parameters.hpp>
+
+#include <cmath>
+#include <span>
+#include <string>
+
+namespace passive_haptics {
+
+/// One reading of a bench, on which a motor or a hand turns a brake's axis. Of a sliding brake m and N.
+struct bench_sample {
+  double time = 0;      ///< [s]
+  double current = 0;   ///< That the brake was last told before this reading [A].
+  double position = 0;  ///< Of the axis, as its encoder tells it [rad].
+  double torque = 0;    ///< Of the brake against a turn in the positive sense [N m].
+};
+
+/// A constant that was found.
+struct estimate {
+  double value = 0;           ///< In the unit of the constant.
+  double standard_error = 0;  ///< Of the value; infinite where the samples do not tell it.
+};
+
+/// Throws std::invalid_argument with the first number that cannot be: fewer samples than `least`, one that is
+/// not finite, time that does not go on.
+inline void require_samples(std::span<const bench_sample> samples, std::size_t least) {
+  if (samples.size() < least)
+    require_no_error(detail::error_text("samples", samples.size(),
+                                        detail::indexed("at least ", least, ": record longer or faster")));
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const bench_sample& s = samples[k];
+    const auto named = [k](const char* member) {
+      return detail::indexed("samples[", k, "].").append(member);
+    };
+    require_no_error(
+        detail::first_error(check_value(named("time").c_str(), s.time, "s", range::finite),
+                            check_value(named("current").c_str(), s.current, "A", range::not_negative),
+                            check_value(named("position").c_str(), s.position, "rad", range::finite),
+                            check_value(named("torque").c_str(), s.torque, "N m", range::finite)));
+    if (k > 0 && !(s.time > samples[k - 1].time))
+      require_no_error(detail::error_text(named("time [s]"), s.time, "more than that of the sample before"));
+  }
+}
+
+/// Throws std::invalid_argument where the axis stands still or turns backwards in one of `parts` equal parts
+/// of the samples: a brake at rest holds what it is pushed with, and does not tell what it could.
+inline void require_turning(std::span<const bench_sample> samples, std::size_t parts) {
+  for (std::size_t i = 0; i < parts; ++i) {
+    const bench_sample& first = samples[i * (samples.size() - 1) / parts];
+    const bench_sample& last = samples[(i + 1) * (samples.size() - 1) / parts];
+    if (last.position > first.position) continue;
+    require_no_error(detail::error_text(
+        detail::indexed("way [rad] from ", first.time, detail::indexed(" s to ", last.time, " s")),
+        last.position - first.position,
+        "> 0 throughout: turn the axis faster, or by a motor that is stronger than the brake"));
+  }
+}
+
+}  // namespace passive_haptics

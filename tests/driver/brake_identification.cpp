@@ -1,0 +1,404 @@
+// Constants of simulated brakes, found again on a simulated bench within the errors that are told.
+#include <simulated_bench.hpp>
+
+#include <passive_haptics/brake/models/coulomb_brake.hpp>
+#include <passive_haptics/brake/models/delayed_brake.hpp>
+#include <passive_haptics/brake/models/eddy_current_brake.hpp>
+#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
+#include <passive_haptics/brake/models/stribeck_brake.hpp>
+#include <passive_haptics/driver/calibration/brake_calibration.hpp>
+#include <passive_haptics/driver/identification/bench_run.hpp>
+#include <passive_haptics/driver/identification/current_ramp.hpp>
+#include <passive_haptics/driver/identification/magnetorheological_loop.hpp>
+#include <passive_haptics/driver/identification/rate_sweep.hpp>
+#include <passive_haptics/driver/identification/step_response.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+namespace ph = passive_haptics;
+using samples = std::vector<ph::bench_sample>;
+using example::simulated_bench;
+
+constexpr double slope = 1.6;  // [N m/A]
+constexpr std::array<std::uint64_t, 8> seeds{1, 2, 3, 4, 5, 6, 7, 8};
+double line(double current) { return slope * current; }
+double steady(double) { return 2; }  // [rad/s]
+
+// What the bench records of a brake.
+template <class Model, class Command, class Rate, class Current>
+samples record(const Model& brake, Command command, Rate rate, Current current, double duration,
+               const example::simulated_bench_parameters& how) {
+  const auto bench = std::make_shared<simulated_bench<Model>>(brake, command, rate, how);
+  example::simulated_bench_port<Model> port{bench};
+  example::simulated_torque_sensor<Model> sensor{bench};
+  ph::bench_parameters p;
+  p.radians_per_count = how.resolution;
+  return ph::record_on_bench(port, sensor, p, duration, current, [] {});
+}
+
+// Within four of its standard errors, which are at most `share` of it.
+void expect_found(const ph::estimate& found, double truth, double share, const char* what) {
+  EXPECT_LE(std::abs(found.value - truth), 4 * found.standard_error) << what << " = " << found.value;
+  EXPECT_LE(found.standard_error, share * std::abs(truth)) << what;
+}
+
+// A fine and a coarse bench.
+struct bench_case {
+  const char* name;
+  double resolution, noise, share;
+};
+struct brake_identification : ::testing::TestWithParam<bench_case> {
+  template <class Test>
+  void for_each_seed(Test&& test) {
+    for (const std::uint64_t seed : seeds) {
+      SCOPED_TRACE(::testing::Message() << "seed " << seed);
+      example::simulated_bench_parameters how;
+      how.resolution = GetParam().resolution;
+      how.noise = GetParam().noise;
+      how.seed = seed;
+      test(how);
+    }
+  }
+};
+constexpr double turn = 2 * std::numbers::pi;
+INSTANTIATE_TEST_SUITE_P(at_a, brake_identification,
+                         ::testing::Values(bench_case{"fine_bench", turn / 8192, 0.005, 1},
+                                           bench_case{"coarse_bench", turn / 1000, 0.02, 4}),
+                         [](const auto& one) { return one.param.name; });
+
+// ---- steps
+
+TEST_P(brake_identification, finds_time_constants_up_and_down_and_the_dead_time) {
+  ph::delayed_brake<ph::coulomb_brake<double>> brake;
+  brake.fall_ratio = 2.5;
+  brake.dead_time = 0.004;
+  brake.residual = {.strength = 0.03, .drag = 0.002};
+  for_each_seed([&](const auto& how) {
+    const double share = GetParam().share;
+    const auto up = ph::fit_step_response(record(
+        brake, line, steady, [](double t) { return t < 0.1 ? 0.0 : 0.5; }, 0.4, how));
+    expect_found(up.before, 0.034, 0.03 * share, "before");
+    expect_found(up.change, 0.8, 0.001 * share, "change");
+    expect_found(up.time_constant, 0.02, 0.01 * share, "time constant");
+    expect_found(up.dead_time, 0.004, 0.03 * share, "dead time");
+    EXPECT_NEAR(up.deviation, how.noise, 0.2 * how.noise);
+    const auto down = ph::fit_step_response(record(
+        brake, line, steady, [](double t) { return t < 0.1 ? 0.5 : 0.0; }, 0.6, how));
+    expect_found(down.change, -0.8, 0.001 * share, "change");
+    expect_found(down.time_constant, 0.05, 0.01 * share, "time constant");
+    expect_found(down.dead_time, 0.004, 0.04 * share, "dead time");
+  });
+}
+
+// ---- ramps
+
+// 0.5 s of pause, 5 s up, 0.5 s there, 5 s down
+double ramp(double t) { return 0.16 * std::clamp(std::min(t - 0.5, 11 - t), 0.0, 5.0); }
+constexpr double ramp_time = 11.2, greatest = 0.8;
+
+TEST_P(brake_identification, takes_a_lag_for_no_hysteresis) {
+  ph::coulomb_brake<double> brake;
+  brake.torque_limit = 2;
+  brake.fall_ratio = 2;
+  brake.residual = {.strength = 0.03};
+  for_each_seed([&](const auto& how) {
+    const samples all = record(brake, line, steady, ramp, ramp_time, how);
+    const auto found = ph::fit_current_ramp(all, {.rising = 0.02, .falling = 0.04});
+    expect_found(found.residual_torque, 0.03, 0.02 * GetParam().share, "residual torque");
+    for (std::size_t i = 1; i < found.rising.size(); ++i) {
+      const double torque = 0.03 + slope * greatest * static_cast<double>(i) / 10;
+      expect_found(found.rising[i], torque, 0.003 * GetParam().share, "rising");
+      expect_found(found.falling[i], torque, 0.003 * GetParam().share, "falling");
+    }
+    EXPECT_LE(found.hysteresis.value, 4 * found.hysteresis.standard_error);
+    const double lag_as_hysteresis = 0.16 * slope * (0.02 + 0.04);
+    EXPECT_NEAR(ph::fit_current_ramp(all).hysteresis.value, lag_as_hysteresis, 0.5 * lag_as_hysteresis);
+  });
+}
+
+TEST_P(brake_identification, finds_the_loop_of_a_magnetorheological_brake) {
+  ph::magnetorheological_brake<double> brake;
+  brake.torque_limit = 2;
+  brake.saturation = 1.5;
+  brake.coercive_current = 0.05;
+  brake.residual = {.strength = 0.02};
+  const auto told = [&](double current) { return brake.torque_of(std::min(current / greatest, 1.0)); };
+  const auto up = [](double t) { return t < 0.1 ? 0 : greatest; };
+  const auto down = [](double t) { return t < 0.1 ? greatest : 0; };
+  for_each_seed([&](const auto& how) {
+    const double share = GetParam().share;
+    const samples rise = record(brake, told, steady, up, 0.4, how);
+    const samples fall = record(brake, told, steady, down, 0.4, how);
+    const samples all = record(brake, told, steady, ramp, ramp_time, how);
+
+    EXPECT_GT(ph::fit_step_response(fall).deviation, 1.01 * how.noise) << "no first-order lag";
+    const auto [loop, rising, falling, found] = ph::fit_magnetorheological_brake(rise, fall, all);
+    for (const auto& step : {rising, falling}) {
+      expect_found(step.time_constant, brake.time_constant, 0.01 * share, "time constant");
+      EXPECT_LE(std::abs(step.dead_time.value), 4 * step.dead_time.standard_error);
+      EXPECT_NEAR(step.deviation, how.noise, 0.2 * how.noise);
+    }
+    expect_found(loop.torque_limit, 2, 0.0002 * share, "torque limit");
+    expect_found(loop.saturation, 1.5, 0.0005 * share, "saturation");
+    expect_found(loop.coercive_current, 0.05, 0.001 * share, "coercive current");
+    expect_found(loop.residual_torque, 0.02, 0.02 * share, "residual torque");
+    // Its widest, between f(j - c) and f(j + c), is at 1 of the 11 points
+    EXPECT_NEAR(found.hysteresis.value, told(greatest * 0.15) - told(greatest * 0.05), 0.003 * share);
+
+    // The driver's curve makes what the brake makes on its way up
+    const ph::brake_curve curve = found.curve();
+    ASSERT_EQ(validate(curve), "");
+    for (const double current : {0.1, 0.35, 0.7})
+      EXPECT_NEAR(torque_of_current(curve, current), 0.02 + told(current - greatest * 0.05), 0.006 * share);
+  });
+}
+
+// ---- sweeps
+
+TEST_P(brake_identification, finds_stribeck_effect_and_drag) {
+  ph::stribeck_brake<double> brake;
+  brake.residual = {.strength = 0.01, .drag = 0.003};
+  const auto rate = [](double t) { return 0.02 * std::pow(500, t / 40); };  // to 10 rad/s
+  for_each_seed([&](const auto& how) {
+    const auto means = ph::mean_over_windows(record(
+                                                 brake, line, rate, [](double) { return 0.5; }, 40, how),
+                                             0.5);
+    const auto found = ph::fit_stribeck_friction(means);
+    const double share = GetParam().share;
+    expect_found(found.strength, 0.81, 0.01 * share, "strength");
+    expect_found(found.static_ratio, 1 + 0.4 / 0.81, 0.02 * share, "static ratio");
+    expect_found(found.stribeck_rate, 0.05, 0.04 * share, "Stribeck rate");
+    EXPECT_LT(found.deviation, ph::fit_viscous_friction(means).deviation);
+  });
+}
+
+TEST_P(brake_identification, finds_drag) {
+  ph::coulomb_brake<double> brake;
+  brake.residual = {.strength = 0.01, .drag = 0.02};
+  for_each_seed([&](const auto& how) {
+    const auto found = ph::fit_viscous_friction(ph::mean_over_windows(
+        record(
+            brake, line, [](double t) { return 0.5 + t; }, [](double) { return 0.5; }, 10, how),
+        0.1));
+    expect_found(found.strength, 0.81, 0.001 * GetParam().share, "strength");
+    expect_found(found.drag, 0.02, 0.01 * GetParam().share, "drag");
+  });
+}
+
+TEST_P(brake_identification, tells_eddy_currents_by_a_torque_that_falls_beyond_a_rate) {
+  ph::eddy_current_brake<double> brake;
+  brake.peak_torque = 1.2;
+  brake.critical_rate = 12;
+  brake.residual = {.strength = 0.02};
+  for_each_seed([&](const auto& how) {
+    const auto sweep = [&](double fastest) {
+      const auto rate = [fastest](double t) { return 0.05 * fastest + fastest * t / 10; };
+      const auto current = [](double) { return 1 / slope; };
+      return ph::mean_over_windows(record(brake, line, rate, current, 10, how), 0.1);
+    };
+    const double share = GetParam().share;
+    const auto means = sweep(20);
+    const auto found = ph::fit_eddy_current_torque(means);
+    expect_found(found.strength, 0.02, 0.03 * share, "strength");
+    expect_found(found.drag, 2.0 / 12, 0.002 * share, "drag");
+    expect_found(found.critical_rate, 12, 0.002 * share, "critical rate");
+    expect_found(found.peak_torque, 1, 0.002 * share, "peak torque");
+    EXPECT_LT(found.deviation, 0.1 * ph::fit_viscous_friction(means).deviation);
+    EXPECT_LT(found.deviation, 0.5 * ph::fit_stribeck_friction(means).deviation);
+    // From low rates it is drag, and the critical rate is not told
+    const auto slow = ph::fit_eddy_current_torque(sweep(0.5));
+    EXPECT_LE(std::abs(slow.drag.value - 2.0 / 12), 4 * slow.drag.standard_error);
+    EXPECT_TRUE(std::isinf(slow.critical_rate.value) && std::isinf(slow.peak_torque.standard_error));
+  });
+}
+
+// ---- what is not to be believed
+
+// 1 s at 1 kHz, turned at 2 rad/s, with a step of the current to `current` half-way.
+samples step_to(double current, double torque) {
+  samples all;
+  for (int k = 0; k <= 1000; ++k) {
+    const double t = 1e-3 * k, since = std::max(t - 0.5, 0.0);
+    all.push_back({t, k > 500 ? current : 0, 2 * t, 0.01 * (k % 2) + torque * -std::expm1(-since / 0.02)});
+  }
+  return all;
+}
+
+// What f() says, without who says it.
+template <class F>
+std::string thrown_by(F&& f) {
+  constexpr std::string_view library = "passive_haptics: ";
+  try {
+    f();
+  } catch (const std::exception& e) {
+    const std::string_view text = e.what();
+    return std::string(text.starts_with(library) ? text.substr(library.size()) : text);
+  }
+  return "nothing";
+}
+std::string step_error(const samples& all) {
+  return thrown_by([&] { ph::fit_step_response(all); });
+}
+
+TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_step) {
+  EXPECT_EQ(step_error(step_to(1, 1)), "nothing");
+  EXPECT_EQ(step_error({}), "samples = 0, expected at least 20: record longer or faster");
+  samples all = step_to(1, 1);
+  all[3].torque = NAN;
+  EXPECT_EQ(step_error(all), "samples[3].torque [N m] = nan, expected a finite number");
+  all = step_to(1, 1);
+  all[4].time = all[3].time;
+  EXPECT_EQ(step_error(all), "samples[4].time [s] = 0.003, expected more than that of the sample before");
+  all = step_to(1, 1);
+  for (auto& s : all) s.position = std::min(s.position, 1.3);
+  EXPECT_EQ(step_error(all),
+            "way [rad] from 0.7 s to 0.8 s = 0, expected > 0 throughout: turn the axis faster, or by a motor "
+            "that is stronger than the brake");
+  EXPECT_EQ(step_error(step_to(0, 1)),
+            "steps of the current = 0, expected 1: record one up and one down, apart");
+  all = step_to(1, 1);
+  all.back().current = 0;
+  EXPECT_EQ(step_error(all), "steps of the current = 2, expected 1: record one up and one down, apart");
+  EXPECT_NE(step_error(step_to(1, 1e-5)).find("a step beyond the noise: step to a larger current"),
+            std::string::npos);
+  all = step_to(1, 1);
+  all.resize(560);
+  EXPECT_NE(step_error(all).find("expected at least t_d + 5 T"), std::string::npos) << step_error(all);
+}
+
+TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_ramp) {
+  const auto ramp_of = [](double greatest_current, double pause) {
+    samples all;
+    for (int k = 0; k <= 2000; ++k) {
+      const double t = 1e-3 * k, I = greatest_current * std::clamp(std::min(t - pause, 2 - t), 0.0, 0.9);
+      all.push_back({t, I, 2 * t, I + 0.001 * (k % 2)});
+    }
+    return all;
+  };
+  const auto error = [](const samples& all, const ph::ramp_delay& delay = {}) {
+    return thrown_by([&] { ph::fit_current_ramp(all, delay); });
+  };
+  EXPECT_EQ(error(ramp_of(1, 0.2)), "nothing");
+  EXPECT_EQ(error(ramp_of(0, 0.2)), "greatest current [A] = 0, expected > 0: ramp up");
+  EXPECT_EQ(error(ramp_of(1, -0.1)),
+            "samples at 0 A before the ramp = 0, expected at least 8: begin with a pause at 0 A");
+  EXPECT_EQ(error(ramp_of(1, 0.2), {.rising = 0.09}),
+            "delay over the time of the ramp = 0.1, expected less than 0.02: ramp more slowly");
+  EXPECT_EQ(error(ramp_of(1, 0.2), {.falling = -1}), "falling [s] = -1, expected a finite number >= 0");
+  samples all = ramp_of(1, 0.2);
+  all.resize(1300);
+  EXPECT_NE(error(all).find("ramp more slowly, and up to the same current and down to 0"), std::string::npos);
+}
+
+TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_sweep) {
+  const auto error = [](const samples& all, double duration) {
+    return thrown_by([&] { ph::mean_over_windows(all, duration); });
+  };
+  EXPECT_EQ(error(step_to(0, 1), 0.1), "nothing");
+  EXPECT_EQ(error(step_to(0, 1), 0), "duration [s] = 0, expected a finite number > 0");
+  EXPECT_EQ(error(step_to(0, 1), 0.3), "windows = 3, expected at least 8: record longer, or shorter windows");
+  EXPECT_EQ(
+      error(step_to(1, 1), 0.1),
+      "samples[501].current [A] = 1, expected that of the first: a sweep of the rate is at one current");
+  const std::vector<ph::rate_and_torque> still(10);
+  EXPECT_EQ(thrown_by([&] { ph::fit_viscous_friction(still); }),
+            "fastest rate [rad/s] = 0, expected > 0: turn the axis, slowly and fast");
+}
+
+// ---- the port
+
+// Turns by 3 counts a period through the wrap of an 8 bit counter, until it fails.
+struct short_lived_port {
+  static constexpr int encoder_count = 2, brake_count = 2;
+  int good = 50, period = 0, released = 0;
+  ph::port_status afterwards = ph::port_status::failed;
+  std::vector<double> told = {};
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<2>& s) noexcept {
+    if (++period > good) return afterwards;
+    s = {1e-3 * period, 0, {0, static_cast<double>((250 + 3 * period) % 256)}, {false, true}};
+    return ph::port_status::ok;
+  }
+  ph::port_status write(const ph::brake_currents<2>& currents) noexcept {
+    told = {currents[0], currents[1]};
+    return ph::port_status::ok;
+  }
+  void release() noexcept { ++released; }
+  int counter_bits() const noexcept { return 8; }
+};
+struct constant_sensor {
+  static constexpr int channel_count = 3;
+  std::string open() { return {}; }
+  ph::port_status read(ph::port_sample<3>& s) noexcept {
+    s.value = {0, 0, 7};
+    s.valid = {false, false, true};
+    return ph::port_status::ok;
+  }
+};
+
+TEST(record_on_bench, follows_a_counter_through_its_wrap_and_keeps_the_limit) {
+  short_lived_port port;
+  constant_sensor sensor;
+  const ph::bench_parameters p{.brake = 1,
+                               .encoder = 1,
+                               .channel = 2,
+                               .radians_per_count = 0.5,
+                               .torque_per_unit = 2,
+                               .torque_at_zero = 4,
+                               .current_limit = 0.3,
+                               .settling_time = 0};
+  const samples all = ph::record_on_bench(
+      port, sensor, p, 0.02, [](double t) { return t > 0.01 ? 9 : -1; }, [] {});
+  ASSERT_EQ(all.size(), 21u);
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    EXPECT_EQ(all[k].position - all[k - 1].position, 1.5);
+    EXPECT_EQ(all[k].torque, 10);
+  }
+  EXPECT_EQ(all.front().current, 0);
+  EXPECT_EQ(all.back().current, 0.3);
+  EXPECT_EQ(port.told, (std::vector<double>{0, 0.3}));
+  EXPECT_EQ(port.released, 1);
+}
+
+TEST(record_on_bench, lets_the_brake_settle_under_the_first_current) {
+  short_lived_port port;
+  constant_sensor sensor;
+  const ph::bench_parameters p{.encoder = 1, .channel = 2, .settling_time = 0.0095};
+  const samples all = ph::record_on_bench(
+      port, sensor, p, 0.02, [](double t) { return t > 0 ? 0.2 : 0.7; }, [] {});
+  EXPECT_NEAR(all.front().time, 0.0005, 1e-12);
+  EXPECT_EQ(all[0].current, 0.7);
+  EXPECT_EQ(all[1].current, 0.2);
+  EXPECT_EQ(all[0].position, 283) << "counts, past wraps";
+}
+
+TEST(record_on_bench, releases_where_a_transfer_fails_or_nothing_comes) {
+  constant_sensor sensor;
+  const ph::bench_parameters p{.encoder = 1, .channel = 2, .most_missed = 20};
+  const auto error = [&](short_lived_port& port) {
+    return thrown_by([&] {
+      ph::record_on_bench(
+          port, sensor, p, 1, [](double) { return 0.1; }, [] {});
+    });
+  };
+  short_lived_port lost;
+  EXPECT_EQ(error(lost), "port: device lost");
+  EXPECT_EQ(lost.released, 1);
+  short_lived_port silent{.afterwards = ph::port_status::no_sample};
+  EXPECT_EQ(
+      error(silent),
+      "periods without a new valid sample = 21, expected at most most_missed: check the port and the sensor");
+  EXPECT_EQ(silent.released, 1);
+  short_lived_port fine;
+  EXPECT_EQ(thrown_by([&] {
+              ph::record_on_bench(
+                  fine, sensor, {.brake = 2}, 1, [](double) { return 0.1; }, [] {});
+            }),
+            "brake = 2, expected 0 to 1");
+}
+
+}  // namespace
