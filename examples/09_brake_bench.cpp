@@ -149,8 +149,7 @@ int main(int argc, char** argv) try {
   } else if (which == "magnetorheological") {
     ph::magnetorheological_brake<double> brake;
     brake.residual = residual;
-    identify(
-        brake, [&](double I) { return brake.torque_of(I / current); }, directory);
+    identify(brake, [&](double I) { return brake.torque_of(I / current); }, directory);
   } else if (which == "stribeck") {
     ph::stribeck_brake<double> brake;
     brake.residual = residual;

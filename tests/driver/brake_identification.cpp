@@ -79,15 +79,15 @@ TEST_P(brake_identification, finds_time_constants_up_and_down_and_the_dead_time)
   brake.residual = {.strength = 0.03, .drag = 0.002};
   for_each_seed([&](const auto& how) {
     const double share = GetParam().share;
-    const auto up = ph::fit_step_response(record(
-        brake, line, steady, [](double t) { return t < 0.1 ? 0.0 : 0.5; }, 0.4, how));
+    const auto up = ph::fit_step_response(
+        record(brake, line, steady, [](double t) { return t < 0.1 ? 0.0 : 0.5; }, 0.4, how));
     expect_found(up.before, 0.034, 0.03 * share, "before");
     expect_found(up.change, 0.8, 0.001 * share, "change");
     expect_found(up.time_constant, 0.02, 0.01 * share, "time constant");
     expect_found(up.dead_time, 0.004, 0.03 * share, "dead time");
     EXPECT_NEAR(up.deviation, how.noise, 0.2 * how.noise);
-    const auto down = ph::fit_step_response(record(
-        brake, line, steady, [](double t) { return t < 0.1 ? 0.5 : 0.0; }, 0.6, how));
+    const auto down = ph::fit_step_response(
+        record(brake, line, steady, [](double t) { return t < 0.1 ? 0.5 : 0.0; }, 0.6, how));
     expect_found(down.change, -0.8, 0.001 * share, "change");
     expect_found(down.time_constant, 0.05, 0.01 * share, "time constant");
     expect_found(down.dead_time, 0.004, 0.04 * share, "dead time");
@@ -164,9 +164,8 @@ TEST_P(brake_identification, finds_stribeck_effect_and_drag) {
   brake.residual = {.strength = 0.01, .drag = 0.003};
   const auto rate = [](double t) { return 0.02 * std::pow(500, t / 40); };  // to 10 rad/s
   for_each_seed([&](const auto& how) {
-    const auto means = ph::mean_over_windows(record(
-                                                 brake, line, rate, [](double) { return 0.5; }, 40, how),
-                                             0.5);
+    const auto means =
+        ph::mean_over_windows(record(brake, line, rate, [](double) { return 0.5; }, 40, how), 0.5);
     const auto found = ph::fit_stribeck_friction(means);
     const double share = GetParam().share;
     expect_found(found.strength, 0.81, 0.01 * share, "strength");
@@ -181,9 +180,7 @@ TEST_P(brake_identification, finds_drag) {
   brake.residual = {.strength = 0.01, .drag = 0.02};
   for_each_seed([&](const auto& how) {
     const auto found = ph::fit_viscous_friction(ph::mean_over_windows(
-        record(
-            brake, line, [](double t) { return 0.5 + t; }, [](double) { return 0.5; }, 10, how),
-        0.1));
+        record(brake, line, [](double t) { return 0.5 + t; }, [](double) { return 0.5; }, 10, how), 0.1));
     expect_found(found.strength, 0.81, 0.001 * GetParam().share, "strength");
     expect_found(found.drag, 0.02, 0.01 * GetParam().share, "drag");
   });
@@ -351,8 +348,8 @@ TEST(record_on_bench, follows_a_counter_through_its_wrap_and_keeps_the_limit) {
                                .torque_at_zero = 4,
                                .current_limit = 0.3,
                                .settling_time = 0};
-  const samples all = ph::record_on_bench(
-      port, sensor, p, 0.02, [](double t) { return t > 0.01 ? 9 : -1; }, [] {});
+  const samples all =
+      ph::record_on_bench(port, sensor, p, 0.02, [](double t) { return t > 0.01 ? 9 : -1; }, [] {});
   ASSERT_EQ(all.size(), 21u);
   for (std::size_t k = 1; k < all.size(); ++k) {
     EXPECT_EQ(all[k].position - all[k - 1].position, 1.5);
@@ -368,8 +365,8 @@ TEST(record_on_bench, lets_the_brake_settle_under_the_first_current) {
   short_lived_port port;
   constant_sensor sensor;
   const ph::bench_parameters p{.encoder = 1, .channel = 2, .settling_time = 0.0095};
-  const samples all = ph::record_on_bench(
-      port, sensor, p, 0.02, [](double t) { return t > 0 ? 0.2 : 0.7; }, [] {});
+  const samples all =
+      ph::record_on_bench(port, sensor, p, 0.02, [](double t) { return t > 0 ? 0.2 : 0.7; }, [] {});
   EXPECT_NEAR(all.front().time, 0.0005, 1e-12);
   EXPECT_EQ(all[0].current, 0.7);
   EXPECT_EQ(all[1].current, 0.2);
@@ -380,10 +377,7 @@ TEST(record_on_bench, releases_where_a_transfer_fails_or_nothing_comes) {
   constant_sensor sensor;
   const ph::bench_parameters p{.encoder = 1, .channel = 2, .most_missed = 20};
   const auto error = [&](short_lived_port& port) {
-    return thrown_by([&] {
-      ph::record_on_bench(
-          port, sensor, p, 1, [](double) { return 0.1; }, [] {});
-    });
+    return thrown_by([&] { ph::record_on_bench(port, sensor, p, 1, [](double) { return 0.1; }, [] {}); });
   };
   short_lived_port lost;
   EXPECT_EQ(error(lost), "port: device lost");
@@ -395,8 +389,7 @@ TEST(record_on_bench, releases_where_a_transfer_fails_or_nothing_comes) {
   EXPECT_EQ(silent.released, 1);
   short_lived_port fine;
   EXPECT_EQ(thrown_by([&] {
-              ph::record_on_bench(
-                  fine, sensor, {.brake = 2}, 1, [](double) { return 0.1; }, [] {});
+              ph::record_on_bench(fine, sensor, {.brake = 2}, 1, [](double) { return 0.1; }, [] {});
             }),
             "brake = 2, expected 0 to 1");
 }

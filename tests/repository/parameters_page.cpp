@@ -66,10 +66,8 @@ struct scalar_of {
   using type = V;
 };
 template <class V>
-requires requires {
-  typename V::value_type;
-} &&(!std::is_same_v<V, std::string>)struct scalar_of<V> : scalar_of<typename V::value_type> {
-};
+  requires requires { typename V::value_type; } && (!std::is_same_v<V, std::string>)
+struct scalar_of<V> : scalar_of<typename V::value_type> {};
 
 class page {
  public:

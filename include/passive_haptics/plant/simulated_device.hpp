@@ -27,7 +27,8 @@ struct detail::simulated_device_header {};
 /// handle; the hand's force drives both, a sensor between them feels what reaches the device. energy() tells
 /// where the energy went. Cost of a step: M, J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
 template <class M, class Model>
-requires(detail::simulated_device_requirements<M>::met) class simulated_device {
+  requires(detail::simulated_device_requirements<M>::met)
+class simulated_device {
   static_assert(mechanism_requirements<M>::met);
   static_assert(brake_model_requirements<Model>::met);
   static_assert(Dynamics<M>,
@@ -40,8 +41,8 @@ requires(detail::simulated_device_requirements<M>::met) class simulated_device {
   /// At rest at q, with brakes that are what their controller believes (ideal_brakes). hand_mass [kg] moves
   /// with the handle. Throws std::invalid_argument with the text of validate(brakes), or if the mass is
   /// negative or not finite.
-  simulated_device(M mechanism, const brakes_of<M>& brakes, scalar hand_mass,
-                   const joint_vector<M>& q) requires std::same_as<Model, coulomb_brake<scalar>>
+  simulated_device(M mechanism, const brakes_of<M>& brakes, scalar hand_mass, const joint_vector<M>& q)
+    requires std::same_as<Model, coulomb_brake<scalar>>
       : simulated_device(std::move(mechanism), ideal_brakes(require_valid(brakes)), hand_mass, q) {}
 
   /// The same with real brakes, which a controller may be wrong about.

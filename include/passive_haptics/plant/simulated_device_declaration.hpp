@@ -22,6 +22,7 @@ struct simulated_device_requirements {
 }  // namespace detail
 
 template <class M, class Model = coulomb_brake<typename M::scalar>>
-requires(detail::simulated_device_requirements<M>::met) class simulated_device;
+  requires(detail::simulated_device_requirements<M>::met)
+class simulated_device;
 
 }  // namespace passive_haptics

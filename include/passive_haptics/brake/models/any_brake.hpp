@@ -24,8 +24,8 @@ class any_brake {
 
   /// A copy of this model. Implicit, so that it stands wherever an any_brake does.
   template <class Model>
-  requires(std::same_as<Model, Models> || ...) any_brake(const Model& model)
-      : residual(residual_of(model)), model_(model) {}
+    requires(std::same_as<Model, Models> || ...)
+  any_brake(const Model& model) : residual(residual_of(model)), model_(model) {}
 
   /// See BrakeModel.
   brake_resistance<scalar> advance(scalar dt, scalar command, scalar rate, state& now) const noexcept {

@@ -29,17 +29,15 @@ template <class B>
 concept names_brake_scalar = std::floating_point<typename B::scalar>;
 template <class B>
 concept names_brake_state = names_brake_scalar<B> && std::copyable<typename B::state> &&
-    std::default_initializable<typename B::state>;
+                            std::default_initializable<typename B::state>;
 template <class B>
-concept advances_brake = names_brake_state<B> &&
-    requires(const B brake, typename B::scalar x, typename B::state state) {
-  { brake.advance(x, x, x, state) }
-  noexcept->std::same_as<brake_resistance<typename B::scalar>>;
-};
+concept advances_brake =
+    names_brake_state<B> && requires(const B brake, typename B::scalar x, typename B::state state) {
+      { brake.advance(x, x, x, state) } noexcept -> std::same_as<brake_resistance<typename B::scalar>>;
+    };
 template <class B>
 concept limits_brake = names_brake_scalar<B> && requires(const B brake, typename B::scalar rate) {
-  { brake.torque_limit_at(rate) }
-  noexcept->std::same_as<typename B::scalar>;
+  { brake.torque_limit_at(rate) } noexcept -> std::same_as<typename B::scalar>;
 };
 
 }  // namespace detail
@@ -72,11 +70,10 @@ concept BrakeModel = detail::advances_brake<B> && detail::limits_brake<B>;
 ///   - `scalar command_for(scalar torque, scalar rate, const state&) const noexcept`: the command [N m] under
 ///     which the brake, at this rate and with this past, ends in `torque` [N m], or as near as it can.
 template <class B>
-concept InvertibleBrakeModel = BrakeModel<B> &&
-    requires(const B brake, typename B::scalar x, const typename B::state state) {
-  { brake.command_for(x, x, state) }
-  noexcept->std::same_as<typename B::scalar>;
-};
+concept InvertibleBrakeModel =
+    BrakeModel<B> && requires(const B brake, typename B::scalar x, const typename B::state state) {
+      { brake.command_for(x, x, state) } noexcept -> std::same_as<typename B::scalar>;
+    };
 
 /// The same requirements, one short message for each: what takes a model begins with
 /// `static_assert(brake_model_requirements<B>::met)`.

@@ -47,7 +47,9 @@ struct delayed_brake : Model {
   }
 
   /// The table of core/parameters.hpp, of a model that has one.
-  static constexpr auto members() requires Parameters<Model> {
+  static constexpr auto members()
+    requires Parameters<Model>
+  {
     return [](auto&& f) {
       Model::members()(f);
       member_table(

@@ -2,8 +2,8 @@
 /// The constants of a formula that fit samples best, each with its standard error.
 #pragma once
 
-#include <passive_haptics/core/scalar/dual_number.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/core/scalar/dual_number.hpp>
 #include <passive_haptics/driver/identification/bench_sample.hpp>
 
 #include <algorithm>
