@@ -54,12 +54,12 @@ struct irregular_chain {
 
 using some = ::testing::Types<irregular_chain<float, 6, 3>>;
 
-template <class T>
-using planar = ::testing::Types<irregular_chain<T, 2, 2>, irregular_chain<T, 3, 2>, irregular_chain<T, 4, 2>,
-                                irregular_chain<T, 5, 2>, irregular_chain<T, 6, 2>, irregular_chain<T, 7, 2>>;
-
-template <class T>
-using spatial = ::testing::Types<irregular_chain<T, 3, 3>, irregular_chain<T, 4, 3>, irregular_chain<T, 5, 3>,
-                                 irregular_chain<T, 6, 3>, irregular_chain<T, 7, 3>>;
+// Each length in the plane by one scalar, in space by the other.
+using planar = ::testing::Types<irregular_chain<double, 2, 2>, irregular_chain<float, 3, 2>,
+                                irregular_chain<double, 4, 2>, irregular_chain<float, 5, 2>,
+                                irregular_chain<double, 6, 2>, irregular_chain<float, 7, 2>>;
+using spatial = ::testing::Types<irregular_chain<double, 3, 3>, irregular_chain<float, 4, 3>,
+                                 irregular_chain<double, 5, 3>, irregular_chain<double, 6, 3>,
+                                 irregular_chain<double, 7, 3>>;
 
 }  // namespace chains
