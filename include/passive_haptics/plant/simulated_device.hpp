@@ -192,6 +192,7 @@ class simulated_device {
   brake_vector<M> brake_power_ = brake_vector<M>::Zero();
 };
 
+/// A model for each brake tells which.
 template <class M, class Model, std::size_t Brakes>
 simulated_device(M, const std::array<Model, Brakes>&, typename M::scalar, const joint_vector<M>&)
     -> simulated_device<M, Model>;

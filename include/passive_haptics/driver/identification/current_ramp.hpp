@@ -27,11 +27,13 @@ struct branch_sample {
 /// What a ramp told.
 struct current_ramp {
   static constexpr int points = 11;  ///< Of each branch, at 0, 1, ..., 10 tenths of the greatest current.
+  /// One value at each point.
   using branch = std::array<estimate, static_cast<std::size_t>(points)>;
 
   double greatest_current = 0;  ///< [A]
   estimate residual_torque;     ///< Before the ramp, of a brake that was not energised before [N m].
-  branch rising, falling;       ///< Torque at each point [N m].
+  branch rising;                ///< Torque at each point on the way up [N m],
+  branch falling;               ///< and on the way down.
   /// Largest distance of the branches over the points [N m], with the standard error there.
   estimate hysteresis;
   std::vector<branch_sample> samples;  ///< Both branches.

@@ -81,9 +81,10 @@ inline magnetorheological_step fit_magnetorheological_step(std::span<const bench
 
 /// What three records told of such a brake.
 struct magnetorheological_identification {
-  magnetorheological_loop loop;             ///< Its constants.
-  magnetorheological_step rising, falling;  ///< Lag and dead time of its current.
-  current_ramp ramp;                        ///< With those delays.
+  magnetorheological_loop loop;     ///< Its constants.
+  magnetorheological_step rising;   ///< Lag and dead time of its current on the way up,
+  magnetorheological_step falling;  ///< and on the way down.
+  current_ramp ramp;                ///< With those delays.
 };
 
 /// From a step up of a brake that was not energised before, a step down to 0 A and a ramp: the lag of the
