@@ -161,6 +161,6 @@ int main(int argc, char** argv) try {
     identify(brake, believed, directory);
   }
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "%s\n", error.what());
+  std::fprintf(stderr, "error: %s\n", error.what());
   return 1;
 }

@@ -11,6 +11,14 @@
 
 namespace passive_haptics {
 
+/// f(m) of a magnetorheological_brake: torque [N m] of a magnetisation m >= 0 for the greatest current [1],
+/// torque_limit tanh(k m) / tanh(k) with k = saturation [1]. Of any scalars that have a tanh.
+template <class S, class M>
+auto saturating_torque(const S& torque_limit, const S& saturation, const M& m) {
+  using std::tanh;
+  return torque_limit * (tanh(saturation * m) / tanh(saturation));
+}
+
 /// Friction whose strength follows the coil current around a loop. With j the current for the greatest one,
 /// c = coercive_current and k = saturation:
 ///
@@ -46,9 +54,7 @@ struct magnetorheological_brake {
   };
 
   /// f: torque [N m] of a magnetisation m >= 0.
-  T torque_of(T m) const noexcept {
-    return torque_limit * (std::tanh(saturation * m) / std::tanh(saturation));
-  }
+  T torque_of(T m) const noexcept { return saturating_torque(torque_limit, saturation, m); }
   /// f^-1: magnetisation in [0, 1] of a torque [N m].
   T magnetisation_of(T torque) const noexcept {
     const T share = valid_command(torque, torque_limit) / torque_limit;

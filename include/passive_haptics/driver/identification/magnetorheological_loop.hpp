@@ -2,6 +2,7 @@
 /// Constants of a magnetorheological_brake (brake/models), from a ramp of the current and a step of it.
 #pragma once
 
+#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
 #include <passive_haptics/driver/identification/current_ramp.hpp>
 #include <passive_haptics/driver/identification/step_response.hpp>
 
@@ -19,11 +20,10 @@ struct magnetorheological_loop {
 
 namespace detail {
 
-// Torque [N m] of the magnetisation m >= 0; p: torque_limit, k, c, residual_torque
+// p: torque_limit, k, c, residual_torque
 template <class S, class M>
 auto magnetorheological_torque(const vector<S, 4>& p, const M& m) {
-  using std::tanh;
-  return p[3] + p[0] * tanh(p[1] * m) / tanh(p[1]);
+  return p[3] + saturating_torque(p[0], p[1], m);
 }
 
 }  // namespace detail
