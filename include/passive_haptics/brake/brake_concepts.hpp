@@ -102,7 +102,7 @@ struct unlimited_brakes {
 };
 
 /// Nothing can be wrong with them.
-inline std::string validate(const unlimited_brakes&) { return {}; }
+inline error_message validate(const unlimited_brakes&) { return {}; }
 
 /// Most torque of brake i [N m]; infinite where no limit is named.
 template <class T, class B>
@@ -134,9 +134,9 @@ vector<T, Brakes> torque_dead_bands_of(const B& brakes) {
 
 /// What is wrong with the brakes, whatever members they have; empty if nothing.
 template <class B>
-std::string check_brakes(const B& brakes) {
+error_message check_brakes(const B& brakes) {
   [[maybe_unused]] constexpr range size = range::not_negative;
-  std::string limit, rate, torque, lag;
+  error_message limit, rate, torque, lag;
   if constexpr (detail::names_torque_limit<B>)
     limit = check_value("torque_limit", brakes.torque_limit, "N m", size);
   if constexpr (detail::names_rate_dead_band<B>)

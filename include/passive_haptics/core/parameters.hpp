@@ -59,7 +59,7 @@ constexpr member<P, V> choice(const char* called, V P::* where, const char* amon
 ///
 /// A member may be a number, a vector or matrix, an array, another such struct, an enumeration, a bool or a
 /// std::string. What no range can say (a direction that is read only for some values of another member, a
-/// sum) is the struct's own `std::string rules() const`: an error, or empty. It may take the members to be
+/// sum) is the struct's own `error_message rules() const`: an error, or empty. It may take the members to be
 /// valid. A `static constexpr const char* owner = "a ball"` makes errors say whose radius it is.
 template <class... Members>
 constexpr auto member_table(const Members&... members) {
@@ -168,28 +168,44 @@ void visit(const P& p, const place* at, Visitor& to) {
   to.whole(at, p);
 }
 
+// Of a value outside of its range, where it stands.
+template <class T>
+error_message range_error(const place& at, const member_description& about, const T& x) {
+  if constexpr (!errors_have_text) return about.name;
+  else return error_text(at.text(about.unit), x, to_text(about.hard, std::is_integral_v<T>));
+}
+template <class T>
+error_message length_error(const place& at, const member_description& about, const T& x) {
+  if constexpr (!errors_have_text) return about.name;
+  else return error_text(at.text("", "|"), x, to_text(about.hard));
+}
+inline std::string error_at(const place& at, const std::string& error) {
+  return at.text().append(".").append(error);
+}
+inline textless_error error_at(const place&, const textless_error& error) { return error; }
+
 // The first error.
 struct checker : visitor {
-  std::string error = {};
+  error_message error = {};
 
   template <class T>
   void value(const member_description& about, const place& at, const T& x) {
     if constexpr (std::is_arithmetic_v<T>) {
       if (!error.empty() || about.hard.is_direction || about.hard.contains(x)) return;
-      error = error_text(at.text(about.unit), x, to_text(about.hard, std::is_integral_v<T>));
+      error = range_error(at, about, x);
     }
   }
   template <class T>
   void length(const member_description& about, const place& at, const T& x) {
     if (!error.empty() || about.hard.contains(x)) return;
-    error = error_text(at.text("", "|"), x, to_text(about.hard));
+    error = length_error(at, about, x);
   }
   template <class P>
   void whole(const place* at, const P& p) {
     if constexpr (requires { p.rules(); }) {
       if (!error.empty()) return;
       error = p.rules();
-      if (!error.empty() && at != nullptr) error.insert(0, at->text().append("."));
+      if (!error.empty() && at != nullptr) error = error_at(*at, error);
     }
   }
 };
@@ -198,7 +214,7 @@ struct checker : visitor {
 
 /// What is wrong with the parameters; empty if nothing: "length_1 [m] = -1, expected a finite number > 0".
 template <Parameters P>
-std::string validate(const P& p) {
+error_message validate(const P& p) {
   detail::checker check;
   detail::visit(p, nullptr, check);
   return check.error;
@@ -206,8 +222,8 @@ std::string validate(const P& p) {
 
 /// The same of a value by itself, a number, vector, matrix or array; owner: whose it is.
 template <class V>
-std::string check_value(const char* name, const V& value, const char* unit, const range& hard,
-                        const char* owner = "") {
+error_message check_value(const char* name, const V& value, const char* unit, const range& hard,
+                          const char* owner = "") {
   detail::checker check;
   detail::visit_member(member_description{name, unit, hard, range::anything},
                        detail::place{.name = name, .owner = owner}, value, check);
@@ -215,14 +231,17 @@ std::string check_value(const char* name, const V& value, const char* unit, cons
 }
 
 /// Throws std::invalid_argument with this error unless it is empty; under -fno-exceptions prints it and ends
-/// the program. For constructors, never for a control cycle.
-inline void require_no_error(const std::string& error) {
+/// the program, on a microcontroller by a trap. For constructors, never for a control cycle.
+inline void require_no_error(const error_message& error) {
   if (error.empty()) return;
 #if defined(__cpp_exceptions)
   throw std::invalid_argument("passive_haptics: " + error);
 #else
-  std::fprintf(stderr, "passive_haptics: %s\n", error.c_str());
-  std::abort();
+  if constexpr (errors_have_text) {
+    std::fprintf(stderr, "passive_haptics: %s\n", std::string(error).c_str());
+    std::abort();
+  }
+  __builtin_trap();
 #endif
 }
 

@@ -12,6 +12,35 @@
 #include <utility>
 
 namespace passive_haptics {
+
+// Without exceptions and an operating system nobody could read a text, and it would bring a heap with it
+#if defined(__cpp_exceptions) || defined(__unix__) || defined(__APPLE__) || defined(_WIN32) || \
+    defined(__EMSCRIPTEN__)
+inline constexpr bool errors_have_text = true;  ///< Whether an error_message is a std::string.
+#else
+inline constexpr bool errors_have_text = false;  ///< Whether an error_message is a std::string.
+#endif
+
+/// Whether something is wrong, and for a debugger the name of the wrong member: an error without a heap.
+class textless_error {
+ public:
+  textless_error() = default;
+  /// A literal.
+  textless_error(const char* name) : name_(name) {}
+  /// Of a text only whether there is one.
+  textless_error(const std::string& text) : name_(text.empty() ? "" : "a parameter") {}
+  /// Nothing is wrong.
+  bool empty() const { return *name_ == '\0'; }
+  /// The name.
+  operator std::string() const { return name_; }
+
+ private:
+  const char* name_ = "";
+};
+
+/// What is wrong, empty if nothing: a std::string, but where a microcontroller has no exceptions.
+using error_message = std::conditional_t<errors_have_text, std::string, textless_error>;
+
 namespace detail {
 
 /// Six digits, as "%g" writes them in the C locale, but 1e7 for 1e+07.
@@ -54,8 +83,10 @@ std::string value_text(const T& value) {
 }
 
 template <class T>
-std::string error_text(std::string_view name, T value, std::string_view expected) {
-  return std::string(name).append(" = ").append(value_text(value)).append(", expected ").append(expected);
+error_message error_text(std::string_view name, T value, std::string_view expected) {
+  if constexpr (!errors_have_text) return "a parameter";
+  else
+    return std::string(name).append(" = ").append(value_text(value)).append(", expected ").append(expected);
 }
 
 /// "before i after". (A literal + std::string makes g++ 12 warn of overlapping memory at -O3.)
@@ -72,9 +103,9 @@ constexpr std::string_view word_of(E value, const char* const (&words)[N]) {
 }
 
 /// The first error that is not empty.
-template <class... Strings>
-std::string first_error(Strings... errors) {
-  std::string first;
+template <class... Errors>
+error_message first_error(Errors... errors) {
+  error_message first;
   ((first.empty() ? void(first = std::move(errors)) : void()), ...);
   return first;
 }

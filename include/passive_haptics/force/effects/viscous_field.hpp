@@ -20,7 +20,7 @@ struct viscous_field_parameters {
     return member_table(member("viscosity", &p::viscosity, "N s/m", range::finite, plausible(-1e4, 1e4)));
   }
   /// It drives no motion. Eigenvalues down to -rounding |B| count as zero.
-  std::string rules() const {
+  error_message rules() const {
     const T size = viscosity.norm();
     const matrix<T, D, D> rounding = rounding_tolerance<T>(D) * size * matrix<T, D, D>::Identity();
     const matrix<T, D, D> symmetric = (viscosity + viscosity.transpose()) / T(2) + rounding;

@@ -33,7 +33,7 @@ struct chain_joint {
                         member("point", &p::point, "m", range::anything, plausible(-5, 5)));
   }
   /// Of what is read.
-  std::string rules() const {
+  error_message rules() const {
     const bool turns = kind == joint_kind::revolute;
     if (turns && D == 2) return check_value("point", point, "m", range::finite);
     return detail::first_error(check_value("axis", axis, "1", range::direction),

@@ -47,7 +47,7 @@ struct delta_parameters {
         member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)));
   }
   /// The loops close.
-  std::string rules() const {
+  error_message rules() const {
     if (std::abs(base_radius - platform_radius) < upper_arm + forearm) return {};
     return detail::error_text("base_radius - platform_radius [m]", base_radius - platform_radius,
                               "less than upper_arm + forearm in magnitude");

@@ -48,7 +48,7 @@ struct five_bar_parameters {
         member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)));
   }
   /// The loop closes.
-  std::string rules() const {
+  error_message rules() const {
     const T perimeter = base_distance + proximal_1 + proximal_2 + distal_1 + distal_2;
     const T longest = std::max({base_distance, proximal_1, proximal_2, distal_1, distal_2});
     if (longest < perimeter - longest) return {};

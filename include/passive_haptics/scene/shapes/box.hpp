@@ -34,7 +34,7 @@ struct box_parameters {
                         member("axes", &p::axes, "1", range::finite));
   }
   /// The axes are orthonormal within box_axes_tolerance.
-  std::string rules() const {
+  error_message rules() const {
     const double skew = (axes.transpose() * axes - matrix<double, D, D>::Identity()).cwiseAbs().maxCoeff();
     if (skew <= box_axes_tolerance) return {};
     return detail::error_text("|axes^T axes - I| of a box", skew, "orthonormal columns");

@@ -26,7 +26,7 @@ struct capsule_parameters {
                         member("radius", &p::radius, "m", range::not_negative, plausible(0, 10)));
   }
   /// The length does not overflow.
-  std::string rules() const {
+  error_message rules() const {
     return check_value("length", (to - from).stableNorm(), "m", range::finite, owner);
   }
 };
