@@ -2,7 +2,9 @@
 /// What the library asks of floating-point arithmetic, its named tolerances, signs and choices.
 #pragma once
 
-#include <bit>
+#include <passive_haptics/core/scalar/bit_cast.hpp>
+
+#include <cfloat>
 #include <cstdint>
 #include <limits>
 #include <numbers>
@@ -11,6 +13,11 @@
 // With -ffinite-math-only the tests for NaN are compiled away and sign regions come out wrong.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
 #error "passive_haptics needs IEEE arithmetic: compile this file without -ffast-math / -ffinite-math-only."
+#endif
+
+// x87 rounds to no type's own precision: what adds 1.5 * 2^52 to round to an integer gets another number.
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#error "passive_haptics needs float and double as they are: on 32-bit x86 compile with -msse2 -mfpmath=sse."
 #endif
 
 namespace passive_haptics {
@@ -49,12 +56,12 @@ X choose(bool where, X a, X b) {
     return where ? a : b;
   } else {
     using bits = std::conditional_t<sizeof(X) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
-    const auto x = std::bit_cast<bits>(a), y = std::bit_cast<bits>(b);
+    const auto x = detail::bit_cast<bits>(a), y = detail::bit_cast<bits>(b);
     bits mask = -static_cast<bits>(where);
 #if defined(__clang__)
     asm("" : "+r"(mask));
 #endif
-    return std::bit_cast<X>(y ^ ((x ^ y) & mask));
+    return detail::bit_cast<X>(y ^ ((x ^ y) & mask));
   }
 }
 

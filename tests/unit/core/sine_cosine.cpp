@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -27,9 +28,10 @@ double ulps(T value, const exact& truth) {
 
 template <class T>
 void check(T x) {
+  constexpr double most = std::same_as<T, float> ? 0.9 : 2.0;
   const auto [s, c] = ph::sine_cosine(x);
-  EXPECT_LE(ulps(s, sin(exact(x))), 2.0) << "sine of " << x;
-  EXPECT_LE(ulps(c, cos(exact(x))), 2.0) << "cosine of " << x;
+  EXPECT_LE(ulps(s, sin(exact(x))), most) << "sine of " << x;
+  EXPECT_LE(ulps(c, cos(exact(x))), most) << "cosine of " << x;
 }
 
 TEST(sine_cosine, angles_of_every_size) {
@@ -46,7 +48,21 @@ TEST(sine_cosine, near_multiples_of_a_right_angle) {
   for (int k = -1000; k <= 1000; ++k) {
     const double right = k * std::numbers::pi / 2;
     for (const double x : {right, std::nextafter(right, 1e9), std::nextafter(right, -1e9)}) check(x);
+    const auto near = static_cast<float>(right);
+    for (const float x : {near, std::nextafter(near, 1e9f), std::nextafter(near, -1e9f)}) check(x);
   }
+}
+
+// Few turns and many are reduced each in its own way.
+TEST(sine_cosine, of_float_holds_for_every_size) {
+  const float few = ph::detail::few_turns, largest = std::numeric_limits<float>::max();
+  for (const float x : {few, std::nextafter(few, 1e9f), std::nextafter(few, 0.f), 1e5f, largest,
+                        std::ldexp(1.f, 100), 16367173.f * std::ldexp(1.f, 72)}) {
+    check(x);
+    check(-x);
+  }
+  ph::testing::random_source random(13);
+  for (int k = 0; k < 1000; ++k) check(static_cast<float>(std::exp2(random.uniform(-149.0, 127.9))));
 }
 
 TEST(sine_cosine, beyond_its_own_range_it_is_that_of_the_c_library) {
@@ -75,6 +91,14 @@ TEST(sine_cosine, of_two_angles_is_that_of_each) {
       EXPECT_EQ(pair.cosine, std::cos(0.5));
     }
   }
+  for (const float x : {0.5f, -3.f, 1e4f, 3e38f})
+    for (const float y : {-0.7f, 100.f, -1e30f}) {
+      const auto pairs = ph::sine_cosine(x, y);
+      EXPECT_EQ(pairs[0].sine, ph::sine_cosine(x).sine);
+      EXPECT_EQ(pairs[0].cosine, ph::sine_cosine(x).cosine);
+      EXPECT_EQ(pairs[1].sine, ph::sine_cosine(y).sine);
+      EXPECT_EQ(pairs[1].cosine, ph::sine_cosine(y).cosine);
+    }
 }
 
 TEST(sine_cosine, of_many_angles_is_that_of_each) {
@@ -87,15 +111,22 @@ TEST(sine_cosine, of_many_angles_is_that_of_each) {
   }
 }
 
-TEST(sine_cosine, special_values) {
-  EXPECT_EQ(ph::sine_cosine(0.0).sine, 0.0);
-  EXPECT_EQ(ph::sine_cosine(0.0).cosine, 1.0);
-  const double denormal = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(ph::sine_cosine(denormal).sine, denormal);
-  for (const double x : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+template <class T>
+void check_special_values() {
+  using numbers = std::numeric_limits<T>;
+  EXPECT_EQ(ph::sine_cosine(T(0)).sine, T(0));
+  EXPECT_EQ(ph::sine_cosine(T(0)).cosine, T(1));
+  EXPECT_EQ(ph::sine_cosine(numbers::denorm_min()).sine, numbers::denorm_min());
+  for (const T x : {numbers::quiet_NaN(), numbers::infinity()}) {
     EXPECT_TRUE(std::isnan(ph::sine_cosine(x).sine));
     EXPECT_TRUE(std::isnan(ph::sine_cosine(-x).cosine));
+    EXPECT_TRUE(std::isnan(ph::sine_cosine(x, T(1))[0].sine));
   }
+}
+
+TEST(sine_cosine, special_values) {
+  check_special_values<double>();
+  check_special_values<float>();
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <passive_haptics/core/arithmetic.hpp>
 #include <passive_haptics/core/linear/packets.hpp>
 #include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/scalar/bit_cast.hpp>
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -30,11 +30,11 @@ struct truths_of<T> {
 // Bits of two packets: those of x where m is set, else those of y.
 template <class Packet, class Bits>
 [[gnu::always_inline]] inline Packet merged(const Bits& m, const Packet& x, const Packet& y) {
-  return std::bit_cast<Packet>((std::bit_cast<Bits>(x) & m) | (std::bit_cast<Bits>(y) & ~m));
+  return bit_cast<Packet>((bit_cast<Bits>(x) & m) | (bit_cast<Bits>(y) & ~m));
 }
 template <class Packet>
 [[gnu::always_inline]] inline Packet with_sign_of(const Packet& x, const Packet& y) {
-  return merged(std::bit_cast<truths_of<double>::type>(-Packet{}), x, y);
+  return merged(bit_cast<truths_of<double>::type>(-Packet{}), x, y);
 }
 
 }  // namespace detail
@@ -125,7 +125,7 @@ struct lanes {
   template <class F>
   [[gnu::always_inline]] static mask test(F&& f) {
     mask x;
-    unrolled<count>([&](auto k) { x.p[k] = std::bit_cast<typename detail::truths_of<T>::type>(f(k)); });
+    unrolled<count>([&](auto k) { x.p[k] = detail::bit_cast<typename detail::truths_of<T>::type>(f(k)); });
     return x;
   }
 

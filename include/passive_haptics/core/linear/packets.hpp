@@ -2,9 +2,9 @@
 /// Short vectors in packets of 16 bytes, the registers of every x86-64 and ARM64.
 #pragma once
 
+#include <passive_haptics/core/scalar/bit_cast.hpp>
 #include <passive_haptics/core/unrolled.hpp>
 
-#include <bit>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -181,11 +181,10 @@ template <class T, int N>
   static_assert(N <= last_bits + 1);
   packets<T, N> marked;
   unrolled<packets<T, N>::count>([&](auto i) {
-    marked.p[i] =
-        std::bit_cast<packet>((std::bit_cast<integers>(x.p[i]) & ~last_bits) | places<T>(i * width));
+    marked.p[i] = bit_cast<packet>((bit_cast<integers>(x.p[i]) & ~last_bits) | places<T>(i * width));
   });
-  const auto bits = std::bit_cast<integer_of<T>>(largest_value(marked));
-  return {std::bit_cast<T>(bits & ~last_bits), static_cast<int>(bits & last_bits)};
+  const auto bits = bit_cast<integer_of<T>>(largest_value(marked));
+  return {bit_cast<T>(bits & ~last_bits), static_cast<int>(bits & last_bits)};
 }
 
 /// The largest of x >= 0, to 64 roundings. Which one it is, no processor could predict, so there is no

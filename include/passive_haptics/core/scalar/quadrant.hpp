@@ -1,0 +1,33 @@
+/// @file
+/// The circle in right angles: what the sines of double and of float share.
+#pragma once
+
+#include <passive_haptics/core/scalar/bit_cast.hpp>
+
+namespace passive_haptics {
+
+/// sin and cos of an angle.
+template <class T>
+struct sine_cosine_pair {
+  T sine;    ///< sin
+  T cosine;  ///< cos
+};
+
+namespace detail {
+
+/// sin and cos of r + quadrant pi/2 from those of r, without a branch. Of one number or of several, whose
+/// bits are Words and the last of them number SignBit.
+template <int SignBit, class Reals, class Words>
+[[gnu::always_inline]] inline sine_cosine_pair<Reals> in_quadrant(Words quadrant, Reals sine, Reals cosine) {
+  // An odd quadrant swaps the two; the sine's sign is bit 1 of the quadrant, the cosine's that of the one
+  // after
+  const Words sine_bits = bit_cast<Words>(sine), cosine_bits = bit_cast<Words>(cosine);
+  const Words swapped = (sine_bits ^ cosine_bits) & -(quadrant & 1);
+  const auto with_sign = [](Words bits, Words sign_in_bit_1) {
+    return bit_cast<Reals>(bits ^ ((sign_in_bit_1 & 2) << (SignBit - 1)));
+  };
+  return {with_sign(sine_bits ^ swapped, quadrant), with_sign(cosine_bits ^ swapped, quadrant + 1)};
+}
+
+}  // namespace detail
+}  // namespace passive_haptics
