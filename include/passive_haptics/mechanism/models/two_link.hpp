@@ -122,7 +122,7 @@ class two_link {
 
   /// c(q, qd) [N m]: Coriolis and centrifugal; the plane is horizontal, so no gravity.
   vector<T, 2> bias_torque(const vector<T, 2>& q, const vector<T, 2>& qd) const {
-    const T h = coupling() * std::sin(q[1]);
+    const T h = coupling() * sine_cosine(q[1]).sine;
     return {-h * (T(2) * qd[0] * qd[1] + qd[1] * qd[1]), h * qd[0] * qd[0]};
   }
 
@@ -139,7 +139,7 @@ class two_link {
     const T l1 = p_.length_1, l2 = p_.length_2, m1 = p_.mass_1, m2 = p_.mass_2, mh = p_.handle_mass;
     const T third = T(1) / T(3);  // a uniform rod about its end: m l^2 / 3
     const T outer = (third * m2 + mh) * l2 * l2;
-    const T cross = coupling() * std::cos(q[1]);
+    const T cross = coupling() * sine_cosine(q[1]).cosine;
     const T M11 = (third * m1 + m2 + mh) * l1 * l1 + outer + T(2) * cross;
     return matrix<T, 2, 2>{{M11, outer + cross}, {outer + cross, outer}};
   }

@@ -1,0 +1,17 @@
+# A control cycle on a Cortex-M7: no heap, no more flash than is stated, and no more instructions.
+# Needs: what build.cmake needs; size, nm, scalar, most_flash [bytes], most_instructions.
+set(platform cortex_m7)
+include(${CMAKE_CURRENT_LIST_DIR}/build.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../driver/firmware_arm/small.cmake)
+set(elf ${directory}/cycle.elf)
+build(cycle.cpp ${elf} -O2 -DSCALAR=${scalar})
+require_no_heap("a control cycle" ${elf})
+require_small("a control cycle in ${scalar}" ${elf} ${most_flash} 1024)
+run(${elf} said)
+message("${said}")
+if(NOT said MATCHES "instructions a cycle: ([0-9]+)" OR CMAKE_MATCH_1 GREATER most_instructions)
+  message(FATAL_ERROR "expected at most ${most_instructions} instructions")
+endif()
+if(said MATCHES "capacities: 0x0[.]0+p0 0x0[.]0+p0")
+  message(FATAL_ERROR "the cycle asks for no torque")
+endif()
