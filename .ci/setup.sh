@@ -38,6 +38,14 @@ present() {
     libbenchmark-dev) found_by_dpkg "$1" || found_by_cmake benchmark ;;
     libcomedi-dev) found_by_dpkg "$1" || [[ -f /usr/include/comedilib.h ]] ;;
     qemu-system-x86) command -v qemu-system-x86_64 >/dev/null ;;
+    qemu-user) command -v qemu-aarch64 >/dev/null ;;
+    g++-aarch64-linux-gnu) command -v aarch64-linux-gnu-g++ >/dev/null ;;
+    g++-i686-linux-gnu) command -v i686-linux-gnu-g++ >/dev/null ;;
+    g++-mingw-w64-x86-64) command -v x86_64-w64-mingw32-g++ >/dev/null ;;
+    wine64) [[ -x /usr/lib/wine/wine64 ]] || command -v wine64 >/dev/null ;;
+    emscripten) command -v em++ >/dev/null ;;
+    nodejs) command -v node >/dev/null ;;
+    libc++*-dev) found_by_dpkg "$1" ;;
     clang) command -v clang++ >/dev/null ;;
     llvm) command -v llvm-cov >/dev/null ;;
     libclang-rt-dev) echo 'int main() {}' | clang++ -fsanitize=address -x c++ - -o /dev/null 2>/dev/null ;;

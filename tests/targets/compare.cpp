@@ -1,5 +1,6 @@
-// compare EXPECTED ACTUAL [IN_DOUBLE IN_FLOAT]: whether two outputs of golden are the same; with two bounds, whether their
-// numbers are as near, relative to 1 or to the number if that is larger. Words and whole numbers must be the same.
+// compare EXPECTED ACTUAL [IN_DOUBLE IN_FLOAT]: whether two outputs of golden are the same; with two bounds,
+// whether their numbers are as near, relative to 1 or to the number if that is larger. Words and whole
+// numbers must be the same.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -49,7 +50,8 @@ int main(int argc, char** argv) {
   std::string more;
   if (std::getline(actual, more)) ++wrong;
   std::cout << lines << " lines, " << wrong << " wrong";
-  if (!exactly) std::cout << ", the others within " << worst[0] << " in double and " << worst[1] << " in float";
+  if (!exactly)
+    std::cout << ", the others within " << worst[0] << " in double and " << worst[1] << " in float";
   std::cout << "\n";
   return lines > 0 && wrong == 0 ? 0 : 1;
 }

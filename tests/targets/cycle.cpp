@@ -1,4 +1,5 @@
-// One control cycle of the paper's device on a microcontroller: what it takes of flash, and how many instructions.
+// One control cycle of the paper's device on a microcontroller: what it takes of flash, and how many
+// instructions.
 #include "output.hpp"
 
 #include <passive_haptics/control/controller.hpp>
@@ -18,7 +19,8 @@ namespace {
 
 using device = ph::tendon_two_link<SCALAR>;
 
-// SysTick counts the core's clock, 25 MHz, down; under QEMU's -icount shift=0 an instruction takes a nanosecond.
+// SysTick counts the core's clock, 25 MHz, down; under QEMU's -icount shift=0 an instruction takes a
+// nanosecond.
 struct clock {
   volatile std::uint32_t ctrl, load, val;
 };

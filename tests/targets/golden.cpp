@@ -1,5 +1,5 @@
-// The same control cycles on every target, what each decides as bits. No inputs but integers, no output but text: it runs
-// without an operating system as well.
+// The same control cycles on every target, what each decides as bits. No inputs but integers, no output but
+// text: it runs without an operating system as well.
 //   golden            prints the results
 //   golden margins    also asks the neighbours of each input: fails where one of them decides otherwise
 #include "output.hpp"

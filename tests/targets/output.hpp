@@ -12,8 +12,8 @@ namespace output {
 // Where the target writes a text that ends with a zero.
 void write(const char* text);
 
-/// Words and numbers with spaces between them; written with its end. A float or double stands as C's %a has it, each
-/// with all its digits: equal text is equal bits.
+/// Words and numbers with spaces between them; written with its end. A float or double stands as C's %a has
+/// it, each with all its digits: equal text is equal bits.
 class line {
  public:
   explicit line(const char* name) {
