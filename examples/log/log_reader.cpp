@@ -1,6 +1,8 @@
 #include <log/log_reader.hpp>
 #include <log/log_row.hpp>
 
+#include <passive_haptics/core/text.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -120,7 +122,8 @@ void log_reader::fail(std::size_t column, const std::string& found, const std::s
   std::string where = file_;
   where.append(", line ").append(std::to_string(number_));
   if (column > 0) where.append(", column ").append(std::to_string(column));
-  throw log_error(where.append(": ").append(found).append(", expected ").append(expected));
+  where.append(": ").append(found).append(", expected ").append(expected);
+  throw log_error(passive_haptics::detail::printable(where));
 }
 
 bool log_reader::next_line() {

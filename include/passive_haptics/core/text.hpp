@@ -95,6 +95,14 @@ std::string indexed(std::string_view before, Index i, std::string_view after) {
   return std::string(before).append(value_text(i)).append(after);
 }
 
+/// A text from a file, for a message: '?' for control characters, which would end it or steer the terminal.
+inline std::string printable(std::string_view found) {
+  std::string text(found);
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
 /// The word at an enumeration's value, which counts from 0; the last word for all values beyond.
 template <class E, std::size_t N>
 constexpr std::string_view word_of(E value, const char* const (&words)[N]) {

@@ -107,6 +107,8 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
             "2: simulation.brake = 'air', expected one of \"coulomb\", \"stribeck\", "},
            {"[simulation]\nseed = -1", "2: [simulation] seed = -1, expected a whole number >= 0"},
            {"log = \"brake\\u0000driver.csv\"", "1: log = "},
+           {"\"a\\u0000\\u001b[2J\" = 1", "1: unknown key 'a??[2J', expected one of "},
+           {"\nl\u00e4nge = 1", "2: Error while parsing key-value pair"},
        }) {
     const outcome o = check(text);
     EXPECT_EQ(o.status, 2) << text;

@@ -191,6 +191,8 @@ TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
       {"a blank line in between", header + good + "\n" + good,
        "line 4: a blank line before this one, expected numbers in each line"},
       {"a zero byte", header + std::string("0,1,2\0,3", 8), "line 2: a zero byte, expected text"},
+      {"control characters", header + "0,1\x1b[2J\t,3\n",
+       "line 2, column 2: '?[2J?' after a number" + number + " alone; units stand in the header"},
       {"an endless line", header + std::string(5000, '1'),
        "line 2: more than 4096 characters, expected a shorter line"},
       {"an open quote", header + "0,1,\"x\n0.1,1,2\n", "no message"},  // of a column that nobody reads

@@ -162,6 +162,7 @@ TEST_F(mesh_of_a_file, that_is_wrong_is_named_with_place_and_expectation) {
            {"v 0 0 1e999\n", "line 1: '1e999', expected a coordinate"},
            {v3 + "v 0 0 nan\nf 1 2 3\n", "vertex 3 is not finite, expected coordinates; the file is damaged"},
            {v3 + "f 1 2 2\n", "no triangle has an area, expected one or more"},
+           {std::string("v 0 0 1\0\x1b[2J\n", 13), "line 1: '1??[2J', expected a coordinate"},
            {v3 + "curv 0 1 1 2\n",
             "line 4: 'curv', expected v, f or another keyword of a mesh; curves and free-form surfaces are "
             "not "

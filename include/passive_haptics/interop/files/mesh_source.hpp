@@ -23,7 +23,7 @@ namespace passive_haptics::detail {
 
 /// Throws std::invalid_argument that names the file.
 [[noreturn]] inline void fail_mesh_file(const std::filesystem::path& path, const std::string& error) {
-  require_no_error(std::string("mesh file ").append(path.string()).append(": ").append(error));
+  require_no_error(std::string("mesh file ").append(path.string()).append(": ").append(printable(error)));
   std::abort();
 }
 
