@@ -109,7 +109,7 @@ class log_file {
     return rows_.size() > 0 && text_.back() == '\n';
   }
 
- private:
+  // The cells of a line.
   static words split(const std::string& line) {
     words all(1);
     bool quoted = false;
@@ -121,6 +121,7 @@ class log_file {
     return all;
   }
 
+ private:
   std::string text_;
   words names_;
   std::vector<words> rows_;
