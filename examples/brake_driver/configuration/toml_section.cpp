@@ -36,6 +36,13 @@ bool speaks_of(std::string_view error, std::string_view key) {
   return false;
 }
 
+// A value or a key may be as long as its file.
+std::string beginning_of(std::string text) {
+  constexpr std::size_t most = 200;  // characters
+  if (text.size() > most) text.replace(most, text.npos, "...");
+  return text;
+}
+
 // Any whole number of TOML, the nearest double where it has over 53 bits, or any other one.
 std::optional<double> number_of(const toml::node& n) {
   if (const auto whole = n.value_exact<std::int64_t>()) return static_cast<double>(*whole);
@@ -79,7 +86,7 @@ struct toml_section::state {
     std::ostringstream value;
     if (at.is_table()) value << "a table";
     else at.visit([&](const auto& node) { value << node; });
-    std::string line = value.str();
+    std::string line = beginning_of(value.str());
     std::replace(line.begin(), line.end(), '\n', ' ');  // a long list has several
     fail(&at, named(key).append(" = ").append(line).append(", expected ").append(what));
   }
@@ -278,14 +285,16 @@ void toml_section::finish() const {
       if (state_->known.contains(key.str())) continue;
       std::string all;
       for (const std::string& one : state_->known) all.append(all.empty() ? "" : ", ").append(one);
-      state_->fail(&node, "unknown key '" + state_->named(key.str()) + "', expected one of " + all);
+      state_->fail(&node,
+                   "unknown key '" + beginning_of(state_->named(key.str())) + "', expected one of " + all);
     }
   }
   for (const auto& inner : state_->inner) toml_section(inner).finish();
   if (!state_->name.empty()) return;
   for (const auto& [key, was_large] : *state_->allowed)
     if (!was_large)
-      require("allow_large = [\"" + key + "\"], expected keys of values that are large; remove it");
+      require("allow_large = [\"" + beginning_of(key) +
+              "\"], expected keys of values that are large; remove it");
 }
 
 void toml_section::require(const std::string& error) const {

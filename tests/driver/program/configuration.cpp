@@ -152,6 +152,17 @@ TEST_F(a_configuration, that_is_too_large_is_not_read) {
             "error: c.toml: 1000000000 bytes, expected at most 1048576\n");
 }
 
+TEST_F(a_configuration, that_is_wrong_at_length_is_named_by_its_beginning) {
+  const std::string text(100'000, 'x'), begins(100, 'x');
+  for (const std::string& line :
+       {"law = \"" + text + "\"", text + " = 1", "allow_large = [\"" + text + "\"]"}) {
+    const outcome o = check(line);
+    EXPECT_EQ(o.status, 2);
+    EXPECT_LT(o.err.size(), 1000u);
+    EXPECT_TRUE(has(o.err, begins) && has(o.err, "..., expected ") == has(o.err, "law = ")) << o.err;
+  }
+}
+
 TEST_F(a_configuration, that_is_too_deep_is_refused_before_it_is_parsed) {
   const auto nested = [](const std::string& open, const std::string& close, int depth) {
     std::string text;
