@@ -1,6 +1,6 @@
-// libFuzzer: bytes become a device and all that a step is told, and no law may break. Run: fuzz_step
-// -max_total_time=300
+// libFuzzer: bytes become a device and all that a step is told, and no law may break.
 #include "../stress/broken_law.hpp"
+#include "input.hpp"
 
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
@@ -18,28 +18,7 @@ namespace {
 
 namespace ph = passive_haptics;
 
-// Takes numbers from the input; 0 once it has ended.
-class reader {
- public:
-  reader(const std::uint8_t* data, std::size_t size) : data_(data), end_(data + size) {}
-
-  std::uint8_t byte() { return data_ < end_ ? *data_++ : std::uint8_t{0}; }
-  double number() {
-    double x = 0;
-    if (end_ - data_ < static_cast<std::ptrdiff_t>(sizeof x)) return 0;
-    std::memcpy(&x, data_, sizeof x);
-    data_ += sizeof x;
-    return x;
-  }
-  template <class Vector>
-  void fill(Vector& v) {
-    for (int i = 0; i < v.size(); ++i) v[i] = static_cast<typename Vector::Scalar>(number());
-  }
-
- private:
-  const std::uint8_t* data_;
-  const std::uint8_t* end_;
-};
+using fuzz::reader;
 
 // Any constant Jacobian, of entries that are 0 or 1e-100 ... 1e100: the squares of no column may underflow.
 struct any_jacobian {

@@ -1,0 +1,82 @@
+// libFuzzer: the bytes of a configuration file. What is accepted keeps every range, makes a device under its
+// law, and that device's currents stay within their limits, whatever its sensors say. What is refused is
+// named with the file and what was expected.
+#include "memory_file.hpp"
+
+#include <configuration/configuration.hpp>
+#include <devices/haptic_device.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+namespace ph = passive_haptics;
+using fuzz::require;
+
+template <class... Parameters>
+void require_valid(const Parameters&... all) {
+  const auto check = [](const auto& p) {
+    const std::string error = validate(p);
+    require(error.empty(), "what is not valid was accepted", error);
+  };
+  (check(all), ...);
+}
+
+// All that it says, in words.
+std::string text_of(const example::configuration& c) {
+  std::string all = c.mechanism + c.law + c.port + c.sensor + c.log + remarks(c) + std::to_string(c.tare);
+  const auto add = [&](const auto&... p) { ((all += ph::to_text(p)), ...); };
+  add(c.tendon_two_link, c.xy_table, c.five_bar, c.brakes, c.encoders, c.rates, c.curves[0], c.curves[1],
+      c.force, c.homing, c.loop, c.real_time, c.safety, c.supervisor, c.comedi, c.serial, c.comedi_sensor,
+      c.net_ft, c.simulation);
+  return all;
+}
+
+void check(example::configuration c) {
+  require_valid(c.tendon_two_link, c.xy_table, c.five_bar, c.brakes, c.curves, c.encoders, c.rates, c.force,
+                c.homing, c.loop, c.real_time, c.safety, c.supervisor, c.serial, c.net_ft, c.simulation);
+  if (c.port == "comedi") require_valid(c.comedi);
+  if (c.sensor == "comedi") require_valid(c.comedi_sensor);
+  require(c.home.allFinite(), "a home pose that is not finite");
+
+  c.simulation.wire.clear();  // no file is to be made
+  const auto device = make_device(c);
+  using limits = std::numeric_limits<double>;
+  constexpr std::array values{0.0, 1.0, -1e3, 1e9, limits::max(), limits::infinity(), limits::quiet_NaN()};
+  example::samples now;
+  example::record r;
+  for (std::size_t k = 0; k < 2 * values.size(); ++k) {
+    now.now += c.loop.period;
+    now.time += c.loop.period;
+    now.counts.fill(k < values.size() ? std::floor(values[k]) : static_cast<double>(k));
+    now.readings.fill(values[k % values.size()]);
+    const auto currents = device->cycle(now, example::phase::running, r);
+    for (std::size_t i = 0; i < currents.size(); ++i)
+      require(currents[i] >= 0 && currents[i] <= c.safety.currents.largest[i], "a current out of its limits");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const fuzz::memory_file file(fuzz::reader(data, size).text());
+  try {
+    const example::configuration c = example::read_configuration(file.path());
+    require(text_of(c) == text_of(example::read_configuration(file.path())),
+            "another reading of the same file");
+    check(c);
+    require(simulated(c).port == "simulated", "not simulated");
+    check(simulated(c));
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    require(text.starts_with(file.path()), "an error without the file", text);
+    fuzz::require_readable(text);
+  }
+  return 0;
+}
