@@ -43,6 +43,19 @@ std::string beginning_of(std::string text) {
   return text;
 }
 
+// In a line. (That of toml++ 3.3 counts the columns of a list, undefined where a number in it is negative.)
+void write(std::ostream& to, const toml::node& n) {
+  if (n.is_table()) {
+    to << "a table";
+  } else if (const toml::array* list = n.as_array()) {
+    to << '[';
+    for (const toml::node& one : *list) write(to << (&one == list->get(0) ? " " : ", "), one);
+    to << (list->empty() ? "]" : " ]");
+  } else {
+    n.visit([&](const auto& value) { to << value; });
+  }
+}
+
 // Any whole number of TOML, the nearest double where it has over 53 bits, or any other one.
 std::optional<double> number_of(const toml::node& n) {
   if (const auto whole = n.value_exact<std::int64_t>()) return static_cast<double>(*whole);
@@ -84,11 +97,8 @@ struct toml_section::state {
   }
   [[noreturn]] void expected(std::string_view key, const toml::node& at, const std::string& what) const {
     std::ostringstream value;
-    if (at.is_table()) value << "a table";
-    else at.visit([&](const auto& node) { value << node; });
-    std::string line = beginning_of(value.str());
-    std::replace(line.begin(), line.end(), '\n', ' ');  // a long list has several
-    fail(&at, named(key).append(" = ").append(line).append(", expected ").append(what));
+    write(value, at);
+    fail(&at, named(key).append(" = ").append(beginning_of(value.str())).append(", expected ").append(what));
   }
   const toml::node* find(std::string_view key) {
     known.emplace(key);

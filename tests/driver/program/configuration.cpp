@@ -55,6 +55,7 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
             "2: brakes.current_limit = '1', expected 2 numbers, or one for all"},
            {"[brakes]\ncurrent_limit = [1, 1, 1]",
             "2: brakes.current_limit = [ 1, 1, 1 ], expected 2 numbers, or one"},
+           {"[homing]\npose = [1.5, -1.5, []]", "2: homing.pose = [ 1.5, -1.5, [] ], expected 2 numbers"},
            {"[brakes]\ncurrent_limit = -1",
             "2: [brakes] brakes[0].current_limit [A] = -1, expected a finite number > 0"},
            {"[brakes]\ncurrent_limit = [1, nan]",
