@@ -50,7 +50,8 @@ TYPED_TEST(tree, finds_every_box_within_a_radius_once_and_few_others) {
       const ph::point<D> x = 1.5 * random.normal_vector<double, D>();
       const double radius = random.positive(1e-3, 3.0);
       std::vector<int> found(boxes.size());
-      all.visit_within(ph::squared_distance_from<D>(x), radius * radius, [&](int item, double bound) {
+      all.visit_within(ph::squared_distance_from<D>(x), radius * radius, [&](int place, double bound) {
+        const int item = all.item(place);
         ++found[static_cast<std::size_t>(item)];
         ASSERT_LE(bound, squared_distance<D>(boxes[static_cast<std::size_t>(item)], x))
             << "seed " << seed << ", box " << item;
@@ -81,8 +82,9 @@ TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
     for (; !search.done(); ++looks)
       all.go_on(
           search, bound, limit,
-          [&](int item, double) {
-            limit = std::min(limit, squared_distance<D>(boxes[static_cast<std::size_t>(item)], x));
+          [&](int place, double) {
+            const auto& box = boxes[static_cast<std::size_t>(all.item(place))];
+            limit = std::min(limit, squared_distance<D>(box, x));
           },
           1);
     double nearest = everything;

@@ -19,7 +19,8 @@ namespace passive_haptics {
 
 /// A tree of four branches a node over items 0 .. n-1, each known by its box. Immutable: any number of
 /// threads may search it. A search is limited by a function of four_outer_boxes: for each, the least that it
-/// seeks in the box can be, as four floats >= 0, each to four_outer_boxes::rounding.
+/// seeks in the box can be, as four floats >= 0, each to four_outer_boxes::rounding. It tells places in the
+/// order of the leaves, in which items that are near each other stand side by side.
 template <int D>
 class bounding_volume_tree {
  public:
@@ -75,6 +76,9 @@ class bounding_volume_tree {
   /// Number of items.
   std::size_t size() const { return items_.size(); }
 
+  /// Which item stands at a place, 0 <= place < size().
+  int item(int place) const { return items_[static_cast<std::size_t>(place)]; }
+
   /// Largest coordinate of the boxes [m].
   double scale() const { return scale_; }
 
@@ -85,7 +89,7 @@ class bounding_volume_tree {
     return s;
   }
 
-  /// Calls visit(item, bound) for items whose bound is <= limit, those in nearer branches first; visit may
+  /// Calls visit(place, bound) for items whose bound is <= limit, those in nearer branches first; visit may
   /// lower the limit. Up to four items share the bound of a box about them. Opens no more than `budget`
   /// nodes.
   template <class Bound, class Visit>
@@ -116,7 +120,7 @@ class bounding_volume_tree {
         const float b = bounds[static_cast<int>(k)];
         if (here->count[k] == 0) push(s, inner, {b, here->first[k]});
         for (std::int32_t i = 0; i < here->count[k] && b <= limit; ++i)
-          visit(static_cast<int>(items_[static_cast<std::size_t>(here->first[k] + i)]), double(b));
+          visit(static_cast<int>(here->first[k] + i), double(b));
       }
     }
   }
@@ -135,7 +139,7 @@ class bounding_volume_tree {
 
   struct node {
     four_outer_boxes<D> boxes;
-    std::array<std::int32_t, 4> first;  // of a leaf its first in items_; of an inner node its number
+    std::array<std::int32_t, 4> first;  // of a leaf its first place; of an inner node its number
     std::array<std::int32_t, 4> count;  // of items; 0 of an inner node, `empty` of a branch without any
   };
 
@@ -219,7 +223,7 @@ class bounding_volume_tree {
   }
 
   std::vector<node> nodes_;
-  std::vector<std::int32_t> items_;  // in the order of the leaves
+  std::vector<std::int32_t> items_;  // by their places
   double scale_ = 0;                 // largest coordinate [m]
 };
 

@@ -59,7 +59,8 @@ class mesh {
     mesh_point<D> best{nearest_point((*this)[guess], x), guess};
     double limit = best.squared_distance;
     auto search = data_->tree.start();
-    data_->tree.go_on(search, squared_distance_from<D>(x), limit, [&](int i, double) {
+    data_->tree.go_on(search, squared_distance_from<D>(x), limit, [&](int place, double) {
+      const int i = data_->tree.item(place);
       if (i == guess) return;
       const auto candidate = nearest_point((*this)[i], x, limit);
       if (!(candidate.squared_distance < limit)) return;

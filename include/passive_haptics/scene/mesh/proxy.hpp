@@ -131,7 +131,8 @@ class proxy_way {
     };
     hit first{1, -1};
     auto search = surface_.tree().start();
-    surface_.tree().go_on(search, entry, first.time, [&](int i, double) {
+    surface_.tree().go_on(search, entry, first.time, [&](int place, double) {
+      const int i = surface_.tree().item(place);
       const double time = slab(i).stop(p_, step);
       const bool sooner = time < first.time || (time <= first.time && first.facet < 0);
       if (sooner && (resting_too || !rests_on(i))) first = {time, i};

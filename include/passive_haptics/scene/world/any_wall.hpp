@@ -19,14 +19,14 @@ class any_wall {
   /// A wall within bounds that hold all of it; for shapes that do not tell theirs.
   template <class S>
   any_wall(wall<S> w, const bounding_box<D>& bounds)
-      : held_(std::make_shared<model<S>>(std::move(w))), bounds_(bounds) {}
+      : held_(std::make_shared<model<S>>(std::move(w), bounds)) {}
 
   /// A wall within the bounds that its shape tells, else anywhere.
   template <class S>
   any_wall(const wall<S>& w) : any_wall(w, bounds_of(w.shape)) {}
 
   /// A box that holds all of the wall.
-  const bounding_box<D>& bounds() const { return bounds_; }
+  const bounding_box<D>& bounds() const { return held_->bounds(); }
 
   /// Whether both hold the same wall, not an equal one.
   bool shares(const any_wall& other) const { return held_ == other.held_; }
@@ -55,6 +55,7 @@ class any_wall {
 
   struct any_model {
     virtual ~any_model() = default;
+    virtual const bounding_box<D>& bounds() const = 0;
     virtual std::size_t tracker_size() const = 0;
     virtual void start_tracker(void* storage) const = 0;
     virtual double look(const point<D>& from, const point<D>& x, void* tracker,
@@ -66,8 +67,9 @@ class any_wall {
     static_assert(
         Shape<S> || TrackedShape<S>,
         "passive_haptics: a wall with a tracker needs a TrackedShape (scene/world/tracked_shape.hpp).");
-    explicit model(wall<S> w) : held(std::move(w)) {}
+    model(wall<S> w, const bounding_box<D>& b) : held(std::move(w)), box(b) {}
 
+    const bounding_box<D>& bounds() const override { return box; }
     std::size_t tracker_size() const override {
       if constexpr (TrackedShape<S>) return sizeof(typename S::tracker);
       else return 0;
@@ -91,10 +93,10 @@ class any_wall {
     }
 
     wall<S> held;
+    bounding_box<D> box;  // after what is looked at
   };
 
   std::shared_ptr<const any_model> held_;
-  bounding_box<D> bounds_;
 };
 
 }  // namespace passive_haptics

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace passive_haptics {
@@ -29,9 +28,10 @@ class world {
   using contacts_type = contacts<D, Capacity>;  ///< What sensing this world gives.
 
   /// Throws std::invalid_argument with the text of validate(walls).
-  explicit world(world_walls<D> walls) : geometry_(std::make_shared<const geometry>(require_valid(walls))) {
+  explicit world(const world_walls<D>& walls)
+      : geometry_(std::make_shared<const geometry>(require_valid(walls))) {
     near_ = neighbour_list<D>(geometry_->others.size(), geometry_->tree.scale());
-    motions_.resize(geometry_->walls.moving().size());
+    motions_.resize(geometry_->moving.size());
     trackers_.resize(geometry_->trackers.back());
     start_trackers();
   }
@@ -58,7 +58,7 @@ class world {
   /// surface [m/s]; base frame. Two values, as of `moving`. False, and nothing moved, if there is no such
   /// wall or they are not finite.
   bool set_motion(int number, const point<D>& displacement, const point<D>& velocity) {
-    const auto& moving = geometry_->walls.moving();
+    const auto& moving = geometry_->moving;
     const auto found = std::lower_bound(moving.begin(), moving.end(), number);
     if (found == moving.end() || *found != number || !all_finite(displacement, velocity)) return false;
     const auto k = static_cast<std::size_t>(found - moving.begin());
@@ -89,8 +89,8 @@ class world {
     const geometry &mine = *geometry_, &others = *other.geometry_;
     previous_ = other.previous_;
     for (std::size_t k = 0; k < std::min(mine.others.size(), others.others.size()); ++k) {
-      const int number = mine.others[k];
-      if (number != others.others[k] || !mine.at(number).shares(others.at(number))) continue;
+      const numbered_wall &now = mine.others[k], &before = others.others[k];
+      if (now.number != before.number || !now.wall.shares(before.wall)) continue;
       std::copy_n(other.trackers_.begin() + others.tracker_at(k), mine.tracker_at(k + 1) - mine.tracker_at(k),
                   trackers_.begin() + mine.tracker_at(k));
       if (k < std::min(motions_.size(), other.motions_.size())) motions_[k].seen = other.motions_[k].seen;
@@ -98,24 +98,37 @@ class world {
   }
 
  private:
+  struct numbered_wall {
+    any_wall<D> wall;
+    int number;
+  };
+
   // What never changes
   struct geometry {
-    explicit geometry(world_walls<D> w) : walls(std::move(w)), others(walls.moving()) {
+    explicit geometry(const world_walls<D>& walls) : moving(walls.moving()) {
+      const auto numbered = [&](int i) -> numbered_wall {
+        return {walls.all()[static_cast<std::size_t>(i)], i};
+      };
+      for (const int i : moving) others.push_back(numbered(i));
+      std::vector<int> bounded;
       std::vector<bounding_box<D>> boxes;
       for (int i = 0; i < static_cast<int>(walls.all().size()); ++i) {
-        if (std::binary_search(walls.moving().begin(), walls.moving().end(), i)) continue;
-        const any_wall<D>& wall = at(i);
+        if (std::binary_search(moving.begin(), moving.end(), i)) continue;
+        const any_wall<D>& wall = walls.all()[static_cast<std::size_t>(i)];
         if (wall.tracker_size() == 0 && all_finite(wall.bounds().lower, wall.bounds().upper)) {
+          bounded.push_back(i);
           boxes.push_back(wall.bounds());
-          in_tree.push_back(i);
         } else {
-          others.push_back(i);
+          others.push_back(numbered(i));
         }
       }
       tree = bounding_volume_tree<D>(boxes);
-      for (const int i : others) {
+      in_tree.reserve(bounded.size());
+      for (int place = 0; place < static_cast<int>(bounded.size()); ++place)
+        in_tree.push_back(numbered(bounded[static_cast<std::size_t>(tree.item(place))]));
+      for (const numbered_wall& w : others) {
         const std::size_t units =
-            (at(i).tracker_size() + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
+            (w.wall.tracker_size() + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
         trackers.push_back(trackers.back() + units);
       }
     }
@@ -123,13 +136,12 @@ class world {
     std::ptrdiff_t tracker_at(std::size_t other) const {
       return static_cast<std::ptrdiff_t>(trackers[other]);
     }
-    const any_wall<D>& at(int number) const { return walls.all()[static_cast<std::size_t>(number)]; }
 
-    world_walls<D> walls;
-    std::vector<int> in_tree;  // numbers of the walls in the tree
     bounding_volume_tree<D> tree;
-    std::vector<int> others;  // numbers of those outside, the moving ones first
-    // Where the tracker of each of these begins, and the last ends [max_align_t]
+    std::vector<numbered_wall> in_tree;  // by their places there
+    std::vector<numbered_wall> others;   // outside, the moving ones first
+    std::vector<int> moving;             // their numbers
+    // Where the tracker of each of the others begins, and the last ends [max_align_t]
     std::vector<std::size_t> trackers{0};
   };
 
@@ -148,29 +160,25 @@ class world {
 
   void start_trackers() {
     for (std::size_t k = 0; k < geometry_->others.size(); ++k)
-      geometry_->at(geometry_->others[k]).start_tracker(tracker(k));
+      geometry_->others[k].wall.start_tracker(tracker(k));
   }
   void* tracker(std::size_t other) { return trackers_.data() + geometry_->trackers[other]; }
 
   // At an item of near_: those outside the tree have negative numbers
   double look(int item, const point<D>& x) {
     touched_.clear();
-    int number;
+    const auto k = static_cast<std::size_t>(item >= 0 ? item : -1 - item);
+    const auto& [wall, number] = item >= 0 ? geometry_->in_tree[k] : geometry_->others[k];
     double distance;
     if (item >= 0) {
-      number = geometry_->in_tree[static_cast<std::size_t>(item)];
-      distance = geometry_->at(number).look(x, x, nullptr, touched_);
+      distance = wall.look(x, x, nullptr, touched_);
+    } else if (k < motions_.size()) {
+      motion& m = motions_[k];
+      distance = wall.look(previous_ - m.seen, x - m.now, tracker(k), touched_);
+      for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
+      m.seen = m.now;
     } else {
-      const auto k = static_cast<std::size_t>(-1 - item);
-      number = geometry_->others[k];
-      if (k < motions_.size()) {
-        motion& m = motions_[k];
-        distance = geometry_->at(number).look(previous_ - m.seen, x - m.now, tracker(k), touched_);
-        for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
-        m.seen = m.now;
-      } else {
-        distance = geometry_->at(number).look(previous_, x, tracker(k), touched_);
-      }
+      distance = wall.look(previous_, x, tracker(k), touched_);
     }
     for (contact<D>& c : touched_) {
       c.wall = number;
