@@ -3,6 +3,13 @@
 #include "batch.hpp"
 #include "planar_run.hpp"
 
+#include <passive_haptics/brake/models/any_brake.hpp>
+#include <passive_haptics/brake/models/compensated_brake.hpp>
+#include <passive_haptics/brake/models/delayed_brake.hpp>
+#include <passive_haptics/brake/models/eddy_current_brake.hpp>
+#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
+#include <passive_haptics/brake/models/stribeck_brake.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <string>

@@ -1,6 +1,7 @@
 /// @file
 /// Everything that a device's control cycle is made of; needs no more than Eigen, Boost.Hana and the standard
-/// library. The simulated device of plant/ is included by itself: passive_haptics/plant/wall_following.hpp.
+/// library. The simulated device of plant/ and the models of its brakes, brake/models/, are included by
+/// themselves: passive_haptics/plant/wall_following.hpp.
 #pragma once
 
 #include <passive_haptics/core/parameter_text.hpp>
@@ -16,12 +17,6 @@
 
 #include <passive_haptics/brake/drawing/fme_boundary.hpp>
 #include <passive_haptics/brake/measurement/encoder_axes.hpp>
-#include <passive_haptics/brake/models/any_brake.hpp>
-#include <passive_haptics/brake/models/compensated_brake.hpp>
-#include <passive_haptics/brake/models/delayed_brake.hpp>
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
-#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
-#include <passive_haptics/brake/models/stribeck_brake.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
 
 #include <passive_haptics/scene/held_scene.hpp>

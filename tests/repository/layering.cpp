@@ -73,7 +73,7 @@ errors check_reach(const texts& headers) {
   std::set<std::string> reached;
   std::vector<std::string> open{umbrella};  // and the simulation, which is included by itself
   for (const auto& [path, text] : headers) {
-    if (stage_of(path) == "plant") open.push_back(path);
+    if (stage_of(path) == "plant" || folder_of(path) == "brake/models") open.push_back(path);
   }
   while (!open.empty()) {
     const std::string path = open.back();

@@ -1,4 +1,8 @@
 // docs/guide/parameters.md has the tables of all structs of parameters as they are in the code.
+#include <passive_haptics/brake/models/delayed_brake.hpp>
+#include <passive_haptics/brake/models/eddy_current_brake.hpp>
+#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
+#include <passive_haptics/brake/models/stribeck_brake.hpp>
 #include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/driver/calibration/device_calibration.hpp>
 #include <passive_haptics/driver/control_loop.hpp>

@@ -2,11 +2,8 @@
 /// A scene of walls known at compile time.
 #pragma once
 
+#include <passive_haptics/core/for_each.hpp>
 #include <passive_haptics/scene/wall.hpp>
-
-#include <boost/hana/at.hpp>
-#include <boost/hana/for_each.hpp>
-#include <boost/hana/tuple.hpp>
 
 #include <utility>
 
@@ -38,7 +35,7 @@ class static_scene {
   contacts_type touched_at(const point<dimension>& x) const {
     contacts_type touched;
     int number = 0;
-    boost::hana::for_each(walls_, [&](const auto& w) {
+    detail::for_each(walls_, [&](const auto& w) {
       const double distance = w.shape.distance(x);
       if (!(distance >= 0)) {
         auto& c = *touched.append();  // in place: a copy would wait for its parts to be stored
@@ -54,12 +51,12 @@ class static_scene {
   template <class F>
   void for_each(F&& f) const {
     int number = 0;
-    boost::hana::for_each(walls_, [&](const auto& w) { f(number++, w); });
+    detail::for_each(walls_, [&](const auto& w) { f(number++, w); });
   }
 
   /// Carries each shape that can be on for this time [s] (moving.hpp).
   void extrapolate(double seconds) {
-    boost::hana::for_each(walls_, [&](auto& w) {
+    detail::for_each(walls_, [&](auto& w) {
       if constexpr (requires { w.shape.extrapolate(seconds); }) w.shape.extrapolate(seconds);
     });
   }
@@ -73,7 +70,7 @@ class static_scene {
   }
 
  private:
-  boost::hana::tuple<wall<First>, wall<Rest>...> walls_;
+  boost::hana::basic_tuple<wall<First>, wall<Rest>...> walls_;
 };
 
 /// The scene of these walls, in the order of their numbers: `scene(wall(shape, stiffness), ...)`. (A

@@ -73,7 +73,7 @@ void ask_effects(const Now& now, const Touched& touched, torques_with_effects<M>
   const auto Tt = [&] { return transposed_transmission(now.mechanism, now.q); };
   wanted.effect_force.setZero();
   wanted.effect_torque.setZero();
-  boost::hana::for_each(touched.effects, [&]<class E>(const E& effect) {
+  for_each(touched.effects, [&]<class E>(const E& effect) {
     static_assert(std::same_as<typename E::scalar, T>,
                   "passive_haptics: an effect's scalar must be the mechanism's.");
     if constexpr (Effect<E>) {

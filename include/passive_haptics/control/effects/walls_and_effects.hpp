@@ -3,11 +3,8 @@
 #pragma once
 
 #include <passive_haptics/control/step_result.hpp>
+#include <passive_haptics/core/for_each.hpp>
 #include <passive_haptics/force/effect.hpp>
-
-#include <boost/hana/at.hpp>
-#include <boost/hana/for_each.hpp>
-#include <boost/hana/tuple.hpp>
 
 #include <type_traits>
 #include <utility>
@@ -26,7 +23,7 @@ struct step_result_with_effects : step_result_for<M, Walls> {
 namespace detail {
 
 template <class... Effects>
-using effects_of = boost::hana::tuple<Effects...>;
+using effects_of = boost::hana::basic_tuple<Effects...>;
 
 template <class E>
 inline constexpr bool is_effect = Effect<E> || WallEffect<E> || JointEffect<E>;
