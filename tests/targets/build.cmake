@@ -20,8 +20,8 @@ macro(build source program)
     ${CMAKE_CURRENT_LIST_DIR}/${platform}.cpp ${flags} -o ${program} COMMAND_ERROR_IS_FATAL ANY)
 endmacro()
 
-# run(PROGRAM OUTPUT): what it prints, to whichever stream.
+# run(PROGRAM OUTPUT): what it prints.
 macro(run program output)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env WINEDEBUG=-all WINEPREFIX=${directory}/wine ${run} ${program}
-    OUTPUT_VARIABLE ${output} ERROR_VARIABLE ${output} COMMAND_ERROR_IS_FATAL ANY)
+    OUTPUT_VARIABLE ${output} COMMAND_ERROR_IS_FATAL ANY)
 endmacro()
