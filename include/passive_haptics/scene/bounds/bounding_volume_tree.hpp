@@ -12,7 +12,6 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace passive_haptics {

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +18,7 @@ namespace passive_haptics::detail {
 template <int D>
 std::vector<int> welded(const std::vector<point<D>>& vertices) {
   std::vector<int> order(vertices.size()), stands_for(vertices.size());
-  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
   const auto at = [&](int i) -> const point<D>& { return vertices[static_cast<std::size_t>(i)]; };
   std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
     return std::lexicographical_compare(at(i).begin(), at(i).end(), at(j).begin(), at(j).end());
@@ -63,7 +62,7 @@ std::vector<ridge<D>> sorted_ridges(const std::vector<std::array<int, static_cas
   // Where those of each low vertex begin; once they are placed, where they end
   std::vector<std::size_t> at(vertex_count + 1);
   for_each_ridge<D>(facets, [&](const ridge<D>& r) { ++at[static_cast<std::size_t>(r.low) + 1]; });
-  std::partial_sum(at.begin(), at.end(), at.begin());
+  for (std::size_t v = 0; v < vertex_count; ++v) at[v + 1] += at[v];
   std::vector<ridge<D>> all(at.back());
   for_each_ridge<D>(facets, [&](const ridge<D>& r) { all[at[static_cast<std::size_t>(r.low)]++] = r; });
   auto begin = all.begin();
