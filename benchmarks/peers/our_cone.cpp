@@ -35,6 +35,16 @@ struct warm {
   }
 };
 
+// Those of another problem, which was solved before this one.
+template <int N>
+struct wrong : library<N> {
+  ph::half_space_start start;
+
+  ph::vector<double, N> solve(const cone_problem<N>& p) {
+    return ph::project_onto_half_spaces(p.B, p.f, start).point;
+  }
+};
+
 template <int N>
 class by_hand {
  public:
@@ -57,6 +67,6 @@ class by_hand {
 };
 
 const bool added = add_cone_solver<library>(ours) && add_cone_solver<by_hand>("the same by hand") &&
-                   add_cone_solver<warm>("ours, warm");
+                   add_cone_solver<warm>("ours, warm") && add_cone_solver<wrong>("ours, another's start");
 
 }  // namespace
