@@ -2,13 +2,11 @@
 /// Parameters, described once: a table of each struct's members, and what follows from it.
 #pragma once
 
+#include <passive_haptics/core/error_message.hpp>
 #include <passive_haptics/core/range.hpp>
 #include <passive_haptics/core/text.hpp>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -228,21 +226,6 @@ error_message check_value(const char* name, const V& value, const char* unit, co
   detail::visit_member(member_description{name, unit, hard, range::anything},
                        detail::place{.name = name, .owner = owner}, value, check);
   return check.error;
-}
-
-/// Throws std::invalid_argument with this error unless it is empty; under -fno-exceptions prints it and ends
-/// the program, on a microcontroller by a trap. For constructors, never for a control cycle.
-inline void require_no_error(const error_message& error) {
-  if (error.empty()) return;
-#if defined(__cpp_exceptions)
-  throw std::invalid_argument("passive_haptics: " + error);
-#else
-  if constexpr (errors_have_text) {
-    std::fprintf(stderr, "passive_haptics: %s\n", std::string(error).c_str());
-    std::abort();
-  }
-  __builtin_trap();
-#endif
 }
 
 /// The parameters themselves, if validate(parameters) has no error; else see require_no_error().

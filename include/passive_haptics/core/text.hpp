@@ -3,6 +3,8 @@
 /// a double: 130 KB); in no locale.
 #pragma once
 
+#include <passive_haptics/core/error_message.hpp>
+
 #include <concepts>
 #include <cstddef>
 #include <limits>
@@ -11,37 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace passive_haptics {
-
-// Without exceptions and an operating system nobody could read a text, and it would bring a heap with it
-#if defined(__cpp_exceptions) || defined(__unix__) || defined(__APPLE__) || defined(_WIN32) || \
-    defined(__EMSCRIPTEN__)
-inline constexpr bool errors_have_text = true;  ///< Whether an error_message is a std::string.
-#else
-inline constexpr bool errors_have_text = false;  ///< Whether an error_message is a std::string.
-#endif
-
-/// Whether something is wrong, and for a debugger the name of the wrong member: an error without a heap.
-class textless_error {
- public:
-  textless_error() = default;
-  /// A literal.
-  textless_error(const char* name) : name_(name) {}
-  /// Of a text only whether there is one.
-  textless_error(const std::string& text) : name_(text.empty() ? "" : "a parameter") {}
-  /// Nothing is wrong.
-  bool empty() const { return *name_ == '\0'; }
-  /// The name.
-  operator std::string() const { return name_; }
-
- private:
-  const char* name_ = "";
-};
-
-/// What is wrong, empty if nothing: a std::string, but where a microcontroller has no exceptions.
-using error_message = std::conditional_t<errors_have_text, std::string, textless_error>;
-
-namespace detail {
+namespace passive_haptics::detail {
 
 /// Six digits, as "%g" writes them in the C locale, but 1e7 for 1e+07.
 inline std::string number_text(long double value) {
@@ -118,5 +90,4 @@ error_message first_error(Errors... errors) {
   return first;
 }
 
-}  // namespace detail
-}  // namespace passive_haptics
+}  // namespace passive_haptics::detail
