@@ -1,0 +1,162 @@
+// The copy of the repository whose include/ is mutated, and its compiler.
+#pragma once
+
+#include "process.hpp"
+#include "switches.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mutants {
+
+namespace fs = std::filesystem;
+
+// A file of the tests and how it is compiled.
+struct unit {
+  fs::path source;
+  std::string object, command;
+};
+
+using sources =
+    std::map<std::string, std::unique_ptr<source>>;  // by their paths below include/passive_haptics
+
+class mutated_build {
+ public:
+  mutated_build(fs::path repository, fs::path work)
+      : repository_(std::move(repository)), work_(std::move(work)) {
+    constexpr auto newer = fs::copy_options::recursive | fs::copy_options::update_existing;
+    fs::create_directories(tree());
+    for (const char* part : {"CMakeLists.txt", "CMakePresets.json", "tests", "examples", "docs"})
+      fs::copy(repository_ / part, tree() / part, newer);
+    write_text(tree() / "include/passive_haptics_mutants/active.hpp",
+               read_text(repository_ / "tests/mutants/active.hpp"));
+  }
+
+  fs::path tree() const { return work_ / "tree"; }
+  fs::path directory() const { return work_ / "build"; }
+  fs::path header(const std::string& path) const { return fs::path("include/passive_haptics") / path; }
+
+  // Writes include/ with these mutants behind switches.
+  void write(const sources& headers, const std::map<int, mutant>& chosen) const {
+    std::map<std::string, std::map<int, mutant>> of_file;
+    for (const auto& [number, m] : chosen) of_file[m.file].emplace(number, m);
+    for (const auto& [path, s] : headers) {
+      const auto found = of_file.find(path);
+      std::string text = found == of_file.end() ? s->text : with_switches(*s, found->second);
+      // The tables of parameters are made at run time, so that their numbers can have switches
+      const std::string table = "inline constexpr auto members_of";
+      if (const auto at = text.find(table); at != std::string::npos)
+        text.replace(at, table.size(), "inline const auto members_of");
+      write_text(tree() / header(path), text);
+    }
+  }
+
+  bool configure() const {
+    return run({"cmake", "-S", tree(), "-B", directory(), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
+                "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -w", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+                "-DPASSIVE_HAPTICS_BUILD_TESTS=ON", "-DPASSIVE_HAPTICS_INSTALL=OFF"},
+               work_ / "configure.log")
+               .how == ending::passed;
+  }
+
+  // Builds the targets; stops at a few errors, which soon would be those of all.
+  bool make(const std::vector<std::string>& targets) const {
+    std::vector<std::string> command{"nice", "cmake", "--build", directory(), "--"};
+    command.insert(command.end(), {"-k", "3"});
+    command.insert(command.end(), targets.begin(), targets.end());
+    return run(command, work_ / "make.log").how == ending::passed;
+  }
+
+  // All that is compiled.
+  std::vector<unit> units() const {
+    std::vector<unit> all;
+    std::istringstream in(read_text(directory() / "compile_commands.json"));
+    std::string command;
+    for (std::string line; std::getline(in, line);) {
+      if (const std::string text = value_of(line, "command"); !text.empty()) command = text;
+      if (const std::string text = value_of(line, "file"); !text.empty())
+        all.push_back({text, between(command, " -o ", " "), command});
+    }
+    return all;
+  }
+
+  // A unit compiled otherwise: options before its own; else only looked at.
+  bool compile(const unit& u, const std::string& options, const std::string& object,
+               const fs::path& log) const {
+    std::string command = u.command;
+    command.insert(command.find(' '), ' ' + options);
+    const std::string output = " -o " + u.object;
+    command.replace(command.find(output), output.size(), object.empty() ? " -fsyntax-only" : " -o " + object);
+    return run({"nice", "sh", "-c", "cd " + directory().string() + " && exec " + command}, log).how ==
+           ending::passed;
+  }
+
+  // The headers that each object has read, by their paths below include/passive_haptics.
+  std::map<std::string, std::set<std::string>> dependencies() const {
+    run({"ninja", "-C", directory(), "-t", "deps"}, work_ / "deps.log");
+    std::istringstream in(read_text(work_ / "deps.log"));
+    std::map<std::string, std::set<std::string>> all;
+    std::string object;
+    const std::string ours = "/include/passive_haptics/";
+    for (std::string line; std::getline(in, line);) {
+      if (!line.starts_with(" ")) object = line.substr(0, line.find(':'));
+      else if (const auto at = line.find(ours); at != std::string::npos)
+        all[object].insert(line.substr(at + ours.size()));
+    }
+    return all;
+  }
+
+ private:
+  static std::string between(const std::string& text, const std::string& before, const std::string& after) {
+    const auto at = text.find(before);
+    if (at == std::string::npos) return {};
+    const auto begin = at + before.size();
+    return text.substr(begin, text.find(after, begin) - begin);
+  }
+
+  // Of a line of JSON: "name": "value"
+  static std::string value_of(const std::string& line, const std::string& name) {
+    const std::string key = '"' + name + "\": \"";
+    const auto at = line.find(key);
+    if (at == std::string::npos) return {};
+    std::string value;
+    for (auto i = at + key.size(); line[i] != '"'; ++i) value += line[i] == '\\' ? line[++i] : line[i];
+    return value;
+  }
+
+  fs::path repository_, work_;
+};
+
+// The switches where a compiler found errors; if there are none, those where its notes point.
+inline std::set<int> numbers_in_errors(const std::string& log, const sources& headers,
+                                       const std::map<int, mutant>& chosen) {
+  static const std::string ours = "/include/passive_haptics/";
+  std::set<std::pair<std::string, long>> errors, notes;
+  std::istringstream in(log);
+  for (std::string line; std::getline(in, line);) {
+    const auto at = line.find(ours), colon = line.find(".hpp:", at);
+    if (at == std::string::npos || colon == std::string::npos) continue;
+    const std::string path = line.substr(at + ours.size(), colon + 4 - at - ours.size());
+    auto& found = line.find(" error: ") != std::string::npos ? errors : notes;
+    found.emplace(path, std::atol(line.c_str() + colon + 5));
+  }
+  for (const auto& lines : {errors, notes}) {
+    std::set<int> numbers;
+    for (const auto& [number, m] : chosen) {
+      const long last = headers.at(m.file)->line_at(m.end);
+      for (long line = m.line; line <= last; ++line) {
+        if (lines.contains({m.file, line})) numbers.insert(number);
+      }
+    }
+    if (!numbers.empty()) return numbers;
+  }
+  return {};
+}
+
+}  // namespace mutants

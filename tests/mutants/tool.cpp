@@ -1,0 +1,156 @@
+// What the tool makes of small headers.
+#include "draw.hpp"
+#include "switches.hpp"
+#include "table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace mutants;
+using strings = std::vector<std::string>;
+
+// "operator: mutated line" of each.
+strings mutants_in(const std::string& text) {
+  strings all;
+  const source s("brake/sample.hpp", text);
+  for (const mutant& m : mutants_of(s)) all.push_back(m.name + ": " + m.mutated_line);
+  return all;
+}
+
+// The body of a function
+strings mutants_in_body(const std::string& body) {
+  return mutants_in("inline void f() {\n" + body + "\n}\n");
+}
+
+TEST(operators, reverse_comparisons_and_shift_the_end_of_a_loop) {
+  EXPECT_EQ(
+      mutants_in_body("const bool less = a.b < c[k] + d;"),
+      (strings{"comparison: const bool less = a.b > c[k] + d;", "sign: const bool less = a.b < c[k] - d;"}));
+  EXPECT_EQ(mutants_in_body("for (; k < n; ++k) g(k);"),
+            (strings{"comparison: for (; k > n; ++k) g(k);", "comparison: for (; k <= n; ++k) g(k);",
+                     "removed statement: for (; k < n; ++k) ;"}));
+}
+
+TEST(operators, change_signs) {
+  EXPECT_EQ(mutants_in_body("const T x = -a * b;"), strings{"sign: const T x = a * b;"});
+  EXPECT_EQ(mutants_in_body("x -= y;"), (strings{"sign: x += y;", "removed statement: ;"}));
+  EXPECT_EQ(mutants_in_body("return a - b - c;"),
+            (strings{"sign: return a + b - c;", "sign: return a - b + c;"}));
+}
+
+TEST(operators, change_constants) {
+  EXPECT_EQ(
+      mutants_in_body("return 0 * 2u * 0.0 * 0.5 * 1e-9;"),
+      (strings{"constant: return 1 * 2u * 0.0 * 0.5 * 1e-9;", "constant: return 0 * 3u * 0.0 * 0.5 * 1e-9;",
+               "constant: return 0 * 2u * 1.0 * 0.5 * 1e-9;",
+               "constant: return 0 * 2u * 0.0 * 2 * 0.5 * 1e-9;",
+               "constant: return 0 * 2u * 0.0 * 0.5 * 10 * 1e-9;"}));
+  EXPECT_EQ(mutants_in("struct a { bool b = true; };\n"), strings{"constant: struct a { bool b = false; };"});
+}
+
+TEST(operators, leave_clamps_out) {
+  EXPECT_EQ(mutants_in_body("return std::min(a, b);"),
+            (strings{"missing clamp: return (a);", "missing clamp: return (b);"}));
+  EXPECT_EQ(mutants_in_body("return std::clamp(a, b, c);"),
+            (strings{"missing clamp: return (a);", "swapped argument: return std::clamp(b, a, c);",
+                     "swapped argument: return std::clamp(a, c, b);"}));
+  EXPECT_EQ(mutants_in_body("return t.cwiseMin(most);"), strings{"missing clamp: return t;"});
+  EXPECT_EQ(mutants_in_body("return T::max();"), strings{});
+}
+
+TEST(operators, leave_checks_out) {
+  EXPECT_EQ(mutants_in_body("if (!a || b) return;"),
+            (strings{"missing check: if (true) return;", "missing check: if (false) return;",
+                     "missing check: if (bool(a) || b) return;", "missing check: if (!a && b) return;"}));
+  EXPECT_EQ(mutants_in_body("return a ? b : c;"),
+            (strings{"missing check: return true ? b : c;", "missing check: return false ? b : c;"}));
+}
+
+TEST(operators, swap_arguments_that_look_alike) {
+  EXPECT_EQ(
+      mutants_in_body("return m(i, j) * g(a, b + c);"),
+      (strings{"swapped argument: return m(j, i) * g(a, b + c);", "sign: return m(i, j) * g(a, b - c);"}));
+  EXPECT_EQ(mutants_in("void f(T a, U b);\n"), strings{});
+}
+
+TEST(operators, remove_statements_that_do_something) {
+  EXPECT_EQ(mutants_in_body("const T a = b;\nT c(a);\na.b[k] = c;\nclear();\nreturn c;"),
+            (strings{"removed statement: ;", "removed statement: ;"}));
+}
+
+TEST(operators, leave_types_and_texts_alone) {
+  EXPECT_EQ(mutants_in_body("return vector<T, 2>(\"1 < 2\");  // 3 < 4"), strings{});
+  EXPECT_EQ(mutants_in("#if 1\ntemplate <class T, int N = 2>\nvoid f() noexcept(1 < 2);\n"), strings{});
+}
+
+TEST(operators, know_what_the_compiler_is_asked) {
+  const source s("brake/sample.hpp", "static_assert(N > M);\ninline bool f() { return n > m; }\n");
+  const auto all = mutants_of(s);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].how, form::compiled);
+  EXPECT_EQ(all[1].how, form::choice);
+}
+
+std::string switched(const std::string& text) {
+  const source s("brake/sample.hpp", text);
+  std::map<int, mutant> chosen;
+  for (const mutant& m : mutants_of(s)) {
+    if (m.how != form::compiled) chosen.emplace(static_cast<int>(chosen.size()), m);
+  }
+  return with_switches(s, chosen);
+}
+
+TEST(switches, stand_one_within_the_other) {
+  EXPECT_EQ(switched("bool f() { return a < b + c; }\n"),
+            "bool f() { return (passive_haptics_mutants::active(0) ? (a > b + c) : (a < "
+            "passive_haptics_mutants::either(passive_haptics_mutants::active(1), b - c, b + c))); }\n");
+}
+
+TEST(switches, keep_an_if_and_its_else_together) {
+  EXPECT_NE(switched("void f() {\n  if constexpr (a) g();\n  else h();\n}\n").find("g(); }\n  else { if (!"),
+            std::string::npos);
+}
+
+TEST(switches, take_constexpr_from_what_holds_them) {
+  EXPECT_TRUE(switched("inline constexpr int a = 1;\n").starts_with("inline const /*constexpr*/ int a = ("));
+  EXPECT_TRUE(switched("struct s { static constexpr int a = 1; };\n")
+                  .starts_with("struct s { static inline const /*"));
+  EXPECT_TRUE(
+      switched("constexpr int f() { return 1; }\n").starts_with("inline /*constexpr*/ int f() { return ("));
+  EXPECT_TRUE(
+      switched("void f() { constexpr T a(1); }\n").starts_with("void f() { const /*constexpr*/ T a(("));
+}
+
+TEST(draw, repeats_itself_and_takes_turns) {
+  std::string text;
+  for (int i = 0; i < 100; ++i) text += "bool f() { return a < b; }\n";
+  const source s("brake/sample.hpp", text + "int g() { return 1; }\n");
+  const auto all = mutants_of(s), few = drawn(all, 1, 4), same = drawn(all, 1, 4), other = drawn(all, 2, 4);
+  ASSERT_EQ(few.size(), 4u);
+  int constants = 0, kept = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(few[i].begin, same[i].begin);
+    constants += few[i].name == "constant";
+    kept += few[i].begin == other[i].begin;
+  }
+  EXPECT_EQ(constants, 1);
+  EXPECT_LT(kept, 4);
+}
+
+TEST(arguments, are_found_by_text_and_grow_stale) {
+  const source s("brake/sample.hpp", "\n\nbool f() { return a < b; }\n");
+  const auto all = mutants_of(s);
+  const std::string key = "brake/sample.hpp | bool f() { return a < b; } | bool f() { return a > b; }";
+  EXPECT_EQ(key_of(all[0]), key);
+  EXPECT_EQ(keys_in("# why\n\n" + key + " | a is never b\n"), std::set<std::string>{key});
+  EXPECT_EQ(stale({key}, all), std::set<std::string>{});
+  EXPECT_EQ(stale({key, "brake/a.hpp | x | y"}, all).size(), 1u);
+}
+
+}  // namespace
