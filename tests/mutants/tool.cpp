@@ -1,7 +1,7 @@
 // What the tool makes of small headers.
-#include "draw.hpp"
-#include "switches.hpp"
-#include "table.hpp"
+#include "generator/draw.hpp"
+#include "generator/switches.hpp"
+#include "runner/table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A header as the operators see it: its tokens, which brackets belong together, and how far operands reach.
+// A header: its tokens, and which brackets belong together.
 #pragma once
 
 #include "tokens.hpp"
@@ -96,75 +96,5 @@ struct source {
     return is(before, ",") || is(before, "(") || is(before, "{") ? scope::list : scope::code;
   }
 };
-
-// ---- expressions
-
-// How strongly a spaced operator binds; 0 for what ends an expression.
-inline int binding(const token& t) {
-  static const std::map<std::string_view, int> strengths{
-      {"*", 11}, {"/", 11}, {"%", 11}, {"+", 10}, {"-", 10}, {"<<", 9}, {">>", 9}, {"<", 8},  {"<=", 8},
-      {">", 8},  {">=", 8}, {"==", 7}, {"!=", 7}, {"&", 6},  {"^", 5},  {"|", 4},  {"&&", 3}, {"||", 2}};
-  const auto found = strengths.find(t.text);
-  return t.is_binary() && found != strengths.end() ? found->second : 0;
-}
-
-inline bool ends_expression(const token& t) {
-  return t.is_any({";",  ",",  "?",   ":",      "=",    "+=", "-=",   "*=",    "/=",       "%=", "&=",
-                   "|=", "^=", "<<=", "return", "else", "do", "case", "throw", "requires", "->"}) &&
-         !(t.is("->") && !t.spaced_before);
-}
-
-// First token of the operand to the left of an operator that binds so strongly.
-inline int operand_begin(const source& s, int at, int strength) {
-  int first = at;
-  for (int i = at - 1; i >= 0; --i) {
-    if (s.closes(i)) {
-      const int open = s.partner_of(i);
-      if (s.is(i, "}") && s.scope_of(open) != scope::list) break;
-      if (s.is(i, ")") && open > 0 && s[open - 1].is_any({"if", "for", "while", "switch", "constexpr"}))
-        break;
-      i = open;
-    } else if (s.opens(i) || ends_expression(s[i])) {
-      break;
-    } else if (const int b = binding(s[i]); b > 0 && b < strength) {
-      break;
-    }
-    first = i;
-  }
-  return first;
-}
-
-// Last token of the operand to its right.
-inline int operand_end(const source& s, int at, int strength) {
-  int last = at;
-  for (int i = at + 1; i < s.size(); ++i) {
-    if (s.opens(i)) {
-      if (s.is(i, "{") && s.scope_of(i) != scope::list) break;
-      i = s.partner_of(i);
-    } else if (s.closes(i) || ends_expression(s[i])) {
-      break;
-    } else if (const int b = binding(s[i]); b > 0 && b <= strength) {
-      break;
-    }
-    last = i;
-  }
-  return last;
-}
-
-// The innermost brace around a token; -1 outside of all.
-inline int brace_around(const source& s, int i) {
-  i = s.around(i);
-  while (i >= 0 && !s.is(i, "{")) i = s.around(i);
-  return i;
-}
-
-// Whether a token is executed: it stands in a function's body.
-inline bool in_code(const source& s, int i) {
-  for (int b = brace_around(s, i); b >= 0; b = brace_around(s, b)) {
-    if (s.scope_of(b) == scope::code) return true;
-    if (s.scope_of(b) != scope::list) return false;
-  }
-  return false;
-}
 
 }  // namespace mutants

@@ -1,8 +1,8 @@
 // The copy of the repository whose include/ is mutated, and its compiler.
 #pragma once
 
+#include "../generator/switches.hpp"
 #include "process.hpp"
-#include "switches.hpp"
 
 #include <filesystem>
 #include <map>
@@ -26,10 +26,20 @@ struct unit {
 using sources =
     std::map<std::string, std::unique_ptr<source>>;  // by their paths below include/passive_haptics
 
+inline sources read_headers(const fs::path& repository) {
+  sources all;
+  const fs::path root = repository / "include/passive_haptics";
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    const std::string path = fs::relative(entry, root);
+    if (entry.is_regular_file()) all.emplace(path, std::make_unique<source>(path, read_text(entry)));
+  }
+  return all;
+}
+
 class mutated_build {
  public:
-  mutated_build(fs::path repository, fs::path work)
-      : repository_(std::move(repository)), work_(std::move(work)) {
+  mutated_build(fs::path repository, fs::path work, unsigned jobs)
+      : repository_(std::move(repository)), work_(std::move(work)), jobs_(jobs) {
     constexpr auto newer = fs::copy_options::recursive | fs::copy_options::update_existing;
     fs::create_directories(tree());
     for (const char* part : {"CMakeLists.txt", "CMakePresets.json", "tests", "examples", "docs"})
@@ -68,7 +78,7 @@ class mutated_build {
   // Builds the targets; stops at a few errors, which soon would be those of all.
   bool make(const std::vector<std::string>& targets) const {
     std::vector<std::string> command{"nice", "cmake", "--build", directory(), "--"};
-    command.insert(command.end(), {"-k", "3"});
+    command.insert(command.end(), {"-k", "3", "-j", std::to_string(jobs_)});
     command.insert(command.end(), targets.begin(), targets.end());
     return run(command, work_ / "make.log").how == ending::passed;
   }
@@ -131,6 +141,7 @@ class mutated_build {
   }
 
   fs::path repository_, work_;
+  unsigned jobs_;
 };
 
 // The switches where a compiler found errors; if there are none, those where its notes point.

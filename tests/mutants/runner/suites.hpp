@@ -1,7 +1,7 @@
 // The tests of a build: what each costs and which mutants it reaches; and whether they notice one.
 #pragma once
 
-#include "active.hpp"
+#include "../active.hpp"
 #include "process.hpp"
 
 #include <algorithm>

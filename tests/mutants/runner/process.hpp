@@ -22,6 +22,11 @@ namespace mutants {
 
 enum class ending { passed, failed, crashed, late };
 
+inline std::string word_of(ending how) {
+  const char* words[] = {"passed", "failed", "crashed", "late"};
+  return words[static_cast<int>(how)];
+}
+
 struct ended {
   ending how;
   double cpu;  // [s]

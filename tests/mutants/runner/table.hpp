@@ -1,7 +1,7 @@
 // What became of the mutants, and which of those that survive are argued to change nothing.
 #pragma once
 
-#include "draw.hpp"
+#include "../generator/draw.hpp"
 #include "suites.hpp"
 
 #include <iomanip>
