@@ -60,6 +60,13 @@ inline std::vector<int> constexprs_around(const source& s, int i) {
   return found;
 }
 
+// Those around a mutant.
+inline std::vector<int> constexprs_around(const source& s, const mutant& m) {
+  const auto at =
+      std::find_if(s.tokens.begin(), s.tokens.end(), [&](const token& t) { return t.begin == m.begin; });
+  return constexprs_around(s, static_cast<int>(at - s.tokens.begin()));
+}
+
 // What a declaration says instead of constexpr, once it holds a switch.
 inline std::string not_constexpr(const source& s, int at) {
   if (in_code(s, at)) return "const";
@@ -79,9 +86,7 @@ inline std::string with_switches(const source& s, const std::map<int, mutant>& c
   std::vector<detail::bracketed> parts;
   for (const auto& [number, m] : chosen) {
     parts.push_back(detail::switch_of(m, number));
-    const auto at =
-        std::find_if(s.tokens.begin(), s.tokens.end(), [&](const token& t) { return t.begin == m.begin; });
-    for (const int k : detail::constexprs_around(s, static_cast<int>(at - s.tokens.begin()))) {
+    for (const int k : detail::constexprs_around(s, m)) {
       if (plain.emplace(s[k].begin, s[k].end).second)
         parts.push_back({s[k].begin, s[k].end, detail::not_constexpr(s, k) + " /*", "*/"});
     }

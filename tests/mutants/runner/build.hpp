@@ -52,8 +52,8 @@ class mutated_build {
   fs::path directory() const { return work_ / "build"; }
   fs::path header(const std::string& path) const { return fs::path("include/passive_haptics") / path; }
 
-  // Writes include/ with these mutants behind switches.
-  void write(const sources& headers, const std::map<int, mutant>& chosen) const {
+  // Writes include/ with these mutants behind switches. fewer: what has been compiled need not be again.
+  void write(const sources& headers, const std::map<int, mutant>& chosen, bool fewer = false) const {
     std::map<std::string, std::map<int, mutant>> of_file;
     for (const auto& [number, m] : chosen) of_file[m.file].emplace(number, m);
     for (const auto& [path, s] : headers) {
@@ -63,7 +63,10 @@ class mutated_build {
       const std::string table = "inline constexpr auto members_of";
       if (const auto at = text.find(table); at != std::string::npos)
         text.replace(at, table.size(), "inline const auto members_of");
-      write_text(tree() / header(path), text);
+      const fs::path target = tree() / header(path);
+      const auto before = fewer ? fs::last_write_time(target) : fs::file_time_type();
+      write_text(target, text);
+      if (fewer) fs::last_write_time(target, before);
     }
   }
 
@@ -75,10 +78,10 @@ class mutated_build {
                .how == ending::passed;
   }
 
-  // Builds the targets; stops at a few errors, which soon would be those of all.
+  // Builds what it can of the targets.
   bool make(const std::vector<std::string>& targets) const {
     std::vector<std::string> command{"nice", "cmake", "--build", directory(), "--"};
-    command.insert(command.end(), {"-k", "3", "-j", std::to_string(jobs_)});
+    command.insert(command.end(), {"-k", "0", "-j", std::to_string(jobs_)});
     command.insert(command.end(), targets.begin(), targets.end());
     return run(command, work_ / "make.log").how == ending::passed;
   }
@@ -144,30 +147,42 @@ class mutated_build {
   unsigned jobs_;
 };
 
-// The switches where a compiler found errors; if there are none, those where its notes point.
-inline std::set<int> numbers_in_errors(const std::string& log, const sources& headers,
-                                       const std::map<int, mutant>& chosen) {
-  static const std::string ours = "/include/passive_haptics/";
+// Lines of headers in a compiler's errors, and in its notes.
+struct blamed_lines {
   std::set<std::pair<std::string, long>> errors, notes;
+};
+
+inline blamed_lines blamed_in(const std::string& log) {
+  static const std::string ours = "/include/passive_haptics/";
+  blamed_lines found;
   std::istringstream in(log);
   for (std::string line; std::getline(in, line);) {
     const auto at = line.find(ours), colon = line.find(".hpp:", at);
     if (at == std::string::npos || colon == std::string::npos) continue;
     const std::string path = line.substr(at + ours.size(), colon + 4 - at - ours.size());
-    auto& found = line.find(" error: ") != std::string::npos ? errors : notes;
-    found.emplace(path, std::atol(line.c_str() + colon + 5));
+    (line.find(" error: ") != std::string::npos ? found.errors : found.notes)
+        .emplace(path, std::atol(line.c_str() + colon + 5));
   }
-  for (const auto& lines : {errors, notes}) {
-    std::set<int> numbers;
-    for (const auto& [number, m] : chosen) {
-      const long last = headers.at(m.file)->line_at(m.end);
-      for (long line = m.line; line <= last; ++line) {
-        if (lines.contains({m.file, line})) numbers.insert(number);
-      }
+  return found;
+}
+
+// The switches where a compiler found errors. If there are none, those where its notes point, or which have
+// made a function that they point to a function of run time.
+inline std::set<int> numbers_in_errors(const std::string& log, const sources& headers,
+                                       const std::map<int, mutant>& chosen) {
+  const blamed_lines blamed = blamed_in(log);
+  std::set<int> in_errors, in_notes;
+  for (const auto& [number, m] : chosen) {
+    const source& s = *headers.at(m.file);
+    for (long line = m.line; line <= s.line_at(m.end); ++line) {
+      if (blamed.errors.contains({m.file, line})) in_errors.insert(number);
+      if (blamed.notes.contains({m.file, line})) in_notes.insert(number);
     }
-    if (!numbers.empty()) return numbers;
+    for (const int k : detail::constexprs_around(s, m)) {
+      if (blamed.notes.contains({m.file, s.line_at(s[k].begin)})) in_notes.insert(number);
+    }
   }
-  return {};
+  return in_errors.empty() ? in_notes : in_errors;
 }
 
 }  // namespace mutants

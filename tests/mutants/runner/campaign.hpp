@@ -77,11 +77,8 @@ class campaign {
     build_.write(headers_, switched_);
     if (!build_.configure() || !build_.make({"test_prelude"})) stop("the copy cannot be configured");
     const auto light = light_units();
-    // Most errors are seen in the headers alone and where many types meet, quickly; the others stop a build
-    if (!o_.again) {
-      drop_what_does_not_compile({probe(light.front())});
-      drop_what_does_not_compile(units_in("property/"));
-    }
+    drop_what_does_not_compile({probe(light.front())});  // quick, and finds most
+    drop_what_does_not_compile(light);
     judge_with(false);
     judge_alone(light);
     judge_with(true);
@@ -137,19 +134,13 @@ class campaign {
     return like;
   }
 
-  // Compiled with every commit, without devices.
-  std::vector<unit> units_in(const std::string& folder) const {
-    std::vector<unit> some;
-    for (const unit& u : build_.units()) {
-      const std::string path = fs::relative(u.source, build_.tree() / "tests");
-      if (path.starts_with(folder) && path.find("/full/") == std::string::npos) some.push_back(u);
-    }
-    return some;
-  }
+  // What is compiled with every commit.
   std::vector<unit> light_units() const {
+    static const std::regex wanted("(unit/[a-z]+|property|static|driver|realtime)/[a-z0-9_]+[.]cpp");
     std::vector<unit> light;
-    for (const char* folder : {"unit/", "property/", "static/"}) {
-      for (unit& u : units_in(folder)) light.push_back(std::move(u));
+    for (const unit& u : build_.units()) {
+      if (std::regex_match(fs::relative(u.source, build_.tree() / "tests").string(), wanted))
+        light.push_back(u);
     }
     return light;
   }
@@ -180,7 +171,7 @@ class campaign {
       switched_.erase(n);
     }
     say(std::to_string(numbers.size()) + " switches do not compile");
-    build_.write(headers_, switched_);
+    build_.write(headers_, switched_, true);
   }
 
   void drop_what_does_not_compile(std::vector<unit> left) {
