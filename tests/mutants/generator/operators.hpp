@@ -51,6 +51,9 @@ class collector {
   // Tokens first .. last become this.
   void add(std::string_view name, form how, int first, int last, const std::string& mutated) {
     if (is_of_a_type(s_, first)) return;
+    // The two values are both computed, so that nothing may happen in them
+    const bool happens = mutated.find("++") != std::string::npos || mutated.find("--") != std::string::npos;
+    if (how == form::value && happens) how = form::choice;
     if (is_asked_at_compile_time(s_, first)) {
       if (how == form::statement) return;
       how = form::compiled;
