@@ -78,7 +78,7 @@ class mechanism_properties : public ::testing::Test {
 
   /// |T| |T^+|, at least the condition of the transmission; 1 without one, NaN if rank is lost.
   number transmission_condition(const joint_vector<model>& q) const {
-    if constexpr (detail::has_exact_transmission<model>) {
+    if constexpr (passive_haptics::detail::has_exact_transmission<model>) {
       const transmission_matrix<model> A(transmission(mechanism, q));
       return A.norm() * pseudo_inverse(A).norm();
     } else {
@@ -163,9 +163,9 @@ TYPED_TEST_P(mechanism_properties, given_and_automatic_jacobian_agree) {
   const auto size = this->size();
   this->for_each_pose([&](const joint_vector<M>& q) {
     const dense J = this->dense_jacobian(q);
-    if constexpr (detail::differentiates_itself<M>)
+    if constexpr (passive_haptics::detail::differentiates_itself<M>)
       ASSERT_LE(this->largest_entry(J - automatic_jacobian(this->mechanism, q)), this->rounding_at(q, size));
-    else if constexpr (detail::jacobian_is_constant<M>) ASSERT_EQ(J, dense(this->mechanism.jacobian()));
+    else if constexpr (passive_haptics::detail::jacobian_is_constant<M>) ASSERT_EQ(J, dense(this->mechanism.jacobian()));
     else ASSERT_EQ(J, dense(this->mechanism.jacobian(q)));
   });
 }

@@ -69,7 +69,7 @@ step_sample<typename Case::mechanism> random_sample(
   }
   sample.state.time = random.uniform(0.0, 100.0);
   sample.state.q = random.between<T, M::dof>(Case::lower(), Case::upper());
-  if constexpr (!detail::has_exact_transmission<M>) sample.state.qd = w;
+  if constexpr (!passive_haptics::detail::has_exact_transmission<M>) sample.state.qd = w;
   else sample.state.qd = pseudo_inverse(transmission(mechanism, sample.state.q)) * w;
   if (random.coin() || random.coin())
     sample.state.hand_force = random.positive(T(1e-3), T(1e2)) * random.direction<T, d>();
