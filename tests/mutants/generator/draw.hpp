@@ -31,10 +31,12 @@ inline std::vector<mutant> drawn(const std::vector<mutant>& all, std::uint64_t s
   }
   std::vector<mutant> chosen;
   for (std::size_t turn = 0; turn < most; ++turn) {
-    for (const auto& [key, cell] : cells) {
+    for (const auto& cell : cells) {
       if (chosen.size() == count) return chosen;
-      const auto fits = [&](const mutant& m) { return fit(m, cell[turn]); };
-      if (turn < cell.size() && std::all_of(chosen.begin(), chosen.end(), fits)) chosen.push_back(cell[turn]);
+      if (turn >= cell.second.size()) continue;
+      const mutant& next = cell.second[turn];
+      if (std::all_of(chosen.begin(), chosen.end(), [&](const mutant& m) { return fit(m, next); }))
+        chosen.push_back(next);
     }
   }
   return chosen;

@@ -32,7 +32,7 @@ inline bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c))
 
 inline std::size_t end_of_quoted(std::string_view s, std::size_t i) {
   const char quote = s[i++];
-  while (s[i] != quote) i += s[i] == '\\' ? 2 : 1;
+  while (s[i] != quote) i += s[i] == '\\' ? 2u : 1u;
   return i + 1;
 }
 
