@@ -42,7 +42,8 @@ class mutated_build {
       : repository_(std::move(repository)), work_(std::move(work)), jobs_(jobs) {
     constexpr auto newer = fs::copy_options::recursive | fs::copy_options::update_existing;
     fs::create_directories(tree());
-    for (const char* part : {"CMakeLists.txt", "CMakePresets.json", "tests", "examples", "docs"})
+    for (const char* part :
+         {"CMakeLists.txt", "CMakePresets.json", "benchmarks", "tests", "examples", "docs"})
       fs::copy(repository_ / part, tree() / part, newer);
     write_text(tree() / "include/passive_haptics_mutants/active.hpp",
                read_text(repository_ / "tests/mutants/active.hpp"));
@@ -73,7 +74,8 @@ class mutated_build {
   bool configure() const {
     return run({"cmake", "-S", tree(), "-B", directory(), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
                 "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -w", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
-                "-DPASSIVE_HAPTICS_BUILD_TESTS=ON", "-DPASSIVE_HAPTICS_INSTALL=OFF"},
+                "-DPASSIVE_HAPTICS_BUILD_TESTS=ON", "-DPASSIVE_HAPTICS_STRESS_TESTS=ON",
+                "-DPASSIVE_HAPTICS_INSTALL=OFF"},
                work_ / "configure.log")
                .how == ending::passed;
   }

@@ -77,8 +77,7 @@ class campaign {
     build_.write(headers_, switched_);
     if (!build_.configure() || !build_.make({"test_prelude"})) stop("the copy cannot be configured");
     const auto light = light_units();
-    drop_what_does_not_compile({probe(light.front())});  // quick, and finds most
-    drop_what_does_not_compile(light);
+    drop_what_does_not_compile({probe(light.front())});  // quick, and finds most; the builds find the rest
     judge_with(false);
     judge_alone(light);
     judge_with(true);
@@ -148,9 +147,8 @@ class campaign {
   // The programs of a pass: first those that are compiled with every commit, then the heavy ones.
   static bool is_of(bool full, const std::string& program) {
     static const std::regex light("(unit|property|driver|realtime)(_[a-z0-9_]+)?"),
-        heavy("(unit|property|driver)_(.*_)?full|repository_parameters_page_full");
-    const bool is_heavy = program.ends_with("_full");
-    return full == is_heavy && std::regex_match(program, is_heavy ? heavy : light);
+        heavy("(unit|property|driver)_(.*_)?full|repository_parameters_page_full|stress_[a-z_]+");
+    return std::regex_match(program, full ? heavy : light) && (full || !program.ends_with("_full"));
   }
 
   std::vector<std::string> full_targets() const {
