@@ -165,7 +165,8 @@ TYPED_TEST_P(mechanism_properties, given_and_automatic_jacobian_agree) {
     const dense J = this->dense_jacobian(q);
     if constexpr (passive_haptics::detail::differentiates_itself<M>)
       ASSERT_LE(this->largest_entry(J - automatic_jacobian(this->mechanism, q)), this->rounding_at(q, size));
-    else if constexpr (passive_haptics::detail::jacobian_is_constant<M>) ASSERT_EQ(J, dense(this->mechanism.jacobian()));
+    else if constexpr (passive_haptics::detail::jacobian_is_constant<M>)
+      ASSERT_EQ(J, dense(this->mechanism.jacobian()));
     else ASSERT_EQ(J, dense(this->mechanism.jacobian(q)));
   });
 }
