@@ -24,7 +24,7 @@ auto saturating_torque(const S& torque_limit, const S& saturation, const M& m) {
 ///
 ///     T_b dj/dt + j = f^-1(u)                 the coil, told by the calibrated curve f,
 ///     m in [j - c, j + c], moved by its ends  the magnetisation: a play of half-width c,
-///     tau = f(max(m, 0)),  f(m) = torque_limit tanh(k m) / tanh(k).
+///     tau = f(m),  f(m) = torque_limit tanh(k m) / tanh(k).
 ///
 /// So on the way up a brake makes f(j - c), on the way down f(j + c), and it keeps f(c) when it is released:
 /// remanence. The loop closes as the iron saturates. A play under a curve is the generalised Prandtl-
@@ -50,7 +50,7 @@ struct magnetorheological_brake {
   /// What it remembers, for the greatest current [1].
   struct state {
     T current = T(0);        ///< j.
-    T magnetisation = T(0);  ///< m.
+    T magnetisation = T(0);  ///< m; never < 0, as j is not.
   };
 
   /// f: torque [N m] of a magnetisation m >= 0.
@@ -67,7 +67,7 @@ struct magnetorheological_brake {
     now.current = lagged(now.current, magnetisation_of(command), dt, time_constant);
     now.magnetisation =
         std::clamp(now.magnetisation, now.current - coercive_current, now.current + coercive_current);
-    return {torque_of(std::max(now.magnetisation, T(0))), T(0)};
+    return {torque_of(now.magnetisation), T(0)};
   }
 
   /// The same at any rate [N m].
