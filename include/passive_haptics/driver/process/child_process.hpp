@@ -109,8 +109,7 @@ class child_process {
   // Its status is -1 where another took it
   bool ends_within(double seconds, int& status) const noexcept {
     for (const double end = monotonic_seconds() + seconds;;) {
-      const pid_t ended = waitpid(pid_, &status, WNOHANG);
-      if (ended < 0 && errno == EINTR) continue;
+      const pid_t ended = waitpid(pid_, &status, WNOHANG);  // which no signal interrupts
       if (ended < 0) status = -1;
       if (ended != 0) return true;
       if (monotonic_seconds() >= end) return false;
