@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 
 namespace passive_haptics {
@@ -101,13 +102,9 @@ class proxy_way {
     return active_ == 0 ? wanted : point<D>(length * projection.point);
   }
 
-  // A full list first loses a facet that did not hold the last step back.
+  // A full list first loses a facet that did not hold the last step back; at most D did.
   void rest_on(int facet) {
-    if (tracker_.facet_count == most) {
-      int unneeded = 0;
-      while (unneeded + 1 < most && (active_ >> unneeded & 1u) != 0) ++unneeded;
-      resting(unneeded) = resting(--tracker_.facet_count);
-    }
+    if (tracker_.facet_count == most) resting(std::countr_one(active_)) = resting(--tracker_.facet_count);
     resting(tracker_.facet_count++) = facet;
   }
 
