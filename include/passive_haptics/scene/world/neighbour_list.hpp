@@ -89,7 +89,6 @@ class neighbour_list {
   /// Forgets where the handle was.
   void reset() {
     squared_clearance_ = 0;
-    travelled_ = 0;
     near().size = 0;
     near().reach = 0;
     collecting_ = false;
