@@ -1,6 +1,7 @@
 // Each brake model against its closed form. What all models owe: tests/property/brake_models.cpp.
 #include "../support.hpp"
 
+#include <passive_haptics/brake/models/any_brake.hpp>
 #include <passive_haptics/brake/models/compensated_brake.hpp>
 #include <passive_haptics/brake/models/coulomb_brake.hpp>
 #include <passive_haptics/brake/models/delayed_brake.hpp>
@@ -25,6 +26,15 @@ template <class B>
 double settled(const B& brake, double command, double rate) {
   typename B::state fresh;
   return settled(brake, command, rate, fresh);
+}
+
+// The figures of its data sheet.
+TEST(magnetic_particle_brake, rises_to_its_rated_torque) {
+  const auto brake = ph::magnetic_particle_brake<double>();
+  ph::coulomb_brake<double>::state state;
+  EXPECT_NEAR(brake.advance(0.22, 99, 0, state).strength, 7.5 * (1 - 1 / std::numbers::e), 1e-14);
+  EXPECT_NEAR(settled(brake, 99, 0, state), 7.5, 1e-14);
+  EXPECT_EQ(brake.residual.strength, 0.09);
 }
 
 TEST(stribeck_brake, is_strongest_at_rest) {
@@ -109,6 +119,27 @@ TEST(magnetorheological_brake, is_made_to_follow_by_a_driver_that_knows_it) {
   }
   EXPECT_NEAR(settled(known, 0, 0, state), unknown.torque_of(unknown.coercive_current), 1e-14)
       << "no current takes away what remanence keeps";
+  EXPECT_EQ(unknown.command_for(99, 0, {}), unknown.torque_limit);
+  EXPECT_EQ(unknown.command_for(0, 0, {.current = 0.5, .magnetisation = 0.5}), 0);
+}
+
+// tanh(k) rounds to 1, the curve has no inverse there.
+TEST(magnetorheological_brake, that_saturates_at_once_still_lets_go) {
+  const ph::magnetorheological_brake<double> brake{
+      .torque_limit = 2, .saturation = 20, .coercive_current = 0.1};
+  ph::magnetorheological_brake<double>::state state;
+  EXPECT_NEAR(settled(brake, 99, 0, state), 2, 1e-14);
+  EXPECT_NEAR(settled(brake, 0, 0, state), 2 * std::tanh(2.0), 1e-14);
+}
+
+TEST(any_brake, resists_as_the_model_that_was_chosen) {
+  using any = ph::any_brake<ph::stribeck_brake<double>, ph::eddy_current_brake<double>>;
+  const ph::stribeck_brake<double> friction;
+  const ph::eddy_current_brake<double> drag;
+  for (const double rate : {0.01, 3.0}) {
+    EXPECT_EQ(settled(any(friction), 0.5, rate), settled(friction, 0.5, rate));
+    EXPECT_EQ(settled(any(drag), 0.5, rate), settled(drag, 0.5, rate));
+  }
 }
 
 TEST(delayed_brake, acts_a_dead_time_later) {
