@@ -111,4 +111,16 @@ TEST(a_mesh, may_touch_itself_along_an_edge_or_at_a_corner) {
   EXPECT_EQ(error_of_solid(sample_meshes::both(square(), sample_meshes::box<2>({1, 1}, {2, 2}))), "");
 }
 
+// Where the nearest point is the point itself to rounding, what is left between them has no direction.
+TEST(a_mesh, has_a_gradient_out_of_it_on_its_edges) {
+  ph::testing::random_source random(20040627);
+  const auto globe = sample_meshes::globe(24, 12, [](const auto&) { return 1.0; });
+  const ph::mesh_solid<3> solid{ph::triangle_mesh(globe)};
+  for (std::size_t f = 0; f < globe.facets.size(); ++f) {
+    const auto c = globe.corners(f);
+    const ph::point<3> x = c[0] + random.uniform(0.1, 0.9) * (c[1] - c[0]);
+    EXPECT_GT(solid.gradient(x).dot(x.normalized()), 0.9) << "facet " << f;
+  }
+}
+
 }  // namespace

@@ -72,6 +72,18 @@ TYPED_TEST(a_mesh_surface, stops_what_comes_from_the_front) {
   EXPECT_GT(h.go(at_height<D>(0.01)), 0);
   EXPECT_TRUE(h.felt.empty());
   EXPECT_EQ(h.proxy(), at_height<D>(0.01));
+  EXPECT_EQ(h.go(at_height<D>(2 * skin)), 0) << "next it may touch";
+  EXPECT_TRUE(h.felt.empty());
+}
+
+TYPED_TEST(a_mesh_surface, has_slabs_that_stop_what_falls_alone) {
+  constexpr int D = TestFixture::dimension;
+  const ph::mesh<D> m(plate<D>());
+  const ph::detail::facet_slab<D> slab{m[0], skin, lip};
+  const ph::point<D> within = at_height<D>(0.5 * skin), up = 0.1 * skin * ph::point<D>::Unit(D - 1);
+  EXPECT_EQ(slab.stop(within, -up), 0);
+  EXPECT_GT(slab.stop(within, up), 1);
+  EXPECT_GT(slab.stop(within, ph::point<D>::UnitX()), 1);
 }
 
 TYPED_TEST(a_mesh_surface, is_free_from_the_back_and_beside_its_rim) {

@@ -138,6 +138,10 @@ TEST(a_latest_scene, keeps_the_handle_on_its_side_of_a_thin_wall) {
     ASSERT_EQ(ph::sense(latest, back, time).size(), 1) << "cycle " << k;
     EXPECT_NEAR(ph::sense(latest, back, time)[0].depth, 0.01, 1e-9);
   }
+  ph::world_walls<2> fixed;  // the same sheet, that nothing moves any more
+  fixed.add(walls.all().front());
+  exchange.publish(ph::world<2>(fixed), 0.05);
+  EXPECT_EQ(ph::sense(latest, back, 0.05).size(), 1);
   ph::world_walls<2> others;  // the same number, but another mesh: nothing to remember
   others.add_moving(ph::wall(ph::mesh_surface<2>(ph::mesh<2>(line))));
   exchange.publish(ph::world<2>(others), 0.05);

@@ -11,9 +11,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace ph = passive_haptics;
 
@@ -154,6 +156,44 @@ TYPED_TEST(world, is_touched_as_a_scan_says_in_a_heap_of_all_sizes) {
     touched += found.size();
   }
   EXPECT_GT(touched, 1000);
+}
+
+// With a list of so few that what is near keeps driving out what is further: from anywhere straight to the
+// last that has room.
+TYPED_TEST(world, looks_at_all_that_is_touched_however_few_it_lists) {
+  constexpr int D = TestFixture::dimension;
+  constexpr int count = 100, listed = 3, steps = 10;
+  constexpr double radius = D == 2 ? 0.02 : 0.05;
+  ph::testing::random_source random(seed);
+  const auto anywhere = [&] { return random.between<double, D>(ph::point<D>::Zero(), ph::point<D>::Ones()); };
+  std::vector<ph::point<D>> balls;
+  std::vector<ph::bounding_box<D>> boxes;
+  for (int i = 0; i < count; ++i) {
+    balls.push_back(anywhere());
+    boxes.push_back(ph::box_about<D>(balls.back(), radius));
+  }
+  const ph::bounding_volume_tree<D> tree(boxes);
+  ph::neighbour_list<D, listed> near(0, tree.scale());
+  for (int k = 0; k < 500; ++k) {
+    const ph::point<D> from = anywhere();
+    auto by_distance = balls;
+    const auto last = by_distance.begin() + listed - 1;
+    std::nth_element(by_distance.begin(), last, by_distance.end(), [&](const auto& a, const auto& b) {
+      return (a - from).squaredNorm() < (b - from).squaredNorm();
+    });
+    for (int i = 0; i <= steps; ++i) {
+      const ph::point<D> x = from + (*last - from) * i / steps;
+      const auto distance = [&](const auto& ball) { return (x - ball).norm() - radius; };
+      auto missed = std::count_if(balls.begin(), balls.end(), [&](const auto& b) { return distance(b) < 0; });
+      if (!near.idle(x))
+        near.visit(tree, x, [&](int place) {
+          const double free = distance(balls[static_cast<std::size_t>(tree.item(place))]);
+          missed -= free < 0;
+          return std::max(free, 0.0);
+        });
+      ASSERT_EQ(missed, 0) << "seed " << seed << ", trial " << k << ", step " << i;
+    }
+  }
 }
 
 TYPED_TEST(world, of_nothing_is_free) {

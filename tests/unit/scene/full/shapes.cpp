@@ -282,6 +282,16 @@ TEST(convex_polytope, is_as_exact_as_the_sine_of_its_sharpest_angle_allows) {
   }
 }
 
+TEST(convex_polytope, takes_planes_for_parallel_only_within_1e_8_rad) {
+  const auto error = [](double angle) {  // of two that nothing is behind unless far away
+    const double s = std::sin(angle / 2), c = std::cos(angle / 2);
+    return error_of(
+        [&] { ph::convex_polytope(ph::half_space<2>({0, -1}, {s, c}), ph::half_space<2>({0, 1}, {s, -c})); });
+  };
+  EXPECT_EQ(error(5e-8), "none");
+  EXPECT_NE(error(5e-9), "none");
+}
+
 TEST(convex_polytope, works_at_any_scale) {
   for (const double size : {1e-9, 1e-3, 1.0, 1e3, 1e9}) {
     const ph::convex_polytope corner(ph::half_space<2>({size, 0}, {1, 0}),
