@@ -365,8 +365,13 @@ TEST(record_on_bench, lets_the_brake_settle_under_the_first_current) {
   short_lived_port port;
   constant_sensor sensor;
   const ph::bench_parameters p{.encoder = 1, .channel = 2, .settling_time = 0.0095};
-  const samples all =
-      ph::record_on_bench(port, sensor, p, 0.02, [](double t) { return t > 0 ? 0.2 : 0.7; }, [] {});
+  double earliest = 1;
+  const auto current = [&](double t) {
+    earliest = std::min(earliest, t);
+    return t > 0 ? 0.2 : 0.7;
+  };
+  const samples all = ph::record_on_bench(port, sensor, p, 0.02, current, [] {});
+  EXPECT_EQ(earliest, 0);
   EXPECT_NEAR(all.front().time, 0.0005, 1e-12);
   EXPECT_EQ(all[0].current, 0.7);
   EXPECT_EQ(all[1].current, 0.2);

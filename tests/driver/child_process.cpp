@@ -5,10 +5,12 @@
 #include <passive_haptics/driver/process/child_process.hpp>
 #include <passive_haptics/driver/process/shared_memory.hpp>
 
+#include <sys/mman.h>
 #include <sys/prctl.h>
 
 #include <atomic>
 #include <csignal>
+#include <utility>
 
 namespace ph = passive_haptics;
 
@@ -98,4 +100,16 @@ TEST(a_child_process, hears_nothing_that_is_meant_for_its_parent) {
   EXPECT_EQ(getpgid(child.pid()), child.pid()) << "Ctrl-C, Ctrl-Z and Ctrl-\\ go to a group";
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) kill(child.pid(), signal);
   EXPECT_TRUE(child.stop()) << "not ended by a signal";
+}
+
+TEST(shared_memory, is_given_back_once_it_is_out_of_use) {
+  int* where = nullptr;
+  {
+    ph::shared_memory<int> first;
+    *first = 7;
+    const ph::shared_memory<int> last = std::move(first);
+    where = &*last;
+    EXPECT_EQ(*where, 7);
+  }
+  EXPECT_EQ(msync(where, sizeof(int), MS_ASYNC), -1) << "it is still mapped";
 }

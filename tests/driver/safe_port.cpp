@@ -318,6 +318,18 @@ TEST(a_safe_port, gives_no_current_before_it_is_activated) {
   EXPECT_EQ(r.device.currents, r.wanted);
 }
 
+TEST(a_safe_port, tells_the_last_good_reading_of_the_force_sensor) {
+  rig r;
+  r.cycles(3);
+  const auto good = r.device.force.value;
+  EXPECT_EQ(r.port.force(), good);
+  r.cycle([](rig& s) { s.device.force.value[2] = fake::nan; });
+  EXPECT_EQ(r.port.force(), good);
+  r.cycle();
+  EXPECT_EQ(r.port.force(), r.device.force.value);
+  EXPECT_NE(r.port.force(), good);
+}
+
 TEST(a_safe_port, cannot_be_activated_without_a_good_sample) {
   rig r;
   EXPECT_FALSE(r.port.activate()) << "none yet";
