@@ -86,6 +86,21 @@ TYPED_TEST(several_contacts, stay_within_the_limits_and_say_where_they_end) {
   }
 }
 
+// Brakes push against their motion alone: out of both walls, out of one, out of none.
+TYPED_TEST(several_contacts, say_whether_each_gets_what_it_asks_for) {
+  using T = TypeParam;
+  using M = ph::xy_table<T>;
+  const auto display = [](const ph::vector<T, 2>& v) {
+    return step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 0}, v), asking_for<2>({4, 0}),
+                                            asking_for<2>({0, 3}))
+        .display;
+  };
+  EXPECT_EQ(display({-1, -1}), ph::display_class::exact);
+  EXPECT_EQ(display({-1, 1}), ph::display_class::approximate);
+  EXPECT_EQ(display({1, -1}), ph::display_class::approximate);
+  EXPECT_EQ(display({1, 1}), ph::display_class::none);
+}
+
 // A law that answers what it was made with.
 struct scale_of {
   double value = 0;

@@ -67,16 +67,20 @@ TEST(end_stops_in_a_cycle, come_before_forces_and_after_walls) {
   const ph::device_state<M> state{0, {0.1, 0.2}, {0.1, 0.2}, {-3, 0}};  // both slides behind their stops
   ph::step_memory<ph::direct_control> memory;
   ph::contacts<2, 1> touched;
-  const auto torques = [&] {
+  const auto cycle = [&] {
     const auto table = ph::with_effects(touched, stops, honey(10));
-    return ph::step(M(), brakes, table, ph::direct_control(), state, memory).torque;
+    return ph::step(M(), brakes, table, ph::direct_control(), state, memory);
   };
-  expect_near(torques(), ph::vector<double, 2>(-10 - 1, -20 - 2), 20);
+  expect_near(cycle().torque, ph::vector<double, 2>(-10 - 1, -20 - 2), 20);
   touched.push_back(asking_for<2>({-7, 0}));  // a wall that the first slide moves into: 7 N and no more
-  expect_near(torques(), ph::vector<double, 2>(-7, -20 - 2), 20);
+  expect_near(cycle().torque, ph::vector<double, 2>(-7, -20 - 2), 20);
   touched.clear();
   touched.push_back(asking_for<2>({7, 0}));  // and one that it leaves, where the hand presses with 3 N
-  expect_near(torques(), ph::vector<double, 2>(0, -20 - 2), 20);
+  expect_near(cycle().torque, ph::vector<double, 2>(0, -20 - 2), 20);
+  EXPECT_FALSE(cycle().saturated);
+  brakes.torque_limit[1] = 21;
+  expect_near(cycle().torque, ph::vector<double, 2>(0, -21), 20);
+  EXPECT_TRUE(cycle().saturated);
 }
 
 const ph::wall the_floor(ph::half_space<2>({0, 0}, {0, 1}), 5e3);
@@ -153,7 +157,9 @@ TEST(with_effects, asks_no_law_in_free_space) {
   const ph::device_state<M> state{0, {0, 1}, {1, 1}, {0, 0}};
   EXPECT_EQ(first(state).outcome, ph::status::ok);
   EXPECT_EQ(second(state).outcome, ph::status::ok);
-  EXPECT_EQ(second(state).contact_count, 0);
+  const auto free = second(state);
+  EXPECT_EQ(free.contact_count, 0);
+  EXPECT_FALSE(free.contacts[0].first) << "nothing was left";
 }
 
 // ---- At rest

@@ -30,7 +30,7 @@ class contact_memory {
       if (free == nullptr && !s.known && !s.touched) free = &s;
     }
     if (free == nullptr) return slots_.back().memory;
-    *free = {wall, false, true, {}};
+    *free = {.wall = wall, .touched = true};
     return free->memory;
   }
 

@@ -119,17 +119,13 @@ struct single_degree_of_freedom_control {
   int choose(const Slopes& slope, double error, int locked) const {
     const bool deep = error > parameters.band, shallow = error < -parameters.band;
     if (!deep && !shallow && locked >= 0) return locked;
-    int best = -1;
-    bool best_fits = false;
-    for (int i = 0; i < slope.size(); ++i) {
-      const bool fits = deep ? slope[i] >= 0 : (!shallow || slope[i] <= 0);
-      const bool flatter = best < 0 || std::abs(slope[i]) < std::abs(slope[best]);
-      if (best < 0 || (fits && !best_fits) || (fits == best_fits && flatter)) {
-        best = i;
-        best_fits = fits;
-      }
+    const auto fits = [&](int i) { return deep ? slope[i] >= 0 : (!shallow || slope[i] <= 0); };
+    int best = 0;
+    for (int i = 1; i < slope.size(); ++i) {
+      const bool flatter = std::abs(slope[i]) < std::abs(slope[best]);
+      if (fits(i) == fits(best) ? flatter : fits(i)) best = i;
     }
-    return deep && !best_fits ? all : best;
+    return deep && !fits(best) ? all : best;
   }
 };
 

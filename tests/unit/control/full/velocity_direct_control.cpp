@@ -15,8 +15,10 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace {
 
@@ -88,6 +90,7 @@ struct held_slide {
   constants p = unfiltered();
   law control{p};
   ph::step_memory<law> memory = {};
+  ph::brakes_of<table> brakes = without_lag();
   double time = 0;
 
   static constants unfiltered() {
@@ -101,7 +104,7 @@ struct held_slide {
     if (depth > 0) touched.push_back(floor_at(0, -depth));
     auto state = state_of<table>({0, -depth}, {0, v}, {0, Fh});
     state.time = time += 1e-3;
-    return ph::step(table(), without_lag(), touched, control, state, memory).capacity[1];
+    return ph::step(table(), brakes, touched, control, state, memory).capacity[1];
   }
 };
 
@@ -119,6 +122,37 @@ TEST(velocity_direct_control, learns_the_force_that_is_missing) {
   for (int k = 0; k < 50; ++k) slide.cycle(p.rest_depth, -0.05);
   slide.cycle(-1, 0);
   EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05), first, 1e-9) << "a wall that was left is forgotten";
+}
+
+TEST(velocity_direct_control, learns_nothing_while_time_runs_back) {
+  held_slide slide;
+  for (int k = 0; k < 50; ++k) slide.cycle(slide.p.rest_depth, -0.05);
+  slide.time -= 0.02;
+  const double back = slide.cycle(slide.p.rest_depth, -0.05);
+  EXPECT_GT(back, 1.4 * 0.05 * force_per_speed(slide.p)) << "what was learned before is kept";
+  EXPECT_NEAR(slide.cycle(slide.p.rest_depth, -0.05), back, 1e-9);
+}
+
+// A push that is measured but not there: b undoes all that is fed forward for it, and no more.
+TEST(velocity_direct_control, unlearns_a_push_that_is_not_there) {
+  held_slide slide;
+  const auto& p = slide.p;
+  constexpr double push = 10;  // [N]
+  EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05, -push), 0.05 * force_per_speed(p) + push * p.force_share,
+              1e-9);
+  for (int k = 0; k < 100; ++k) slide.cycle(p.rest_depth, 0.05, -push);
+  EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05, -push), 0.05 * force_per_speed(p), 1e-9);
+}
+
+// Brakes that lag make nothing any more where the next contact begins.
+TEST(velocity_direct_control, knows_that_brakes_are_let_go_in_free_space) {
+  held_slide slide;
+  slide.brakes.time_constant.setConstant(0.02);
+  const double first = slide.cycle(slide.p.rest_depth, -0.05);
+  for (int k = 0; k < 100; ++k) slide.cycle(slide.p.rest_depth, -0.05);
+  slide.cycle(-1, 0);
+  slide.time += 1;
+  EXPECT_NEAR(slide.cycle(slide.p.rest_depth, -0.05), first, 1e-9);
 }
 
 // At rest it is held by 2 N: it is told twice that, and nothing is learned of it.
@@ -143,10 +177,11 @@ TEST(velocity_direct_control, lets_a_brake_go_that_sticks_while_the_handle_leave
   EXPECT_NEAR(left, std::max((learned + forward) * share - forward, -forward), 0.05 * learned);
 }
 
-// What the depth jumps by, beyond its motion, is a count of the encoders: it rests deeper.
+// What the depth jumps by, beyond its motion, is a count of the encoders: it rests deeper. At depths whose
+// reference is below v_max.
 TEST(velocity_direct_control, rests_deeper_where_it_sees_coarsely) {
   const constants p;
-  constexpr double depth = 0.01, v = -0.05, dt = 1e-3;
+  constexpr double depth = 0.004, v = -0.05, dt = 1e-3;
   for (const double jump : {0.1e-3, 0.5e-3, 1e-3, 5e-3}) {
     held_slide slide;
     slide.p.depth_per_jump = p.depth_per_jump;
@@ -154,7 +189,7 @@ TEST(velocity_direct_control, rests_deeper_where_it_sees_coarsely) {
     slide.cycle(depth, v);
     const double f = slide.cycle(depth + jump - 2 * v * dt, v);
     const double rest = std::max(p.rest_depth, std::min(p.depth_per_jump * jump, law::deepest_rest));
-    const double wanted = std::min(p.depth_gain * (depth + jump - 2 * v * dt - rest), p.velocity_limit);
+    const double wanted = p.depth_gain * (depth + jump - 2 * v * dt - rest);
     EXPECT_NEAR(f, (wanted - v) * force_per_speed(p), 1e-9) << jump;
   }
 }
@@ -264,6 +299,69 @@ TEST(velocity_direct_control, holds_in_the_corner_of_two_walls) {
   EXPECT_LT(deepest, 2e-3);
 }
 
+// Each brake there is at rest: what pushes it tells its sign, not the velocity that is stopped at both walls.
+TEST(velocity_direct_control, holds_a_handle_at_rest_in_a_corner) {
+  const constants p;
+  constexpr double sinking = 0.005;
+  const pair push(2, 3);
+  auto brakes = without_lag();
+  brakes.rate_dead_band.setConstant(2 * sinking);
+  ph::contacts<2, 2> corner;
+  for (const pair& n : {pair(1, 0), pair(0, 1)})
+    corner.push_back({.normal = n, .depth = p.rest_depth, .stiffness = 1e7});
+  ph::step_memory<law> memory;
+  const auto held =
+      ph::step(table(), brakes, corner, law(), state_of<table>({0, 0}, {-sinking, -sinking}, -push), memory);
+  for (int i = 0; i < 2; ++i)
+    EXPECT_NEAR(held.capacity[i], sinking * force_per_speed(p) + push[i] * p.force_share, 1e-6);
+}
+
+// Which way a brake pushes is told by its rate once the handle has stopped sinking, w* = w - Lambda_n g n . v
+// (g = T M^-1 J^T n), or sinks only to the depth of rest. Of brakes that push out then, the one with the
+// least power |w*| / |g| for each acceleration makes all of the force.
+TEST(velocity_direct_control, takes_the_brake_that_pushes_with_the_least_power_once_it_has_landed) {
+  using M = ph::tendon_two_link<double>;
+  constexpr unsigned seed = 12;
+  ph::testing::random_source random(seed);
+  const M arm;
+  const constants p;
+  ph::brakes_of<M> brakes;
+  brakes.torque_limit.setConstant(1e6);
+  brakes.rate_dead_band.setConstant(1e-9);
+  brakes.time_constant.setZero();
+  int pushed = 0, turned = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const pair q(random.uniform(-3.0, 3.0), random.uniform(0.5, 2.6)), qd = random.normal_vector<double, 2>(),
+                                                                       n = random.direction<double, 2>();
+    const double depth = random.uniform(0.0, 6e-3);
+    const ph::pose_dynamics<M> device(arm, q, qd, p.hand_mass);
+    const auto along = ph::response_along(n, device, pair(0, 0));
+    const double sinking = -n.dot(device.velocity);
+    const double v_ref =
+        std::clamp(p.depth_gain * (depth - p.rest_depth), -p.velocity_limit, p.velocity_limit);
+    const double force = along.inertia * ((v_ref + sinking) / p.velocity_lag - along.free);
+    if (sinking < 0.1 || force < 0) continue;
+    const pair landed = device.rates + along.inertia * (std::min(v_ref, 0.0) + sinking) * along.g;
+    const pair power = landed.cwiseQuotient(along.g);  // < 0 where it pushes out
+    if (power.minCoeff() > 0) continue;                // none will
+    int best = 0;
+    for (int i = 1; i < 2; ++i)
+      if (power[i] < 0 && (power[best] > 0 || power[i] > power[best])) best = i;
+
+    ph::contacts<2, 1> touched;
+    touched.push_back({.normal = n, .depth = depth, .stiffness = 1e7, .position = arm.position(q)});
+    ph::step_memory<law> memory;
+    const auto result = ph::step(arm, brakes, touched, law(p), state_of<M>(q, qd), memory);
+    const double torque = force / along.inertia / std::abs(along.g[best]);
+    EXPECT_NEAR(result.capacity[best], torque, 1e-9 * torque) << "seed " << seed << ", trial " << k;
+    EXPECT_EQ(result.capacity[1 - best], 0) << "seed " << seed << ", trial " << k;
+    ++pushed;
+    turned += (device.rates.array() * landed.array() < 0).any();
+  }
+  EXPECT_GT(pushed, 100);
+  EXPECT_GT(turned, 20);
+}
+
 // Back along the wall the cone leaves brake 1 alone, 51 deg from the wall's normal, while brake 2 comes to
 // rest: told more it does nothing. A law that does not know that lets the handle slide into the wall along
 // the path of brake 2, by centimetres.
@@ -352,6 +450,36 @@ TEST(least_power_torques, make_what_is_wanted_with_the_least_power) {
             least_power = std::min(least_power, w.cwiseAbs().dot(other));
         }
     EXPECT_LE(w.cwiseAbs().dot(t), least_power + 1e-9) << "seed " << seed << ", trial " << k;
+  }
+}
+
+// Beside brake i that is held, brake j gives the handle g_j - g_i A_ij / A_ii for each N m.
+TEST(least_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_that_is_held) {
+  using V = ph::vector<double, 2>;
+  for (const int held : {0, 1}) {
+    for (const double sign : {-1.0, 1.0}) {
+      const int turns = 1 - held;
+      V g;
+      g[held] = 1;
+      g[turns] = -0.2 * sign;
+      ph::brake_reach<double, 2> reach;
+      reach.sign[held] = 1;
+      reach.sign[turns] = sign;
+      reach.least.setConstant(0.1);
+      reach.most[held] = 3;
+      reach.most[turns] = 1;
+      reach.A.diagonal().setConstant(2);
+      reach.A(held, turns) = reach.A(turns, held) = -sign;
+      reach.any_at_rest = reach.at_rest[held] = true;
+      reach.lasts.setConstant(true);
+      const double alone = 3 - 0.2 * 0.1, beside = 0.5 - 0.2;
+      for (const auto& [wanted, torque] : {std::pair(alone, 0.1), std::pair(alone + 0.5 * beside, 0.6),
+                                           std::pair(alone + 2 * beside, 1.0)}) {
+        const V t = ph::least_power_torques<double, 2>(g, wanted, reach, V(0, 0));
+        EXPECT_NEAR(t[held], 3, 1e-12) << wanted;
+        EXPECT_NEAR(t[turns], torque, 1e-12) << wanted;
+      }
+    }
   }
 }
 
