@@ -87,6 +87,40 @@ TEST(displayable, knows_singular_poses) {
   }
 }
 
+TEST(displayable, is_limited_by_the_first_brake_that_gives_way) {
+  const ph::xy_table<double> table;
+  const auto found = ph::displayable(table, {0, 0}, {-0.6, -0.8}, {0.6, 0.8}, {1, 10});
+  EXPECT_EQ(found.display, ph::display_class::exact);
+  EXPECT_NEAR(found.strongest, 0.6 * 1 + 0.8 * 10, 1e-12);
+  EXPECT_NEAR(found.strongest_nearest, 1 / 0.6, 1e-12);
+  const auto across = ph::displayable(table, {0, 0}, {0, -1}, {0, 1}, {infinite, 2});
+  EXPECT_EQ(across.strongest, 2) << "a brake that rests adds nothing, without limit as well";
+  EXPECT_EQ(across.strongest_nearest, 2);
+}
+
+// Three slides, of which the last moves nothing but the brakes.
+struct coupled_slides {
+  using scalar = double;
+  static constexpr int dof = 3, task_dimension = 2, brake_count = 3;
+  static constexpr bool inertial_forces = false;
+  ph::vector<double, 2> position(const ph::vector<double, 3>& q) const { return {q[0], q[1]}; }
+  ph::matrix<double, 2, 3> jacobian() const { return ph::matrix<double, 2, 3>{{1, 0, 0}, {0, 1, 0}}; }
+  ph::matrix<double, 3, 3> transmission() const {
+    return ph::matrix<double, 3, 3>{{1, 0, 1}, {1, 1, 1}, {1, 0, 2}};
+  }
+};
+
+// Moving along x, every force that leaves the self-motion alone would have a brake drive.
+TEST(displayable, knows_the_empty_cone) {
+  const auto display = [](const ph::vector<double, 2>& v, const ph::vector<double, 2>& n) {
+    return ph::displayable(coupled_slides(), {0, 0, 0}, v, n).display;
+  };
+  for (const ph::vector<double, 2>& n : {ph::vector<double, 2>(-1, 0), ph::vector<double, 2>(0, 1)})
+    EXPECT_EQ(display({1, 0}, n), ph::display_class::empty_cone);
+  EXPECT_EQ(display({0, 1}, {0, 1}), ph::display_class::none) << "there are other forces";
+  EXPECT_EQ(display({0, 1}, {0, -1}), ph::display_class::exact);
+}
+
 TEST(displayable, says_what_is_wrong) {
   const tendon arm;
   const double nan = std::numeric_limits<double>::quiet_NaN();

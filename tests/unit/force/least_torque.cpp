@@ -87,3 +87,16 @@ TEST(least_torque, does_not_depend_on_units) {
     EXPECT_TRUE((unit * scaled.torque).isApprox(t, 1e-14)) << unit;
   }
 }
+
+TEST(nearest_torque, stays_within_limits_and_gets_as_near_as_they_allow) {
+  const ph::matrix<double, 2, 2> G = ph::matrix<double, 2, 2>::Identity();
+  using pair = ph::vector<double, 2>;
+  const auto force = [&](const pair& s, const pair& limit, const pair& Fd) {
+    return ph::nearest_torque<double, 2, 2>(G, ph::torques_within(s, limit), Fd).force;
+  };
+  const pair moving(-1, -1), resting(0, 0);
+  EXPECT_EQ(force(moving, {1, 0.5}, {3, 0.25}), pair(1, 0.25));
+  EXPECT_EQ(force(moving, {1, 0.5}, {3, -7}), pair(1, 0));
+  EXPECT_EQ(force(resting, {1, 0.5}, {0.75, -7}), pair(0.75, -0.5));
+  for (const pair& s : {moving, resting}) EXPECT_EQ(force(s, {0, inf}, {3, 7}), pair(0, 7)) << "one is dead";
+}

@@ -1,6 +1,6 @@
 // The projection onto a cone against an oracle in 50 digits.
 #include "../cone_oracle.hpp"
-#include "../cone_size.hpp"
+#include "cone_size.hpp"
 
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -220,21 +220,6 @@ TYPED_TEST(searched_cone, after_a_jump_begins_from_nothing) {
     ASSERT_EQ(warm.coefficients, cold.coefficients) << "seed 7, trial " << k;
   }
   EXPECT_GT(jumps, 150);
-}
-
-// On a line a half-space lets f through or leaves 0.
-TEST(cone_on_a_line, f_or_zero) {
-  using line = ph::matrix<double, 1, 3>;
-  using number = ph::vector<double, 1>;
-  const auto project = [](const line& B, double f) { return ph::project_onto_half_spaces(B, number(f)); };
-  EXPECT_EQ(project({-2, -1, 0}, 3).point[0], 3);
-  EXPECT_EQ(project({-2, -1, 0}, 3).active, 0u);
-  const auto held = project({0, 4, 1}, 3);
-  EXPECT_EQ(held.point[0], 0);
-  EXPECT_EQ(held.coefficients, (ph::vector<double, 3>(0, 0.75, 0)));
-  EXPECT_EQ(held.active, 2u);
-  EXPECT_EQ(project({1, -1, 0}, 0).point[0], 0);
-  EXPECT_EQ((ph::project_onto_half_spaces(ph::matrix<double, 1, 1>(1), number(-2)).point[0]), -2);
 }
 
 // Forces at distances of 1e-17 to 1 of an edge, conditions to 3e13: where lengths are compared, half of the

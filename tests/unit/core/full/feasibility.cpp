@@ -4,7 +4,7 @@
 #include "../../../stress/effort.hpp"
 #include "../adversarial_cones.hpp"
 #include "../cone_oracle.hpp"
-#include "../cone_size.hpp"
+#include "cone_size.hpp"
 
 #include <passive_haptics/core/linear/space_cone.hpp>
 

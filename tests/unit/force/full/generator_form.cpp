@@ -55,13 +55,6 @@ TEST(torque_box, leaves_a_brake_at_rest_free_within_its_limit) {
   EXPECT_EQ(box.upper, (ph::vector<double, 3>(0, 3, 4)));
 }
 
-TEST(nearest_torque, stays_within_limits_and_gets_as_near_as_they_allow) {
-  const ph::matrix<double, 2, 2> G = ph::matrix<double, 2, 2>::Identity();
-  const auto box = ph::torques_within<double, 2>({-1, -1}, {1, 0.5});
-  EXPECT_EQ((ph::nearest_torque<double, 2, 2>(G, box, {3, 0.25}).force), (ph::vector<double, 2>(1, 0.25)));
-  EXPECT_EQ((ph::nearest_torque<double, 2, 2>(G, box, {3, -7}).force), (ph::vector<double, 2>(1, 0)));
-}
-
 // F = G t accelerates the end effector as the brakes do: J M^-1 J^T F = J M^-1 T^T t.
 TEST(inertial_forces, accelerate_the_end_effector_as_the_brakes_do) {
   using chain = ph::serial_chain_with_inertia<double, 3, 2>;
