@@ -167,7 +167,8 @@ class momentum_observer {
       const bool lags = started_ && h > 0 && brakes_.time_constant[i] > scalar(0);
       mean[i] = lags ? u[i] - brakes_.time_constant[i] * (after - before[i]) / static_cast<scalar>(h) : after;
     });
-    return mean;
+    // A period that is almost none divides a rounding
+    return mean.cwiseMax(scalar(0)).cwiseMin(brakes_.torque_limit);
   }
 
   bool slipped(int i, const motion& now) const {
