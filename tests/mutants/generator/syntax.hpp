@@ -29,16 +29,20 @@ inline bool ends_expression(const token& t) {
          !(t.is("->") && !t.spaced_before);
 }
 
+// Whether the bracket that closes at i ends a block or a condition, and no expression.
+inline bool closes_before_a_statement(const source& s, int i) {
+  const int open = s.partner_of(i);
+  if (s.is(i, "}")) return s.scope_of(open) != scope::list;
+  return s.is(i, ")") && open > 0 && s[open - 1].is_any({"if", "for", "while", "switch", "constexpr"});
+}
+
 // First token of the operand to the left of an operator that binds so strongly.
 inline int operand_begin(const source& s, int at, int strength) {
   int first = at;
   for (int i = at - 1; i >= 0; --i) {
     if (s.closes(i)) {
-      const int open = s.partner_of(i);
-      if (s.is(i, "}") && s.scope_of(open) != scope::list) break;
-      if (s.is(i, ")") && open > 0 && s[open - 1].is_any({"if", "for", "while", "switch", "constexpr"}))
-        break;
-      i = open;
+      if (closes_before_a_statement(s, i)) break;
+      i = s.partner_of(i);
     } else if (s.opens(i) || ends_expression(s[i])) {
       break;
     } else if (const int b = binding(s[i]); b > 0 && b < strength) {
@@ -177,11 +181,8 @@ inline int statement_begin(const source& s, int end) {
   int first = end;
   for (int i = end - 1; i >= 0; --i) {
     if (s.closes(i)) {
-      const int open = s.partner_of(i);
-      if (s.is(i, "}") && s.scope_of(open) != scope::list) break;
-      if (s.is(i, ")") && open > 0 && s[open - 1].is_any({"if", "for", "while", "switch", "constexpr"}))
-        break;
-      i = open;
+      if (closes_before_a_statement(s, i)) break;
+      i = s.partner_of(i);
     } else if (s.opens(i) || s[i].is_any({";", "else", "do"}) || (s.is(i, ":") && !s[i].spaced_before)) {
       break;
     }
