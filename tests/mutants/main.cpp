@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   const sources headers = read_headers(o.repository);
   const std::vector<mutant> all = all_mutants(headers);
   const auto argued = keys_in(read_text(o.repository / "tests/mutants/equivalent.txt"));
-  for (const std::string& key : stale(argued, all)) {
+  for (const auto& [key, why] : stale(argued, all)) {
     std::cerr << "error: tests/mutants/equivalent.txt argues about what is no longer there: " << key << '\n';
     return 2;
   }

@@ -1,6 +1,7 @@
 // What the tool makes of small headers.
 #include "generator/draw.hpp"
 #include "generator/switches.hpp"
+#include "runner/build.hpp"
 #include "runner/table.hpp"
 
 #include <gtest/gtest.h>
@@ -143,14 +144,26 @@ TEST(draw, repeats_itself_and_takes_turns) {
   EXPECT_LT(kept, 4);
 }
 
+TEST(failures, are_found_by_object) {
+  const auto found = failures_in(
+      "[1/3] Building a.o\nFAILED: a.o \nc++ -o a.o\na.cpp:1: error: x\n[2/3] Building b.o\nb.cpp:2: note: "
+      "y\n"
+      "[3/3] Building c.o\nFAILED: c.o \nc.cpp:3: error: z\n");
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NE(found.at("a.o").find("error: x"), std::string::npos);
+  EXPECT_EQ(found.at("a.o").find("note: y"), std::string::npos);
+  EXPECT_NE(found.at("c.o").find("error: z"), std::string::npos);
+}
+
 TEST(arguments, are_found_by_text_and_grow_stale) {
   const source s("brake/sample.hpp", "\n\nbool f() { return a < b; }\n");
   const auto all = mutants_of(s);
   const std::string key = "brake/sample.hpp | bool f() { return a < b; } | bool f() { return a > b; }";
   EXPECT_EQ(key_of(all[0]), key);
-  EXPECT_EQ(keys_in("# why\n\n" + key + " | a is never b\n"), std::set<std::string>{key});
-  EXPECT_EQ(stale({key}, all), std::set<std::string>{});
-  EXPECT_EQ(stale({key, "brake/a.hpp | x | y"}, all).size(), 1u);
+  EXPECT_EQ(keys_in("# why\n\n" + key + " | a is never b\n"),
+            (std::map<std::string, std::string>{{key, "a is never b"}}));
+  EXPECT_TRUE(stale({{key, ""}}, all).empty());
+  EXPECT_EQ(stale({{key, ""}, {"brake/a.hpp | x | y", ""}}, all).size(), 1u);
 }
 
 }  // namespace

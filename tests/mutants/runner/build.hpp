@@ -149,6 +149,21 @@ class mutated_build {
   unsigned jobs_;
 };
 
+// The objects that ninja could not make, and what the compiler said of each.
+inline std::map<std::string, std::string> failures_in(const std::string& log) {
+  const std::string failed = "FAILED: ";
+  std::map<std::string, std::string> all;
+  std::istringstream in(log);
+  std::string object;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("[")) object.clear();
+    if (line.starts_with(failed))
+      object = line.substr(failed.size(), line.find(' ', failed.size()) - failed.size());
+    if (!object.empty()) all[object] += line + '\n';
+  }
+  return all;
+}
+
 // Lines of headers in a compiler's errors, and in its notes.
 struct blamed_lines {
   std::set<std::pair<std::string, long>> errors, notes;

@@ -60,8 +60,9 @@ class campaign {
     done_.resize(drawn_.size());
     const auto dropped = keys_in(read_text(list("dropped")));
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
-      if (drawn_[i].how != form::compiled && !dropped.contains(key_of(drawn_[i])))
-        switched_.emplace(static_cast<int>(i), drawn_[i]);
+      const auto found = dropped.find(key_of(drawn_[i]));
+      if (found != dropped.end()) failed_in_.emplace(static_cast<int>(i), found->second);
+      else if (drawn_[i].how != form::compiled) switched_.emplace(static_cast<int>(i), drawn_[i]);
     }
     for (const ending how : {ending::failed, ending::crashed, ending::late}) {
       const auto killed = keys_in(read_text(list(word_of(how))));
@@ -76,10 +77,10 @@ class campaign {
   std::vector<judged_mutant> judge() {
     build_.write(headers_, switched_);
     if (!build_.configure() || !build_.make({"test_prelude"})) stop("the copy cannot be configured");
-    const auto light = light_units();
-    drop_what_does_not_compile({probe(light.front())});  // quick, and finds most; the builds find the rest
+    drop_what_does_not_compile(
+        {probe(light_units().front())});  // quick, and finds most; the builds find the rest
     judge_with(false);
-    judge_alone(light);
+    judge_alone();
     judge_with(true);
     std::vector<judged_mutant> first;
     for (std::size_t i = 0; i < drawn_.size() && first.size() < o_.count; ++i) {
@@ -161,14 +162,15 @@ class campaign {
     return all;
   }
 
-  // What a switch cannot stand for is compiled alone.
-  void drop_switches(const std::set<int>& numbers, const std::string& log) {
-    if (numbers.empty()) stop("no switch is to blame:\n" + log.substr(0, 3000));
-    for (const int n : numbers) {
-      std::ofstream(list("dropped"), std::ios::app) << key_of(switched_.at(n)) << '\n';
+  // What a switch cannot stand for is compiled alone. failed_in: numbers, and objects that could not be made.
+  void drop_switches(const std::map<int, std::string>& failed_in, const std::string& log) {
+    if (failed_in.empty()) stop("no switch is to blame:\n" + log.substr(0, 3000));
+    for (const auto& [n, object] : failed_in) {
+      std::ofstream(list("dropped"), std::ios::app) << key_of(switched_.at(n)) << " | " << object << '\n';
       switched_.erase(n);
     }
-    say(std::to_string(numbers.size()) + " switches do not compile");
+    failed_in_.insert(failed_in.begin(), failed_in.end());
+    say(std::to_string(failed_in.size()) + " switches do not compile");
     build_.write(headers_, switched_, true);
   }
 
@@ -179,18 +181,19 @@ class campaign {
         const fs::path log = o_.work / ("compile." + std::to_string(worker) + ".log");
         if (!build_.compile(left[i], "-fmax-errors=0", "", log)) logs[i] = read_text(log);
       });
-      std::set<int> numbers;
+      std::map<int, std::string> failed_in;
       std::vector<unit> again;
       std::string all;
       for (std::size_t i = 0; i < left.size(); ++i) {
         if (logs[i].empty()) continue;
         again.push_back(left[i]);
-        numbers.merge(numbers_in_errors(logs[i], headers_, switched_));
+        for (const int n : numbers_in_errors(logs[i], headers_, switched_))
+          failed_in.emplace(n, left[i].object);
         all += logs[i];
       }
       write_text(o_.work / "errors.log", all);
       left = again;
-      if (!left.empty()) drop_switches(numbers, all);
+      if (!left.empty()) drop_switches(failed_in, all);
     }
   }
 
@@ -198,7 +201,11 @@ class campaign {
     say("building");
     while (!build_.make(full ? full_targets() : std::vector<std::string>{"all"})) {
       const std::string log = read_text(o_.work / "make.log");
-      drop_switches(numbers_in_errors(log, headers_, switched_), log);
+      std::map<int, std::string> failed_in;
+      for (const auto& [object, errors] : failures_in(log)) {
+        for (const int n : numbers_in_errors(errors, headers_, switched_)) failed_in.emplace(n, object);
+      }
+      drop_switches(failed_in, log);
     }
     std::vector<fs::path> programs;
     for (const auto& entry : fs::directory_iterator(build_.directory() / "tests")) {
@@ -217,14 +224,16 @@ class campaign {
     });
   }
 
-  void judge_alone(const std::vector<unit>& light) {
+  void judge_alone() {
     const auto left = left_of([&](int i) { return !switched_.contains(i); });
     say(std::to_string(left.size()) + " mutants compiled alone");
-    const lone_judge judge(build_, o_.work, light);
+    const lone_judge judge(build_, o_.work, light_units());
     in_parallel(left.size(), o_.jobs, [&](std::size_t k, unsigned) {
       const int number = left[k];
       const auto i = static_cast<std::size_t>(number);
-      const lone_verdict v = judge(*headers_.at(drawn_[i].file), drawn_[i], number);
+      const auto first = failed_in_.find(number);
+      const lone_verdict v = judge(*headers_.at(drawn_[i].file), drawn_[i], number,
+                                   first == failed_in_.end() ? "" : first->second);
       if (v.compiles || drawn_[i].how == form::compiled) settle(i, v.given);
       else {
         const std::scoped_lock lock(mutex_);
@@ -240,7 +249,8 @@ class campaign {
   std::vector<mutant> drawn_;
   std::vector<verdict> given_;
   std::vector<char> done_;
-  std::map<int, mutant> switched_;  // by their numbers, which are places in drawn_
+  std::map<int, mutant> switched_;        // by their numbers, which are places in drawn_
+  std::map<int, std::string> failed_in_;  // where a switch could not be compiled
   std::set<int> invalid_;
   std::mutex mutex_;
 };

@@ -23,12 +23,13 @@ class lone_judge {
   lone_judge(const mutated_build& b, fs::path work, std::vector<unit> units)
       : build_(b), work_(std::move(work)), units_(std::move(units)), headers_of_(b.dependencies()) {}
 
-  lone_verdict operator()(const source& s, const mutant& m, int number) const {
+  // first: the object that could not be made with its switch, which says most of it.
+  lone_verdict operator()(const source& s, const mutant& m, int number, const std::string& first) const {
     const fs::path room = work_ / "alone" / std::to_string(number);
     fs::remove_all(room);
     write_text(room / "passive_haptics" / m.file, mutated_text(s, m));
     lone_verdict v{true, {}};
-    for (const unit& u : units_for(m.file)) {
+    for (const unit& u : units_for(m.file, first)) {
       v.given.reached = true;
       const fs::path object = room / "test.o", program = room / "test";
       if (!build_.compile(u, "-I" + room.string(), object, room / "log"))
@@ -50,7 +51,7 @@ class lone_judge {
   static bool is_static(const unit& u) { return u.source.parent_path().filename() == "static"; }
 
   // Those that include it by name come first, then those that include little.
-  std::vector<unit> units_for(const std::string& header) const {
+  std::vector<unit> units_for(const std::string& header, const std::string& first) const {
     std::vector<std::pair<std::pair<bool, std::size_t>, const unit*>> ordered;
     for (const unit& u : units_) {
       const auto found = headers_of_.find(u.object);
@@ -60,8 +61,11 @@ class lone_judge {
     }
     std::sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<unit> chosen;
+    for (const unit& u : build_.units()) {
+      if (u.object == first) chosen.push_back(u);
+    }
     for (const auto& [rank, u] : ordered) {
-      if (chosen.size() < most_units) chosen.push_back(*u);
+      if (chosen.size() < most_units && u->object != first) chosen.push_back(*u);
     }
     return chosen;
   }

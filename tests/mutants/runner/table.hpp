@@ -19,22 +19,23 @@ inline std::string key_of(const mutant& m) {
   return m.file + " | " + m.original_line + " | " + m.mutated_line;
 }
 
-// The keys in lines of text; what follows a key, as " | " and an argument, is not part of it.
-inline std::set<std::string> keys_in(const std::string& text) {
-  std::set<std::string> keys;
+// The keys in lines of text, and what follows each behind another " | ", as an argument.
+inline std::map<std::string, std::string> keys_in(const std::string& text) {
+  std::map<std::string, std::string> keys;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line.starts_with("#")) continue;
     std::size_t end = 0;
     for (int bar = 0; bar < 3 && end != std::string::npos; ++bar)
       end = line.find(" | ", end + (bar > 0 ? 3 : 0));
-    keys.insert(line.substr(0, end));
+    keys.emplace(line.substr(0, end), end == std::string::npos ? "" : line.substr(end + 3));
   }
   return keys;
 }
 
 // Arguments about code that is no longer there.
-inline std::set<std::string> stale(std::set<std::string> argued, const std::vector<mutant>& all) {
+inline std::map<std::string, std::string> stale(std::map<std::string, std::string> argued,
+                                                const std::vector<mutant>& all) {
   for (const mutant& m : all) argued.erase(key_of(m));
   return argued;
 }
@@ -67,7 +68,7 @@ inline void print(std::ostream& out, const std::string& name, const tally& t) {
 
 // Prints all; true if enough are killed or argued, and few enough argued.
 inline bool print_table(std::ostream& out, const std::vector<judged_mutant>& all,
-                        const std::set<std::string>& argued) {
+                        const std::map<std::string, std::string>& argued) {
   std::map<std::string, tally> by_operator, by_stage;
   tally sum;
   for (const judged_mutant& m : all) {
