@@ -54,7 +54,7 @@ TYPED_TEST_SUITE(world, dimensions);
 TYPED_TEST(world, is_touched_as_a_scan_over_everything_says) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(seed);
-  const many_shapes::shapes<D> all(D == 2 ? 300 : 20'000, random);
+  const many_shapes::shapes<D> all(D == 2 ? 300 : 8'000, random);
   ph::world<D> w(counted_walls(all));
   many_shapes::wandering_hand<D> hand(5e-4, random);
   int touched = 0;
