@@ -2,8 +2,10 @@
 #include <passive_haptics/core/linear/active_set.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/core/linear/updatable_qr.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <limits>
@@ -29,8 +31,90 @@ TEST(cone_on_a_line, f_or_zero) {
   EXPECT_EQ(held.point[0], 0);
   EXPECT_EQ(held.coefficients, (ph::vector<double, 3>(0, 0.75, 0)));
   EXPECT_EQ(held.active, 2u);
+  const auto by_the_first = project({4, 8, 0}, 3);
+  EXPECT_EQ(by_the_first.coefficients, (ph::vector<double, 3>(0.75, 0, 0)));
+  EXPECT_EQ(by_the_first.active, 1u);
   EXPECT_EQ(project({1, -1, 0}, 0).point[0], 0);
   EXPECT_EQ((ph::project_onto_half_spaces(ph::matrix<double, 1, 1>(1), number(-2)).point[0]), -2);
+}
+
+// The conditions of Karush, Kuhn and Tucker, which make p the nearest point: f = p + B mu, p in the cone and
+// at right angles to what holds it back, mu > 0 there and else 0.
+template <int Rows, int Columns>
+void expect_nearest(const ph::half_space_projection<double, Rows, Columns>& held,
+                    const ph::matrix<double, Rows, Columns>& B, const ph::vector<double, Rows>& f) {
+  SCOPED_TRACE(::testing::Message() << "B =\n" << B << "\nf = " << f.transpose());
+  const auto& mu = held.coefficients;
+  EXPECT_LE((held.point + B * mu - f).norm(), 1e-13 * (1 + B.norm() * mu.norm()));
+  for (int j = 0; j < Columns; ++j) {
+    const bool holds = (held.active >> j & 1u) != 0;
+    const double beyond = B.col(j).dot(held.point) / B.col(j).norm();
+    EXPECT_LE(holds ? std::abs(beyond) : beyond, 1e-13 * f.norm()) << "half-space " << j;
+    EXPECT_TRUE(holds ? mu[j] > 0 : mu[j] == 0) << "half-space " << j;
+  }
+  EXPECT_EQ(held.active >> Columns, 0u);
+}
+
+// Half-spaces of lengths from 1/4 to 4 and a force of a length that is not 1.
+template <int Rows, int Columns>
+struct problem {
+  ph::matrix<double, Rows, Columns> B;
+  ph::vector<double, Rows> f;
+  explicit problem(ph::testing::random_source& random) {
+    for (int j = 0; j < Columns; ++j)
+      B.col(j) = random.positive(0.25, 4.0) * random.direction<double, Rows>();
+    f = 3 * random.direction<double, Rows>();
+  }
+};
+
+template <int Columns>
+void expect_nearest_in_the_plane() {
+  ph::testing::random_source random(1);
+  for (int k = 0; k < 200; ++k) {
+    const problem<2, Columns> p(random);
+    expect_nearest(ph::project_onto_half_spaces(p.B, p.f), p.B, p.f);
+  }
+}
+
+TEST(cone_in_the_plane, is_held_by_what_is_in_the_way) {
+  expect_nearest_in_the_plane<1>();
+  expect_nearest_in_the_plane<2>();
+  expect_nearest_in_the_plane<3>();
+  expect_nearest_in_the_plane<5>();
+}
+
+TEST(cone_in_the_plane, is_held_by_one_of_three_at_an_edge) {
+  const ph::matrix<double, 2, 3> B{{2, -1, 0}, {0, 0, -3}};
+  for (int first = 0; first < 3; ++first) {
+    ph::matrix<double, 2, 3> turned;
+    for (int j = 0; j < 3; ++j) turned.col((first + j) % 3) = B.col(j);
+    const auto held = ph::project_onto_half_spaces(turned, ph::vector<double, 2>(3, 1));
+    EXPECT_EQ(held.point, (ph::vector<double, 2>(0, 1)));
+    EXPECT_EQ(held.coefficients, 1.5 * vec::Unit(first));
+    EXPECT_EQ(held.active, 1u << first);
+  }
+}
+
+// Opposed, alike, zero: two half-spaces that have no edges of their own.
+TEST(cone_in_the_plane, of_two_that_are_parallel) {
+  using pair = ph::vector<double, 2>;
+  const auto project = [](double first, double second, const pair& f) {
+    const ph::matrix<double, 2, 2> B{{3 * first, 3 * second}, {4 * first, 4 * second}};
+    return ph::project_onto_half_spaces(B, f);
+  };
+  const pair f(3 - 4, 4 + 3);  // along both and one length to the left
+  const auto same = project(1, 2, f), opposed = project(1, -2, f), one = project(0, 2, f);
+  for (const auto& held : {same, opposed, one}) {
+    EXPECT_TRUE(held.point.isApprox(pair(-4, 3), 1e-15)) << held.point.transpose();
+    EXPECT_EQ(held.point.dot(pair(3, 4)), 0);
+  }
+  EXPECT_EQ(same.coefficients, pair(1, 0));
+  EXPECT_EQ(opposed.coefficients, pair(1, 0));
+  EXPECT_EQ(opposed.active, 1u);
+  EXPECT_EQ(one.coefficients, pair(0, 0.5));
+  EXPECT_EQ(one.active, 2u);
+  EXPECT_EQ(project(-1, -2, f).point, f);
+  EXPECT_EQ(project(0, 0, f).point, f);
 }
 
 // The third half-space holds f back at the apex as well, with the second.
@@ -40,6 +124,59 @@ TEST(cone_in_the_plane, is_held_at_its_apex_by_the_two_that_are_least_parallel) 
   EXPECT_EQ(held.point, (ph::vector<double, 2>(0, 0)));
   EXPECT_EQ(held.coefficients, vec(1, 2, 0));
   EXPECT_EQ(held.active, 3u);
+}
+
+// A point of each face, edge and so on, pushed out of the cone by what meets there: all solvers know it.
+TEST(cone_in_space, has_its_nearest_point_on_each_face_and_edge_and_at_the_apex) {
+  ph::testing::random_source random(2);
+  int taken = 0, right = 0;
+  for (int k = 0; k < 100; ++k) {
+    const half_spaces B = problem<3, 3>(random).B, away = B.inverse().transpose();
+    if (away.norm() * B.norm() > 100) continue;
+    for (ph::half_space_set held = 0; held < 8; ++held) {
+      SCOPED_TRACE(::testing::Message() << "seed 2, cone " << k << ", half-spaces " << held);
+      vec p = vec::Zero(), mu = vec::Zero();
+      for (int j = 0; j < 3; ++j) {
+        const double size = random.uniform(0.1, 2.0);
+        if ((held >> j & 1u) != 0) mu[j] = size;
+        else p -= size * away.col(j);
+      }
+      const vec f = p + B * mu;
+      const auto expect_answer = [&](const projection& answer) {
+        EXPECT_EQ(answer.active, held);
+        EXPECT_LE((answer.point - p).norm(), 1e-12 * (1 + p.norm()));
+        EXPECT_LE((answer.coefficients - mu).norm(), 1e-12);
+        for (int j = 0; j < 3; ++j) EXPECT_EQ(answer.coefficients[j] == 0, mu[j] == 0);
+      };
+      projection answer{vec(7, 8, 9), vec(4, 5, 6), 8};
+      EXPECT_TRUE(ph::detail::space_cone<double>(B, f).nearest(answer));
+      expect_answer(answer);
+      ph::half_space_set violated = 0;
+      for (int j = 0; j < 3; ++j) violated |= (B.col(j).dot(f) > 0 ? 1u : 0u) << j;
+      for (unsigned before = 0; before < 16; ++before) {
+        const projection untouched{vec(7, 8, 9), vec(4, 5, 6), 8};
+        answer = untouched;
+        if (ph::detail::space_cone_start<double>(B, f).nearest(before, answer)) {
+          EXPECT_EQ(before, held);
+          expect_answer(answer);
+          ++taken;
+        } else {
+          EXPECT_EQ(answer.point, untouched.point);
+          EXPECT_EQ(answer.active, untouched.active);
+        }
+        for (const ph::half_space_set then : {violated, violated ^ 1u}) {
+          ph::half_space_start start{before, then}, of_set{before, then};
+          expect_answer(ph::project_onto_half_spaces(B, f, start));
+          EXPECT_EQ(start.active, held);
+          expect_answer(ph::detail::active_set<double, 3, 3>(B, f).nearest(of_set));
+          EXPECT_EQ(of_set.active, held);
+          EXPECT_EQ(of_set.violated, violated);
+        }
+      }
+      right += held != 0 && held != 7;
+    }
+  }
+  EXPECT_GT(taken, 0.9 * right) << "others are narrow edges";
 }
 
 TEST(space_cone_start, is_taken_where_it_holds_f_back_clear_of_the_others_alone) {
@@ -73,6 +210,62 @@ TEST(active_set, comes_from_any_start_to_the_same) {
   }
 }
 
+// Wherever it begins: with what held another force, with members that do not hold this one, with all.
+template <int Rows, int Columns>
+void expect_nearest_from_any_start(int problems) {
+  SCOPED_TRACE(::testing::Message() << Rows << " x " << Columns);
+  ph::testing::random_source random(3);
+  for (int k = 0; k < problems; ++k) {
+    const problem<Rows, Columns> p(random);
+    ph::half_space_start left;
+    const auto cold = ph::project_onto_half_spaces(p.B, p.f, left);
+    expect_nearest(cold, p.B, p.f);
+    EXPECT_EQ(left.active, cold.active);
+    for (unsigned active = 0; active < 2u << Columns; ++active) {
+      SCOPED_TRACE(::testing::Message() << "seed 3, problem " << k << ", from " << active);
+      ph::half_space_start start{active, left.violated};
+      const auto warm = ph::project_onto_half_spaces(p.B, p.f, start);
+      expect_nearest(warm, p.B, p.f);
+      ASSERT_LE((warm.point - cold.point).norm(), 1e-12);
+      if (Columns <= Rows) ASSERT_EQ(warm.active, cold.active) << "more may hold an apex otherwise";
+      ASSERT_EQ(start.active, warm.active);
+      ASSERT_EQ(start.violated, left.violated);
+    }
+  }
+}
+
+TEST(active_set, is_nearest_from_any_start) {
+  expect_nearest_from_any_start<3, 5>(40);
+  expect_nearest_from_any_start<4, 4>(40);
+  expect_nearest_from_any_start<6, 6>(40);
+}
+
+// Either of two sets holds f back at the apex.
+TEST(active_set, begins_with_what_held_before_if_f_violates_the_same) {
+  const ph::matrix<double, 3, 4> B{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
+  const auto held_from = [&](ph::half_space_start start) {
+    return ph::project_onto_half_spaces(B, vec(3, 4, 1), start);
+  };
+  EXPECT_EQ(held_from({7, 15}).coefficients, (ph::vector<double, 4>(3, 4, 1, 0)));
+  EXPECT_EQ(held_from({11, 15}).coefficients, (ph::vector<double, 4>(2, 3, 0, 1)));
+  EXPECT_EQ(held_from({7, 15}).active, 7u);
+  EXPECT_EQ(held_from({11, 15}).active, 11u);
+  for (const ph::half_space_set then : {0u, 7u, 14u})
+    EXPECT_EQ(held_from({7, then}).active, 11u) << "f jumped: the fourth is violated most";
+}
+
+// b_1 makes f alone; beside it b_0 has a coefficient of 0 exactly.
+TEST(active_set, lets_go_what_holds_with_nothing) {
+  const half_spaces B{{1, 1, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (unsigned active = 0; active < 8; ++active) {
+    ph::half_space_start start{active, 3};
+    const auto held = ph::detail::active_set<double, 3, 3>(B, vec(1, 1, 0)).nearest(start);
+    EXPECT_EQ(held.point, vec(0, 0, 0)) << "from " << active;
+    EXPECT_EQ(held.coefficients, vec(0, 1, 0)) << "from " << active;
+    EXPECT_EQ(held.active, 2u) << "from " << active;
+  }
+}
+
 TEST(active_set, takes_a_violation_of_rounding_for_none) {
   const vec f(1, eps / 4, -1);
   for (const ph::half_space_set active : {0u, 4u}) {
@@ -83,21 +276,87 @@ TEST(active_set, takes_a_violation_of_rounding_for_none) {
   }
 }
 
+TEST(updatable_qr, solves_for_the_columns_that_it_has) {
+  using qr_of = ph::detail::updatable_qr<double, 5, 4>;
+  const ph::matrix<double, 5, 4> A{
+      {2, 1, 0, 3}, {-1, 0.5, 4, 1}, {3, 2, -1, 0}, {0, 1, 1, -2}, {1, -3, 2, 0.5}};
+  const ph::vector<double, 5> f(1, 2, -3, 4, 5);
+  qr_of qr(qr_of::column::load(f.data()));
+  const auto append = [&](int j) {
+    return qr.append(qr_of::column::load(A.col(j).data()), A.col(j).squaredNorm());
+  };
+  const auto expect_least_squares = [&](const auto&... member) {
+    SCOPED_TRACE(qr.size());
+    ASSERT_EQ(qr.size(), int(sizeof...(member)));
+    qr_of::coefficients y;
+    qr.solve(y);
+    ph::vector<double, 5> r = f, kept, clean;
+    std::size_t k = 0;
+    ((r -= y[k++] * A.col(member)), ...);
+    qr.residual().store(kept.data());
+    qr.clean_residual().store(clean.data());
+    EXPECT_LE((kept - r).norm(), 1e-14 * f.norm());
+    EXPECT_LE((clean - r).norm(), 1e-14 * f.norm());
+    for (const int j : {member...}) EXPECT_NEAR(A.col(j).dot(r), 0, 1e-13);
+  };
+  ASSERT_TRUE(append(0) && append(1) && append(2));
+  expect_least_squares(0, 1, 2);
+  qr.truncate(2, qr_of::column::load(f.data()));
+  expect_least_squares(0, 1);
+  ASSERT_TRUE(append(3) && append(2));
+  expect_least_squares(0, 1, 3, 2);
+  const ph::vector<double, 5> v_1 = A.col(1) - A.col(0).dot(A.col(1)) / A.col(0).squaredNorm() * A.col(0);
+  EXPECT_NEAR(qr.inverse_square(1), 1 / v_1.squaredNorm(), 1e-15);
+  EXPECT_NEAR(qr.along(1), v_1.dot(f) / v_1.squaredNorm(), 1e-14);
+  EXPECT_NEAR(qr.along(1, qr_of::column::load(A.col(3).data())), v_1.dot(A.col(3)) / v_1.squaredNorm(),
+              1e-14);
+  qr.truncate(0, qr_of::column::load(f.data()));
+  ASSERT_TRUE(append(3));
+  expect_least_squares(3);
+}
+
+TEST(updatable_qr, refuses_what_depends_on_its_columns_to_rounding) {
+  using qr_of = ph::detail::updatable_qr<double, 2, 2>;
+  using pair = ph::vector<double, 2>;
+  const double parallel = ph::rounding_tolerance<double>(1), least = std::numeric_limits<double>::min();
+  const auto takes = [](const pair& a, const pair& b) {
+    const pair f(1, 2);
+    qr_of qr(qr_of::column::load(f.data()));
+    EXPECT_TRUE(qr.append(qr_of::column::load(a.data()), a.squaredNorm()));
+    const bool taken = qr.append(qr_of::column::load(b.data()), b.squaredNorm());
+    EXPECT_EQ(qr.size(), taken ? 2 : 1);
+    pair r;
+    qr.clean_residual().store(r.data());
+    EXPECT_EQ(r == pair(0, 0), taken) << "two span the plane";
+    return taken;
+  };
+  for (const double length : {1.0, 1024.0}) {
+    EXPECT_TRUE(takes({1, 0}, {length, 1.1 * parallel * length}));
+    EXPECT_FALSE(takes({1, 0}, {length, 0.9 * parallel * length}));
+  }
+  EXPECT_TRUE(takes({1, 0}, {0, std::sqrt(2 * least)}));
+  EXPECT_FALSE(takes({1, 0}, {0, std::sqrt(least / 2)}));
+  EXPECT_FALSE(takes({1, 0}, {0, 0}));
+}
+
 TEST(updatable_qr, is_orthogonal_where_columns_nearly_agree) {
   using column = ph::detail::updatable_qr<double, 4, 2>::column;
   using four = ph::vector<double, 4>;
-  const four a(0.3, 0.7, -0.2, 0.5), b = a + 1e-9 * four(1, -2, 3, 0.5), f(1, 2, 3, 4);
-  ph::detail::updatable_qr<double, 4, 2> qr(column::load(f.data()));
-  const double square = (1 + 4 * eps) * a.squaredNorm();  // as anyone may round it
-  ASSERT_TRUE(qr.append(column::load(a.data()), square));
-  EXPECT_EQ(qr.inverse_square(0), 1 / square) << "that of the first is not made anew";
-  ASSERT_TRUE(qr.append(column::load(b.data()), b.squaredNorm()));
-  four v, r;
-  qr.orthogonal(1).store(v.data());
-  qr.clean_residual().store(r.data());
-  EXPECT_LE(std::abs(a.dot(v)), 16 * eps * a.norm() * v.norm());
-  EXPECT_LE(std::abs(a.dot(r)), 16 * eps * a.norm() * r.norm());
-  EXPECT_LE(std::abs(b.dot(r)), 16 * eps * b.norm() * r.norm());
+  for (const double hair : {1e-9, 1e-14}) {
+    const four a(0.3, 0.7, -0.2, 0.5), b = a + hair * four(1, -2, 3, 0.5), f(1, 2, 3, 4);
+    ph::detail::updatable_qr<double, 4, 2> qr(column::load(f.data()));
+    const double square = (1 + 4 * eps) * a.squaredNorm();  // as anyone may round it
+    ASSERT_TRUE(qr.append(column::load(a.data()), square));
+    EXPECT_EQ(qr.inverse_square(0), 1 / square) << "that of the first is not made anew";
+    ASSERT_TRUE(qr.append(column::load(b.data()), b.squaredNorm()));
+    four v, r;
+    qr.orthogonal(1).store(v.data());
+    qr.clean_residual().store(r.data());
+    EXPECT_NEAR(qr.inverse_square(1) * v.squaredNorm(), 1, 8 * eps);
+    EXPECT_LE(std::abs(a.dot(v)), 16 * eps * a.norm() * v.norm());
+    EXPECT_LE(std::abs(a.dot(r)), 16 * eps * a.norm() * r.norm());
+    EXPECT_LE(std::abs(b.dot(r)), 16 * eps * b.norm() * r.norm());
+  }
 }
 
 }  // namespace

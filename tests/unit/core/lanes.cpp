@@ -135,6 +135,11 @@ TYPED_TEST(pairs, are_swapped_and_told_apart) {
       EXPECT_EQ(swapped(truths)[1], a);
       EXPECT_EQ(first(truths)[0], a);
       EXPECT_EQ(first(truths)[1], b && !a);
+      // A truth is all bits of its number
+      const T most = std::numeric_limits<T>::lowest();
+      EXPECT_EQ(V(choose(first(truths), most, T(0))), V(a ? most : T(0), b && !a ? most : T(0)));
+      EXPECT_EQ(V(choose(first(truths), T(0), most)), V(a ? T(0) : most, b && !a ? T(0) : most));
+      EXPECT_EQ(V(choose(swapped(truths), most, T(0))), V(b ? most : T(0), a ? most : T(0)));
     }
   }
   EXPECT_EQ(ph::choose(true, T(1), T(2)), T(1));

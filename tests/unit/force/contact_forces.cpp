@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ph = passive_haptics;
 
 namespace {
@@ -10,6 +12,55 @@ namespace {
 using pair = ph::vector<double, 2>;
 using three = ph::vector<double, 3>;
 const ph::force_map<double, 2, 2> axes{ph::identity_matrix<double, 2>()};
+
+TEST(force_map, inverts_two_by_two_to_the_last_digits_of_each_entry) {
+  const auto map = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{2, 1}, {3, 4}});
+  EXPECT_TRUE(map.G.isApprox(ph::matrix<double, 2, 2>{{0.8, -0.6}, {-0.2, 0.4}}, 1e-15)) << map.G;
+  EXPECT_TRUE(map.P.isZero(0));
+  const double h = 0x1p-30;
+  const auto flat = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{1 + h, 1}, {1, 1 - h}});  // det -h^2
+  EXPECT_FALSE(flat.P.isZero(0)) << "singular to rounding";
+  const auto steep = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{3, 1}, {1, 1 / 3.0 + h}});
+  const double det = 3 * h - (1 - 3 * (1 / 3.0));
+  EXPECT_NEAR(steep.G(1, 1) * h, 1, 1e-7);
+  EXPECT_NEAR(steep.G(0, 0) / steep.G(1, 1), (1 / 3.0 + h) / 3, 1e-16);
+  EXPECT_NEAR(steep.G(0, 1) / steep.G(1, 1), -1 / 3.0, 1e-16);
+  EXPECT_GT(det, 0);
+}
+
+TEST(force_map, of_what_has_no_inverse_is_the_least_norm_and_the_rest) {
+  const auto tall = ph::invert_brake_jacobian(ph::matrix<double, 2, 3>{{1, 0, 1}, {0, 1, 1}});
+  EXPECT_TRUE((3 * tall.G).isApprox(ph::matrix<double, 2, 3>{{2, -1, 1}, {-1, 2, 1}}, 1e-14)) << tall.G;
+  EXPECT_TRUE((3 * tall.P).isApprox(three(1, 1, -1) * three(1, 1, -1).transpose(), 1e-14)) << tall.P;
+  const auto singular = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{1, 2}, {0, 0}});
+  EXPECT_TRUE(singular.G.isApprox(ph::matrix<double, 2, 2>{{0.2, 0.4}, {0, 0}}, 1e-14)) << singular.G;
+  EXPECT_TRUE(singular.P.isApprox(ph::matrix<double, 2, 2>{{0.8, -0.4}, {-0.4, 0.2}}, 1e-14)) << singular.P;
+}
+
+TEST(contact_forces, meet_what_is_first_before_the_others) {
+  const auto made = [](double most, bool first_is_first) {
+    return ph::contact_forces<double, 2, 2, 3>(
+        axes, ph::torques_within<double, 2>({0, 0}, {most, most}),
+        {{{{0.6, 0.8}, 5, first_is_first}, {{1, 0}, 2, !first_is_first}, {{1, 0}, 4, false}}}, 3);
+  };
+  const auto last = made(9, false), first = made(9, true), cut = made(3, true);
+  EXPECT_TRUE(last.force.isApprox(pair(2, 4.75), 1e-14)) << last.force.transpose();
+  EXPECT_TRUE(first.force.isApprox(pair(3, 4), 1e-14)) << first.force.transpose() << " halfway from 2 to 4";
+  EXPECT_NEAR(first.displayed[0], 5, 1e-14);
+  EXPECT_NEAR(first.displayed[1], 3, 1e-14);
+  EXPECT_NEAR(first.displayed[2], 3, 1e-14);
+  EXPECT_EQ(cut.torque, pair(3, 3));
+}
+
+TEST(contact_forces, take_the_least_drag) {
+  const auto box = ph::torques_within<double, 2>({0, 0}, {9, 9});
+  const std::array<ph::contact_demand<double, 2>, 1> wall{{{{0.6, 0.8}, 5, false}}};
+  const auto least = ph::contact_forces<double, 2, 2, 1>(axes, box, wall, 1);
+  EXPECT_TRUE(least.torque.isApprox(pair(3, 4), 1e-14)) << least.torque.transpose();
+  const ph::matrix<double, 2, 2> drag{{1, 0}, {0, 2}};  // t_0^2 + 4 t_1^2
+  const auto other = ph::contact_forces<double, 2, 2, 1>(axes, box, wall, 1, drag);
+  EXPECT_TRUE(other.torque.isApprox(pair(0.6, 0.2) * (5 / (0.36 + 0.16)), 1e-14)) << other.torque.transpose();
+}
 
 TEST(contact_forces, tell_what_each_contact_gets) {
   const auto result = ph::contact_forces<double, 2, 2, 3>(
@@ -37,6 +88,17 @@ TEST(torques_beside, are_the_least_that_make_the_force) {
   const ph::matrix<double, 1, 2> no_wall(0, 0);
   const three t = ph::torques_beside(redundant, box, three(1, 0, 2), no_wall, wanting<3>({1, 0}));
   EXPECT_TRUE(t.isApprox(three(0.5, 0.5, 0), 1e-15)) << t.transpose();
+}
+
+// A joint may have a torque of its own, before the force of an effect; not against the box.
+TEST(torques_beside, give_a_joint_its_torque_first) {
+  const auto box = ph::torques_within<double, 2>({0, 0}, {9, 9});
+  const ph::matrix<double, 1, 2> no_wall(0, 0), wall(1, 0);
+  ph::effect_demand<double, 2, 2, 2> wanted = wanting<2>({-3, 7});
+  wanted.joint_rows.row(1) = pair(1, 1);
+  wanted.joint_torque[1] = 2;  // more than 1 + 4
+  EXPECT_TRUE(ph::torques_beside(axes, box, pair(1, 4), no_wall, wanted).isApprox(pair(-1.5, 8.5), 1e-14));
+  EXPECT_TRUE(ph::torques_beside(axes, box, pair(1, 4), wall, wanted).isApprox(pair(1, 6), 1e-14));
 }
 
 // -0.1 + (0.3 - -0.1) is more than 0.3.

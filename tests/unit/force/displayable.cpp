@@ -71,6 +71,8 @@ TEST(displayable, knows_singular_poses) {
   // The easiest way to move across turns the joint near the hand or that at the base, whoever has less force
   const double to_elbow = arm.parameters().length_1;
   EXPECT_NEAR(across.strongest, std::min(1 / length, 1 / (length - to_elbow)), 1e-12);
+  const auto weak_hand = ph::displayable(arm, {0, 0}, {0, -1}, {0, 1}, {1, 0.1});
+  EXPECT_NEAR(weak_hand.strongest, 0.1 / (length - to_elbow), 1e-12);
   const auto impossible = ph::displayable(arm, {0, 0}, {1, 0}, {0, 1}, {1, 1});
   EXPECT_TRUE(impossible.signs.isZero(0));
 
@@ -96,6 +98,27 @@ TEST(displayable, is_limited_by_the_first_brake_that_gives_way) {
   const auto across = ph::displayable(table, {0, 0}, {0, -1}, {0, 1}, {infinite, 2});
   EXPECT_EQ(across.strongest, 2) << "a brake that rests adds nothing, without limit as well";
   EXPECT_EQ(across.strongest_nearest, 2);
+}
+
+// Four brakes at two legs: each with the sign of its rate, and n . F the sum of what each can do.
+TEST(displayable, by_generators_adds_up_what_each_brake_resists) {
+  using redundant = ph::five_bar<double, 4>;
+  const redundant arm;
+  const auto pose = arm.inverse({0.02, 0.18});
+  const ph::vector<double, 2> v(0.3, -0.8), n(-0.6, 0.8);
+  const ph::vector<double, 4> limit(1, 2, 4, 8);
+  const auto found = ph::displayable(arm, pose.q, v, n, limit);
+  ASSERT_EQ(found.outcome, ph::status::ok);
+  const ph::matrix<double, 2, 4> G = ph::force_generators(arm, pose.q);
+  double strongest = 0;
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(found.signs[i], G.col(i).dot(v) > 0 ? 1 : -1) << "brake " << i;
+    strongest += limit[i] * std::max(0.0, -found.signs[i] * n.dot(G.col(i)));
+  }
+  EXPECT_GT(strongest, 0);
+  EXPECT_NEAR(found.strongest, strongest, 1e-12 * strongest);
+  EXPECT_GT(found.strongest_nearest, 0);
+  EXPECT_LE(found.strongest_nearest, found.strongest);
 }
 
 // Three slides, of which the last moves nothing but the brakes.
