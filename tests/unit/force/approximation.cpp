@@ -2,7 +2,12 @@
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>
 
+#include <passive_haptics/testing/support/random.hpp>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
 
 namespace ph = passive_haptics;
 
@@ -55,6 +60,100 @@ TEST(approximation, by_generators_ends_at_the_largest_angle) {
   EXPECT_TRUE(F.force.isApprox(force(1 / 0.6, 0), 1e-15));
   EXPECT_NEAR(F.cosine(), 0.6, 1e-15);
   EXPECT_EQ(ph::approximate_by_generators(G, three(-1, -1, -1), n, 0.61).display, ph::display_class::none);
+}
+
+// Fc . n = 1 along the nearest force, the torques those of Fc and of the right signs exactly; none beyond the
+// largest angle.
+template <class EMatrix>
+void expect_nearest_scaled(const EMatrix& E, const force& s, const force& n, double min_cosine) {
+  const ph::matrix<double, 2, 2> dense(E);
+  SCOPED_TRACE(::testing::Message() << "E =\n"
+                                    << dense << "\ns = " << s.transpose() << ", n = " << n.transpose());
+  const auto F = ph::approximate(E, s, n, min_cosine);
+  const force Fp = ph::nearest_force(E, s, n).force;
+  const double cosine = Fp.norm();
+  if ((Fp - n).norm() < 1e-12) {
+    EXPECT_EQ(F.display, ph::display_class::exact);
+    EXPECT_EQ(F.force, n);
+    EXPECT_EQ(F.cosine_squared, 1);
+  } else if (cosine >= min_cosine) {
+    EXPECT_EQ(F.display, ph::display_class::approximate);
+    EXPECT_NEAR(F.force.dot(n), 1, 1e-12 / cosine);
+    EXPECT_LE((F.force - Fp / Fp.squaredNorm()).norm(), 1e-12 / cosine);
+    EXPECT_NEAR(F.cosine_squared, cosine * cosine, 1e-12);
+    EXPECT_NEAR(F.cosine(), cosine, 1e-12);
+    EXPECT_NEAR(ph::cosine_squared(F.force, n), cosine * cosine, 1e-12);
+  } else {
+    EXPECT_EQ(F.display, ph::display_class::none);
+    EXPECT_TRUE(F.force.isZero(0) && F.torque.isZero(0));
+    EXPECT_EQ(F.cosine_squared, 0);
+  }
+  EXPECT_LE((F.torque - dense.transpose() * F.force).norm(), 1e-12 * dense.norm() * F.force.norm());
+  EXPECT_LE((s.cwiseProduct(F.torque)).maxCoeff(), 0);
+}
+
+TEST(approximation, of_two_brakes_is_the_nearest_force_made_longer) {
+  ph::testing::random_source random(1);
+  for (int k = 0; k < 500; ++k) {
+    ph::matrix<double, 2, 2> E;
+    for (int i = 0; i < 2; ++i) E.col(i) = random.positive(0.2, 5.0) * random.direction<double, 2>();
+    if (std::abs(E(0, 0) * E(1, 1) - E(0, 1) * E(1, 0)) < 1e-2) continue;
+    const force s(k % 3 - 1, k / 3 % 3 - 1), n = random.direction<double, 2>();
+    const double min_cosine = k % 2 == 0 ? 0.02 : 0.7;
+    expect_nearest_scaled(E, s, n, min_cosine);
+    expect_nearest_scaled(ph::diagonal_matrix<double, 2>(E(0, 0), E(1, 1)), s, n, min_cosine);
+  }
+}
+
+TEST(approximation, scales_with_its_force) {
+  const ph::matrix<double, 2, 2> E{{2, 1}, {0, 3}};
+  const auto F = ph::approximate(E, force(1, -1), force(0.6, 0.8), 0.0), doubled = 2.0 * F;
+  EXPECT_EQ(F.display, ph::display_class::approximate);
+  EXPECT_TRUE(F.force.isApprox(force(0, 1.25), 1e-15)) << F.force.transpose();
+  EXPECT_TRUE(F.torque.isApprox(force(0, 3.75), 1e-15)) << F.torque.transpose();
+  EXPECT_EQ(doubled.display, F.display);
+  EXPECT_EQ(doubled.force, 2 * F.force);
+  EXPECT_EQ(doubled.torque, 2 * F.torque);
+  EXPECT_EQ(doubled.cosine_squared, F.cosine_squared);
+}
+
+TEST(cosine_squared, is_zero_from_a_right_angle_on) {
+  const force n(1, 0);
+  EXPECT_DOUBLE_EQ(ph::cosine_squared(force(3, 4), n), 0.36);
+  EXPECT_DOUBLE_EQ(ph::cosine_squared(force(3e-200, 4e-200), n), 0.36);
+  EXPECT_EQ(ph::cosine_squared(force(0, 4), n), 0);
+  EXPECT_EQ(ph::cosine_squared(force(-3, 4), n), 0);
+  EXPECT_EQ(ph::cosine_squared(force(0, 0), n), 0);
+  EXPECT_EQ(ph::cosine_squared(force(std::numeric_limits<double>::quiet_NaN(), 0), n), 0);
+}
+
+TEST(classification, by_power_and_by_each_brake) {
+  using ph::power_class;
+  for (const bool alone : {false, true}) EXPECT_EQ(ph::classify_power(1e-300, alone), power_class::active);
+  for (const double power : {0.0, -2.0}) {
+    EXPECT_EQ(ph::classify_power(power, true), power_class::passive_1);
+    EXPECT_EQ(ph::classify_power(power, false), power_class::passive_2);
+  }
+  EXPECT_TRUE(ph::producible(three(-1, 0, 1), three(2, 5, -3)));
+  EXPECT_TRUE(ph::producible(three(-1, 0, 1), three(0, -5, 0)));
+  for (const three& t : {three(-2, 5, -3), three(2, 5, 3)}) EXPECT_FALSE(ph::producible(three(-1, 0, 1), t));
+  EXPECT_FALSE(ph::producible(three(0, 1, 0), three(0, 1e-300, 0)));
+  EXPECT_EQ(ph::mechanical_power(three(1, 2, 3), three(4, -5, 6)), 12);
+}
+
+TEST(classification, in_words) {
+  EXPECT_EQ(to_string(ph::power_class::none), "none");
+  EXPECT_EQ(to_string(ph::power_class::active), "active");
+  EXPECT_EQ(to_string(ph::power_class::passive_1), "passive I");
+  EXPECT_EQ(to_string(ph::power_class::passive_2), "passive II");
+  EXPECT_EQ(to_string(ph::power_class(9)), "unknown power class");
+  EXPECT_EQ(to_string(ph::display_class::none), "none");
+  EXPECT_EQ(to_string(ph::display_class::approximate), "approximate");
+  EXPECT_EQ(to_string(ph::display_class::exact), "exact");
+  EXPECT_EQ(to_string(ph::display_class::empty_cone), "empty cone");
+  EXPECT_EQ(to_string(ph::display_class(9)), "unknown display class");
+  EXPECT_TRUE(is_displayed(ph::display_class::exact) && is_displayed(ph::display_class::approximate));
+  EXPECT_FALSE(is_displayed(ph::display_class::none) || is_displayed(ph::display_class::empty_cone));
 }
 
 }  // namespace

@@ -100,3 +100,33 @@ TEST(nearest_torque, stays_within_limits_and_gets_as_near_as_they_allow) {
   EXPECT_EQ(force(resting, {1, 0.5}, {0.75, -7}), pair(0.75, -0.5));
   for (const pair& s : {moving, resting}) EXPECT_EQ(force(s, {0, inf}, {3, 7}), pair(0, 7)) << "one is dead";
 }
+
+TEST(nearest_torque, of_a_box_without_limits_has_its_signs) {
+  const ph::matrix<double, 2, 3> G{{1, 0, 2}, {0, 3, 0}};
+  using three = ph::vector<double, 3>;
+  const auto torque = [&](const three& lower, const three& upper, double x, double y) {
+    const auto t =
+        ph::nearest_torque(G, ph::torque_box<double, 3>{lower, upper}, ph::vector<double, 2>(x, y));
+    EXPECT_TRUE(t.force.isApprox(G * t.torque, 1e-15));
+    return t.torque;
+  };
+  const three none(0, 0, 0), up(inf, inf, 0), both(inf, inf, inf);
+  EXPECT_TRUE(torque(none, up, 4, 6).isApprox(three(4, 2, 0), 1e-15));
+  EXPECT_TRUE(torque(none, up, -4, 6).isApprox(three(0, 2, 0), 1e-15));
+  EXPECT_TRUE(torque(none, up, 4, -6).isApprox(three(4, 0, 0), 1e-15));
+  EXPECT_TRUE(torque(-up, none, -4, -6).isApprox(three(-4, -2, 0), 1e-15));
+  EXPECT_TRUE(torque(-up, none, -4, 6).isApprox(three(-4, 0, 0), 1e-15));
+  EXPECT_TRUE(torque(-both, both, -4, -6).isApprox(three(-0.8, -2, -1.6), 1e-15));
+  EXPECT_TRUE(torque(none, both, 4, -6).isApprox(three(0.8, 0, 1.6), 1e-15));
+  EXPECT_TRUE(torque(-both, none, -4, 6).isApprox(three(-0.8, 0, -1.6), 1e-15));
+}
+
+TEST(nearest_torque, of_a_diagonal_is_that_of_each_axis) {
+  const ph::diagonal_matrix<double, 2> G(2, -0.5);
+  using pair = ph::vector<double, 2>;
+  const auto t = ph::nearest_torque(G, pair(-1, -1), pair(3, 4));
+  EXPECT_EQ(t.torque, pair(1.5, 0));
+  EXPECT_EQ(t.force, pair(3, 0));
+  EXPECT_EQ(ph::nearest_torque(G, ph::torques_within<double, 2>({0, 0}, {1, 5}), pair(3, 4)).torque,
+            pair(1, -5));
+}
