@@ -179,6 +179,61 @@ TEST(cone_in_space, has_its_nearest_point_on_each_face_and_edge_and_at_the_apex)
   EXPECT_GT(taken, 0.9 * right) << "others are narrow edges";
 }
 
+// To rounding of the lengths: 4 eps of the sine, 1 eps of a product.
+TEST(cone_in_the_plane, knows_what_is_parallel_and_what_beyond_to_rounding) {
+  const double tolerance = ph::rounding_tolerance<double>(1);
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_FALSE(ph::are_parallel(sign * 4 * 1.1 * tolerance, 2.0, 8.0));
+    EXPECT_TRUE(ph::are_parallel(sign * 4 * 0.9 * tolerance, 2.0, 8.0));
+    const ph::matrix<double, 2, 2> wide{{1, 3}, {0, sign * 3.3 * tolerance}},
+        narrow{{1, 3}, {0, sign * 2.7 * tolerance}};
+    EXPECT_EQ(ph::area_between<double>(wide, {1, 9}), sign * 3.3 * tolerance);
+    EXPECT_EQ(ph::area_between<double>(narrow, {1, 9}), 0);
+  }
+  EXPECT_TRUE(ph::are_parallel(0.0, 0.0, 1.0));
+  EXPECT_TRUE(ph::detail::is_beyond(4 * 1.1 * eps, 2.0, 8.0));
+  EXPECT_FALSE(ph::detail::is_beyond(4 * 0.9 * eps, 2.0, 8.0));
+  EXPECT_FALSE(ph::detail::is_beyond(-1.0, 2.0, 8.0));
+}
+
+TEST(space_cone_start, is_left_where_rounding_or_a_narrow_edge_would_decide) {
+  const double clear = ph::rounding_tolerance<double>(3);
+  projection answer;
+  const auto is_nearest = [&](const half_spaces& B, ph::half_space_set active, const vec& f) {
+    return ph::detail::space_cone_start<double>(B, f).nearest(active, answer);
+  };
+  for (const double side : {1.1, 0.9}) {
+    const double h = side * clear * std::sqrt(2);  // |f|^2 = 2
+    EXPECT_EQ(is_nearest(octant, 1, {1, -h, -1}), side > 1);
+    EXPECT_EQ(is_nearest(octant, 1, {1, -1, -h}), side > 1);
+    half_spaces low = octant;  // its third half-space nearly contains the edge of the others
+    low.col(2) << 1, 0, side * clear;
+    EXPECT_EQ(is_nearest(low, 3, {1, 2, -3}), side > 1);
+    half_spaces narrow = octant;
+    const double sine = side / 4;
+    narrow.col(1) << 3 * std::sqrt(1 - sine * sine), 3 * sine, 0;
+    EXPECT_EQ(is_nearest(narrow, 3, 2 * narrow.col(0) + narrow.col(1) - narrow.col(2)), side > 1);
+  }
+  // Of lengths out of range no products are made
+  for (const double length : {1e16, 1e-16}) {
+    for (int j = 0; j < 3; ++j) {
+      half_spaces scaled = octant;
+      scaled.col(j) *= length;
+      const int k = (j + 1) % 3, l = (j + 2) % 3;
+      const auto pushed_by = [&](ph::half_space_set set) {
+        return vec((set & 1u) != 0 ? 1 : -1, (set & 2u) != 0 ? 1 : -1, (set & 4u) != 0 ? 1 : -1);
+      };
+      for (const ph::half_space_set with : {1u << j, 1u << j | 1u << k, 1u << j | 1u << l})
+        EXPECT_FALSE(is_nearest(scaled, with, pushed_by(with))) << j << " of " << with;
+      EXPECT_TRUE(is_nearest(scaled, 1u << k, pushed_by(1u << k)));
+      EXPECT_FALSE(ph::detail::space_cone<double>(scaled, pushed_by(7)).nearest(answer));
+      scaled.col(j).setZero();
+      EXPECT_TRUE(ph::detail::space_cone<double>(scaled, pushed_by(1u << j | 1u << k)).nearest(answer));
+      EXPECT_EQ(answer.active, 1u << k) << "a zero column restricts nothing";
+    }
+  }
+}
+
 TEST(space_cone_start, is_taken_where_it_holds_f_back_clear_of_the_others_alone) {
   projection answer;
   const auto is_nearest = [&](ph::half_space_set active, const vec& f) {
@@ -252,6 +307,19 @@ TEST(active_set, begins_with_what_held_before_if_f_violates_the_same) {
   EXPECT_EQ(held_from({11, 15}).active, 11u);
   for (const ph::half_space_set then : {0u, 7u, 14u})
     EXPECT_EQ(held_from({7, then}).active, 11u) << "f jumped: the fourth is violated most";
+}
+
+TEST(active_set, passes_over_half_spaces_whose_squares_are_no_numbers) {
+  const double least = std::numeric_limits<double>::min();
+  const auto held = [](double length) {
+    ph::matrix<double, 3, 4> B{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -1}};
+    B.col(1) *= length;
+    return ph::project_onto_half_spaces(B, vec(1, 2, -3)).point;
+  };
+  EXPECT_EQ(held(1), vec(0, 0, 0));
+  EXPECT_EQ(held(std::sqrt(4 * least)), vec(0, 0, 0));
+  for (const double length : {std::sqrt(least / 4), 1e-200, 0.0})
+    EXPECT_EQ(held(length), vec(0, 2, 0)) << length;
 }
 
 // b_1 makes f alone; beside it b_0 has a coefficient of 0 exactly.

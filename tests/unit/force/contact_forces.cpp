@@ -1,9 +1,11 @@
 // One set of torques for several contacts, and for effects beside them: by hand.
+#include <passive_haptics/force/desired_force.hpp>
 #include <passive_haptics/force/torques/torques_beside.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace ph = passive_haptics;
 
@@ -12,6 +14,61 @@ namespace {
 using pair = ph::vector<double, 2>;
 using three = ph::vector<double, 3>;
 const ph::force_map<double, 2, 2> axes{ph::identity_matrix<double, 2>()};
+
+TEST(desired_force, of_a_wall_grows_with_depth_along_its_normal) {
+  const auto Fd = ph::force_of<double>(
+      ph::contact<2>{.normal = {0.6, 0.8}, .depth = 0.5, .stiffness = 6, .wall_velocity = {1, 2}});
+  EXPECT_EQ(Fd.direction, pair(0.6, 0.8));
+  EXPECT_EQ(Fd.magnitude, 3);
+  EXPECT_EQ(Fd.wall_velocity, pair(1, 2));
+  EXPECT_NEAR(ph::outward<double>(Fd, pair(4, 7)), 0.6 * 3 + 0.8 * 5, 1e-15);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double magnitude : {0.0, -1.0, nan, 1e-300})
+    EXPECT_EQ(ph::asks(ph::desired_force<double, 2>{{1, 0}, magnitude, {0, 0}}), magnitude > 0);
+}
+
+TEST(governing_contact, asks_for_the_largest_force_or_for_none_that_is_finite) {
+  const auto governing = [](std::initializer_list<double> depths) {
+    ph::contacts<2, 4> touched;
+    double stiffness = 8;
+    for (const double depth : depths) {
+      touched.push_back({.normal = {1, 0}, .depth = depth, .stiffness = stiffness});
+      stiffness /= 2;
+    }
+    return ph::governing_contact(touched);
+  };
+  EXPECT_EQ(governing({}), -1);
+  EXPECT_EQ(governing({0, 0}), 0);
+  EXPECT_EQ(governing({1, 3, 5}), 1);
+  EXPECT_EQ(governing({1, 2, 4}), 0) << "the first of equals";
+  EXPECT_EQ(governing({9, std::numeric_limits<double>::infinity(), 5}), 1);
+  EXPECT_EQ(governing({9, 3, std::numeric_limits<double>::quiet_NaN()}), 2);
+  ph::contacts<2, 1> one;
+  EXPECT_EQ(ph::governing_contact(one), -1);
+  one.push_back({.normal = {1, 0}, .depth = 1, .stiffness = 1});
+  EXPECT_EQ(ph::governing_contact(one), 0);
+}
+
+TEST(check_contacts, finds_what_is_not_finite_in_each) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const ph::contact<2> good{.normal = {1, 0}, .depth = 1, .stiffness = 1e30};
+  for (int bad = -1; bad < 4; ++bad) {
+    for (int at = 0; at < 2; ++at) {
+      ph::contacts<2, 2> touched;
+      for (int j = 0; j < 2; ++j) {
+        ph::contact<2> c = good;
+        if (j == at && bad == 0) c.normal[1] = nan;
+        if (j == at && bad == 1) c.depth = nan;
+        if (j == at && bad == 2) c.wall_velocity[0] = nan;
+        if (j == at && bad == 3) c.depth = 1e10;  // no float
+        touched.push_back(c);
+      }
+      const auto outcome = bad < 0 ? ph::status::ok : ph::status::contact_not_finite;
+      EXPECT_EQ(ph::check_contacts<float>(touched), outcome) << bad << " of contact " << at;
+      EXPECT_EQ(ph::check_contacts<double>(touched), bad == 3 ? ph::status::ok : outcome);
+    }
+  }
+}
 
 TEST(force_map, inverts_two_by_two_to_the_last_digits_of_each_entry) {
   const auto map = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{2, 1}, {3, 4}});

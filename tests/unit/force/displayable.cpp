@@ -95,6 +95,12 @@ TEST(displayable, is_limited_by_the_first_brake_that_gives_way) {
   EXPECT_EQ(found.display, ph::display_class::exact);
   EXPECT_NEAR(found.strongest, 0.6 * 1 + 0.8 * 10, 1e-12);
   EXPECT_NEAR(found.strongest_nearest, 1 / 0.6, 1e-12);
+  const auto one = ph::displayable(table, {0, 0}, {1, -1}, {0.6, 0.8}, {1, 10});
+  EXPECT_EQ(one.display, ph::display_class::approximate);
+  EXPECT_EQ(one.signs, (ph::vector<double, 2>(1, -1)));
+  EXPECT_NEAR(one.angle, std::atan2(0.6, 0.8), 1e-12);
+  EXPECT_NEAR(one.strongest, 0.8 * 10, 1e-12);
+  EXPECT_NEAR(one.strongest_nearest, 0.8 * 10, 1e-12);
   const auto across = ph::displayable(table, {0, 0}, {0, -1}, {0, 1}, {infinite, 2});
   EXPECT_EQ(across.strongest, 2) << "a brake that rests adds nothing, without limit as well";
   EXPECT_EQ(across.strongest_nearest, 2);
@@ -192,6 +198,8 @@ TEST(undisplayable_share, counts_where_nothing_or_too_little_can_be_displayed) {
   EXPECT_NEAR(ph::undisplayable_share(table(), path), 0.7, 1e-12);
   EXPECT_NEAR(ph::undisplayable_share(table(), path, {1, 2}, 1.9), 0.7, 1e-12);
   EXPECT_NEAR(ph::undisplayable_share(table(), path, {1, 2}, 2.1), 1, 1e-12);
+  EXPECT_EQ(ph::undisplayable_share(table(), path, {1, 2}, 2), 1) << "2 N at most is no hold against 2 N";
+  EXPECT_EQ(ph::undisplayable_share(table(), path, {1, 2}, 0, 2), 0.5) << "at 1/4 and 3/4";
   const auto lost = [](double u) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     return ph::path_point<table>{{u < 0.5 ? 0 : nan, 0}, {1, 0}, {0, 1}};
