@@ -289,6 +289,15 @@ TEST(rate_estimator, has_fewer_wrong_signs_than_low_passed_differences) {
   }
 }
 
+TEST(rate_estimator, has_the_bounds_of_its_formulas) {
+  // Resolution 2, windows of 8 periods of 10 ms
+  EXPECT_DOUBLE_EQ(ph::rate_dead_band(2, 8, 0.01), 25);
+  EXPECT_DOUBLE_EQ(ph::rate_lag(2, 8, 0.01, 1), 0.04) << "half a window";
+  EXPECT_DOUBLE_EQ(ph::rate_lag(2, 8, 0.01, 32 / 0.0024), 0.025) << "half of sqrt(0.0024 + 0.0001)";
+  EXPECT_DOUBLE_EQ(ph::rate_onset(2, 8, 0.01, 3200), 0.07) << "two steps in 0.05 s";
+  EXPECT_DOUBLE_EQ(ph::rate_onset(2, 8, 0.01, 200), 0.31) << "two steps in 0.2 s, which no window sees";
+}
+
 TEST(rate_estimator, complains_of_what_it_cannot_do) {
   EXPECT_EQ(validate(ph::rate_estimator_parameters{}), "");
   EXPECT_EQ(validate(ph::rate_estimator_parameters{.resolution = 0}),

@@ -271,11 +271,13 @@ TEST_P(a_fault, stays_released_until_somebody_rearms) {
     ASSERT_EQ(r.port.reason(), GetParam().expected) << "the first reason stays";
     ASSERT_FALSE(r.port.activate());
   }
+  EXPECT_EQ(r.port.needs_homing(), !GetParam().rearmable);
   EXPECT_EQ(r.port.rearm(), GetParam().rearmable);
   EXPECT_EQ(r.port.state(), GetParam().rearmable ? ph::port_state::ready : ph::port_state::released);
   r.cycles(2);
   EXPECT_FALSE(r.device.flows()) << "ready gives no current, either";
   if (!GetParam().rearmable) return;
+  EXPECT_EQ(r.port.reason(), ph::fault_record{});
   EXPECT_TRUE(r.port.activate());
   r.cycle();
   EXPECT_EQ(r.device.currents, r.wanted);
@@ -296,6 +298,7 @@ TEST_P(a_fault, of_one_cycle_is_bridged_where_it_can_be) {
     EXPECT_EQ(r.port.position(), position) << "the last good one stays";
   }
   EXPECT_TRUE(r.device.flows());
+  EXPECT_FALSE(r.port.needs_homing());
   r.cycles(2);
   EXPECT_EQ(r.port.state(), ph::port_state::active);
   EXPECT_EQ(r.port.held_over(), ph::fault_record{});
@@ -330,6 +333,60 @@ TEST(a_safe_port, tells_the_last_good_reading_of_the_force_sensor) {
   EXPECT_NE(r.port.force(), good);
 }
 
+TEST(a_safe_port, tells_when_the_encoders_were_where_they_are) {
+  rig r;
+  EXPECT_EQ(r.port.position_time(), 0) << "never";
+  r.cycles(3);
+  EXPECT_EQ(r.port.position_time(), r.device.sample.time);
+  const double good = r.port.position_time();
+  r.cycle([](rig& s) { s.device.sample.value[1] += 5000; });
+  EXPECT_EQ(r.port.position_time(), good);
+  r.cycle([](rig& s) { s.device.read_status = ph::port_status::no_sample; });
+  EXPECT_EQ(r.port.position_time(), good);
+  r.take_samples();
+  r.device.sample.time -= 0.004;  // what the sample says, not when it was read
+  r.port.read(r.time);
+  EXPECT_EQ(r.port.position_time(), r.time - 0.004);
+}
+
+TEST(a_safe_port, follows_a_sensor_that_restarted) {
+  rig r;
+  r.hold();
+  r.cycle([](rig& s) { s.device.force.sequence += 5000; });
+  EXPECT_EQ(r.port.state(), ph::port_state::degraded);
+  EXPECT_EQ(r.port.held_over(), (ph::fault_record{ph::fault::device_restarted, sensor}));
+  for (int k = 0; k < 30; ++k) {
+    r.cycle();
+    ASSERT_EQ(r.port.state(), ph::port_state::active) << "a force has no home to lose";
+    ASSERT_EQ(r.port.force(), r.device.force.value);
+  }
+  r.cycle([](rig& s) { --s.device.force.sequence; });
+  EXPECT_EQ(r.port.held_over().what, ph::fault::sample_repeated) << "its numbers are looked at again";
+}
+
+TEST(a_safe_port, is_degraded_from_the_first_bad_sample_to_the_next_good_one) {
+  rig r;
+  r.hold();
+  for (int k = 0; k < 3; ++k) {
+    r.take_samples();
+    r.device.sample.valid[1] = false;
+    EXPECT_EQ(r.port.read(r.time), ph::port_state::degraded);
+    EXPECT_EQ(r.port.write(r.wanted), ph::port_state::degraded);
+    r.take_samples();
+    r.device.sample.valid[1] = true;
+    EXPECT_EQ(r.port.read(r.time), ph::port_state::active);
+    EXPECT_EQ(r.port.write(r.wanted), ph::port_state::active);
+  }
+}
+
+TEST(a_safe_port, looks_at_no_command_while_nothing_flows) {
+  rig r;
+  r.cycle([](rig& s) { s.wanted = {fake::nan, -1}; });
+  EXPECT_EQ(r.port.state(), ph::port_state::ready);
+  EXPECT_EQ(r.port.reason(), ph::fault_record{});
+  EXPECT_FALSE(r.device.flows());
+}
+
 TEST(a_safe_port, cannot_be_activated_without_a_good_sample) {
   rig r;
   EXPECT_FALSE(r.port.activate()) << "none yet";
@@ -349,6 +406,7 @@ TEST(a_safe_port, that_could_not_be_opened_says_what_is_missing_and_does_nothing
     safe port({&device}, {&device});
     EXPECT_EQ(port.open(), "no sensor at 192.0.2.1");
     EXPECT_EQ(port.state(), ph::port_state::closed);
+    device.read_status = ph::port_status::failed;
     EXPECT_EQ(port.read(1), ph::port_state::closed);
     EXPECT_EQ(port.write({1, 1}), ph::port_state::closed);
     EXPECT_FALSE(port.activate() || port.rearm());
@@ -486,6 +544,73 @@ TEST(a_jump, that_was_only_one_bad_reading_is_forgotten) {
   }
 }
 
+TEST(an_encoder_check, allows_the_largest_rate_and_a_count_at_each_end) {
+  // After `later` [s], moved so far
+  const auto after = [](double later, double moved) {
+    ph::encoder_check<2> check({.largest_rate = 1000});
+    EXPECT_EQ(check({7, 0, {5, -3}, {true, true}}, true), ph::fault_record{});
+    const auto found = check({7 + later, 1, {5, -3 + moved}, {true, true}}, true);
+    EXPECT_EQ(check.position()[1], found.what == ph::fault::none ? -3 + moved : -3);
+    return found;
+  };
+  const ph::fault_record jump{ph::fault::encoder_jump, encoders, 1};
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_EQ(after(0.0625, side * 64), ph::fault_record{});
+    EXPECT_EQ(after(0.0625, side * 65), jump);
+    EXPECT_EQ(after(0, side * 2), ph::fault_record{});
+    EXPECT_EQ(after(-0.0625, side * 2), ph::fault_record{}) << "a time that goes back is none that went by";
+    EXPECT_EQ(after(-0.0625, side * 3), jump);
+  }
+  EXPECT_EQ(after(1, fake::nan), jump);
+}
+
+TEST(an_encoder_check, counts_the_way_of_the_others_since_each_encoder_changed) {
+  ph::encoder_check<3> check({.largest_rate = 1e6, .frozen_travel = 1});
+  ph::port_sample<3> sample{0, 0, {0, 0, 0}, {true, true, true}};
+  // Each encoder moves so far; which one is frozen, or -1
+  const auto frozen = [&](const std::array<double, 3>& moved, bool free) {
+    sample.time += 1e-3;
+    for (std::size_t i = 0; i < 3; ++i) sample.value[i] += moved[i];
+    return check(sample, free).channel;
+  };
+  EXPECT_EQ(frozen({1, 1, 1}, true), -1);
+  EXPECT_EQ(frozen({0.25, 0.25, 0.25}, true), -1);
+  EXPECT_EQ(frozen({8, -8, 0}, false), -1) << "a brake may hold it";
+  EXPECT_EQ(frozen({0.25, -0.25, 0}, true), -1);
+  EXPECT_EQ(frozen({-0.5, 0, 0}, true), -1) << "the way of all others together, 1 so far";
+  EXPECT_EQ(frozen({0, 0.25, 0}, true), 2);
+  EXPECT_EQ(frozen({1, 1, 1}, true), 2) << "for ever";
+}
+
+TEST(an_encoder_check, without_a_travel_never_asks_whether_an_encoder_froze) {
+  ph::encoder_check<2> check({.frozen_travel = 0});
+  for (int k = 0; k < 1000; ++k)
+    ASSERT_EQ(check({1e-3 * k, 0, {100.0 * k, 0}, {true, true}}, true), ph::fault_record{});
+}
+
+TEST(a_current_limiter, clamps_slows_and_spares_each_coil) {
+  using currents = ph::brake_currents<2>;
+  ph::current_limiter<2> limiter(
+      {.largest = {0.3, 2}, .continuous = {0.2, 1.5}, .heat = {10, 1}, .fastest_rise = {0.5, 0}});
+  EXPECT_FALSE(limiter.lowered_by_heat());
+  EXPECT_EQ(limiter({9, 9}, 0.125), (currents{0.0625, 2}));
+  EXPECT_FALSE(limiter.lowered_by_heat());
+  EXPECT_EQ(limiter({9, 1.75}, 0.5), (currents{0.3, 1.75})) << "4 - 1.5^2 for 0.5 s: 0.875 A^2 s";
+  EXPECT_EQ(limiter({9, 9}, 0.125), (currents{0.3, 2})) << "and 1.75^2 - 1.5^2 for 0.125 s: 0.977 A^2 s";
+  EXPECT_FALSE(limiter.lowered_by_heat());
+  EXPECT_EQ(limiter({0.1, 9}, 0.125), (currents{0.1, 0.95 * 1.5})) << "1.195 A^2 s";
+  EXPECT_TRUE(limiter.lowered_by_heat());
+  EXPECT_EQ(limiter({0.1, 1.25}, 0.125), (currents{0.1, 1.25}));
+  EXPECT_FALSE(limiter.lowered_by_heat()) << "less was asked for";
+  EXPECT_EQ(limiter.flowing(), (currents{0.1, 1.25}));
+
+  limiter.release();
+  EXPECT_EQ(limiter.flowing(), currents{});
+  EXPECT_EQ(limiter({9, 9}, 0.25), (currents{0.125, 0.95 * 1.5})) << "from 0 A on; still 0.547 A^2 s";
+  limiter.release();
+  EXPECT_EQ(limiter({9, 9}, 0.25), (currents{0.125, 2})) << "0 A cool it to less than half";
+}
+
 TEST(the_currents, never_pass_their_limit) {
   rig r;
   r.hold();
@@ -534,6 +659,88 @@ TEST(the_currents, of_a_coil_that_gets_too_warm_are_lowered_until_it_is_cooler) 
   r.wanted = {0.5, 0.25};
   r.cycle();
   EXPECT_EQ(r.port.state(), ph::port_state::active) << "less than the lowered current was asked for";
+}
+
+TEST(the_currents, rise_from_nothing_after_a_pause_and_after_a_release) {
+  auto p = usual();
+  p.currents.fastest_rise = {100, 0};
+  p.at_release.policy = ph::release_policy::hold;
+  rig r(p);
+  r.take_samples();
+  r.port.read(r.time);
+  ASSERT_TRUE(r.port.activate());
+  r.port.write(r.wanted);
+  EXPECT_EQ(r.device.currents, (ph::brake_currents<2>{0, 0.25})) << "nobody knows how long it was before";
+  r.cycles(10);
+  EXPECT_EQ(r.device.currents, r.wanted);
+  r.port.release();
+  r.cycle();
+  EXPECT_EQ(r.device.currents, r.wanted) << "held";
+  ASSERT_TRUE(r.port.rearm());
+  ASSERT_TRUE(r.port.activate());
+  r.cycle();
+  EXPECT_NEAR(r.device.currents[0], 0.1, 1e-9);
+}
+
+TEST(the_currents, are_held_by_a_clock_that_goes_back) {
+  auto p = usual();
+  p.currents.fastest_rise.fill(100);
+  p.at_release.policy = ph::release_policy::hold;
+  rig r(p);
+  r.wanted = {0, 0};
+  r.hold();
+  r.wanted = {0.5, 0.25};
+  r.cycles(10);
+  r.cycle([](rig& s) { s.time -= 1; });
+  EXPECT_EQ(r.port.reason().what, ph::fault::clock_jump);
+  EXPECT_EQ(r.device.currents, r.wanted);
+}
+
+TEST(the_currents, warm_no_coil_after_they_were_released) {
+  rig r;
+  r.wanted = {1, 1};
+  r.hold();
+  r.port.release();
+  r.time += 10;  // in which 1 A would make it far too warm
+  r.cycle();
+  ASSERT_TRUE(r.port.rearm());
+  ASSERT_TRUE(r.port.activate());
+  r.cycle();
+  EXPECT_EQ(r.device.currents, r.wanted);
+}
+
+TEST(a_release_profile, is_known_by_its_time_alone) {
+  using currents = ph::brake_currents<2>;
+  const ph::release_start<2> start{5, {0.5, 0.25}};
+  const auto of = [&](const ph::release_parameters& p) {
+    ph::release_profile<2> profile(p);
+    EXPECT_TRUE(profile.over(0)) << "nothing flows that was not begun";
+    EXPECT_EQ(profile(0), currents{});
+    profile.begin(start);
+    EXPECT_EQ(profile.start().time, 5);
+    EXPECT_EQ(profile.start().flowing, start.flowing);
+    EXPECT_EQ(profile.is_at_once(), p.policy == ph::release_policy::zero);
+    return profile;
+  };
+  const auto zero = of({});
+  EXPECT_EQ(ph::release_parameters{}.longest(), 0);
+  EXPECT_EQ(zero(5), currents{});
+  EXPECT_TRUE(zero.over(5));
+
+  const auto ramp = of({.policy = ph::release_policy::ramp, .ramp_time = 2, .hold_time = 8});
+  EXPECT_EQ(ramp(5), start.flowing);
+  EXPECT_EQ(ramp(5.5), (currents{0.375, 0.1875}));
+  EXPECT_EQ(ramp(4.5), start.flowing) << "another process may have begun a little later";
+  EXPECT_FALSE(ramp.over(6.875) || ramp.over(3.125));
+  for (const double time : {7.0, 8.0, 3.0, fake::nan}) {
+    EXPECT_EQ(ramp(time), currents{}) << time;
+    EXPECT_TRUE(ramp.over(time)) << time;
+  }
+
+  const auto hold = of({.policy = ph::release_policy::hold, .ramp_time = 2, .hold_time = 8});
+  for (const double time : {5.0, 12.5, 1e9, fake::nan}) EXPECT_EQ(hold(time), start.flowing);
+  EXPECT_FALSE(hold.over(12.5));
+  EXPECT_TRUE(hold.over(13));
 }
 
 TEST(a_release_policy, ramps_down_where_the_user_says_so) {
@@ -585,9 +792,10 @@ TEST(a_release_policy, that_keeps_current_needs_a_device_with_a_watchdog) {
     device.watchdog = 0.02;
     EXPECT_EQ(port.open(), "");
   }
-  rig r;
-  r.device.watchdog = 0;
-  r.hold();  // 0 A at once needs none
+  fake::device device;
+  device.watchdog = 0;
+  safe port({&device}, {&device});
+  EXPECT_EQ(port.open(), "") << "0 A at once needs none";
 }
 
 TEST(a_release_policy, goes_on_from_where_another_process_began) {
@@ -702,6 +910,7 @@ TEST(a_lost_device, has_no_current_that_anybody_knows) {
       rig r(p);
       r.hold();
       const auto last = r.device.currents;
+      const auto position = r.port.position();
       const int released = r.device.releases, written = r.device.writes;
       r.cycle([&](rig& s) {
         (reading ? s.device.read_status : s.device.write_status) = ph::port_status::failed;
@@ -710,9 +919,13 @@ TEST(a_lost_device, has_no_current_that_anybody_knows) {
         EXPECT_GT(r.device.releases, released);
         EXPECT_EQ(r.port.applied(), last) << "the last that it is known to have taken";
         EXPECT_FALSE(r.port.applied_is_known());
+        EXPECT_TRUE(r.port.needs_homing());
         r.cycle();
       }
       EXPECT_EQ(r.device.writes, written + !reading);
+      if (reading) {
+        EXPECT_EQ(r.port.position(), position) << "nothing is read any more";
+      }
     }
 }
 

@@ -68,8 +68,8 @@ class release_profile {
     double share = p_.policy == release_policy::hold ? 1 : 0;
     if (p_.policy == release_policy::ramp && !over(now))
       share = std::min(1.0, 1 - (now - start_.time) / p_.ramp_time);
-    brake_currents<N> flowing{};
-    for (std::size_t i = 0; i < flowing.size(); ++i) flowing[i] = share * start_.flowing[i];
+    brake_currents<N> flowing = start_.flowing;
+    for (double& current : flowing) current *= share;
     return flowing;
   }
 

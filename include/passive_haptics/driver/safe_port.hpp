@@ -5,6 +5,7 @@
 #include <passive_haptics/driver/checks/sample_check.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -86,13 +87,9 @@ class safe_port {
   /// Gives the brakes their currents [A], or what the state allows of them; see applied().
   port_state write(const currents& wanted) noexcept {
     if (state_ == port_state::closed) return state_;
-    if (holds()) {
-      for (int i = 0; i < brake_count; ++i) {
-        const double current = wanted[static_cast<std::size_t>(i)];
-        if (!(std::isfinite(current) && current >= 0))
-          fail({fault::current_not_valid, fault_source::brakes, i});
-      }
-    }
+    const auto bad = std::ranges::find_if_not(wanted, [](double I) { return std::isfinite(I) && I >= 0; });
+    if (holds() && bad != wanted.end())
+      fail({fault::current_not_valid, fault_source::brakes, static_cast<int>(bad - wanted.begin())});
     currents asked{};
     if (holds()) asked = wanted;
     if (lost_) return state_;
@@ -223,7 +220,7 @@ class safe_port {
 
   void settle() noexcept {
     if (!holds()) return;
-    const bool well = held_over().what == fault::none && write_good_ == now_ && !limiter_.lowered_by_heat();
+    const bool well = held_over().what == fault::none && !limiter_.lowered_by_heat();
     state_ = well ? port_state::active : port_state::degraded;
   }
 
