@@ -205,6 +205,16 @@ TEST(brake_calibration, is_back_at_rest_after_a_restart) {
   EXPECT_DOUBLE_EQ(calibration.currents({0.1, 0.1})[0], 0.1);
 }
 
+TEST(brake_calibration, takes_what_is_no_torque_for_none) {
+  for (const double none : {double(NAN), -0.5, -double(INFINITY)}) {
+    ph::brake_calibration<1> calibration({ph::brake_curve{.hysteresis = 0.2}}), of_zero = calibration;
+    for (auto* one_of : {&calibration, &of_zero}) one_of->currents(one(0.8));
+    EXPECT_EQ(calibration.currents(one(none)), of_zero.currents(one(0)));
+    EXPECT_EQ(calibration.torque(), of_zero.torque()) << none;
+    EXPECT_EQ(calibration.currents(one(0.2)), of_zero.currents(one(0.2))) << "its remanence: still falling";
+  }
+}
+
 TEST(brake_calibration, names_what_is_wrong) {
   const auto error = [](auto change) {
     ph::brake_curves<2> curves{};
@@ -235,6 +245,8 @@ TEST(brake_calibration, names_what_is_wrong) {
             "brakes[1].table[2].torque [N m] = 0.4, expected more than in the point before it");
   EXPECT_EQ(error([](curve& p) { p.table[1].torque = NAN; }),
             "brakes[1].table[1].torque [N m] = nan, expected a finite number");
+  EXPECT_EQ(error([](curve& p) { p.table[0].torque = NAN; }),
+            "brakes[1].table[0].torque [N m] = nan, expected a finite number");
   EXPECT_EQ(error([](curve& p) { p.table[0].current = -1; }),
             "brakes[1].table[0].current [A] = -1, expected 0");
   EXPECT_EQ(error([](curve& p) { p.residual_torque = 0.1; }),

@@ -155,6 +155,48 @@ TEST_F(a_control_loop, that_was_stopped_or_slept_too_long_releases_before_the_ne
   EXPECT_EQ(released_before[4], 1u);
 }
 
+TEST_F(a_control_loop, may_sleep_just_so_long) {
+  parameters.longest_sleep = 0.25;
+  clock.late = [](int k) { return k == 3 ? 250 * ms : k == 6 ? 250 * ms + 1000 : 0; };
+  std::vector<std::size_t> released_before;
+  run([&](const ph::loop_cycle& now) {
+    EXPECT_NEAR(now.time, 1e-9 * static_cast<double>(clock.now), 1e-9);
+    released_before.push_back(released.size());
+    return 0;
+  });
+  EXPECT_EQ(released_before, (std::vector<std::size_t>{0, 0, 0, 0, 0, 1, 1, 1, 1, 1}));
+}
+
+TEST_F(a_control_loop, whose_clock_goes_back_within_a_period_releases) {
+  std::vector<std::size_t> released_before;
+  run([&](const ph::loop_cycle& now) {
+    released_before.push_back(released.size());
+    if (now.number == 3) clock.late = [](int) { return -ms / 2; };
+    if (now.number == 4) clock.late = [](int) { return 0; };
+    return 100'000;
+  });
+  EXPECT_EQ(released_before, (std::vector<std::size_t>{0, 0, 0, 1, 1, 1, 1, 1, 1, 1}));
+}
+
+TEST_F(a_control_loop, may_overrun_so_often_from_its_first_cycle_on) {
+  parameters.most_overruns = 3;
+  std::vector<std::size_t> released_before;
+  const auto report = run([&](const ph::loop_cycle&) {
+    released_before.push_back(released.size());
+    return ms + 1;
+  });
+  EXPECT_EQ(released_before, (std::vector<std::size_t>{0, 0, 0, 0, 1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(report.overruns, 9u) << "the last cycle is told to be the last";
+  EXPECT_EQ(report.missed, 9u);
+}
+
+TEST_F(a_control_loop, may_take_the_whole_period) {
+  parameters.most_overruns = 0;
+  const auto report = run([](const ph::loop_cycle&) { return ms; });
+  EXPECT_EQ(report.overruns + report.missed, 0u);
+  EXPECT_EQ(released, std::vector{ph::fault::user});
+}
+
 TEST_F(a_control_loop, whose_clock_goes_back_releases) {
   clock.late = [](int k) { return k == 5 ? -3 * ms : 0; };
   run([](const ph::loop_cycle&) { return 0; });
@@ -174,6 +216,13 @@ TEST_F(a_control_loop, allocates_nothing_between_its_ends) {
       },
       [] { return false; }, [](ph::fault) {});
   EXPECT_EQ(counted, 0);
+}
+
+TEST(a_loop_cycle, is_none_by_default) {
+  const ph::loop_cycle none;
+  EXPECT_EQ(none.number, 0);
+  EXPECT_EQ(none.time, 0);
+  EXPECT_EQ(none.late, 0);
 }
 
 TEST(control_loop_parameters, are_checked_by_name) {
@@ -208,6 +257,21 @@ TEST(a_duration_histogram, has_percentiles_within_a_sixteenth) {
     EXPECT_EQ(h.count(), 10'000u);
     EXPECT_NEAR(h.mean(), scale, 0.05 * scale);
   }
+}
+
+TEST(a_duration_histogram, counts_in_bins_that_are_known) {
+  ph::duration_histogram h;
+  for (const std::int64_t duration : {1, 2, 6, 1000}) h.add(duration);
+  EXPECT_EQ(h.mean(), 252.25);
+  EXPECT_EQ(h.between(1, 2), 1u);
+  EXPECT_EQ(h.between(1, 4), 2u);
+  EXPECT_EQ(h.between(4, 512), 1u);
+  EXPECT_EQ(h.between(512, 1024), 1u);
+  EXPECT_EQ(h.percentile(0.5), 2);
+  EXPECT_EQ(h.percentile(0.75), 6);
+  EXPECT_EQ(h.percentile(1), 1000) << "not the end of its bin, 1023";
+  h.add(5000);
+  EXPECT_EQ(h.percentile(0.8), 1023);
 }
 
 TEST(a_duration_histogram, takes_any_number) {

@@ -79,6 +79,14 @@ TEST(encoder_calibration, gives_the_counts_of_a_position_back) {
   }
 }
 
+TEST(encoder_calibration, keeps_its_zero_counts_if_the_new_ones_are_no_numbers) {
+  ph::encoder_calibration<2> encoders(turn_and_slide());
+  encoders.set_zero_count({NAN, 3});
+  EXPECT_EQ(encoders.zero_count(), vec(100, -50));
+  encoders.set_zero_count({7, 3});
+  EXPECT_EQ(encoders.zero_count(), vec(7, 3));
+}
+
 TEST(encoder_calibration, names_what_is_wrong) {
   const auto error = [](auto change) {
     parameters p = turn_and_slide();
@@ -89,6 +97,7 @@ TEST(encoder_calibration, names_what_is_wrong) {
   EXPECT_EQ(error([](parameters& p) { p.counts_per_turn[1] = 0; }),
             "counts_per_turn[1] = 0, expected a finite number, not 0; negative if counts fall in the "
             "positive sense");
+  EXPECT_EQ(error([](parameters& p) { p.counts_per_turn[0] = 0; }).substr(0, 22), "counts_per_turn[0] = 0");
   EXPECT_EQ(error([](parameters& p) { p.zero_count[0] = NAN; }),
             "zero_count[0] = nan, expected a finite number");
 }
@@ -176,6 +185,37 @@ TEST(homing, starts_anew_after_a_gap_a_count_that_is_no_number_or_time_that_stan
   EXPECT_EQ(after(0, device.counts(), false), status::interrupted);
   EXPECT_EQ(after(-0.1, device.counts(), false), status::interrupted);
   EXPECT_EQ(after(1e-3, {NAN, 0}, false), status::interrupted);
+}
+
+TEST(steady_mean, is_of_all_readings_and_begins_anew_when_it_is_told) {
+  ph::steady_mean<2> mean({.duration = 0.25, .tolerance = 3, .longest_gap = 0.125});
+  const auto add = [&](double time, const vec& reading) { return mean.add(time, reading); };
+  for (const double start : {4.0, 1.0}) {
+    EXPECT_EQ(mean.status(), status::collecting);
+    EXPECT_EQ(add(start, {1, 10}), status::collecting);
+    EXPECT_EQ(add(start + 0.125, {2, 7}), status::collecting) << "just within gap and tolerance";
+    EXPECT_TRUE(std::isnan(mean.mean()[1]));
+    EXPECT_EQ(add(start + 0.25, {3, 8.5}), status::done);
+    EXPECT_EQ(mean.mean(), vec(2, 8.5));
+    EXPECT_EQ(mean.status(), status::done);
+    mean.restart();
+    EXPECT_TRUE(std::isnan(mean.mean()[0]));
+  }
+  EXPECT_EQ(add(9, {1, 10}), status::collecting);
+  EXPECT_EQ(add(9.125, {1, 6.9}), status::moved) << "down, too";
+  EXPECT_EQ(add(9.25, {1, 6.9}), status::collecting);
+  EXPECT_EQ(add(9.375, {1, 6.9}), status::done) << "0.25 s after it moved";
+  EXPECT_EQ(mean.mean(), vec(1, 6.9));
+}
+
+TEST(homing, is_as_new_when_it_is_told) {
+  const homed device;
+  ph::homing<2> home(device.believed, device.reference, {.duration = 0.002});
+  for (int k = 0; k < 3; ++k) home.add(1e-3 * k, device.counts());
+  EXPECT_TRUE(ph::all_finite(home.zero_count()));
+  home.restart();
+  EXPECT_FALSE(ph::all_finite(home.zero_count()));
+  EXPECT_EQ(home.add(0, device.counts()), status::collecting);
 }
 
 TEST(homing, complains_of_its_parameters) {

@@ -298,6 +298,15 @@ TEST(rate_estimator, has_the_bounds_of_its_formulas) {
   EXPECT_DOUBLE_EQ(ph::rate_onset(2, 8, 0.01, 200), 0.31) << "two steps in 0.2 s, which no window sees";
 }
 
+TEST(rate_estimator, has_no_rate_and_no_span_before_its_second_sample) {
+  ph::rate_estimator<1> estimator({.resolution = 0.25});
+  EXPECT_EQ(estimator.span(0), 0);
+  EXPECT_EQ(estimator.add(3, one(7))[0], 0);
+  EXPECT_EQ(estimator.span(0), 0);
+  EXPECT_EQ(estimator.add(3.5, one(9))[0], 4);
+  EXPECT_EQ(estimator.span(0), 0.5);
+}
+
 TEST(rate_estimator, complains_of_what_it_cannot_do) {
   EXPECT_EQ(validate(ph::rate_estimator_parameters{}), "");
   EXPECT_EQ(validate(ph::rate_estimator_parameters{.resolution = 0}),

@@ -57,7 +57,48 @@ TEST(real_time, goes_on_where_all_is_refused) {
 TEST(real_time, keeps_to_the_processor_that_was_asked_for) {
   EXPECT_TRUE(in_a_child([] {
     const ph::real_time quick({.cpu = 0});
-    return quick.settings()[0].refused.empty() && sched_getcpu() == 0;
+    cpu_set_t set;
+    return quick.settings()[0].refused.empty() && sched_getcpu() == 0 &&
+           sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) == 1;
+  }));
+}
+
+TEST(real_time, has_the_priority_that_it_may) {
+  EXPECT_TRUE(in_a_child([] {
+    const ph::real_time quick({.priority = 1});
+    sched_param is{}, wanted{};
+    sched_getparam(0, &is);
+    wanted.sched_priority = 1;
+    const bool may = sched_setscheduler(0, SCHED_FIFO, &wanted) == 0;
+    return quick.settings().size() == 1 && quick.settings()[0].refused.empty() == may &&
+           is.sched_priority == may;
+  }));
+}
+
+TEST(real_time, tells_why_the_kernel_refused) {
+  EXPECT_TRUE(in_a_child([] {
+    const int file = open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);
+    const std::string why = file < 0 ? std::string(std::strerror(errno)).append("; ") : "";
+    close(file);
+    errno = 0;
+    const ph::real_time quick({.lock_memory = true, .dma_latency = 1e-4});
+    const auto& memory = quick.settings()[0];
+    const auto& latency = quick.settings()[1];
+    return !memory.refused.starts_with(std::strerror(0)) && latency.what == "wakes from idle within 100 us" &&
+           (file < 0 ? latency.refused.starts_with(why) : latency.refused.empty());
+  }));
+}
+
+TEST(real_time, closes_what_it_opened_and_nothing_else) {
+  EXPECT_TRUE(in_a_child([] {
+    const auto lowest_free = [] {
+      const int file = dup(STDERR_FILENO);
+      close(file);
+      return file;
+    };
+    const int before = lowest_free();
+    for (const double latency : {-1.0, 0.0}) ph::real_time({.dma_latency = latency});
+    return lowest_free() == before;
   }));
 }
 

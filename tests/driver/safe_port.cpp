@@ -714,6 +714,7 @@ TEST(a_release_profile, is_known_by_its_time_alone) {
   const ph::release_start<2> start{5, {0.5, 0.25}};
   const auto of = [&](const ph::release_parameters& p) {
     ph::release_profile<2> profile(p);
+    EXPECT_EQ(profile.start().time, 0);
     EXPECT_TRUE(profile.over(0)) << "nothing flows that was not begun";
     EXPECT_EQ(profile(0), currents{});
     profile.begin(start);

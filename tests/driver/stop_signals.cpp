@@ -24,11 +24,17 @@ TEST(stop_signals, stay_and_begin_anew_with_each) {
 
 TEST(stop_signals, leave_what_was_before) {
   static int caught = 0;
-  const auto before = std::signal(SIGUSR1, [](int) { ++caught; });
-  {
-    const ph::stop_signals signals;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) {
+    caught = 0;
+    const auto before = std::signal(signal, [](int) { ++caught; });
+    {
+      const ph::stop_signals signals;
+      std::raise(signal);
+    }
+    EXPECT_EQ(caught, 0);
+    std::raise(signal);
+    EXPECT_EQ(caught, 1);
+    std::signal(signal, before);
   }
-  std::raise(SIGUSR1);
-  EXPECT_EQ(caught, 1);
-  std::signal(SIGUSR1, before);
+  EXPECT_FALSE(ph::stop_signals().rearm()) << "a signal to one before";
 }
