@@ -157,6 +157,68 @@ TEST_P(brake_identification, finds_the_loop_of_a_magnetorheological_brake) {
   });
 }
 
+// Rises from 0.1 N m at 0 A to 1.1 N m at 2 A, in steps that are surer than their error of 0.01 N m.
+ph::current_ramp measured_ramp() {
+  ph::current_ramp ramp;
+  ramp.greatest_current = 2;
+  ramp.residual_torque = {0.1, 0.01};
+  for (std::size_t i = 0; i < ramp.rising.size(); ++i)
+    ramp.rising[i] = {0.1 + 0.1 * static_cast<double>(i), 0.01};
+  ramp.hysteresis = {0.25, 0.01};
+  return ramp;
+}
+
+TEST(a_measured_ramp, becomes_a_curve_of_the_points_that_rise_beyond_doubt) {
+  ph::current_ramp ramp = measured_ramp();
+  ph::brake_curve curve = ramp.curve();
+  EXPECT_EQ(validate(curve), "");
+  EXPECT_EQ(curve.points, 11);
+  EXPECT_EQ(curve.residual_torque, 0.1);
+  EXPECT_EQ(curve.current_limit, 2);
+  EXPECT_EQ(curve.hysteresis, 0.25);
+  for (std::size_t i = 0; i < 11; ++i) {
+    EXPECT_DOUBLE_EQ(curve.table[i].current, 0.2 * static_cast<double>(i));
+    EXPECT_DOUBLE_EQ(curve.table[i].torque, 0.1 + 0.1 * static_cast<double>(i));
+  }
+
+  ramp.rising[1].value = 0.12;   // within three errors of the point before it
+  ramp.rising[2].value = 0.125;  // and so is this
+  ramp.rising[3].value = 0.135;
+  ramp.rising[9].value = 1.09;
+  ramp.hysteresis.value = -0.01;
+  curve = ramp.curve();
+  EXPECT_EQ(validate(curve), "");
+  EXPECT_EQ(curve.hysteresis, 0) << "noise";
+  ASSERT_EQ(curve.points, 9);
+  EXPECT_DOUBLE_EQ(curve.table[1].current, 0.6);
+  EXPECT_EQ(curve.table[1].torque, 0.135);
+  EXPECT_DOUBLE_EQ(curve.table[7].current, 1.8);
+  EXPECT_DOUBLE_EQ(curve.table[8].current, 2) << "the last one, so that there is torque for the limit";
+  EXPECT_DOUBLE_EQ(curve.table[8].torque, 1.1);
+}
+
+// Exact samples of torque = 0.25 + I up, and 0.25 + I + apart(I) down, with 1 s for 1 A.
+ph::current_ramp exact_ramp(double (*apart)(double)) {
+  samples all;
+  for (int k = 0; k <= 2600; ++k) {
+    const double t = 1e-3 * k, I = std::clamp(std::min(t - 0.25, 2.5 - t), 0.0, 1.0);
+    all.push_back({t, I, 2 * t, 0.25 + I + (t > 1.3 ? apart(I) : 0)});
+  }
+  return ph::fit_current_ramp(all);
+}
+
+TEST(a_measured_ramp, has_the_hysteresis_of_the_current_where_it_is_widest) {
+  const auto found = exact_ramp([](double I) { return 0.25 * (1 - I); });
+  EXPECT_EQ(found.greatest_current, 1);
+  EXPECT_NEAR(found.residual_torque.value, 0.25, 1e-12);
+  EXPECT_NEAR(found.rising[3].value, 0.55, 1e-3);
+  EXPECT_NEAR(found.falling[4].value, 0.8, 1e-3);
+  EXPECT_NEAR(found.hysteresis.value, 0.25, 1e-3) << "at 0 A";
+  EXPECT_NEAR(exact_ramp([](double I) { return I * (1 - I); }).hysteresis.value, 0.25, 2e-3) << "half-way";
+  EXPECT_NEAR(exact_ramp([](double) { return -0.125; }).hysteresis.value, 0, 1e-3)
+      << "at the greatest current, where the branches meet";
+}
+
 // ---- sweeps
 
 TEST_P(brake_identification, finds_stribeck_effect_and_drag) {

@@ -274,6 +274,7 @@ TEST_F(a_supervised_loop, that_goes_on_takes_up_the_ramp_of_its_supervisor) {
   start();
   kill(loop, SIGSTOP);
   ASSERT_TRUE(eventually([&] { return device->current < 0.4; }));
+  EXPECT_GT(by_supervisor().size(), 15u) << "smoother than a look in each 50 ms of the 0.4 s so far";
   const std::uint32_t continued = device->entries;
   kill(loop, SIGCONT);
   ASSERT_TRUE(eventually([&] { return device->current == 0; }));
@@ -435,6 +436,7 @@ TEST(a_supervisor, that_finds_no_device_says_so) {
 
 TEST(a_supervisor, checks_its_parameters) {
   EXPECT_EQ(validate(ph::supervisor_parameters{}), "");
+  EXPECT_DOUBLE_EQ(ph::supervisor_parameters{.timeout = 0.2}.latest(), 0.25);
   EXPECT_EQ(validate(ph::supervisor_parameters{.timeout = 0.001}),
             "timeout of the supervisor [s] = 0.001, expected 0.004 to 10");
   EXPECT_EQ(validate(ph::supervisor_parameters{.priority = 100}),
