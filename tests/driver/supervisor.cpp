@@ -355,11 +355,18 @@ TEST_F(a_supervised_loop, does_not_go_on_without_its_supervisor) {
   EXPECT_TRUE(guard.beat(1));
   EXPECT_TRUE(guard.beat(1.05));
   EXPECT_TRUE(guard.alive());
+  const auto alive_at = [&](double time) {
+    guard.beat(time);
+    return guard.alive();
+  };
+  EXPECT_TRUE(eventually([&] { return alive_at(1.5); })) << "it looked since";
   kill(guard.pid(), SIGKILL);
-  usleep(20'000);
-  guard.beat(2);
-  EXPECT_FALSE(guard.beat(2.11));
-  EXPECT_FALSE(guard.alive()) << "nothing to rearm with";
+  siginfo_t ended;
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(guard.pid()), &ended, WEXITED | WNOWAIT), 0);
+  EXPECT_TRUE(alive_at(1.55)) << "it may have looked once more";
+  EXPECT_TRUE(alive_at(1.59));
+  EXPECT_FALSE(alive_at(1.66)) << "nothing to rearm with";
+  EXPECT_FALSE(guard.beat(1.67));
 }
 
 TEST_F(a_supervised_loop, gives_a_supervisor_with_a_long_timeout_the_time_to_look) {
@@ -375,11 +382,18 @@ TEST_F(a_supervised_loop, can_be_rearmed_after_it_was_released) {
   ASSERT_EQ(guard.start(), "");
   usleep(100'000);
   EXPECT_FALSE(guard.released()) << "the first heartbeat starts the watch";
-  EXPECT_TRUE(guard.beat(1));
+  const double before = ph::monotonic_seconds();
+  EXPECT_TRUE(guard.beat(1, {0.25}));
+  EXPECT_FALSE(guard.began());
   EXPECT_TRUE(eventually([&] { return guard.released(); }));
+  ASSERT_TRUE(guard.began());
+  EXPECT_EQ(guard.began()->flowing, (ph::brake_currents<1>{0.25}));
+  EXPECT_GE(guard.began()->time, before);
+  EXPECT_LE(guard.began()->time, ph::monotonic_seconds());
   EXPECT_FALSE(guard.beat(1.01));
   EXPECT_GE(device->releases, 1u);
   guard.rearm();
+  EXPECT_FALSE(guard.began());
   EXPECT_TRUE(guard.beat(1.02));
   device->current = 1;
   guard.stop();
@@ -437,6 +451,9 @@ TEST(a_supervisor, that_finds_no_device_says_so) {
 TEST(a_supervisor, checks_its_parameters) {
   EXPECT_EQ(validate(ph::supervisor_parameters{}), "");
   EXPECT_DOUBLE_EQ(ph::supervisor_parameters{.timeout = 0.2}.latest(), 0.25);
+  EXPECT_EQ(ph::supervisor_parameters{.timeout = 0.2}.look(), 50);
+  EXPECT_EQ(ph::supervisor_parameters{.timeout = 0.004}.look(), 1) << "the least";
+  EXPECT_EQ(ph::supervisor_parameters{.timeout = 10}.look(), 2500);
   EXPECT_EQ(validate(ph::supervisor_parameters{.timeout = 0.001}),
             "timeout of the supervisor [s] = 0.001, expected 0.004 to 10");
   EXPECT_EQ(validate(ph::supervisor_parameters{.priority = 100}),

@@ -357,6 +357,42 @@ TEST(threaded_sensor, reads_what_came_and_does_not_wait) {
   EXPECT_EQ(last.sequence, 7u);
 }
 
+TEST(polling_thread, looks_from_start_to_stop_with_a_pause_a_small_stack_and_no_signals) {
+  struct {
+    std::atomic<int> looks = 0, signals = 0;
+    std::atomic<std::size_t> stack = 0;
+    void operator()() noexcept {
+      sigset_t masked;
+      pthread_sigmask(SIG_SETMASK, nullptr, &masked);
+      for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGALRM})
+        signals += sigismember(&masked, signal) == 0;
+      pthread_attr_t attributes;
+      pthread_getattr_np(pthread_self(), &attributes);
+      std::size_t size = 0;
+      pthread_attr_getstacksize(&attributes, &size);
+      pthread_attr_destroy(&attributes);
+      stack = size;
+      ++looks;
+    }
+  } look;
+  ph::polling_thread thread({.pause = 0.05});
+  thread.stop();
+  EXPECT_FALSE(thread.runs());
+  const double start = ph::monotonic_seconds();
+  ASSERT_EQ(thread.start(look), "");
+  EXPECT_TRUE(thread.runs());
+  EXPECT_TRUE(eventually([&] { return look.looks == 2; }));
+  EXPECT_GE(ph::monotonic_seconds(), start + 0.05);
+  thread.stop();
+  const int looks = look.looks;
+  EXPECT_LE(looks, 1 + (ph::monotonic_seconds() - start) / 0.05);
+  EXPECT_FALSE(thread.runs());
+  thread.stop();
+  EXPECT_EQ(look.looks, looks);
+  EXPECT_EQ(look.signals, 0);
+  EXPECT_EQ(look.stack, 1u << 20);
+}
+
 TEST(polling_parameters, are_checked_by_name) {
   EXPECT_EQ(validate(ph::polling_parameters()), "");
   EXPECT_THROW(ph::threaded_sensor<slow_sensor>(slow_sensor{nullptr}, {.pause = 0}), std::invalid_argument);

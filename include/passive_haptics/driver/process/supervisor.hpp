@@ -31,6 +31,8 @@ struct supervisor_parameters {
   double timeout = 0.010;  ///< Without a heartbeat for so long, the brakes are released [s].
   int priority = 0;        ///< SCHED_FIFO priority of its process, over the loop's; 0 for none.
 
+  /// How often it looks [ms]: four times in a timeout, so at least each ms.
+  int look() const noexcept { return static_cast<int>(1e3 * timeout / 4); }
   /// How long after the last heartbeat it acts at the latest, where it gets the processor [s].
   double latest() const noexcept { return 1.25 * timeout; }
 
@@ -134,12 +136,11 @@ class supervisor {
 
   void watch(parent_link parent) noexcept {
     be_quick();
-    const int look = std::max(1, static_cast<int>(1e3 * p_.timeout / 4));  // [ms]
     std::uint32_t last = 0;
     double beaten = monotonic_seconds();
     bool silent = false;
     looked_ = beaten;
-    while (!parent.gone(silent ? std::min(look, often) : look)) {
+    while (!parent.gone(silent ? often : p_.look())) {
       const double now = monotonic_seconds();
       const std::uint32_t beats = shared_->beats.load(std::memory_order_acquire);
       if (beats != last || beats == 0) beaten = now;
