@@ -269,6 +269,47 @@ TEST_F(a_supervised_loop, that_holds_too_warm_a_coil_gives_it_less_in_the_end) {
   EXPECT_EQ(device->current, 0);
 }
 
+// 0.09 A^2 s over what may flow for ever in each second: the limit is passed before the release.
+TEST_F(a_supervised_loop, warmed_its_coils_already_before_it_fell_silent) {
+  ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.2},
+                                     {.policy = ph::release_policy::hold, .hold_time = 100},
+                                     {.largest = {1}, .continuous = {0.4}, .heat = {0.01}});
+  ASSERT_EQ(guard.start(), "");
+  device->supervisor = guard.pid();
+  guard.beat(1, {0.5});
+  ASSERT_TRUE(eventually([&] { return by_supervisor().size() > 5; }));
+  for (const auto& one : by_supervisor()) ASSERT_NEAR(one.current, 0.38, 1e-12);
+}
+
+// And here it is far from passed when 30 currents are given.
+TEST_F(a_supervised_loop, warmed_its_coils_by_no_more_than_flowed) {
+  ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.05},
+                                     {.policy = ph::release_policy::hold, .hold_time = 100},
+                                     {.largest = {1}, .continuous = {0.4}, .heat = {0.3}});
+  ASSERT_EQ(guard.start(), "");
+  device->supervisor = guard.pid();
+  for (const double start = ph::monotonic_seconds(); ph::monotonic_seconds() < start + 0.3; usleep(1000))
+    guard.beat(1, {0.5});
+  ASSERT_TRUE(eventually([&] { return by_supervisor().size() >= 30; }));
+  const auto all = by_supervisor();
+  for (std::size_t k = 0; k < 30; ++k) ASSERT_EQ(all[k].current, 0.5) << k;
+}
+
+TEST_F(a_supervised_loop, that_is_killed_while_its_supervisor_ramps_down_gets_no_second_ramp) {
+  at_release = {.policy = ph::release_policy::ramp, .ramp_time = 0.6};
+  start();
+  kill(loop, SIGSTOP);
+  ASSERT_TRUE(eventually([&] { return device->current < 0.3; }));
+  double killed = 0;
+  const auto all = by_supervisor_of_a_killed_loop(killed);
+  double before = 0.5;
+  for (const auto& one : all) {
+    ASSERT_LE(one.current, before);
+    before = one.current;
+  }
+  EXPECT_EQ(before, 0);
+}
+
 TEST_F(a_supervised_loop, that_goes_on_takes_up_the_ramp_of_its_supervisor) {
   at_release = {.policy = ph::release_policy::ramp, .ramp_time = 2};
   start();
@@ -352,6 +393,7 @@ TEST_F(a_supervised_loop, that_is_stopped_is_released_and_stays_so_when_it_goes_
 TEST_F(a_supervised_loop, does_not_go_on_without_its_supervisor) {
   ph::supervisor<keeping_port> guard(keeping_port{&*device});
   ASSERT_EQ(guard.start(), "");
+  EXPECT_FALSE(guard.alive()) << "nobody knows yet";
   EXPECT_TRUE(guard.beat(1));
   EXPECT_TRUE(guard.beat(1.05));
   EXPECT_TRUE(guard.alive());
