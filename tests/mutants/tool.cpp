@@ -113,6 +113,12 @@ TEST(switches, stand_one_within_the_other) {
             "passive_haptics_mutants::either(passive_haptics_mutants::active(1), b - c, b + c))); }\n");
 }
 
+TEST(switches, take_all_of_what_is_added) {
+  EXPECT_NE(switched("void f() {\n  x += a ? b : c;\n}\n").find(" ? (x -= a ? b : c) : (x += "),
+            std::string::npos)
+      << switched("void f() {\n  x += a ? b : c;\n}\n");
+}
+
 TEST(switches, keep_an_if_and_its_else_together) {
   EXPECT_NE(switched("void f() {\n  if constexpr (a) g();\n  else h();\n}\n").find("g(); }\n  else { if (!"),
             std::string::npos);

@@ -106,7 +106,10 @@ inline void sign(const source& s, int i, collector& found) {
     const int last = unary_end(s, i);
     found.add("sign", form::value, i, last, s.text_of(i + 1, last));
   } else if (s[i].text.size() == 2) {
-    const int first = operand_begin(s, i, 1), last = operand_end(s, i, 1);
+    const int first = operand_begin(s, i, 1);
+    int last = operand_end(s, i, 1);
+    // A choice is added whole
+    while (s.is(last + 1, "?") || s.is(last + 1, ":")) last = operand_end(s, last + 1, 1);
     found.add(
         "sign", form::choice, first, last,
         s.text_of(first, i - 1) + ' ' + std::string(others.at(s[i].text)) + ' ' + s.text_of(i + 1, last));
