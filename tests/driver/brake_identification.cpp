@@ -455,10 +455,14 @@ TEST(record_on_bench, releases_where_a_transfer_fails_or_nothing_comes) {
       "periods without a new valid sample = 21, expected at most most_missed: check the port and the sensor");
   EXPECT_EQ(silent.released, 1);
   short_lived_port fine;
-  EXPECT_EQ(thrown_by([&] {
-              ph::record_on_bench(fine, sensor, {.brake = 2}, 1, [](double) { return 0.1; }, [] {});
-            }),
-            "brake = 2, expected 0 to 1");
+  const auto error_of = [&](const ph::bench_parameters& wrong) {
+    return thrown_by([&] { ph::record_on_bench(fine, sensor, wrong, 1, [](double) { return 0.1; }, [] {}); });
+  };
+  EXPECT_EQ(error_of({.brake = 2}), "brake = 2, expected 0 to 1");
+  EXPECT_EQ(error_of({.brake = -1}), "brake = -1, expected 0 to 1");
+  EXPECT_EQ(error_of({.encoder = 2}), "encoder = 2, expected 0 to 1");
+  EXPECT_EQ(error_of({.channel = 3}), "channel = 3, expected 0 to 2");
+  EXPECT_EQ(fine.period, 0) << "nothing was read";
 }
 
 }  // namespace

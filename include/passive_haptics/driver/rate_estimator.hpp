@@ -118,7 +118,7 @@ class rate_estimator {
     void push(const sample& s) noexcept {
       newest = newest == Capacity ? 0 : newest + 1;
       ring[static_cast<std::size_t>(newest)] = s;
-      size = std::min(size + 1, Capacity + 1);
+      size += size <= Capacity;
     }
   };
 

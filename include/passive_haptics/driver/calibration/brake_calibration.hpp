@@ -73,7 +73,7 @@ class brake_calibration {
     const double rising = torque_of_current(p, I, temperature);
     // What it makes at an end of its range; within, the very number, so that the same capacity is no change
     const bool within = I > 0 && I < p.current_limit;
-    torque = within ? asked : std::clamp(torque, rising, rising + p.hysteresis);
+    torque = within ? asked : std::max(rising, std::min(torque, rising + p.hysteresis));
     return I;
   }
 
