@@ -310,6 +310,9 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_step) {
   all[3].torque = NAN;
   EXPECT_EQ(step_error(all), "samples[3].torque [N m] = nan, expected a finite number");
   all = step_to(1, 1);
+  all[0].current = -1;
+  EXPECT_EQ(step_error(all), "samples[0].current [A] = -1, expected a finite number >= 0");
+  all = step_to(1, 1);
   all[4].time = all[3].time;
   EXPECT_EQ(step_error(all), "samples[4].time [s] = 0.003, expected more than that of the sample before");
   all = step_to(1, 1);
@@ -421,6 +424,48 @@ TEST(record_on_bench, follows_a_counter_through_its_wrap_and_keeps_the_limit) {
   EXPECT_EQ(all.back().current, 0.3);
   EXPECT_EQ(port.told, (std::vector<double>{0, 0.3}));
   EXPECT_EQ(port.released, 1);
+}
+
+TEST(record_on_bench, gives_no_current_for_what_is_none) {
+  constant_sensor sensor;
+  for (const double none : {double(NAN), -1.0, -double(INFINITY)}) {
+    short_lived_port port;
+    const ph::bench_parameters p{.brake = 1, .encoder = 1, .channel = 2, .settling_time = 0};
+    for (const auto& s : ph::record_on_bench(port, sensor, p, 0.01, [none](double) { return none; }, [] {}))
+      EXPECT_EQ(s.current, 0);
+    EXPECT_EQ(port.told, (std::vector<double>{0, 0}));
+  }
+}
+
+// Feels something in each third period.
+struct slow_sensor : constant_sensor {
+  int period = 0;
+  ph::port_status read(ph::port_sample<3>& s) noexcept {
+    constant_sensor::read(s);
+    return ++period % 3 == 0 ? ph::port_status::ok : ph::port_status::no_sample;
+  }
+};
+
+TEST(record_on_bench, records_where_port_and_sensor_have_something_new_that_is_valid) {
+  short_lived_port port;
+  slow_sensor sensor;
+  int waits = 0;
+  const ph::bench_parameters p{.encoder = 1, .channel = 2, .settling_time = 0, .most_missed = 2};
+  const samples all =
+      ph::record_on_bench(port, sensor, p, 0.03, [](double) { return 0.1; }, [&] { ++waits; });
+  ASSERT_EQ(all.size(), 11u);
+  for (std::size_t k = 0; k < 11; ++k) EXPECT_NEAR(all[k].time, 0.003 * static_cast<double>(k), 1e-12);
+  EXPECT_EQ(waits, 33) << "before each read";
+
+  constant_sensor quick;
+  const auto error = [&](const ph::bench_parameters& of) {
+    short_lived_port fine;
+    return thrown_by([&] { ph::record_on_bench(fine, quick, of, 1, [](double) { return 0.1; }, [] {}); });
+  };
+  const std::string missing =
+      "periods without a new valid sample = 3, expected at most most_missed: check the port and the sensor";
+  EXPECT_EQ(error({.encoder = 0, .channel = 2, .most_missed = 2}), missing);
+  EXPECT_EQ(error({.encoder = 1, .channel = 1, .most_missed = 2}), missing);
 }
 
 TEST(record_on_bench, lets_the_brake_settle_under_the_first_current) {
