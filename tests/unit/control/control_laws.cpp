@@ -177,6 +177,8 @@ TEST(coercive_force_approximation, leaves_no_motion_into_the_wall_where_nothing_
       if (result.capacity[i] > 0) w[i] = 0;
     }
     EXPECT_GE(contact.normal.dot(E * w), -1e-12);
+    const bool both = (result.capacity.array() > 0).all();
+    EXPECT_EQ(result.display == ph::display_class::exact, both) << "passive region 1";
     if (none.display == ph::display_class::none && result.capacity.norm() > 0) ++coerced;
   }
   EXPECT_GT(coerced, 10);
@@ -384,6 +386,19 @@ TEST(bang_bang, locks_the_brakes_that_move_the_wrong_way) {
   EXPECT_EQ(torque({-0.1, 0.1}, 2e-3), V2(10, -10)) << "both in";
   EXPECT_EQ(torque({0.1, -0.1}, 0.1e-3), V2(-10, 10)) << "both out, and too far out";
   EXPECT_EQ(torque({0.1, 0.001}, 0.1e-3), V2(-10, 0)) << "y rests";
+}
+
+// Far off the wanted slope is clipped, to either side, and the far hysteresis is the one that counts.
+TEST(bang_bang, far_off_wants_no_steeper_slope) {
+  const V2 n(0.6, -0.8), along(0.8, 0.6), free(0, 0);
+  const auto torque = [&](double slope, double depth) {
+    const V2 v = slope * n + std::sqrt(1 - slope * slope) * along;  // x moves out, y in
+    return steering{.law = {turns}}(0.1 * v, {0, 0}, slanted(depth)).torque;
+  };
+  EXPECT_EQ(torque(0.11, 2.6e-3), free) << "0.39 off";
+  EXPECT_EQ(torque(0.09, 2.6e-3), V2(0, -10)) << "0.41 off: out";
+  EXPECT_EQ(torque(-0.11, -0.6e-3), free);
+  EXPECT_EQ(torque(-0.09, -0.6e-3), V2(-10, 0)) << "in";
 }
 
 TEST(bang_bang, turns_until_the_error_has_changed_its_sign) {

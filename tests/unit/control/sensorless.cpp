@@ -153,6 +153,26 @@ TEST(sensorless_controller, makes_up_for_what_a_probe_took) {
   EXPECT_LT(made_up, 300);
 }
 
+// Slipping all the time, after free space and after a reset as well.
+TEST(sensorless_controller, probes_no_brake_that_slips) {
+  const device arm;
+  auto control = controller_with(ph::no_direct_control(), {.observer = {}, .probe = quick});
+  const auto inside = arm.inverse({0.1, 0.226}, ph::elbow::left).q;
+  const auto outside = arm.inverse({0.1, 0.2}, ph::elbow::left).q;
+  double time = 0;
+  const auto slide = [&] {
+    for (int k = 0; k < 300; ++k, time += 1e-3) {
+      EXPECT_GT(control(state{time, inside, {-0.3, 0.5}}).capacity.norm(), 0);
+      ASSERT_EQ(control.probing(), phase::watching) << time;
+    }
+  };
+  slide();
+  control(state{time += 1e-3, outside, {0, 0}});
+  slide();
+  control.reset();
+  slide();
+}
+
 TEST(sensorless_controller, takes_any_state_and_reads_no_force) {
   const device arm;
   auto one = controller_with(ph::direct_control()), other = controller_with(ph::direct_control());

@@ -41,6 +41,16 @@ TYPED_TEST(control_step, in_free_space_releases_the_brakes_and_asks_for_nothing)
   EXPECT_TRUE(result.capacity.isZero(0) && result.torque.isZero(0) && result.desired_force.isZero(0));
 }
 
+TYPED_TEST(control_step, a_state_is_at_rest_at_time_zero_until_it_is_filled) {
+  using M = typename TestFixture::table_type;
+  const ph::device_state<M> state;
+  EXPECT_EQ(state.time, 0);
+  EXPECT_TRUE(state.q.isZero(0) && state.qd.isZero(0) && state.hand_force.isZero(0));
+  const ph::sensorless_device_state<M> sensorless;
+  EXPECT_EQ(sensorless.time, 0);
+  EXPECT_TRUE(sensorless.q.isZero(0) && sensorless.qd.isZero(0));
+}
+
 TYPED_TEST(control_step, a_touched_wall_without_force_asks_for_nothing) {
   for (const auto& [depth, stiffness] : {std::pair{1e-3, 0.0}, {0.0, 1e7}, {-1e-3, 1e7}}) {
     const auto result = on_the_floor<ph::no_direct_control, TypeParam>(0, -1, {0, 0}, depth, stiffness);

@@ -38,12 +38,14 @@ ph::device_state<M> at(double time, double y, double vy = -1) {
   return state;
 }
 
-TEST(a_law, is_told_by_a_step_that_it_commands_nothing) {
+// One wall, or room for several.
+template <int Walls>
+void expect_told_by_a_step() {
   double latest = never;
   const noting_law law{&latest};
   ph::step_memory<noting_law> memory;
   const auto step = [&](double time, const auto&... walls) {
-    ph::contacts<2, 1> touched;
+    ph::contacts<2, Walls> touched;
     (touched.push_back(walls), ...);
     latest = never;
     ph::step(M(), ph::brakes_of<M>(), touched, law, at(time, 0), memory);
@@ -59,6 +61,10 @@ TEST(a_law, is_told_by_a_step_that_it_commands_nothing) {
   floor = asking_for<2>({0, 1});
   floor.normal[0] = nan;
   EXPECT_EQ(step(5, floor), 5) << "a fault";
+}
+TEST(a_law, is_told_by_a_step_that_it_commands_nothing) {
+  expect_told_by_a_step<1>();
+  expect_told_by_a_step<2>();
 }
 
 TEST(a_law, is_told_by_a_controller_that_it_commands_nothing) {

@@ -94,12 +94,9 @@ template <class M, class Now>
 auto demand_of(const Now& now, const torques_with_effects<M>& wanted) {
   effect_demand<typename M::scalar, M::task_dimension, M::brake_count, M::dof> demand{
       wanted.effect_force, transposed_transmission(now.mechanism, now.q), wanted.effect_torque};
+  for (int i = 0; i < M::dof; ++i)
+    if (wanted.effect_torque[i] == 0) demand.joint_rows.row(i).setZero();
   demand.joint_torque += demand.joint_rows * brake_torque(now.E, wanted.effect_force);
-  for (int i = 0; i < M::dof; ++i) {
-    if (wanted.effect_torque[i] != 0) continue;
-    demand.joint_rows.row(i).setZero();
-    demand.joint_torque[i] = 0;
-  }
   return demand;
 }
 

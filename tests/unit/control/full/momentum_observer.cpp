@@ -98,6 +98,40 @@ TEST(momentum_observer, starts_anew_after_faults_and_pauses) {
   EXPECT_TRUE(observer.estimate().force.isZero(0));
 }
 
+TEST(momentum_observer, starts_anew_in_the_cycle_after_a_fault_or_a_reset) {
+  ph::momentum_observer<table> observer{table(), ph::brakes_of<table>()};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto push = [&](double time, double v) {
+    return observer.update(sensorless<table>{time, {0, 0}, {v, 0}}, {0, 0}).force[0];
+  };
+  push(0, 0);
+  EXPECT_GT(push(0.001, 0.01), 0);
+  push(0.002, nan);
+  EXPECT_EQ(push(0.003, 0.05), 0) << "nothing is known of the speed before";
+  EXPECT_GT(push(0.004, 0.06), 0);
+  observer.reset();
+  EXPECT_EQ(push(0.005, 0.1), 0);
+  EXPECT_GT(push(0.006, 0.11), 0);
+}
+
+// At rest and told 1 N m, over periods in which the lagged strength changes by some roundings.
+TEST(momentum_observer, takes_no_strength_for_negative_or_over_its_limit) {
+  constexpr double at_once = 1e20;
+  ph::brakes_of<table> brakes;
+  brakes.time_constant.setConstant(0.02);
+  for (int k = 1; k < 40; ++k) {
+    for (int j = 1; j < 40; ++j) {
+      ph::momentum_observer<table> observer{table(), brakes, {.gain = at_once}};
+      observer.update(sensorless<table>{-5e-4 * k, {0, 0}, {0, 0}}, {0, 0});
+      observer.update(sensorless<table>{0, {0, 0}, {0, 0}}, {1, 0});
+      const auto& unknown =
+          observer.update(sensorless<table>{1e-19 * j, {0, 0}, {0, 0}}, {1, 0}).unknown_torque;
+      ASSERT_GE(unknown[0], 0) << k << ", " << j;
+      ASSERT_LE(unknown[0], brakes.torque_limit[0]) << k << ", " << j;
+    }
+  }
+}
+
 TEST(momentum_observer, knows_no_force_at_a_singular_pose) {
   using arm = ph::two_link<double>;
   ph::momentum_observer<arm> observer{arm(), ph::brakes_of<arm>()};

@@ -177,6 +177,17 @@ TEST(velocity_direct_control, lets_a_brake_go_that_sticks_while_the_handle_leave
   EXPECT_NEAR(left, std::max((learned + forward) * share - forward, -forward), 0.05 * learned);
 }
 
+// However long it sticks so, no more is let go than all that is wanted: what the hand pulls is still met.
+TEST(velocity_direct_control, lets_no_more_go_than_there_is) {
+  held_slide slide;
+  const auto& p = slide.p;
+  for (int k = 0; k < 100; ++k) slide.cycle(p.rest_depth, -0.05);
+  constexpr double pull = 10;  // [N], f_ff = -phi 10 N
+  slide.time += 0.05;
+  slide.cycle(p.rest_depth, 0.01, pull);
+  EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05), 0.05 * force_per_speed(p) + pull * p.force_share, 1e-9);
+}
+
 // What the depth jumps by, beyond its motion, is a count of the encoders: it rests deeper. At depths whose
 // reference is below v_max.
 TEST(velocity_direct_control, rests_deeper_where_it_sees_coarsely) {
@@ -191,6 +202,29 @@ TEST(velocity_direct_control, rests_deeper_where_it_sees_coarsely) {
     const double rest = std::max(p.rest_depth, std::min(p.depth_per_jump * jump, law::deepest_rest));
     const double wanted = p.depth_gain * (depth + jump - 2 * v * dt - rest);
     EXPECT_NEAR(f, (wanted - v) * force_per_speed(p), 1e-9) << jump;
+  }
+}
+
+// A jump is forgotten in jump_time, and a pause of more than that forgets no more than all.
+TEST(velocity_direct_control, forgets_how_coarsely_it_saw) {
+  constexpr double depth = 0.004, v = -0.05, dt = 1e-3, jump = 0.5e-3;
+  held_slide slide;
+  slide.p.depth_per_jump = constants().depth_per_jump;
+  slide.p.integral_time = 1e9;  // nothing is learned
+  slide.control = law(slide.p);
+  const auto rest = [&] {
+    return depth - (slide.cycle(depth, v) / force_per_speed(slide.p) + v) / slide.p.depth_gain;
+  };
+  slide.cycle(depth - jump + 2 * v * dt, v);
+  EXPECT_NEAR(rest(), slide.p.depth_per_jump * jump, 1e-9);
+  EXPECT_NEAR(rest(), slide.p.depth_per_jump * jump * (1 - dt / law::jump_time), 1e-9);
+  slide.time += 0.5;
+  EXPECT_NEAR(rest(),
+              slide.p.depth_per_jump * jump * (1 - dt / law::jump_time) * (1 - (0.5 + dt) / law::jump_time),
+              1e-9);
+  for (int k = 0; k < 3; ++k) {
+    slide.time += 5;
+    EXPECT_NEAR(rest(), slide.p.rest_depth, 1e-9) << k;
   }
 }
 
@@ -253,6 +287,23 @@ TEST(velocity_direct_control, brakes_for_the_curvature_of_a_wall) {
     const double curving = (concave ? 1 : -1) * 0.2 * 0.2 / (concave ? 0.501 : 0.499);
     EXPECT_NEAR(result.capacity[1], 2 * constants().force_share + slide_mass() * curving, 1e-9);
   }
+}
+
+// Of a round wall that was sensed elsewhere it is the normal there that counts.
+TEST(velocity_direct_control, turns_the_normal_of_a_round_wall_that_was_sensed_elsewhere) {
+  constexpr double radius = 0.1;
+  const ph::disc round({0, -radius}, radius);
+  const auto braked = [&](const ph::point<2>& sensed) {
+    const ph::point<2> now(0.01, -2e-3);
+    const auto touched = ph::sense(ph::scene(ph::wall(round)), sensed);
+    ph::step_memory<law> memory;
+    return ph::step(table(), without_lag(), touched, law(),
+                    state_of<table>({now[0], now[1]}, {-0.2, -0.1}, {1, -2}), memory)
+        .capacity;
+  };
+  const pair there = braked({0.01, -2e-3}), elsewhere = braked({0.008, -2e-3});
+  EXPECT_GT(there.norm(), 1);
+  EXPECT_LE((elsewhere - there).norm(), 0.01 * there.norm());
 }
 
 TEST(velocity_direct_control, refuses_constants_that_make_no_sense) {
@@ -481,6 +532,24 @@ TEST(least_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_tha
       }
     }
   }
+}
+
+// A brake at rest that pushes in, or makes nothing, is not held: no other is asked for more beside it.
+TEST(least_power_torques, ask_nobody_beside_a_brake_that_is_not_held) {
+  using V = ph::vector<double, 2>;
+  const auto torques = [](double sign, double most) {
+    ph::brake_reach<double, 2> reach;
+    reach.sign = V(sign, 1);
+    reach.least = V(std::min(0.1, most), 0.2);
+    reach.most = V(most, 5);
+    reach.A << 2, -1, -1, 2;
+    reach.any_at_rest = reach.at_rest[0] = true;
+    reach.lasts.setConstant(true);
+    return ph::least_power_torques<double, 2>(V(1, -0.2), 10, reach, V(0, 0));
+  };
+  EXPECT_EQ(torques(1, 3), V(3, 5)) << "it is held, and the other helps";
+  EXPECT_EQ(torques(1, 0), V(0, 0.2)) << "it makes nothing";
+  EXPECT_EQ(torques(-1, 3), V(0.1, 0.2)) << "it pushes in";
 }
 
 // Two walls that the brakes can serve both: each gets what it wants, also where that is less than nothing.
