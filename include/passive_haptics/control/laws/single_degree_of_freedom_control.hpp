@@ -56,7 +56,7 @@ struct single_degree_of_freedom_control {
 
   /// Of one wall.
   struct locked_brake {
-    int brake = -1;  ///< Which is locked; -1 for none in particular.
+    int brake = -1;  ///< Which is locked; < 0 for none in particular.
   };
   /// What it remembers.
   struct memory {
@@ -81,7 +81,6 @@ struct single_degree_of_freedom_control {
     unrolled<M::brake_count>([&](auto i) {
       if (locked == i || locked == all) t[i] = holding_torque(now.s[i], now.brakes.torque_limit[i]);
     });
-    if (locked == all) locked = -1;
     return t;
   }
 

@@ -99,9 +99,10 @@ struct held_slide {
     p.depth_per_jump = 0;
     return p;
   }
-  double cycle(double depth, double v, double Fh = 0) {
+  double cycle(double depth, double v, double Fh = 0, int wall = 0) {
     ph::contacts<2, 1> touched;
     if (depth > 0) touched.push_back(floor_at(0, -depth));
+    for (auto& c : touched) c.wall = wall;
     auto state = state_of<table>({0, -depth}, {0, v}, {0, Fh});
     state.time = time += 1e-3;
     return ph::step(table(), brakes, touched, control, state, memory).capacity[1];
@@ -122,6 +123,45 @@ TEST(velocity_direct_control, learns_the_force_that_is_missing) {
   for (int k = 0; k < 50; ++k) slide.cycle(p.rest_depth, -0.05);
   slide.cycle(-1, 0);
   EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05), first, 1e-9) << "a wall that was left is forgotten";
+  for (int k = 0; k < 50; ++k) slide.cycle(p.rest_depth, -0.05);
+  slide.cycle(p.rest_depth, -0.05, 0, 1);
+  EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05), first, 1e-9) << "also where another one was touched";
+}
+
+// What the brakes cannot make is not learned, and what was learned is kept within what they can.
+TEST(velocity_direct_control, learns_no_more_than_its_brakes_can_make) {
+  held_slide slide;
+  const auto& p = slide.p;
+  const double first = slide.cycle(p.rest_depth, -0.05);
+  slide.brakes.torque_limit.setConstant(first - 0.5);
+  for (int k = 0; k < 50; ++k) EXPECT_EQ(slide.cycle(p.rest_depth, -0.05), first - 0.5);
+  slide.brakes.torque_limit.setConstant(100);
+  EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05), first, 1e-9);
+  // Learned 6 N, then for a cycle at most 3 N, of which phi 5 N are fed forward; or 1 N of phi 10 N
+  for (const auto& [limit, push] : {std::pair(3.0, 5.0), std::pair(1.0, 10.0)}) {
+    for (int k = 0; k < 100; ++k) slide.cycle(p.rest_depth, -0.05);
+    slide.brakes.torque_limit.setConstant(limit);
+    slide.cycle(p.rest_depth, -0.05, -push);
+    slide.brakes.torque_limit.setConstant(100);
+    EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05), first + std::max(limit - push * p.force_share, 0.0), 1e-9);
+  }
+  // A pull is not learned either
+  slide.cycle(-1, 0);
+  slide.cycle(p.rest_depth, 0.01, 10);
+  slide.cycle(p.rest_depth, 0.01, 10);
+  EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05), first, 1e-9);
+}
+
+TEST(velocity_direct_control, smooths_rates_in_contact_alone) {
+  held_slide slide;
+  slide.p.rate_lag = constants().rate_lag;
+  slide.p.integral_time = 1e9;  // nothing is learned
+  slide.control = law(slide.p);
+  const double c = force_per_speed(slide.p), fresh = -std::expm1(-1e-3 / slide.p.rate_lag);
+  EXPECT_NEAR(slide.cycle(slide.p.rest_depth, -0.05), 0.05 * c, 1e-9);
+  EXPECT_NEAR(slide.cycle(slide.p.rest_depth, -0.1), (0.05 + 0.05 * fresh) * c, 1e-6);
+  slide.cycle(-1, 0);
+  EXPECT_NEAR(slide.cycle(slide.p.rest_depth, -0.1), 0.1 * c, 1e-9);
 }
 
 TEST(velocity_direct_control, learns_nothing_while_time_runs_back) {
@@ -291,19 +331,19 @@ TEST(velocity_direct_control, brakes_for_the_curvature_of_a_wall) {
 
 // Of a round wall that was sensed elsewhere it is the normal there that counts.
 TEST(velocity_direct_control, turns_the_normal_of_a_round_wall_that_was_sensed_elsewhere) {
-  constexpr double radius = 0.1;
-  const ph::disc round({0, -radius}, radius);
+  constexpr double radius = 0.5;
+  const ph::disc round({0, -radius}, radius, ph::filling::solid);
+  const ph::point<2> now(0.02, -3e-3);
   const auto braked = [&](const ph::point<2>& sensed) {
-    const ph::point<2> now(0.01, -2e-3);
     const auto touched = ph::sense(ph::scene(ph::wall(round)), sensed);
     ph::step_memory<law> memory;
-    return ph::step(table(), without_lag(), touched, law(),
-                    state_of<table>({now[0], now[1]}, {-0.2, -0.1}, {1, -2}), memory)
-        .capacity;
+    return ph::step(table(), without_lag(), touched, law(), state_of<table>(now, {-0.2, -0.1}, {1, -2}),
+                    memory)
+        .control_force;
   };
-  const pair there = braked({0.01, -2e-3}), elsewhere = braked({0.008, -2e-3});
-  EXPECT_GT(there.norm(), 1);
-  EXPECT_LE((elsewhere - there).norm(), 0.01 * there.norm());
+  const pair there = braked(now), elsewhere = braked({0, -2e-3});
+  EXPECT_GT(there.norm(), 10);
+  EXPECT_LE((elsewhere - there).norm(), 0.05);
 }
 
 TEST(velocity_direct_control, refuses_constants_that_make_no_sense) {
@@ -547,23 +587,42 @@ TEST(least_power_torques, ask_nobody_beside_a_brake_that_is_not_held) {
     reach.lasts.setConstant(true);
     return ph::least_power_torques<double, 2>(V(1, -0.2), 10, reach, V(0, 0));
   };
-  EXPECT_EQ(torques(1, 3), V(3, 5)) << "it is held, and the other helps";
+  EXPECT_EQ(torques(1, 0.5), V(0.5, 5)) << "it is held, and the other helps";
   EXPECT_EQ(torques(1, 0), V(0, 0.2)) << "it makes nothing";
   EXPECT_EQ(torques(-1, 3), V(0.1, 0.2)) << "it pushes in";
+}
+
+// Brakes that turn in their order, each up to its most; one that is at rest is not asked.
+TEST(least_power_torques, ask_brakes_beside_one_that_is_held_in_turn) {
+  using V = ph::vector<double, 4>;
+  ph::brake_reach<double, 4> reach;
+  reach.sign.setOnes();
+  reach.least.setZero();
+  reach.most = V(0.5, 5, 1, 5);
+  reach.A.setConstant(-1);
+  reach.A.diagonal().setConstant(2);  // 0.3 for each N m of the others
+  reach.any_at_rest = reach.at_rest[0] = reach.at_rest[1] = true;
+  reach.lasts.setConstant(true);
+  const auto torques = [&](double wanted) {
+    return ph::least_power_torques<double, 4>(V(1, -0.2, -0.2, -0.2), wanted, reach, V::Zero());
+  };
+  EXPECT_LE((torques(0.5 + 0.3 * 0.4) - V(0.5, 0, 0.4, 0)).norm(), 1e-12);
+  EXPECT_LE((torques(0.5 + 0.3 * 1.5) - V(0.5, 0, 1, 0.5)).norm(), 1e-12);
+  EXPECT_LE((torques(100) - V(0.5, 0, 1, 5)).norm(), 1e-12);
 }
 
 // Two walls that the brakes can serve both: each gets what it wants, also where that is less than nothing.
 TEST(least_power_torques, serve_several_walls_together) {
   ph::brake_reach<double, 3> reach;
-  reach.sign.setOnes();
-  reach.least.setZero();
+  reach.sign = {1, -1, 1};
+  reach.least.setConstant(0.05);
   reach.most.setConstant(10);
   const ph::matrix<double, 2, 3> rows{{1, 0.5, -1}, {0.2, 1, 0.3}};
   const ph::vector<double, 3> w(1, 1, 1);
   for (const ph::vector<double, 2>& wanted : {ph::vector<double, 2>(2, 1), ph::vector<double, 2>(-1, 2)}) {
     const auto t = ph::least_power_torques<double, 3, 2>(rows, wanted, reach, w);
-    EXPECT_LE((rows * t - wanted).norm(), 1e-9);
-    EXPECT_GE(t.minCoeff(), 0);
+    EXPECT_LE((rows * reach.sign.cwiseProduct(t) - wanted).norm(), 1e-9);
+    EXPECT_GE(t.minCoeff(), 0.05 - 1e-12);
   }
 }
 
@@ -572,17 +631,22 @@ TEST(holding_torques, hold) {
   using M = ph::tendon_two_link<double>;
   const M arm;
   const pair q = arm.inverse({0.1, 0.2}, ph::elbow::left).q, Fh(1, 2);
-  const ph::pose_dynamics<M> device(arm, q, {0, 0});
-  const pair strong(100, 100), none(0, 0);
+  const ph::pose_dynamics<M> device(arm, q, {1, -2});
+  const pair strong(100, 100), weak(0.05, 0.05), none(0, 0), drive = device.J.transpose() * Fh - device.bias;
   pair t = none;
   ph::brake_inertia<M> A;
   for (int k = 0; k < 100; ++k) t = ph::holding_torques(device, Fh, {true, true}, t, strong, A);
-  const pair qdd = device.mass.solve(pair(device.J.transpose() * Fh + device.Tt * t));
+  const pair qdd = device.mass.solve(pair(drive + device.Tt * t));
   EXPECT_LE(qdd.norm(), 1e-6);
   // With brake 2 let go, brake 1 is held for itself alone
   const pair alone = ph::holding_torques(device, Fh, {true, false}, none, strong, A);
-  const pair held = device.mass.solve(pair(device.J.transpose() * Fh + device.Tt.col(0) * alone[0]));
+  const pair held = device.mass.solve(pair(drive + device.Tt.col(0) * alone[0]));
   EXPECT_NEAR(arm.transmission().row(0).dot(held), 0, 1e-9);
+  // With brake 1 too weak to hold, brake 2 is held beside what that makes
+  pair beside = ph::holding_torques(device, Fh, {true, false}, none, weak, A);
+  EXPECT_GT(std::abs(beside[0]), weak[0]);
+  beside[0] = std::copysign(weak[0], beside[0]);
+  EXPECT_NEAR(arm.transmission().row(1).dot(device.mass.solve(pair(drive + device.Tt * beside))), 0, 1e-9);
 }
 
 TEST(brake_lag_model, follows_a_first_order_lag_and_inverts_it) {
@@ -609,6 +673,11 @@ TEST(brake_lag_model, follows_a_first_order_lag_and_inverts_it) {
   fresh.advance(horizon, lag);
   EXPECT_NEAR(fresh.command(0, 0.3, lag[0], 100.0, horizon), 0.3, 1e-14);
   EXPECT_EQ(fresh.command(1, 0.3, 0.0, 100.0, horizon), 0.3) << "no lag, nothing to invert";
+  EXPECT_EQ(fresh.command(1, 0.3, 0.02, 100.0, 0.0), 0.3) << "no horizon";
+  EXPECT_EQ(fresh.command(0, 5.0, lag[0], 0.4, horizon), 0.4) << "its limit";
+  const double before = fresh.torque(0);
+  fresh.advance(0, lag);
+  EXPECT_EQ(fresh.torque(0), before) << "time runs backwards";
 }
 
 TEST(contact_memory, is_a_walls_own_while_it_is_touched) {
@@ -623,6 +692,18 @@ TEST(contact_memory, is_a_walls_own_while_it_is_touched) {
   EXPECT_EQ(memory.of(9), 90);
   memory.clear();
   EXPECT_EQ(memory.of(9), 0);
+}
+
+TEST(contact_memory, of_more_walls_than_it_has_room_for_shares_the_last) {
+  ph::contact_memory<int, 3> memory;
+  memory.begin_cycle();
+  for (const int wall : {7, 8, 9}) memory.of(wall) = wall;
+  memory.begin_cycle();
+  EXPECT_EQ(memory.of(5), 9) << "none is free";
+  EXPECT_EQ(memory.of(8), 8);
+  EXPECT_EQ(memory.of(7), 7) << "touched later in the cycle";
+  memory.begin_cycle();
+  EXPECT_EQ(memory.of(5), 0) << "9 has gone";
 }
 
 }  // namespace
