@@ -207,6 +207,53 @@ struct counting_law {
   void released(memory& m, double) const noexcept { ++m.released; }
 };
 
+// Its account: of the force that these torques make before the limits, on the floor that wants 10 N.
+struct given_torque {
+  static constexpr bool commands_torques = true;
+  double x = 0, y = 0;
+  template <class M, class EMatrix, int D, int N, class B>
+  ph::brake_vector<M> torque(const ph::brake_situation<M, EMatrix, B>&,
+                             const ph::contacts<D, N>&) const noexcept {
+    return ph::as<typename M::scalar>(ph::point<2>(x, y));
+  }
+};
+
+TYPED_TEST(control_step, tells_what_force_the_torques_of_a_law_make) {
+  using T = TypeParam;
+  using M = typename TestFixture::table_type;
+  const auto run = [](const given_torque& law, const ph::vector<T, 2>& v) {
+    ph::brakes_of<M> strong;
+    strong.torque_limit.setConstant(T(100));
+    ph::contacts<2, 1> touched;
+    touched.push_back({.normal = {0, 1}, .depth = 1e-6, .stiffness = 1e7});
+    ph::step_memory<given_torque> memory;
+    return ph::step(M(), strong, touched, law, state_of<M>({0, 0}, v), memory);
+  };
+  const auto exact = run({0, 10}, {-1, -1});
+  EXPECT_EQ(exact.display, ph::display_class::exact);
+  EXPECT_EQ(exact.power, ph::power_class::passive_1);
+  EXPECT_NEAR(exact.approximation_cosine, 1, 1e-6);
+  const auto slanted = run({3, 4}, {-1, -1});
+  EXPECT_EQ(slanted.display, ph::display_class::approximate);
+  EXPECT_EQ(slanted.power, ph::power_class::passive_1) << "Fd itself could be displayed";
+  EXPECT_NEAR(slanted.approximation_cosine, 0.8, 1e-6);
+  EXPECT_EQ(slanted.control_force, (ph::vector<T, 2>(3, 4)));
+  EXPECT_EQ(slanted.cone_coefficients, (ph::vector<T, 2>(3, 4)));
+  expect_near(slanted.desired_force, ph::vector<T, 2>(0, 10), 10);
+  const auto along = run({3, 0}, {-1, -1});
+  EXPECT_EQ(along.display, ph::display_class::none);
+  EXPECT_EQ(along.approximation_cosine, T(0));
+  EXPECT_EQ(along.capacity, (ph::vector<T, 2>(3, 0)));
+  const auto driving = run({3, 10}, {-1, 1});
+  EXPECT_EQ(driving.power, ph::power_class::active);
+  EXPECT_EQ(driving.display, ph::display_class::none);
+  EXPECT_EQ(driving.capacity, (ph::vector<T, 2>(3, 0))) << "y would have to drive";
+  const auto strong = run({150, 40}, {-1, -1});
+  EXPECT_TRUE(strong.saturated);
+  EXPECT_EQ(strong.torque, (ph::vector<T, 2>(100, 40))) << "each within its limit";
+  EXPECT_EQ(strong.control_force, (ph::vector<T, 2>(150, 40))) << "before the limits";
+}
+
 template <class T>
 struct law_memory : ::testing::Test {
   using M = ph::xy_table<T>;

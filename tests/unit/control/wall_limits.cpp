@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -46,6 +47,8 @@ TEST(wall_limits, what_comes_late_adds_the_way_made_meanwhile) {
   EXPECT_NEAR(after.depth, before + 0.029 * wall.approach_speed, 1e-5);
   EXPECT_NEAR(after.rigid_depth, before + 0.025 * wall.approach_speed, 1e-5);
   EXPECT_EQ(after.stiffness, wall.approximated_force / after.rigid_depth);
+  std::swap(wall.scene_period, wall.control_period);
+  EXPECT_EQ(limits_of(wall).depth, after.depth) << "whichever is slower";
 }
 
 // Lambda v' = P - R - B v - F (1 - exp(-t / T_b)), solved; the depth at the first v = 0.
@@ -93,6 +96,8 @@ TEST(wall_limits, brakes_that_are_too_weak_hold_nothing) {
   EXPECT_EQ(limits_of(wall).stiffness, 0);
   wall.hand_stiffness = 1000;  // the hand itself gives way 15 mm deep
   EXPECT_TRUE(limits_of(wall).holds());
+  wall.hand_stiffness = 200;  // and here 75 mm deep, which is not held
+  EXPECT_FALSE(limits_of(wall).holds());
   wall.force = wall.approximated_force = 0;
   EXPECT_EQ(limits_of(wall).stiffness, 0);
 }
@@ -102,6 +107,7 @@ TEST(wall_limits, a_hand_that_does_not_come_rests_where_the_law_holds_it) {
   wall.approach_speed = 0;
   wall.push = -1;
   EXPECT_EQ(limits_of(wall).depth, wall.rest_depth);
+  EXPECT_EQ(limits_of(wall).rigid_depth, 0);
 }
 
 TEST(wall_limits, a_drift_is_told_by_a_count_in_twice_the_time_averaged) {
@@ -133,8 +139,8 @@ void an_xy_table_by_hand() {
   using V = ph::vector<T, 2>;
   ph::brakes_of<ph::xy_table<T>> brakes;
   brakes.torque_limit = {T(7), T(12)};
-  brakes.time_constant = {T(0.01), T(0.02)};
-  const ph::braked_wall wall = ph::braked_wall_at(table, V(0, 0), V(T(0.05), T(-0.1)), V(0, 1), brakes,
+  brakes.time_constant = {T(0.01), T(0.03)};
+  const ph::braked_wall wall = ph::braked_wall_at(table, V(0, 0), V(T(0.05), T(-0.15)), V(0, 1), brakes,
                                                   V(T(0.5), T(0.25)), V(T(1e-5), T(2e-5)), T(0.5));
   const double rounding = 100 * double(std::numeric_limits<T>::epsilon());
   EXPECT_NEAR(wall.force, 12, 12 * rounding);
@@ -142,8 +148,12 @@ void an_xy_table_by_hand() {
   EXPECT_NEAR(wall.residual_force, 0.25, rounding);
   EXPECT_NEAR(wall.inertia, double(table.mass_matrix(V(0, 0))(1, 1)) + 0.5, 10 * rounding);
   EXPECT_NEAR(wall.depth_resolution, 2e-5, 1e-5 * rounding);
-  EXPECT_NEAR(wall.approach_speed, 0.1, rounding);
-  EXPECT_NEAR(wall.time_constant, 0.02, rounding);
+  EXPECT_NEAR(wall.approach_speed, 0.15, rounding);
+  EXPECT_NEAR(wall.time_constant, 0.03, rounding);
+  const ph::braked_wall left = ph::braked_wall_at(table, V(0, 0), V(T(0.05), T(-0.15)), V(1, 0), brakes,
+                                                  V(T(0.5), T(0.25)), V(T(1e-5), T(2e-5)), T(0.5));
+  EXPECT_EQ(left.approach_speed, 0);
+  EXPECT_NEAR(left.depth_resolution, 1e-5, 1e-5 * rounding);
 }
 
 TEST(wall_limits, are_those_of_a_slide_by_hand) {
