@@ -173,7 +173,7 @@ TEST(coercive_force_approximation, leaves_no_motion_into_the_wall_where_nothing_
   using device = ph::tendon_two_link<double>;
   const device arm;
   ph::testing::random_source random(1);
-  int coerced = 0;
+  int coerced = 0, exact = 0, rounded = 0;
   for (int k = 0; k < 3000; ++k) {
     const auto state = state_of<device>({random.uniform(-3.0, 3.0), random.uniform(0.3, 2.8)},
                                         {random.wide(0.1, 3.0), random.wide(0.1, 3.0)});
@@ -187,9 +187,13 @@ TEST(coercive_force_approximation, leaves_no_motion_into_the_wall_where_nothing_
       if (result.capacity[i] > 0) w[i] = 0;
     }
     EXPECT_GE(contact.normal.dot(E * w), -1e-12);
+    const bool held = (result.capacity.array() > 0 && result.capacity.array() < 1).all();
+    if (held) ++(result.display == ph::display_class::exact ? exact : rounded);
     if (none.display == ph::display_class::none && result.capacity.norm() > 0) ++coerced;
   }
   EXPECT_GT(coerced, 10);
+  EXPECT_GT(exact, 100) << "passive region 1, within the limits";
+  EXPECT_LE(rounded, 10) << "near singular poses";
 }
 
 // ---- single-degree-of-freedom control
