@@ -35,6 +35,9 @@ static_assert(!ph::ExactDiagonal<Eigen::Matrix3f, float, 3>);
 static_assert(ph::Shape<ph::half_space<2>> && ph::Shape<ph::half_space<3>> && ph::Shape<ph::disc> &&
               ph::Shape<ph::ball<3>>);
 
+static_assert(ph::Shape<ph::convex_polygon<3>> && ph::Shape<ph::convex_polytope<2, 1>>, "the fewest faces");
+static_assert(ph::detail::is_wall<ph::wall<ph::disc>> && !ph::detail::is_wall<ph::disc>);
+
 struct complete_shape {
   static constexpr int dimension = 2;
   double distance(const V2&) const;

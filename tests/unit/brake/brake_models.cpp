@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace {
 
@@ -35,6 +36,71 @@ TEST(magnetic_particle_brake, rises_to_its_rated_torque) {
   EXPECT_NEAR(brake.advance(0.22, 99, 0, state).strength, 7.5 * (1 - 1 / std::numbers::e), 1e-14);
   EXPECT_NEAR(settled(brake, 99, 0, state), 7.5, 1e-14);
   EXPECT_EQ(brake.residual.strength, 0.09);
+}
+
+TEST(a_lag, covers_its_share_of_the_way) {
+  EXPECT_DOUBLE_EQ(ph::lag_share(0.1, 0.2), 1 - std::exp(-0.5));
+  EXPECT_EQ(ph::lag_share(0.1, 0.0), 1);
+  EXPECT_EQ(ph::lag_share(0.0, 0.0), 1);
+  EXPECT_DOUBLE_EQ(ph::lagged(3.0, 5.0, 0.1, 0.2), 5 - 2 * std::exp(-0.5));
+  for (const double dt : {HUGE_VAL, std::nan("")})
+    EXPECT_EQ(ph::lagged(1e17, 0.3, dt, 0.2), 0.3) << "to the bit";
+  EXPECT_EQ(ph::lagged(1e17, 0.3, 0.1, 0.0), 0.3);
+  EXPECT_DOUBLE_EQ(ph::low_pass_time_constant(0.5), 1 / std::numbers::pi);
+  EXPECT_EQ(ph::low_pass_time_constant(0.0), 0);
+  using pair = ph::vector<double, 2>;
+  ph::first_order_lag<double, 2> both(pair(0.2, 0));
+  EXPECT_EQ(both.output(), pair(0, 0));
+  EXPECT_NEAR((both.advance(0.1, {2, 3}) - pair(2 - 2 * std::exp(-0.5), 3)).norm(), 0, 1e-15);
+  EXPECT_NEAR((both.advance(0.1, {2, 4}) - pair(2 - 2 * std::exp(-1), 4)).norm(), 0, 1e-15);
+}
+
+TEST(coulomb_brake, rises_and_falls_with_lags_of_its_own) {
+  const ph::coulomb_brake<double> brake{
+      .torque_limit = 2, .time_constant = 0.1, .fall_ratio = 3, .gain = 0.8};
+  ph::coulomb_brake<double>::state state;
+  EXPECT_NEAR(brake.advance(0.05, 1.5, 9, state).strength, 1.2 * (1 - std::exp(-0.5)), 1e-15);
+  const double before = state.strength;
+  const auto falling = brake.advance(0.06, 0.25, -9, state);
+  EXPECT_NEAR(falling.strength, 0.2 + (before - 0.2) * std::exp(-0.2), 1e-15);
+  EXPECT_EQ(falling.drag, 0);
+  EXPECT_NEAR(settled(brake, 99, 0, state), 2, 1e-14);
+  EXPECT_EQ(brake.torque_limit_at(5), 2);
+  EXPECT_EQ(brake.command_for(1, 5, {}), 1.25);
+  EXPECT_EQ(brake.command_for(99, 5, {}), 2.5);
+  EXPECT_EQ(brake.command_for(-1, 5, {}), 0);
+  for (const double none : {-1.0, -HUGE_VAL, std::nan("")})
+    EXPECT_NEAR(settled(brake, none, 0, state), 0, 1e-14);
+}
+
+TEST(ideal_brakes, are_what_their_controller_believes) {
+  ph::brake_parameters<double, 3> believed;
+  believed.torque_limit = {1, 2, 3};
+  believed.time_constant = {0.1, 0.2, 0.3};
+  const auto real = ph::ideal_brakes(believed);
+  for (int i = 0; i < 3; ++i) {
+    const auto& brake = real[static_cast<std::size_t>(i)];
+    EXPECT_EQ(brake.torque_limit, believed.torque_limit[i]);
+    EXPECT_EQ(brake.time_constant, believed.time_constant[i]);
+    EXPECT_EQ(brake.fall_ratio, 1);
+    EXPECT_EQ(brake.gain, 1);
+    EXPECT_EQ(brake.residual.strength, 0);
+    EXPECT_EQ(brake.residual.drag, 0);
+  }
+}
+
+// A new state is of a brake that has long been released.
+TEST(brake_models, remember_nothing_at_first) {
+  EXPECT_EQ(ph::coulomb_brake<double>::state().strength, 0);
+  EXPECT_EQ(ph::eddy_current_brake<double>::state().excitation, 0);
+  EXPECT_EQ(ph::magnetorheological_brake<double>::state().current, 0);
+  EXPECT_EQ(ph::magnetorheological_brake<double>::state().magnetisation, 0);
+  const ph::delayed_brake<ph::coulomb_brake<double>>::state fresh;
+  EXPECT_EQ(fresh.first, 0);
+  EXPECT_EQ(fresh.count, 0);
+  EXPECT_EQ(fresh.time, 0);
+  EXPECT_EQ(fresh.last, 0);
+  EXPECT_EQ(fresh.acting, 0);
 }
 
 TEST(stribeck_brake, is_strongest_at_rest) {
@@ -139,6 +205,8 @@ TEST(any_brake, resists_as_the_model_that_was_chosen) {
   for (const double rate : {0.01, 3.0}) {
     EXPECT_EQ(settled(any(friction), 0.5, rate), settled(friction, 0.5, rate));
     EXPECT_EQ(settled(any(drag), 0.5, rate), settled(drag, 0.5, rate));
+    EXPECT_EQ(any(friction).torque_limit_at(rate), friction.torque_limit_at(rate));
+    EXPECT_EQ(any(drag).torque_limit_at(rate), drag.torque_limit_at(rate));
   }
 }
 
@@ -150,6 +218,32 @@ TEST(delayed_brake, acts_a_dead_time_later) {
   for (int k = 0; k < 2000; ++k) {
     const auto told = [](int j) { return j < 0 ? 0.0 : 0.5 + 0.3 * std::sin(0.01 * j); };
     ASSERT_EQ(brake.advance(1e-4, told(k), 0, state).strength, told(k - 20)) << k;
+  }
+}
+
+// Changes alone wait: a command that is kept up, and what is no command, fills no queue.
+TEST(delayed_brake, keeps_its_dead_time_however_long_a_command_lasts) {
+  for (const double after : {0.5, 0.0, -1.0, -HUGE_VAL, std::nan("")}) {
+    ph::delayed_brake<ph::coulomb_brake<double>, 4> brake;
+    EXPECT_EQ(brake.dead_time, 0.002);
+    brake.time_constant = 0;
+    brake.dead_time = 0.01;
+    decltype(brake)::state state;
+    for (int k = 0; k < 30; ++k) {
+      const double acting = k < 10 ? 0.0 : k == 10 ? 0.5 : std::fmax(after, 0.0);
+      ASSERT_EQ(brake.advance(1e-3, k == 0 ? 0.5 : after, 0, state).strength, acting) << after << ' ' << k;
+    }
+  }
+}
+
+TEST(delayed_brake, acts_in_the_nearest_time_step) {
+  for (const auto& [dead_time, steps] : {std::pair{0.0024, 2}, {0.0026, 3}, {0.0004, 0}}) {
+    ph::delayed_brake<ph::coulomb_brake<double>> brake;
+    brake.time_constant = 0;
+    brake.dead_time = dead_time;
+    decltype(brake)::state state;
+    for (int k = 0; k < 6; ++k)
+      ASSERT_EQ(brake.advance(1e-3, 0.5, 0, state).strength, k < steps ? 0 : 0.5) << dead_time << ' ' << k;
   }
 }
 

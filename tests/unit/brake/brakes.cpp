@@ -108,6 +108,43 @@ TYPED_TEST(brakes, each_brake_has_its_own_dead_bands_and_mode) {
   EXPECT_EQ(ph::passive_torque(V(-2, -2, -2), w, th, p), V(-2, -2, 0));
 }
 
+TYPED_TEST(brakes, without_a_member_have_no_limit_and_no_dead_band) {
+  using T = TypeParam;
+  using V = ph::vector<T, 2>;
+  const T unbounded = std::numeric_limits<T>::infinity();
+  const ph::unlimited_brakes bare;
+  EXPECT_EQ(ph::torque_limit_of<T>(bare, 1), unbounded);
+  EXPECT_EQ((ph::torque_limits_of<T, 2>(bare)), V(unbounded, unbounded));
+  EXPECT_EQ(ph::rate_dead_band_of<T>(bare, 1), T(0));
+  EXPECT_EQ((ph::torque_dead_bands_of<T, 2>(bare)), V(0, 0));
+  EXPECT_EQ(ph::brake_signs(V(T(-0.001), 0), V(5, 5), bare), V(-1, 0));
+  EXPECT_FALSE(ph::any_sticks(V(0, 0), bare));
+  EXPECT_EQ(ph::passive_torque(V(-7, -7), V(1, 0), V(9, 9), bare), V(-7, 0));
+  ph::brake_parameters<T, 2> p;
+  p.torque_limit = V(2, 3);
+  p.rate_dead_band = V(4, 5);
+  p.torque_dead_band = V(6, 7);
+  EXPECT_EQ(ph::torque_limit_of<T>(p, 1), T(3));
+  EXPECT_EQ((ph::torque_limits_of<T, 2>(p)), V(2, 3));
+  EXPECT_EQ(ph::rate_dead_band_of<T>(p, 1), T(5));
+  EXPECT_EQ((ph::torque_dead_bands_of<T, 2>(p)), V(6, 7));
+}
+
+// The text of each member that is wrong, the first of them if several are.
+TYPED_TEST(brakes, say_what_is_wrong_with_them) {
+  using T = TypeParam;
+  ph::brake_parameters<T, 2> p;
+  EXPECT_EQ(ph::check_brakes(p), "");
+  p.time_constant[1] = T(-1);
+  EXPECT_EQ(ph::check_brakes(p), "time_constant[1] [s] = -1, expected a finite number >= 0");
+  p.torque_dead_band[0] = T(-2);
+  EXPECT_EQ(ph::check_brakes(p), "torque_dead_band[0] [N m] = -2, expected a finite number >= 0");
+  p.rate_dead_band[1] = T(-3);
+  EXPECT_EQ(ph::check_brakes(p), "rate_dead_band[1] [rad/s] = -3, expected a finite number >= 0");
+  p.torque_limit[0] = T(-4);
+  EXPECT_EQ(ph::check_brakes(p), "torque_limit[0] [N m] = -4, expected a finite number >= 0");
+}
+
 TYPED_TEST(brakes, a_brake_without_a_sign_may_be_told_to_hold_but_is_predicted_to_do_nothing) {
   using T = TypeParam;
   using V = ph::vector<T, 1>;

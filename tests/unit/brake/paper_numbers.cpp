@@ -50,6 +50,7 @@ TYPED_TEST(figure_3, reference_forces_are_formula_5) {
     const auto reference = ph::reference_forces(other, ph::vector<T, 2>(q1, q2));
     ASSERT_EQ(reference.outcome, ph::status::ok);
     expect_near(reference.G, ph::matrix<T, 2, 2>(formula / (l1 * l2 * s2)), 10);
+    EXPECT_EQ(reference.G, other.inverse_transposed_jacobian({q1, q2})) << "to the bit: where there is one";
   }
 }
 

@@ -132,6 +132,33 @@ TYPED_TEST(passive_fme, brakes_produce_torques_against_their_motion) {
   EXPECT_EQ(ph::producible_signs(ph::vector<T, 3>(1, -1, 1)), (ph::torque_signs<3>{-1, 1, -1}));
 }
 
+TYPED_TEST(passive_fme, outline_has_32_chords_unless_told) {
+  EXPECT_EQ(ph::passive_fme_outline(this->G, two[0]).size(), 35u);
+}
+
+// x_i = q_i^2 / 2: singular where a joint is at 0.
+template <class T>
+struct parabola {
+  using scalar = T;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
+  ph::vector<T, 2> position(const ph::vector<T, 2>& q) const { return q.cwiseAbs2() / T(2); }
+  ph::matrix<T, 2, 2> jacobian(const ph::vector<T, 2>& q) const {
+    return ph::matrix_of<2, 2>(q[0], T(0), T(0), q[1]);
+  }
+};
+
+TYPED_TEST(passive_fme, generators_are_no_numbers_where_the_jacobian_is_singular) {
+  using T = TypeParam;
+  const auto G = ph::force_generators(parabola<T>(), ph::vector<T, 2>(T(2), T(-4)));
+  expect_near(G, ph::matrix_of<2, 2>(T(0.5), T(0), T(0), T(-0.25)), 1);
+  EXPECT_FALSE(ph::force_generators(parabola<T>(), ph::vector<T, 2>(T(2), T(0))).allFinite());
+  const ph::matrix<T, 2, 2> rank_one = ph::matrix_of<2, 2>(T(1), T(2), T(2), T(4));
+  EXPECT_TRUE((ph::pseudo_inverse<T, 2, 2>(rank_one).array().isNaN().all()));
+  const ph::matrix<T, 3, 2> tall = ph::matrix_of<3, 2>(T(1), T(2), T(0), T(3), T(-1), T(4));
+  expect_near(ph::matrix<T, 2, 2>(ph::pseudo_inverse<T, 3, 2>(tall) * tall),
+              ph::matrix<T, 2, 2>(ph::matrix<T, 2, 2>::Identity()), 10);
+}
+
 TYPED_TEST(passive_fme, reference_forces_say_where_there_are_none) {
   using T = TypeParam;
   const auto straight = ph::reference_forces(ph::two_link<T>(), ph::vector<T, 2>(T(0.5), T(0)));

@@ -6,9 +6,12 @@
 
 #include "tracked_handle.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace ph = passive_haptics;
 
@@ -30,6 +33,14 @@ TEST(a_height_field, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(says([](auto& p) { p.rows = -1; }), "rows of a height_field = -1" + grid);
   EXPECT_EQ(says([](auto& p) { p.columns = p.rows = 100'000; }),
             "columns x rows of a height_field = 10000000000" + grid);
+  EXPECT_EQ(says([](auto& p) { p.columns = p.rows = 1 << 15; }),
+            "columns x rows of a height_field = 1073741824" + grid);
+  EXPECT_EQ(says([](auto& p) {
+              p.columns = (1 << 15) - 1;
+              p.rows = (1 << 15) + 1;
+            }),
+            "number of heights of a height_field = 6, expected columns x rows, 1073741823")
+      << "one point less has room";
   EXPECT_EQ(says([](auto& p) { p.spacing_x = 0; }),
             "spacing_x of a height_field [m] = 0, expected a finite number > 0");
   EXPECT_EQ(says([](auto& p) { p.spacing_y = -1; }),
@@ -59,6 +70,19 @@ TEST(a_height_field, has_two_triangles_a_cell_that_look_up) {
     area += z / 2;
   }
   EXPECT_NEAR(area, 0.6 * 0.8, 1e-15);
+}
+
+TEST(a_height_field, is_cut_where_the_heights_differ_less) {
+  const auto facets = [](double a, double b, double d, double c) {  // counterclockwise a b c d
+    return ph::height_field({2, 2, 0.1, 0.2, {a, b, d, c}, {0, 0, 0}}).facets;
+  };
+  using triangles = std::vector<std::array<int, 3>>;
+  const triangles from_a_to_c{{0, 1, 3}, {0, 3, 2}}, from_b_to_d{{0, 1, 2}, {1, 3, 2}};
+  EXPECT_EQ(facets(1, 5, -2, 1.5), from_a_to_c);
+  EXPECT_EQ(facets(1.5, 5, -2, 1), from_a_to_c);
+  EXPECT_EQ(facets(1, 2.5, 2, 4), from_b_to_d);
+  EXPECT_EQ(facets(4, 2, 2.5, -1), from_b_to_d);
+  EXPECT_EQ(facets(1, -1, 2, 4), from_a_to_c) << "where both differ as much";
 }
 
 // Slow waves: the normal and the depth are those of the wave where the handle is, to the size of a cell.

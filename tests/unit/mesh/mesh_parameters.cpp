@@ -5,6 +5,8 @@
 
 #include "../../property/sample_meshes.hpp"
 
+#include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -48,6 +50,51 @@ TEST(mesh_parameters, say_what_is_wrong) {
   EXPECT_EQ(validate(without_slivers(s)), "");
   EXPECT_EQ(without_slivers(s).facets.size(), 3u);
   EXPECT_THROW(ph::triangle_mesh(ph::mesh_parameters<3>{}), std::invalid_argument);
+}
+
+// Whichever corner comes first, and wherever the needle lies.
+TEST(mesh_parameters, measure_a_sliver_by_its_longest_edge) {
+  for (const double height : {0.9e-10, 1.1e-10}) {
+    for (const double away : {-10.0, 0.0, 10.0}) {
+      for (std::size_t first = 0; first < 3; ++first) {
+        ph::mesh_parameters<3> p{{}, {{0, 1, 2}}};
+        const std::array<ph::point<3>, 3> corners{{{0, away, 0}, {1, away, 0}, {0.5, away, height}}};
+        for (std::size_t k = 0; k < 3; ++k) p.vertices.push_back(corners[(first + k) % 3]);
+        EXPECT_EQ(validate(p).empty(), height > 1e-10) << height << ' ' << away << ' ' << first;
+        EXPECT_EQ(without_slivers(p).facets.size(), height > 1e-10 ? 1u : 0u);
+      }
+    }
+  }
+}
+
+TEST(a_facet, tells_what_its_nearest_point_lies_on) {
+  const auto expect_nearest = []<int D>(const ph::mesh_facet<D>& f, const ph::point<D>& x,
+                                        const ph::point<D>& foot, ph::facet_part part, int index) {
+    const auto nearest = ph::nearest_point(f, x);
+    EXPECT_TRUE(nearest.position.isApprox(foot, 1e-15)) << nearest.position.transpose();
+    EXPECT_DOUBLE_EQ(nearest.squared_distance, (x - foot).squaredNorm());
+    EXPECT_EQ(nearest.part, part) << x.transpose();
+    EXPECT_EQ(nearest.index, index) << x.transpose();
+  };
+  using enum ph::facet_part;
+  using at2 = ph::point<2>;
+  const ph::mesh_facet<2> segment{{{{1, 2}, {4, 2}}}, {0, -1}};
+  EXPECT_EQ(segment.height({2, 7}), -5);
+  EXPECT_EQ(segment.corner(3), at2(4, 2));
+  expect_nearest(segment, at2(0, 3), at2(1, 2), corner, 0);
+  expect_nearest(segment, at2(6, 3), at2(4, 2), corner, 1);
+  expect_nearest(segment, at2(3, 5), at2(3, 2), interior, 0);
+  EXPECT_EQ(ph::nearest_point(segment, at2(3, 5), 9.0).squared_distance, 9);
+  EXPECT_TRUE(std::isinf(ph::nearest_point(segment, at2(3, 5), 8.9).squared_distance));
+  using at3 = ph::point<3>;
+  const ph::mesh_facet<3> triangle{{{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}}, {0, 0, 1}};
+  expect_nearest(triangle, at3(-1, -2, 2), at3(0, 0, 0), corner, 0);
+  expect_nearest(triangle, at3(6, -1, 3), at3(4, 0, 0), corner, 1);
+  expect_nearest(triangle, at3(-1, 5, 1), at3(0, 3, 0), corner, 2);
+  expect_nearest(triangle, at3(1, -2, 1), at3(1, 0, 0), edge, 0);
+  expect_nearest(triangle, at3(5, 5.5, 2), at3(2, 1.5, 0), edge, 1);
+  expect_nearest(triangle, at3(-3, 1, 5), at3(0, 1, 0), edge, 2);
+  expect_nearest(triangle, at3(1, 1, -2), at3(1, 1, 0), interior, 0);
 }
 
 TEST(mesh_solid, says_what_keeps_it_from_being_solid) {

@@ -166,6 +166,19 @@ TYPED_TEST(a_mesh_surface, takes_a_handle_within_it_for_come_through_the_nearest
   }
 }
 
+// A metre is small so far out, but no less solid.
+TYPED_TEST(a_mesh_surface, is_as_solid_far_from_the_origin) {
+  constexpr int D = TestFixture::dimension;
+  auto p = cube<D>();
+  const ph::point<D> far = ph::point<D>::Constant(1e5);
+  for (auto& v : p.vertices) v += far;
+  handle<D> h(ph::mesh_surface<D>({.surface = ph::mesh<D>(p), .skin = 1e-3}));
+  h.go(far + 0.8 * ph::point<D>::UnitX());
+  ASSERT_EQ(h.felt.size(), 1u);
+  EXPECT_EQ(h.felt[0].normal, ph::point<D>::UnitX());
+  EXPECT_NEAR(h.felt[0].depth, 0.2, 1e-10);
+}
+
 TYPED_TEST(a_mesh_surface, takes_any_handle_within_a_star_for_come_through_a_facet) {
   constexpr int D = TestFixture::dimension;
   random_source random(seed);

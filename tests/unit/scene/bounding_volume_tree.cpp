@@ -94,6 +94,45 @@ TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
   }
 }
 
+// Wherever it has got to, a copy goes on to the same items.
+TYPED_TEST(tree, a_search_is_copied_with_what_is_left_of_it) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  const ph::bounding_volume_tree<D> all(random_boxes<D>(300, random));
+  const auto bound = ph::squared_distance_from<D>(ph::point<D>::Zero());
+  auto search = all.start();
+  double limit = 1;
+  while (!search.done()) {
+    std::vector<int> rest, again;
+    auto one = search, other = one;
+    all.go_on(one, bound, limit, [&](int place, double) { rest.push_back(place); });
+    all.go_on(other, bound, limit, [&](int place, double) { again.push_back(place); }, 1);
+    EXPECT_LE(again.size(), 16u) << "a node at a time";
+    all.go_on(other, bound, limit, [&](int place, double) { again.push_back(place); });
+    EXPECT_EQ(rest, again);
+    all.go_on(search, bound, limit, [](int, double) {}, 1);
+  }
+}
+
+TEST(a_tree, knows_how_large_its_coordinates_are) {
+  EXPECT_EQ(ph::bounding_volume_tree<2>({{{-3, 1}, {2, 1.5}}, {{0, -2}, {1, 2.5}}}).scale(), 3);
+  EXPECT_EQ(ph::bounding_volume_tree<2>({{{-3, 1}, {2, 1.5}}, {{0, -2}, {1, 3.5}}}).scale(), 3.5);
+  EXPECT_EQ(ph::bounding_volume_tree<2>().scale(), 0);
+  EXPECT_TRUE(ph::bounding_volume_tree<2>().start().done());
+}
+
+TEST(a_bounding_box, grows) {
+  ph::bounding_box<2> box;
+  box.extend(ph::point<2>(1, -2));
+  EXPECT_EQ(box.lower, ph::point<2>(1, -2));
+  EXPECT_EQ(box.upper, ph::point<2>(1, -2));
+  box.extend(ph::bounding_box<2>{{0, -1}, {0.5, 3}});
+  EXPECT_EQ(box.lower, ph::point<2>(0, -2));
+  EXPECT_EQ(box.upper, ph::point<2>(1, 3));
+  EXPECT_EQ(box.grown(0.25).lower, ph::point<2>(-0.25, -2.25));
+  EXPECT_EQ(box.grown(0.25).upper, ph::point<2>(1.25, 3.25));
+}
+
 TYPED_TEST(tree, a_box_in_float_holds_the_box) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(seed);

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -60,6 +62,30 @@ TEST(sensing, a_contact_says_all_about_its_wall) {
   EXPECT_DOUBLE_EQ(touched[0].depth, std::sqrt(2.5) - 1);
   EXPECT_TRUE(touched[0].normal.isApprox(ph::point<2>(1.5, -0.5).normalized()));
   EXPECT_EQ(touched[0].wall_velocity, ph::point<2>(0, 0));
+  EXPECT_EQ(touched[0].position, ph::point<2>(-1.5, 0.5));
+  // Of a hollow: -(I - n n^T) / |x|
+  const ph::matrix<double, 2, 2> flat = ph::matrix_of<2, 2>(0.25, 0.75, 0.75, 2.25) / 2.5;
+  EXPECT_TRUE(touched[0].curvature.isApprox(flat / -std::sqrt(2.5), 1e-15));
+  EXPECT_EQ(ph::wall(floor_below).stiffness, 1e7) << "of section 5.1";
+  for (const double bad : {-1.0, HUGE_VAL}) EXPECT_THROW(ph::wall(floor_below, bad), std::invalid_argument);
+}
+
+TEST(a_contact, is_of_nothing_by_default) {
+  const ph::contact<2> c;
+  EXPECT_EQ(c.normal, ph::point<2>(1, 0));
+  EXPECT_EQ(c.depth, 0);
+  EXPECT_EQ(c.stiffness, 0);
+  EXPECT_EQ(c.wall_velocity, ph::point<2>(0, 0));
+  EXPECT_EQ(c.wall, 0);
+  EXPECT_EQ(c.position, ph::point<2>(0, 0));
+  EXPECT_TRUE(c.curvature.isZero(0));
+}
+
+TEST(a_scene, names_its_walls_in_order) {
+  const auto walls = ph::scene(ph::wall(floor_below, 3), ph::wall(ph::disc({0, 0}, 1), 5));
+  std::vector<std::pair<int, double>> seen;
+  walls.for_each([&](int number, const auto& w) { seen.emplace_back(number, w.stiffness); });
+  EXPECT_EQ(seen, (std::vector<std::pair<int, double>>{{0, 3}, {1, 5}}));
 }
 
 // All subsets of walls, by points all over the place.
@@ -108,6 +134,25 @@ TEST(contact_list, holds_up_to_its_capacity_and_says_when_it_is_full) {
   ASSERT_EQ(list.size(), 2);
   EXPECT_EQ(list[0].depth, 1);
   EXPECT_EQ(list[1].depth, 2);
+  EXPECT_EQ(list.end() - list.begin(), 2);
+  EXPECT_EQ(std::as_const(list).end() - std::as_const(list).begin(), 2);
+#ifndef NDEBUG
+  EXPECT_DEATH(list[2], "");
+  EXPECT_DEATH(list[-1], "");
+#endif
+  list.clear();
+  EXPECT_EQ(list.size(), 0);
+}
+
+TEST(contact_list, shows_its_first_contact_alone) {
+  ph::contacts<2, 2> list;
+  list.push_back({.depth = 1, .wall = 3});
+  list.push_back({.depth = 2, .wall = 4});
+  const auto only = ph::alone(list);
+  static_assert(decltype(only)::capacity == 1 && decltype(only)::dimension == 2);
+  EXPECT_EQ(only.size(), 1);
+  EXPECT_FALSE(only.empty());
+  EXPECT_EQ(&only[0], &list[0]);
 }
 
 TEST(governing_contact, is_the_one_that_asks_for_most) {

@@ -115,6 +115,21 @@ TYPED_TEST(world, looks_at_few_in_the_worst_cycle) {
   std::printf("most looks in a cycle beyond the contacts: %ld\n", worst);
 }
 
+// Two rooms without bounds: a hand at the wall of the inner one, and the outer one 9 m further off.
+TYPED_TEST(world, looks_at_an_unbounded_wall_only_when_it_is_due) {
+  constexpr int D = TestFixture::dimension;
+  using room = counted<ph::ball<D>>;
+  ph::world_walls<D> walls;
+  for (const double radius : {1.0, 10.0})
+    walls.add(ph::wall(room(ph::point<D>::Zero(), radius, ph::filling::hollow)));
+  ph::world<D> w(walls);
+  const auto at = [&](double r) { return ph::sense(w, ph::point<D>(r * ph::point<D>::UnitX())).size(); };
+  for (const double r : {0.999, 0.9991}) EXPECT_EQ(at(r), 0);
+  looks = 0;
+  for (int k = 0; k < 100; ++k) EXPECT_EQ(at(1.001 - 1e-6 * k), 1) << k;
+  EXPECT_EQ(looks, 100) << "of the inner one alone";
+}
+
 TYPED_TEST(world, finds_all_of_many_walls_in_one_place) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(seed);
@@ -330,6 +345,24 @@ TYPED_TEST(world, refuses_bounds_that_are_none) {
     EXPECT_NE(validate(walls).find("bounds of wall 1"), std::string::npos) << validate(walls);
     EXPECT_THROW(ph::world<D>{walls}, std::invalid_argument);
   }
+}
+
+TEST(any_wall, tells_what_its_wall_tells) {
+  const ph::wall disc(ph::disc({1, 2}, 0.5), 300);
+  const ph::any_wall<2> wall(disc), copy = wall, equal(disc);
+  EXPECT_TRUE(wall.shares(copy));
+  EXPECT_FALSE(wall.shares(equal));
+  EXPECT_EQ(wall.tracker_size(), 0u);
+  EXPECT_EQ(wall.bounds().lower, ph::point<2>(0.5, 1.5));
+  ph::contacts<2, 2> found;
+  EXPECT_EQ(wall.look({9, 9}, {1, 3}, nullptr, found), 0.5);
+  EXPECT_EQ(wall.look({9, 9}, {1, 2.5}, nullptr, found), 0);
+  EXPECT_TRUE(found.empty()) << "not on the surface itself";
+  EXPECT_EQ(wall.look({9, 9}, {1, 2.25}, nullptr, found), 0);
+  ASSERT_EQ(found.size(), 1);
+  EXPECT_EQ(found[0].depth, 0.25);
+  EXPECT_EQ(found[0].stiffness, 300);
+  EXPECT_EQ(found[0].normal, ph::point<2>(0, 1));
 }
 
 TEST(a_controller, takes_a_world_for_a_scene) {

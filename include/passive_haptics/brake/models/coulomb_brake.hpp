@@ -39,7 +39,7 @@ struct coulomb_brake {
 
   /// See BrakeModel.
   brake_resistance<T> advance(T dt, T command, T /*rate*/, state& now) const noexcept {
-    const T target = command > T(0) ? valid_command(gain * command, torque_limit) : T(0);
+    const T target = valid_command(gain * command, torque_limit);
     const T lag = target < now.strength ? fall_ratio * time_constant : time_constant;
     now.strength = lagged(now.strength, target, dt, lag);
     return {now.strength, T(0)};

@@ -21,8 +21,8 @@ struct delayed_brake : Model {
   struct state : Model::state {
     /// A command, and when it acts.
     struct change {
-      double due = 0;              ///< [s]
-      scalar command = scalar(0);  ///< [N m]
+      double due;      ///< [s]
+      scalar command;  ///< [N m]
     };
     std::array<change, std::size_t(Changes)> waiting{};  ///< A ring.
     int first = 0;                                       ///< The oldest in it.

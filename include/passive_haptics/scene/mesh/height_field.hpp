@@ -4,6 +4,8 @@
 
 #include <passive_haptics/scene/mesh/mesh.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -39,12 +41,11 @@ struct height_field_parameters {
     if (heights.size() != count)
       return detail::error_text("number of heights of a height_field", heights.size(),
                                 detail::indexed("columns x rows, ", count, ""));
-    for (std::size_t k = 0; k < count; ++k) {
-      if (!std::isfinite(heights[k]))
-        return detail::error_text(detail::indexed("heights[", k, "] of a height_field [m]"), heights[k],
-                                  "a finite number");
-    }
-    return {};
+    const auto finite = [](double z) { return std::isfinite(z); };
+    const auto bad = std::find_if_not(heights.begin(), heights.end(), finite);
+    if (bad == heights.end()) return {};
+    return detail::error_text(detail::indexed("heights[", bad - heights.begin(), "] of a height_field [m]"),
+                              *bad, "a finite number");
   }
 };
 

@@ -53,7 +53,7 @@ struct convex_polygon_parameters {
     }
     const double area = detail::twice_area(corners);
     if (!std::isfinite(area) || area == 0)
-      return detail::error_text("area of a convex_polygon [m^2]", area / 2, "> 0");
+      return detail::error_text("area of a convex_polygon [m^2]", area, "> 0");
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const point<2> edge = corner(i + 1) - corner(i);
       for (std::size_t j = 0; j < corners.size(); ++j) {
@@ -81,10 +81,13 @@ class convex_polygon {
   template <std::same_as<convex_polygon_parameters<K>> Parameters>  // a template, so that {...} means corners
   explicit convex_polygon(const Parameters& p) {
     const double turn = sgn(detail::twice_area(require_valid(p).corners));
-    for (std::size_t i = 0; i < corner_count; ++i) {
-      const auto r = (p.corners[(i + 1) % corner_count] - p.corners[i]).eval();
+    std::size_t next = 0;
+    for (edge& e : edges_) {
+      const point<2>& start = p.corners[next];
+      next = (next + 1) % corner_count;
+      const auto r = (p.corners[next] - start).eval();
       const auto along = r.stableNormalized();
-      edges_[i] = {p.corners[i], along, {turn * along.y(), -turn * along.x()}, r.stableNorm()};
+      e = {start, along, {turn * along.y(), -turn * along.x()}, r.stableNorm()};
     }
   }
 
@@ -124,20 +127,17 @@ class convex_polygon {
 
   template <class Point>  // a template, so that who has no polygon does not compile it
   result nearest(const Point& x) const {
-    result inside{-std::numeric_limits<double>::infinity(), {1, 0}};
+    result inside{-std::numeric_limits<double>::infinity(), Point::Zero()};
     result outside{std::numeric_limits<double>::infinity(), {1, 0}};
     for (const edge& e : edges_) {
       const Point r = x - e.start;
       const double over = e.normal.dot(r), s = e.along.dot(r);
       if (!(over <= inside.distance)) inside = {over, e.normal};
-      if (!(over > 0)) continue;  // from outside, the nearest edge is in sight
-      if (s >= 0 && s <= e.length) {
-        if (over < outside.distance) outside = {over, e.normal};
-      } else {
-        const Point from_corner = s < 0 ? r : Point(r - e.length * e.along);
-        const double d = from_corner.norm();
-        if (d < outside.distance) outside = {d, detail::direction_or<2>(from_corner, e.normal)};
-      }
+      if (!(over > 0)) continue;                             // from outside, the nearest edge is in sight
+      if (s >= 0 && s <= e.length) return {over, e.normal};  // all of the polygon lies behind this edge
+      const Point from_corner = s < 0 ? r : Point(r - e.length * e.along);
+      const double d = from_corner.norm();
+      if (d < outside.distance) outside = {d, detail::direction_or<2>(from_corner, e.normal)};
     }
     return inside.distance > 0 ? outside : inside;
   }

@@ -13,7 +13,7 @@ namespace passive_haptics {
 /// A shape bounded by planes: `faces()` gives an array of half-spaces whose common inside is the shape.
 template <class S>
 concept PlaneFaced = Shape<S> && requires(const S shape) {
-  { shape.faces()[0] } -> std::convertible_to<half_space<S::dimension>>;
+  { shape.faces().front() } -> std::convertible_to<half_space<S::dimension>>;
   shape.faces().size();
 };
 

@@ -111,7 +111,7 @@ class latest_scene {
   }
 
  private:
-  static constexpr bool can_extrapolate = requires(Scene& s) { s.extrapolate(0.0); };
+  static constexpr bool can_extrapolate = requires(Scene& s, double seconds) { s.extrapolate(seconds); };
 
   scene_exchange<Scene>* exchange_;
   latest_scene_parameters parameters_;

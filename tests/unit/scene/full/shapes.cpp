@@ -100,6 +100,12 @@ TEST(capsule, has_a_unit_gradient_across_its_segment_on_it) {
   EXPECT_NEAR(n.norm(), 1, 4 * eps);
   EXPECT_NEAR(n.dot(to), 0, 8 * eps);
   EXPECT_NEAR(shape.distance(0.5 * to), -0.1, eps);
+  for (int axis = 0; axis < 3; ++axis) {
+    const ph::point<3> along = ph::point<3>::Unit(axis);
+    const ph::point<3> across = ph::capsule<3>(from, -along, 0.1).gradient(-0.5 * along);
+    EXPECT_EQ(across.norm(), 1);
+    EXPECT_EQ(across.dot(along), 0);
+  }
 }
 
 TEST(capsule, without_a_radius_is_a_segment_that_touches_nothing_until_it_grows) {
@@ -223,6 +229,12 @@ TEST(convex_polygon, allows_corners_on_a_line) {
   EXPECT_EQ(shape.gradient({1, 1}).norm(), 1);
 }
 
+TEST(convex_polygon, keeps_a_unit_gradient_where_squares_overflow) {
+  const ph::convex_polygon shape({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  for (const ph::point<2>& x : {ph::point<2>(1e300, 1e300), {-1e300, 0.5}, {1e300, -1e200}})
+    EXPECT_NEAR(shape.gradient(x).norm(), 1, 4 * eps) << x.transpose();
+}
+
 template <int D, int K>
 void polytope_against_enumeration() {
   random_source random(seed);
@@ -243,6 +255,7 @@ void polytope_against_enumeration() {
       worst = std::max(worst, std::abs(shape.distance(x) - expected));
       ASSERT_NEAR(shape.distance(x), expected, 1e-13) << "seed " << seed << ", x = " << x.transpose();
       ASSERT_NEAR(shape.gradient(x).norm(), 1, 16 * eps);
+      for (const auto& face : shape.faces()) ASSERT_LE(face.distance(x), shape.distance(x));
     }
   }
   std::cout << "convex_polytope<" << D << ", " << K << ">: largest error " << worst << " m\n";
@@ -343,6 +356,45 @@ TEST(a_shape, has_a_nan_distance_for_a_nan) {
   EXPECT_TRUE(std::isnan(lost.distance({0, 0, 0})));
 }
 
+TEST(a_shape, knows_the_box_about_it) {
+  const auto expect_bounds = [](const auto& shape, const auto& lower, const auto& upper) {
+    EXPECT_LE((shape.bounds().lower - lower).norm(), 4 * eps) << shape.bounds().lower.transpose();
+    EXPECT_LE((shape.bounds().upper - upper).norm(), 4 * eps) << shape.bounds().upper.transpose();
+  };
+  using at2 = ph::point<2>;
+  using at3 = ph::point<3>;
+  const ph::ball<3> ball({1, 2, -3}, 0.5);
+  expect_bounds(ball, at3(0.5, 1.5, -3.5), at3(1.5, 2.5, -2.5));
+  expect_bounds(ph::offset(ball, 0.25), at3(0.25, 1.25, -3.75), at3(1.75, 2.75, -2.25));
+  expect_bounds(ph::offset(ball, -0.25), at3(0.5, 1.5, -3.5), at3(1.5, 2.5, -2.5));
+  const auto hollow = ph::ball<2>({1, 2}, 0.5, ph::filling::hollow).bounds();
+  EXPECT_EQ(hollow.lower, at2(-infinity, -infinity));
+  EXPECT_EQ(hollow.upper, at2(infinity, infinity));
+  expect_bounds(ph::capsule<2>({1, 5}, {3, -1}, 0.25), at2(0.75, -1.25), at2(3.25, 5.25));
+  ph::box_parameters<2> turned{{1, -2}, {3, 1}};
+  turned.axes << 0.6, -0.8, 0.8, 0.6;
+  expect_bounds(ph::box<2>(turned), at2(-1.6, -5), at2(3.6, 1));
+  expect_bounds(ph::convex_polygon({{-0.9, -0.5}, {0.2, -0.8}, {0.9, 0.1}, {0.3, 0.7}}), at2(-0.9, -0.8),
+                at2(0.9, 0.7));
+}
+
+// Wrapped in all ways, a ball bends as the ball does, the other way round where it is a hollow.
+TEST(a_shape, bends_as_the_shape_within_it) {
+  const ph::ball<3> ball({1, 0, 0}, 0.5);
+  const ph::point<3> x(1, 3, 4), u(0, -6, 2);
+  ph::matrix<double, 3, 3> bend = ph::matrix<double, 3, 3>::Identity();
+  bend.block<2, 2>(1, 1) << 0.64, -0.48, -0.48, 0.36;  // I - n n^T for n = (0, 0.6, 0.8)
+  bend /= 5;
+  EXPECT_TRUE(ball.hessian(x).isApprox(bend, 4 * eps));
+  EXPECT_TRUE(ph::ball<3>({1, 0, 0}, 0.5, ph::filling::hollow).hessian(x).isApprox(-bend, 4 * eps));
+  EXPECT_TRUE(ph::complement(ball).hessian(x).isApprox(-bend, 4 * eps));
+  EXPECT_TRUE(ph::offset(ball, 0.2).hessian(x).isApprox(bend, 4 * eps));
+  ph::moving carried(ball);
+  carried.set_motion(u, {0, 0, 0});
+  EXPECT_TRUE(carried.hessian(x + u).isApprox(bend, 4 * eps));
+  EXPECT_TRUE(ball.hessian({1, 0, 0}).isZero(0)) << "where there is none";
+}
+
 TEST(an_offset, of_a_ball_is_a_ball_of_another_radius) {
   random_source random(seed);
   for (const double growth : {0.3, -0.3}) {
@@ -397,6 +449,9 @@ TEST(a_user_shape, may_turn) {
   };
   const auto walls = ph::scene(ph::wall(turntable()));
   EXPECT_EQ(ph::sense(walls, {0.5, 0})[0].wall_velocity, ph::point<2>(0, 1.5));
+  ph::moving carried{turntable()};
+  carried.set_motion({1, 2}, {10, 20});
+  EXPECT_EQ(carried.velocity({1.5, 2.25}), ph::point<2>(10 - 0.75, 20 + 1.5)) << "about where it is";
 }
 
 TEST(a_scene, fills_the_wall_velocity_of_shapes_that_have_one) {
@@ -424,6 +479,7 @@ TEST(a_scene, takes_a_user_shape) {
 
 TEST(a_room, is_touched_at_all_faces_of_a_corner_at_once) {
   const auto walls = ph::room(ph::box<3>({0, 0, 0}, {1, 2, 3}), 5e3);
+  EXPECT_EQ(ph::sense(ph::room(ph::box<2>({0, 0}, {1, 2})), {0, 3})[0].stiffness, 1e7) << "of section 5.1";
   EXPECT_TRUE(ph::sense(walls, {0.9, -1.9, 2.9}).empty());
   const auto touched = ph::sense(walls, {1.25, -2.5, 3.125});
   ASSERT_EQ(touched.size(), 3);
@@ -474,6 +530,7 @@ TEST(a_slot, is_free_between_its_walls) {
   EXPECT_EQ(above[0].depth, 0.25);
   EXPECT_EQ(above[0].normal, ph::point<3>(0, 0, -1));
   EXPECT_EQ(above[0].stiffness, 1e3);
+  EXPECT_EQ(ph::sense(ph::slot<2>({0, 0}, {0, 1}, 0.25), {0, 1})[0].stiffness, 1e7) << "of section 5.1";
   EXPECT_EQ(below[0].wall, 1);
   EXPECT_EQ(below[0].depth, 0.75);
   EXPECT_EQ(below[0].normal, ph::point<3>(0, 0, 1));
@@ -490,6 +547,7 @@ TEST(a_shape, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(validate(ph::capsule_parameters<2>{{0, 0}, {1, 0}, -1}),
             "radius of a capsule [m] = -1, expected a finite number >= 0");
 
+  EXPECT_EQ(validate(ph::ball_parameters<2>()), "radius of a ball [m] = 0, expected a finite number > 0");
   EXPECT_EQ(validate(ph::box_parameters<2>{{0, 0}, {1, 0}}), "");
   EXPECT_EQ(validate(ph::box_parameters<2>{{0, no_number}, {1, 0}}),
             "centre[1] of a box [m] = nan, expected a finite number");
@@ -498,6 +556,10 @@ TEST(a_shape, says_what_is_wrong_with_its_parameters) {
   ph::box_parameters<2> skew{{0, 0}, {1, 1}};
   skew.axes << 1, 0.25, 0, 1;
   EXPECT_EQ(validate(skew), "|axes^T axes - I| of a box = 0.25, expected orthonormal columns");
+  for (const double bend : {9e-6, 1.1e-5}) {
+    skew.axes << 1, bend, 0, 1;
+    EXPECT_EQ(validate(skew).empty(), bend < 1e-5) << "six digits";
+  }
   skew.axes(0, 0) = no_number;
   EXPECT_EQ(validate(skew), "axes(0, 0) of a box [1] = nan, expected a finite number");
 
@@ -509,8 +571,19 @@ TEST(a_shape, says_what_is_wrong_with_its_parameters) {
             "corner 2 of a convex_polygon equals the next one, expected distinct corners");
   EXPECT_EQ(validate(triangle{{{{0, 0}, {1, 0}, {2, 0}}}}),
             "area of a convex_polygon [m^2] = 0, expected > 0");
-  EXPECT_EQ(validate(ph::convex_polygon_parameters<4>{{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}}),
+  using quadrilateral = ph::convex_polygon_parameters<4>;
+  EXPECT_EQ(validate(quadrilateral{{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}}),
             "corner 3 of a convex_polygon lies outside the edge after corner 1, expected a convex polygon");
+  EXPECT_EQ(validate(quadrilateral{{{{4, 0}, {1, 1}, {0, 4}, {0, 0}}}}),
+            "corner 2 of a convex_polygon lies outside the edge after corner 0, expected a convex polygon");
+  EXPECT_EQ(validate(quadrilateral{{{{0, 4}, {0, 0}, {4, 0}, {1, 1}}}}),
+            "corner 0 of a convex_polygon lies outside the edge after corner 2, expected a convex polygon");
+  EXPECT_EQ(validate(quadrilateral{{{{0, 0}, {0, 0}, {1, 0}, {0, 1}}}}),
+            "corner 0 of a convex_polygon equals the next one, expected distinct corners");
+  EXPECT_EQ(validate(quadrilateral{{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}}),
+            "area of a convex_polygon [m^2] = 0, expected > 0")
+      << "one loop each way round";
+  for (const auto& corner : quadrilateral().corners) EXPECT_EQ(corner, ph::point<2>(0, 0));
   ph::convex_polygon_parameters<5> star;
   for (std::size_t i = 0; i < 5; ++i) {
     const double angle = ph::radians(144.0 * static_cast<double>(i));
