@@ -196,6 +196,9 @@ TEST(magnetorheological_brake, that_saturates_at_once_still_lets_go) {
   ph::magnetorheological_brake<double>::state state;
   EXPECT_NEAR(settled(brake, 99, 0, state), 2, 1e-14);
   EXPECT_NEAR(settled(brake, 0, 0, state), 2 * std::tanh(2.0), 1e-14);
+  EXPECT_EQ(brake.magnetisation_of(2), 1);
+  const ph::magnetorheological_brake<double> none{.torque_limit = 0};
+  EXPECT_EQ(none.magnetisation_of(1), 0);
 }
 
 TEST(any_brake, resists_as_the_model_that_was_chosen) {
