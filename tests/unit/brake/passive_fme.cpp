@@ -149,8 +149,8 @@ struct parabola {
 
 TYPED_TEST(passive_fme, generators_are_no_numbers_where_the_jacobian_is_singular) {
   using T = TypeParam;
-  const auto G = ph::force_generators(parabola<T>(), ph::vector<T, 2>(T(2), T(-4)));
-  expect_near(G, ph::matrix_of<2, 2>(T(0.5), T(0), T(0), T(-0.25)), 1);
+  const auto generators = ph::force_generators(parabola<T>(), ph::vector<T, 2>(T(2), T(-4)));
+  expect_near(generators, ph::matrix_of<2, 2>(T(0.5), T(0), T(0), T(-0.25)), 1);
   EXPECT_FALSE(ph::force_generators(parabola<T>(), ph::vector<T, 2>(T(2), T(0))).allFinite());
   const ph::matrix<T, 2, 2> rank_one = ph::matrix_of<2, 2>(T(1), T(2), T(2), T(4));
   EXPECT_TRUE((ph::pseudo_inverse<T, 2, 2>(rank_one).array().isNaN().all()));

@@ -282,7 +282,9 @@ void expect_nearest_from_any_start(int problems) {
       const auto warm = ph::project_onto_half_spaces(p.B, p.f, start);
       expect_nearest(warm, p.B, p.f);
       ASSERT_LE((warm.point - cold.point).norm(), 1e-12);
-      if (Columns <= Rows) ASSERT_EQ(warm.active, cold.active) << "more may hold an apex otherwise";
+      if (Columns <= Rows) {
+        ASSERT_EQ(warm.active, cold.active) << "more may hold an apex otherwise";
+      }
       ASSERT_EQ(start.active, warm.active);
       ASSERT_EQ(start.violated, left.violated);
     }
