@@ -279,6 +279,7 @@ TEST_F(a_supervised_loop, warmed_its_coils_already_before_it_fell_silent) {
   guard.beat(1, {0.5});
   ASSERT_TRUE(eventually([&] { return by_supervisor().size() > 5; }));
   for (const auto& one : by_supervisor()) ASSERT_NEAR(one.current, 0.38, 1e-12);
+  kill(guard.pid(), SIGKILL);  // it would hold on, and be waited for
 }
 
 // And here it is far from passed when 30 currents are given.
@@ -293,6 +294,7 @@ TEST_F(a_supervised_loop, warmed_its_coils_by_no_more_than_flowed) {
   ASSERT_TRUE(eventually([&] { return by_supervisor().size() >= 30; }));
   const auto all = by_supervisor();
   for (std::size_t k = 0; k < 30; ++k) ASSERT_EQ(all[k].current, 0.5) << k;
+  kill(guard.pid(), SIGKILL);
 }
 
 TEST_F(a_supervised_loop, that_is_killed_while_its_supervisor_ramps_down_gets_no_second_ramp) {

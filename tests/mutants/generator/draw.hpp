@@ -18,15 +18,26 @@ inline std::string stage_of(const std::string& file) {
   return file.substr(0, file.find('/', file.starts_with("core/") ? 5 : 0));
 }
 
+// file | original line | mutated line
+inline std::string key_of(const mutant& m) {
+  return m.file + " | " + m.original_line + " | " + m.mutated_line;
+}
+
+// Of the seed and the mutant alone, so that a change of the code draws no others than those it makes.
+inline std::uint64_t lot_of(const mutant& m, std::uint64_t seed) {
+  const std::string text = std::to_string(seed) + ' ' + key_of(m);
+  std::seed_seq sequence(text.begin(), text.end());
+  return std::mt19937_64(sequence)();
+}
+
 // count mutants, or all if there are fewer: operators and stages take turns, so that none dominates.
 inline std::vector<mutant> drawn(const std::vector<mutant>& all, std::uint64_t seed, std::size_t count) {
-  std::map<std::pair<std::string, std::string>, std::vector<mutant>> cells;
-  for (const mutant& m : all) cells[{m.name, stage_of(m.file)}].push_back(m);
-  std::mt19937_64 random(seed);
+  using lots = std::vector<std::pair<std::uint64_t, const mutant*>>;
+  std::map<std::pair<std::string, std::string>, lots> cells;
+  for (const mutant& m : all) cells[{m.name, stage_of(m.file)}].emplace_back(lot_of(m, seed), &m);
   std::size_t most = 0;
   for (auto& [key, cell] : cells) {
-    // Not std::shuffle, whose order is each library's own
-    for (std::size_t i = cell.size(); i > 1; --i) std::swap(cell[i - 1], cell[random() % i]);
+    std::ranges::stable_sort(cell, {}, &lots::value_type::first);
     most = std::max(most, cell.size());
   }
   std::vector<mutant> chosen;
@@ -34,7 +45,7 @@ inline std::vector<mutant> drawn(const std::vector<mutant>& all, std::uint64_t s
     for (const auto& cell : cells) {
       if (chosen.size() == count) return chosen;
       if (turn >= cell.second.size()) continue;
-      const mutant& next = cell.second[turn];
+      const mutant& next = *cell.second[turn].second;
       if (std::all_of(chosen.begin(), chosen.end(), [&](const mutant& m) { return fit(m, next); }))
         chosen.push_back(next);
     }

@@ -1,7 +1,6 @@
 // A run over one draw: the mutants behind switches, then those that have to be compiled alone.
 #pragma once
 
-#include "../generator/draw.hpp"
 #include "build.hpp"
 #include "lone.hpp"
 #include "suites.hpp"
@@ -48,11 +47,8 @@ inline std::vector<mutant> all_mutants(const sources& headers) {
 // A run over one draw.
 class campaign {
  public:
-  campaign(const options& o, const sources& headers, const std::vector<mutant>& all)
-      : o_(o),
-        headers_(headers),
-        build_(o.repository, o.work, o.jobs),
-        drawn_(drawn(all, o.seed, o.count * 3 / 2)) {
+  campaign(const options& o, const sources& headers, std::vector<mutant> drawn)
+      : o_(o), headers_(headers), build_(o.repository, o.work, o.jobs), drawn_(std::move(drawn)) {
     if (!o.again) {
       for (const char* name : {"dropped", "failed", "crashed", "late"}) fs::remove(list(name));
     }

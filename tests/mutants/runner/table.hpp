@@ -14,11 +14,6 @@
 
 namespace mutants {
 
-// file | original line | mutated line
-inline std::string key_of(const mutant& m) {
-  return m.file + " | " + m.original_line + " | " + m.mutated_line;
-}
-
 // The keys in lines of text, and what follows each behind another " | ", as an argument.
 inline std::map<std::string, std::string> keys_in(const std::string& text) {
   std::map<std::string, std::string> keys;
