@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <regex>
@@ -57,7 +58,7 @@ class campaign {
     const auto dropped = keys_in(read_text(list("dropped")));
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
       const auto found = dropped.find(key_of(drawn_[i]));
-      if (found != dropped.end()) failed_in_.emplace(static_cast<int>(i), found->second);
+      if (found != dropped.end()) failed_in_.emplace(static_cast<int>(i), words_of(found->second));
       else if (drawn_[i].how != form::compiled) switched_.emplace(static_cast<int>(i), drawn_[i]);
     }
     for (const ending how : {ending::failed, ending::crashed, ending::late}) {
@@ -78,6 +79,7 @@ class campaign {
     judge_with(false);
     judge_alone();
     judge_with(true);
+    judge_alone();  // what was dropped last
     std::vector<judged_mutant> first;
     for (std::size_t i = 0; i < drawn_.size() && first.size() < o_.count; ++i) {
       if (!invalid_.contains(static_cast<int>(i))) first.push_back({drawn_[i], given_[i]});
@@ -92,6 +94,13 @@ class campaign {
   }
 
   static void say(const std::string& what) { std::cerr << what + '\n'; }
+
+  using objects_by_number = std::map<int, std::set<std::string>>;
+
+  static std::set<std::string> words_of(const std::string& text) {
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), {}};
+  }
 
   // What a later run may take as known.
   fs::path list(const std::string& name) const { return o_.work / (name + ".txt"); }
@@ -158,11 +167,14 @@ class campaign {
     return all;
   }
 
-  // What a switch cannot stand for is compiled alone. failed_in: numbers, and objects that could not be made.
-  void drop_switches(const std::map<int, std::string>& failed_in, const std::string& log) {
+  // What a switch cannot stand for is compiled alone.
+  void drop_switches(const objects_by_number& failed_in, const std::string& log) {
     if (failed_in.empty()) stop("no switch is to blame:\n" + log.substr(0, 3000));
-    for (const auto& [n, object] : failed_in) {
-      std::ofstream(list("dropped"), std::ios::app) << key_of(switched_.at(n)) << " | " << object << '\n';
+    for (const auto& [n, objects] : failed_in) {
+      std::ofstream out(list("dropped"), std::ios::app);
+      out << key_of(switched_.at(n)) << " |";
+      for (const std::string& object : objects) out << ' ' << object;
+      out << '\n';
       switched_.erase(n);
     }
     failed_in_.insert(failed_in.begin(), failed_in.end());
@@ -177,14 +189,14 @@ class campaign {
         const fs::path log = o_.work / ("compile." + std::to_string(worker) + ".log");
         if (!build_.compile(left[i], "-fmax-errors=0", "", log)) logs[i] = read_text(log);
       });
-      std::map<int, std::string> failed_in;
+      objects_by_number failed_in;
       std::vector<unit> again;
       std::string all;
       for (std::size_t i = 0; i < left.size(); ++i) {
         if (logs[i].empty()) continue;
         again.push_back(left[i]);
         for (const int n : numbers_in_errors(logs[i], headers_, switched_))
-          failed_in.emplace(n, left[i].object);
+          failed_in[n];  // of it all units speak that include the header
         all += logs[i];
       }
       write_text(o_.work / "errors.log", all);
@@ -197,9 +209,9 @@ class campaign {
     say("building");
     while (!build_.make(full ? full_targets() : std::vector<std::string>{"all"})) {
       const std::string log = read_text(o_.work / "make.log");
-      std::map<int, std::string> failed_in;
+      objects_by_number failed_in;
       for (const auto& [object, errors] : failures_in(log)) {
-        for (const int n : numbers_in_errors(errors, headers_, switched_)) failed_in.emplace(n, object);
+        for (const int n : numbers_in_errors(errors, headers_, switched_)) failed_in[n].insert(object);
       }
       drop_switches(failed_in, log);
     }
@@ -221,15 +233,15 @@ class campaign {
   }
 
   void judge_alone() {
-    const auto left = left_of([&](int i) { return !switched_.contains(i); });
+    const auto left =
+        left_of([&](int i) { return !switched_.contains(i) && judged_alone_.insert(i).second; });
+    for (const int number : left) failed_in_[number];
     say(std::to_string(left.size()) + " mutants compiled alone");
     const lone_judge judge(build_, o_.work, light_units());
     in_parallel(left.size(), o_.jobs, [&](std::size_t k, unsigned) {
       const int number = left[k];
       const auto i = static_cast<std::size_t>(number);
-      const auto first = failed_in_.find(number);
-      const lone_verdict v = judge(*headers_.at(drawn_[i].file), drawn_[i], number,
-                                   first == failed_in_.end() ? "" : first->second);
+      const lone_verdict v = judge(*headers_.at(drawn_[i].file), drawn_[i], number, failed_in_[number]);
       if (v.compiles || drawn_[i].how == form::compiled) settle(i, v.given);
       else {
         const std::scoped_lock lock(mutex_);
@@ -245,8 +257,9 @@ class campaign {
   std::vector<mutant> drawn_;
   std::vector<verdict> given_;
   std::vector<char> done_;
-  std::map<int, mutant> switched_;        // by their numbers, which are places in drawn_
-  std::map<int, std::string> failed_in_;  // where a switch could not be compiled
+  std::map<int, mutant> switched_;  // by their numbers, which are places in drawn_
+  objects_by_number failed_in_;     // where a switch could not be compiled
+  std::set<int> judged_alone_;
   std::set<int> invalid_;
   std::mutex mutex_;
 };
