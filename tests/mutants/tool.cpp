@@ -82,7 +82,7 @@ TEST(operators, swap_arguments_that_look_alike) {
 }
 
 TEST(operators, remove_statements_that_do_something) {
-  EXPECT_EQ(mutants_in_body("const T a = b;\nT c(a);\na.b[k] = c;\nclear();\nreturn c;"),
+  EXPECT_EQ(mutants_in_body("const T a = b;\nT c(a);\nint d = k++;\na.b[k] = c;\nclear();\nreturn c;"),
             (strings{"removed statement: ;", "removed statement: ;"}));
 }
 

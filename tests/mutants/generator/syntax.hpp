@@ -198,13 +198,13 @@ inline bool has_an_effect(const source& s, int first, int end) {
                                                     "const",       "constexpr", "auto",          "typename",
                                                     "static_cast", "if",        "for",           "while"};
   if (s[first].is_any(no_effect)) return false;
-  if (s[first].is_any({"throw", "break", "continue", "++", "--"}) || s[end - 1].is_any({"++", "--"}))
-    return true;
+  if (s[first].is_any({"throw", "break", "continue", "++", "--"})) return true;
   for (int i = first; i < end; ++i) {
     if (s[i].is_any(assignments))
       return i > first && name_begin(s, i - 1) == (s.is(first, "*") ? first + 1 : first);
     if (s.opens(i)) i = s.partner_of(i);
   }
+  if (s[end - 1].is_any({"++", "--"})) return true;
   if (!s.is(end - 1, ")")) return false;
   int callee = s.partner_of(end - 1) - 1;
   if (s.closes(callee)) callee = s.partner_of(callee) - 1;
