@@ -16,7 +16,7 @@ using M = ph::xy_table<double>;  // 0.5 kg each way
 using pair = ph::vector<double, 2>;
 
 ph::brake_models_of<M> at_once() {
-  constexpr ph::coulomb_brake<double> strong{.torque_limit = 10, .time_constant = 0};
+  const ph::coulomb_brake<double> strong{.torque_limit = 10, .time_constant = 0};
   return {strong, strong};
 }
 
