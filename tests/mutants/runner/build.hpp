@@ -112,6 +112,17 @@ class mutated_build {
            ending::passed;
   }
 
+  // Whether the compiler says of a wrong use what its test expects, with the headers in `first` before
+  // others.
+  bool is_refused(const fs::path& test, const fs::path& first, const fs::path& log) const {
+    const std::string eigen = between(units().front().command, "-isystem ", " ");
+    return run({"nice", "cmake", "-D", "compiler=c++", "-D", "source=" + test.string(), "-D",
+                "includes=" + first.string() + ';' + (tree() / "include").string() + ';' + eigen, "-P",
+                tree() / "tests/compile_fail/check.cmake"},
+               log)
+               .how == ending::passed;
+  }
+
   // The headers that each object has read, by their paths below include/passive_haptics.
   std::map<std::string, std::set<std::string>> dependencies() const {
     run({"ninja", "-C", directory(), "-t", "deps"}, work_ / "deps.log");

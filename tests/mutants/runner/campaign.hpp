@@ -77,9 +77,8 @@ class campaign {
     drop_what_does_not_compile(
         {probe(light_units().front())});  // quick, and finds most; the builds find the rest
     judge_with(false);
-    judge_alone();
     judge_with(true);
-    judge_alone();  // what was dropped last
+    judge_alone();
     std::vector<judged_mutant> first;
     for (std::size_t i = 0; i < drawn_.size() && first.size() < o_.count; ++i) {
       if (!invalid_.contains(static_cast<int>(i))) first.push_back({drawn_[i], given_[i]});
@@ -139,16 +138,18 @@ class campaign {
     return like;
   }
 
-  // What is compiled with every commit.
-  std::vector<unit> light_units() const {
-    static const std::regex wanted("(unit/[a-z]+|property|static|driver|realtime)/[a-z0-9_]+[.]cpp");
-    std::vector<unit> light;
+  std::vector<unit> units_in(const std::string& places) const {
+    const std::regex wanted(places + "/[a-z0-9_]+[.]cpp");
+    std::vector<unit> some;
     for (const unit& u : build_.units()) {
       if (std::regex_match(fs::relative(u.source, build_.tree() / "tests").string(), wanted))
-        light.push_back(u);
+        some.push_back(u);
     }
-    return light;
+    return some;
   }
+
+  // What is compiled with every commit.
+  std::vector<unit> light_units() const { return units_in("(unit/[a-z]+|property|static|driver|realtime)"); }
 
   // The programs of a pass: first those that are compiled with every commit, then the heavy ones.
   static bool is_of(bool full, const std::string& program) {
@@ -233,11 +234,10 @@ class campaign {
   }
 
   void judge_alone() {
-    const auto left =
-        left_of([&](int i) { return !switched_.contains(i) && judged_alone_.insert(i).second; });
+    const auto left = left_of([&](int i) { return !switched_.contains(i); });
     for (const int number : left) failed_in_[number];
     say(std::to_string(left.size()) + " mutants compiled alone");
-    const lone_judge judge(build_, o_.work, light_units());
+    const lone_judge judge(build_, o_.work, light_units(), units_in("(unit/[a-z]+|property|driver)/full"));
     in_parallel(left.size(), o_.jobs, [&](std::size_t k, unsigned) {
       const int number = left[k];
       const auto i = static_cast<std::size_t>(number);
@@ -259,7 +259,6 @@ class campaign {
   std::vector<char> done_;
   std::map<int, mutant> switched_;  // by their numbers, which are places in drawn_
   objects_by_number failed_in_;     // where a switch could not be compiled
-  std::set<int> judged_alone_;
   std::set<int> invalid_;
   std::mutex mutex_;
 };
