@@ -127,6 +127,23 @@ TEST(contact_forces, tell_what_each_contact_gets) {
   EXPECT_EQ(result.displayed, (std::array<double, 3>{2, 5, 0}));
 }
 
+// Priorities hold whatever is asked for: the torques for 1e245 N would be infinite. The brakes 1 and 2, which
+// push different ways, may only have the same torque: none.
+TEST(contact_forces, keep_to_what_comes_first_where_a_demand_is_beyond_all_torques) {
+  const ph::force_map<double, 2, 3> tied{1e-100 * ph::matrix<double, 2, 3>{{1, 1, 1}, {1, -1, -1}},
+                                         ph::matrix<double, 3, 3>{{0, 0, 0}, {0, 0.5, -0.5}, {0, -0.5, 0.5}}};
+  const auto made = [&](const three& s, double limit) {
+    return ph::contact_forces<double, 2, 3, 2>(tied, ph::torques_within<double, 3>(s, {limit, limit, limit}),
+                                               {{{{1, 0}, 0, true}, {{0, 1}, 1e245, false}}}, 2)
+        .torque;
+  };
+  EXPECT_EQ(made({-1, -1, 1}, 1), three(0, 0, 0));
+  EXPECT_EQ(made({0, 0, 0}, 1), three(1, -0.5, -0.5));
+  const three free = made({0, 0, 0}, std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(free.isApprox(free[0] * three(1, -0.5, -0.5), 1e-14)) << free.transpose();
+  EXPECT_GT(free[0], 1e30);
+}
+
 // What effects want of the force, and nothing of single joints.
 template <int Brakes>
 ph::effect_demand<double, 2, Brakes, 2> wanting(const pair& Fe) {

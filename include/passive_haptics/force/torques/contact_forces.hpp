@@ -6,8 +6,10 @@
 #include <passive_haptics/core/scalar/difference_of_products.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -78,12 +80,13 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
     const matrix<T, D, Brakes>& drag) {
   using demand_level = least_squares_level<T, Capacity, Brakes>;
+  constexpr T eps = std::numeric_limits<T>::epsilon(), most = 1 / (eps * eps);  // [N m], of no brake
   demand_level first, others;
   for (int j = 0; j < count; ++j) {
     const auto& demand = demands[static_cast<std::size_t>(j)];
     demand_level& level = demand.first ? first : others;
     level.A.row(j) = demand.normal.transpose() * map.G;
-    level.b[j] = demand.force;
+    level.b[j] = std::min(demand.force, most * level.A.row(j).norm());  // torques for more might overflow
   }
   const vector<T, Brakes> t = least_squares_by_priority<Brakes + Capacity + D>(
       box.lower, box.upper, least_squares_level{map.P}, first, others, least_squares_level{drag},
