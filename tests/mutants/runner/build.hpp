@@ -73,7 +73,7 @@ class mutated_build {
 
   bool configure() const {
     return run({"cmake", "-S", tree(), "-B", directory(), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug",
-                "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -w", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+                "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -w -D_GLIBCXX_ASSERTIONS", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
                 "-DPASSIVE_HAPTICS_BUILD_TESTS=ON", "-DPASSIVE_HAPTICS_STRESS_TESTS=ON",
                 "-DPASSIVE_HAPTICS_INSTALL=OFF"},
                work_ / "configure.log")
