@@ -1,0 +1,132 @@
+// Exact samples of one formula: a fit finds its constants, in any unit, from any clock and in any order.
+#include <passive_haptics/driver/identification/current_ramp.hpp>
+#include <passive_haptics/driver/identification/rate_sweep.hpp>
+#include <passive_haptics/driver/identification/step_response.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+namespace ph = passive_haptics;
+
+// ---- steps
+
+struct exact_step {
+  double before = 0.03, change = 0.8;               // [N m]
+  double time_constant = 0.02, dead_time = 0.0045;  // [s]
+  double begin = 0;                                 // of the clock [s]
+
+  // 0.5 s at 1 kHz, with a step of the current after 0.1 s.
+  std::vector<ph::bench_sample> samples() const {
+    std::vector<ph::bench_sample> all;
+    for (int k = 0; k <= 500; ++k) {
+      const double t = 1e-3 * k, since = std::max(t - 0.1 - dead_time, 0.0);
+      all.push_back(
+          {begin + t, k > 100 ? 1.0 : 0.0, 2 * t, before + change * -std::expm1(-since / time_constant)});
+    }
+    return all;
+  }
+};
+
+void expect_found(const exact_step& one) {
+  const auto found = ph::fit_step_response(one.samples());
+  EXPECT_NEAR(found.before.value, one.before, 1e-4 * std::abs(one.change));
+  EXPECT_NEAR(found.change.value, one.change, 1e-4 * std::abs(one.change));
+  EXPECT_NEAR(found.time_constant.value, one.time_constant, 1e-4 * one.time_constant);
+  EXPECT_NEAR(found.dead_time.value, one.dead_time, 1e-4 * one.dead_time);
+}
+
+TEST(a_step_response, is_found_in_any_unit_of_the_torque) {
+  for (const double unit : {1e-9, 1e-6, 1.0, 1e6})
+    expect_found({.before = 0.03 * unit, .change = 0.8 * unit});
+}
+
+TEST(a_step_response, is_found_beside_a_torque_that_is_far_larger) {
+  expect_found({.before = 40, .change = 0.5});
+  expect_found({.before = 40, .change = -0.5});
+}
+
+TEST(a_step_response, is_found_on_a_clock_that_began_long_ago) { expect_found({.begin = 4096}); }
+
+TEST(a_step_response, may_begin_many_time_constants_late) {
+  expect_found({.time_constant = 0.004, .dead_time = 0.1505});
+}
+
+// ---- ramps
+
+// A period of 1 ms: a pause, up from 0.25 s to 2 A at 1.25 s, down from 1.5 s to 0 A at 2.5 s, a pause.
+double ramp(int k) { return 0.002 * std::clamp(std::min(k - 250, 2500 - k), 0, 1000); }
+bool is_within(int k, int corner, int width) { return k > corner && k < corner + width; }
+
+TEST(a_ramp_with_a_lag, leaves_out_what_is_bent_by_it_after_each_corner) {
+  constexpr double way_up = 1, way_down = 2, bent = 100;  // [N m]
+  constexpr int after_rise = 54, after_fall = 108;        // six delays [ms]
+  std::vector<ph::bench_sample> all;
+  std::ptrdiff_t straight = 0;
+  for (int k = 0; k <= 2800; ++k) {
+    const bool is_bent = is_within(k, 250, after_rise) || is_within(k, 1250, after_rise) ||
+                         is_within(k, 1500, after_fall) || is_within(k, 2500, after_fall);
+    if (k > 250 && !is_bent) ++straight;
+    all.push_back({1e-3 * k, ramp(k), 0.002 * k, is_bent ? bent : k > 1500 ? way_down : way_up});
+  }
+  const auto found = ph::fit_current_ramp(all, {.rising = 0.0090001, .falling = 0.0180001});
+  for (const auto& s : found.samples) ASSERT_EQ(s.torque, s.falling ? way_down : way_up) << s.current;
+  // The end of each stretch belongs to it within rounding of its time
+  EXPECT_NEAR(static_cast<double>(std::ssize(found.samples) - straight), 0, 4);
+  EXPECT_NEAR(found.hysteresis.value, way_down - way_up, 1e-9);
+}
+
+TEST(a_ramp_without_a_lag, is_read_up_to_its_last_sample_and_no_further) {
+  std::vector<ph::bench_sample> all;
+  for (int k = 0; k <= 2600; ++k) all.push_back({1e-3 * k, ramp(k), 0.002 * k, 1 + ramp(k)});
+  all.push_back({2.601, 50, 5.202, 0});
+  const auto found = ph::fit_current_ramp(std::span<const ph::bench_sample>(all).first(2601));
+  EXPECT_EQ(found.samples.size(), 2600u - 251) << "of the last one nobody knows when its current ends";
+  for (const auto& s : found.samples) ASSERT_LE(s.current, 2);
+}
+
+// ---- sweeps
+
+// From 20 rad/s to rest, one way round or both in turn.
+template <class Torque>
+std::vector<ph::rate_and_torque> sweep_to_rest(bool both, const Torque& torque) {
+  std::vector<ph::rate_and_torque> means;
+  for (int k = 100; k >= 0; --k) {
+    const double w = 0.2 * k, sign = both && k % 2 == 1 ? -1 : 1;
+    means.push_back({sign * w, sign * torque(w)});
+  }
+  return means;
+}
+
+TEST(a_sweep_of_the_rate, may_end_at_rest_and_turn_either_way) {
+  for (const bool both : {false, true}) {
+    SCOPED_TRACE(both);
+    const auto viscous =
+        ph::fit_viscous_friction(sweep_to_rest(both, [](double w) { return 0.3 + 0.02 * w; }));
+    EXPECT_NEAR(viscous.strength.value, 0.3, 1e-9);
+    EXPECT_NEAR(viscous.drag.value, 0.02, 1e-9);
+    const auto eddy =
+        ph::fit_eddy_current_torque(sweep_to_rest(both, [](double w) { return w / (6 + w * w / 24); }));
+    EXPECT_NEAR(eddy.strength.value, 0, 1e-6);
+    EXPECT_NEAR(eddy.drag.value, 1.0 / 6, 1e-6);
+    EXPECT_NEAR(eddy.critical_rate.value, 12, 1e-4);
+    EXPECT_NEAR(eddy.peak_torque.value, 1, 1e-6);
+  }
+}
+
+// ---- any formula
+
+TEST(a_curve_fit, is_infinitely_unsure_of_a_constant_that_no_sample_tells) {
+  const std::array<double, 4> samples{1, 2, 4, 5};
+  const auto fit = ph::fit_curve<2>(samples, {0, 7}, []<class S>(double s, const ph::vector<S, 2>& p) -> S {
+    return p[0] + 0.0 * p[1] - s;
+  });
+  EXPECT_NEAR(fit[0].value, 3, 1e-9);
+  EXPECT_EQ(fit[1].value, 7) << "where it began";
+  EXPECT_TRUE(std::isinf(fit[1].standard_error));
+}
+
+}  // namespace
