@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -39,8 +42,8 @@ void expect_found(const exact_step& one) {
   EXPECT_NEAR(found.dead_time.value, one.dead_time, 1e-4 * one.dead_time);
 }
 
-TEST(a_step_response, is_found_in_any_unit_of_the_torque) {
-  for (const double unit : {1e-9, 1e-6, 1.0, 1e6})
+TEST(a_step_response, is_found_in_any_unit_and_sign_of_the_torque) {
+  for (const double unit : {1e-9, 1e-6, 1.0, 1e6, -1.0})
     expect_found({.before = 0.03 * unit, .change = 0.8 * unit});
 }
 
@@ -53,6 +56,20 @@ TEST(a_step_response, is_found_on_a_clock_that_began_long_ago) { expect_found({.
 
 TEST(a_step_response, may_begin_many_time_constants_late) {
   expect_found({.time_constant = 0.004, .dead_time = 0.1505});
+}
+
+TEST(a_step_response, is_told_from_noise_by_five_standard_errors_of_the_last_fifth) {
+  // 80 samples, 0.005 N m to either side
+  const double least = 5 * 0.005 / std::sqrt(80);
+  const auto fit = [](double change) {
+    auto all = exact_step{.change = change}.samples();
+    for (std::size_t k = 0; k < all.size(); ++k) all[k].torque += k % 2 == 0 ? 0.005 : -0.005;
+    ph::fit_step_response(all);
+  };
+  EXPECT_NO_THROW(fit(1.1 * least));
+  EXPECT_NO_THROW(fit(-1.1 * least));
+  EXPECT_THROW(fit(0.9 * least), std::invalid_argument);
+  EXPECT_THROW(fit(-0.9 * least), std::invalid_argument);
 }
 
 // ---- ramps
@@ -77,6 +94,25 @@ TEST(a_ramp_with_a_lag, leaves_out_what_is_bent_by_it_after_each_corner) {
   // The end of each stretch belongs to it within rounding of its time
   EXPECT_NEAR(static_cast<double>(std::ssize(found.samples) - straight), 0, 4);
   EXPECT_NEAR(found.hysteresis.value, way_down - way_up, 1e-9);
+}
+
+TEST(a_ramp_with_a_lag, takes_fifty_of_the_longer_delay_at_least) {
+  std::vector<ph::bench_sample> all;
+  for (int k = 0; k <= 2800; ++k) all.push_back({1e-3 * k, ramp(k), 0.002 * k, 1});
+  for (const ph::ramp_delay delay : {ph::ramp_delay{0.0199, 0}, ph::ramp_delay{0, 0.0199}})
+    EXPECT_NO_THROW(ph::fit_current_ramp(all, delay));
+  for (const ph::ramp_delay delay : {ph::ramp_delay{0.0201, 0}, ph::ramp_delay{0, 0.0201}})
+    EXPECT_THROW(ph::fit_current_ramp(all, delay), std::invalid_argument);
+}
+
+TEST(a_bench, turns_its_axis_from_the_first_sample_to_the_last) {
+  const auto all = exact_step{}.samples();
+  EXPECT_NO_THROW(ph::require_turning(all, 10));
+  for (const std::size_t part : {0u, 3u, 9u}) {
+    auto still = all;
+    for (std::size_t k = 50 * part; k <= 50 * (part + 1); ++k) still[k].position = all[50 * part].position;
+    EXPECT_THROW(ph::require_turning(still, 10), std::invalid_argument) << part;
+  }
 }
 
 TEST(a_ramp_without_a_lag, is_read_up_to_its_last_sample_and_no_further) {

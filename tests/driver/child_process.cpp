@@ -5,11 +5,16 @@
 #include <passive_haptics/driver/process/child_process.hpp>
 #include <passive_haptics/driver/process/shared_memory.hpp>
 
+#include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
+#include <new>
+#include <string>
 #include <utility>
 
 namespace ph = passive_haptics;
@@ -100,6 +105,54 @@ TEST(a_child_process, hears_nothing_that_is_meant_for_its_parent) {
   EXPECT_EQ(getpgid(child.pid()), child.pid()) << "Ctrl-C, Ctrl-Z and Ctrl-\\ go to a group";
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) kill(child.pid(), signal);
   EXPECT_TRUE(child.stop()) << "not ended by a signal";
+}
+
+TEST(a_child_process, that_does_not_run_has_nothing_to_end) {
+  ph::child_process child;
+  EXPECT_TRUE(child.stop());
+  ASSERT_EQ(child.start(ready, until_parent_is_gone), "");
+  EXPECT_TRUE(child.stop());
+  EXPECT_TRUE(child.stop());
+}
+
+TEST(a_child_process, keeps_no_file_open_but_the_standard_ones_and_its_pipes) {
+  const auto is_open = [](int file) { return fcntl(file, F_GETFD) >= 0; };
+  std::array<int, 12> files{};
+  for (int& file : files) file = dup(STDERR_FILENO);
+  for (const std::size_t gap : {2u, 4u, 5u, 8u}) close(files[gap]);  // where the pipes come
+  const auto count = [&] {
+    int open = 0;
+    for (int file = STDERR_FILENO + 1; file <= files.back(); ++file) open += is_open(file);
+    return std::to_string(open);
+  };
+  ph::child_process child;
+  EXPECT_EQ(child.start(count, until_parent_is_gone), "2");
+  for (const int file : files)
+    if (is_open(file)) close(file);
+}
+
+TEST(a_child_process, is_waited_for_on_through_signals) {
+  struct sigaction heard{}, before{};
+  heard.sa_handler = [](int) {};
+  sigaction(SIGUSR1, &heard, &before);
+  const auto ready_after_signals = [] {
+    for (int k = 0; k < 20; ++k) {
+      kill(getppid(), SIGUSR1);
+      poll(nullptr, 0, 1);
+    }
+    return std::string();
+  };
+  ph::child_process child;
+  EXPECT_EQ(child.start(ready_after_signals, until_parent_is_gone), "");
+  EXPECT_TRUE(child.stop());
+  sigaction(SIGUSR1, &before, nullptr);
+}
+
+TEST(shared_memory, throws_where_there_is_none) {
+  struct larger_than_any_machine {
+    char bytes[std::size_t{1} << 60];
+  };
+  EXPECT_THROW(ph::shared_memory<larger_than_any_machine>(), std::bad_alloc);
 }
 
 TEST(shared_memory, is_given_back_once_it_is_out_of_use) {

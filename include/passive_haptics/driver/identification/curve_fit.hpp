@@ -88,7 +88,7 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
   const auto freedom = static_cast<double>(std::ssize(samples)) - N;
   fit.deviation = std::sqrt(least / freedom);
   // Of unit columns: whether it is singular does not depend on units
-  const vector<double, N> size = A.diagonal().cwiseSqrt().cwiseMax(std::numeric_limits<double>::min());
+  const vector<double, N> size = A.diagonal().cwiseSqrt();
   const matrix<double, N, N> scale = size.cwiseInverse().asDiagonal();
   const cholesky<double, N> scaled(matrix<double, N, N>(scale * A * scale));
   const matrix<double, N, N> inverse = scaled.solve(matrix<double, N, N>(matrix<double, N, N>::Identity()));

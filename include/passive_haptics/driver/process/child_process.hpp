@@ -121,7 +121,7 @@ class child_process {
   static void close_all_but(int a, int b) noexcept {
     const auto [low, high] = std::minmax({static_cast<unsigned>(a), static_cast<unsigned>(b)});
     if (low > 3) close_range(3, low - 1, 0);
-    if (high > low + 1) close_range(low + 1, high - 1, 0);
+    close_range(low + 1, high - 1, 0);  // refused where they are neighbours
     close_range(high + 1, ~0U, 0);
   }
 
