@@ -582,6 +582,13 @@ TEST(an_encoder_check, counts_the_way_of_the_others_since_each_encoder_changed) 
   EXPECT_EQ(frozen({1, 1, 1}, true), 2) << "for ever";
 }
 
+TEST(an_encoder_check, gives_an_encoder_a_turn_of_8192_counts_by_default) {
+  ph::encoder_check<2> check({});
+  for (int k = 0; k <= 64; ++k)
+    ASSERT_EQ(check({1e-3 * k, 0, {128.0 * k, 0}, {true, true}}, true), ph::fault_record{}) << k;
+  EXPECT_EQ(check({0.065, 0, {8193, 0}, {true, true}}, true).channel, 1);
+}
+
 TEST(an_encoder_check, without_a_travel_never_asks_whether_an_encoder_froze) {
   ph::encoder_check<2> check({.frozen_travel = 0});
   for (int k = 0; k < 1000; ++k)

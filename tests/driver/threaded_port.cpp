@@ -357,6 +357,16 @@ TEST(threaded_sensor, reads_what_came_and_does_not_wait) {
   EXPECT_EQ(last.sequence, 7u);
 }
 
+TEST(threaded_sensor, that_does_not_open_starts_no_thread) {
+  device d;
+  d.missing = "no sensor there";
+  d.say(port_status::ok, 7);
+  ph::threaded_sensor<slow_sensor> s(slow_sensor{&d});
+  EXPECT_EQ(s.open(), "no sensor there");
+  ph::port_sample<2> last;
+  EXPECT_EQ(s.read(last), port_status::ok) << "by this thread, which waits";
+}
+
 TEST(polling_thread, looks_from_start_to_stop_with_a_pause_a_small_stack_and_no_signals) {
   struct {
     std::atomic<int> looks = 0, signals = 0;

@@ -67,7 +67,7 @@ inline estimate torque_near(std::span<const branch_sample> all, bool falling, do
   if (near.size() < 8)
     require_no_error(error_text(indexed("samples near ", current, " A"), near.size(),
                                 "at least 8: ramp more slowly, and up to the same current and down to 0"));
-  const auto parabola = fit_curve<3>(near, vector<double, 3>(near[0].torque, 0, 0),
+  const auto parabola = fit_curve<3>(near, vector<double, 3>(0, 0, 0),
                                      [&]<class S>(const branch_sample& s, const vector<S, 3>& p) -> S {
                                        const double x = (s.current - current) / width;
                                        return p[0] + x * (p[1] + x * p[2]) - s.torque;
