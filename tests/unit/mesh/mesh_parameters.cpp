@@ -95,6 +95,8 @@ TEST(a_facet, tells_what_its_nearest_point_lies_on) {
   expect_nearest(triangle, at3(5, 5.5, 2), at3(2, 1.5, 0), edge, 1);
   expect_nearest(triangle, at3(-3, 1, 5), at3(0, 1, 0), edge, 2);
   expect_nearest(triangle, at3(1, 1, -2), at3(1, 1, 0), interior, 0);
+  const ph::mesh_facet<3> obtuse{{{{0, 0, 0}, {4, 0, 0}, {-3, 1, 0}}}, {0, 0, 1}};
+  expect_nearest(obtuse, at3(1, -0.5, 2), at3(1, 0, 0), edge, 0);  // and behind edge 2
 }
 
 TEST(mesh_solid, says_what_keeps_it_from_being_solid) {
@@ -156,6 +158,19 @@ TEST(a_mesh, may_touch_itself_along_an_edge_or_at_a_corner) {
   EXPECT_NEAR(solid.distance({1.1, 1.1, 0.5}), -0.1, 1e-15);
   EXPECT_EQ(error_of_solid(sample_meshes::both(cube(), sample_meshes::box<3>({1, 1, 1}, {2, 2, 2}))), "");
   EXPECT_EQ(error_of_solid(sample_meshes::both(square(), sample_meshes::box<2>({1, 1}, {2, 2}))), "");
+}
+
+// A leaf of two sides: beyond its corners, either side will do.
+TEST(a_mesh, has_a_unit_normal_everywhere) {
+  const ph::triangle_mesh leaf({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
+  for (const ph::point<3>& x : {ph::point<3>(-1, -1, 0), {2, 0, 0}, {0, 2, 0}, {0.5, -1, 0}, {0.2, 0.2, 1}})
+    EXPECT_EQ(leaf.normal_at(leaf.nearest(x)).norm(), 1) << x.transpose();
+}
+
+TEST(a_mesh, keeps_to_the_facet_that_was_guessed_where_others_are_as_near) {
+  const ph::polyline wedge({{{-1, -1}, {0, 0}, {1, -1}}, {{0, 1}, {1, 2}}});
+  EXPECT_EQ(wedge.nearest({0, 1}).facet, 0);
+  for (const int guess : {0, 1}) EXPECT_EQ(wedge.nearest({0, 1}, guess).facet, guess);
 }
 
 // Where the nearest point is the point itself to rounding, what is left between them has no direction.

@@ -114,6 +114,51 @@ TYPED_TEST(tree, a_search_is_copied_with_what_is_left_of_it) {
   }
 }
 
+// How many nodes a search opens that goes on once for what holds x.
+template <int D>
+int opened(const ph::bounding_volume_tree<D>& all, const ph::point<D>& x, int budget) {
+  int nodes = 0;
+  const auto distance = ph::squared_distance_from<D>(x);
+  const auto bound = [&](const ph::four_outer_boxes<D>& boxes) {
+    ++nodes;
+    return distance(boxes);
+  };
+  auto search = all.start();
+  double limit = 0;
+  all.go_on(search, bound, limit, [](int, double) {}, budget);
+  return nodes;
+}
+
+// Points that lie the closer the nearer they are to 0, the furthest first or last.
+template <int D>
+std::vector<ph::bounding_box<D>> ever_closer(int axis, bool furthest_first) {
+  std::vector<ph::bounding_box<D>> boxes;
+  for (int k = 0; k < 500; ++k)
+    boxes.push_back(ph::box_about<D>(std::pow(0.98, k) * ph::point<D>::Unit(axis), 0));
+  if (!furthest_first) std::reverse(boxes.begin(), boxes.end());
+  return boxes;
+}
+
+TYPED_TEST(tree, leads_to_a_place_by_as_many_nodes_as_it_is_deep) {
+  constexpr int D = TestFixture::dimension, levels = 4;  // of 500 items, up to four in a leaf
+  for (int axis = 0; axis < D; ++axis) {
+    for (const bool furthest_first : {false, true}) {
+      const auto boxes = ever_closer<D>(axis, furthest_first);
+      const ph::bounding_volume_tree<D> all(boxes);
+      int nodes = 0;
+      for (const auto& box : boxes) nodes += opened<D>(all, box.lower, 99);
+      EXPECT_EQ(nodes, 500 * levels) << "axis " << axis;
+    }
+  }
+}
+
+TYPED_TEST(tree, opens_no_more_nodes_than_it_may) {
+  constexpr int D = TestFixture::dimension;
+  const auto boxes = ever_closer<D>(0, true);
+  const ph::bounding_volume_tree<D> all(boxes);
+  for (const int budget : {1, 2, 3}) EXPECT_EQ(opened<D>(all, boxes[300].lower, budget), budget);
+}
+
 TEST(a_tree, knows_how_large_its_coordinates_are) {
   EXPECT_EQ(ph::bounding_volume_tree<2>({{{-3, 1}, {2, 1.5}}, {{0, -2}, {1, 2.5}}}).scale(), 3);
   EXPECT_EQ(ph::bounding_volume_tree<2>({{{-3, 1}, {2, 1.5}}, {{0, -2}, {1, 3.5}}}).scale(), 3.5);

@@ -1,0 +1,73 @@
+// How long a list of neighbours lasts: until an item may have been reached, and hardly shorter.
+#include <passive_haptics/scene/bounds/bounding_box.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/world/neighbour_list.hpp>
+#include <passive_haptics/scene/world/world.hpp>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// Points on the x axis; how often the list was asked about them, and which of them it looked at.
+struct points_on_a_line {
+  std::vector<double> places;
+  ph::bounding_volume_tree<2> tree;
+  ph::neighbour_list<2> near;
+  int visits = 0;
+  std::vector<double> seen{};
+
+  explicit points_on_a_line(std::vector<double> at) : places(std::move(at)) {
+    std::vector<ph::bounding_box<2>> boxes;
+    for (const double x : places) boxes.push_back(ph::box_about<2>({x, 0}, 0));
+    tree = ph::bounding_volume_tree<2>(boxes);
+    near = ph::neighbour_list<2>(0, tree.scale());
+  }
+
+  void go(double x) {
+    seen.clear();
+    if (near.idle({x, 0})) return;
+    ++visits;
+    near.visit(tree, {x, 0}, [&](int place) {
+      seen.push_back(places[static_cast<std::size_t>(tree.item(place))]);
+      return std::abs(seen.back() - x);
+    });
+  }
+};
+
+TEST(a_list_of_neighbours, is_idle_until_the_nearest_may_be_reached) {
+  points_on_a_line line({-3, 2});
+  for (int k = 0; k < 2; ++k) line.go(0);
+  EXPECT_TRUE(line.seen.empty());
+  EXPECT_TRUE(line.near.idle({1.999, 0}));
+  EXPECT_TRUE(line.near.idle({0, -1.999}));
+  EXPECT_FALSE(line.near.idle({2, 0}));
+  line.go(2);
+  EXPECT_EQ(line.seen, std::vector<double>{2});
+}
+
+// A thousand cycles for each metre, away from more points than it holds.
+TEST(a_list_of_neighbours, is_collected_anew_in_a_few_cycles) {
+  std::vector<double> places;
+  for (int i = 0; i < 100; ++i) places.push_back(-1 - 0.01 * i);
+  points_on_a_line line(places);
+  for (int k = 0; k <= 3000; ++k) line.go(1e-3 * k);
+  EXPECT_LT(line.visits, 60);
+}
+
+TEST(a_world, is_touched_as_soon_as_the_handle_is_behind_a_wall) {
+  ph::world_walls<2> walls;
+  walls.add(ph::wall(ph::half_space<2>({-1, 0}, {1, 0})));
+  ph::world<2> w(walls);
+  for (int k = 0; k < 2; ++k) EXPECT_TRUE(ph::sense(w, {0, 0}).empty());
+  ASSERT_EQ(ph::sense(w, {-1 - 4 * eps, 0}).size(), 1);
+  EXPECT_EQ(ph::sense(w, {-1 - 4 * eps, 0})[0].depth, 4 * eps);
+}
+
+}  // namespace
