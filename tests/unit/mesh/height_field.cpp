@@ -52,6 +52,7 @@ TEST(a_height_field, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(says([](auto& p) { p.origin[2] = std::nan(""); }),
             "origin[2] of a height_field [m] = nan, expected a finite number");
   EXPECT_THROW(ph::height_field({}), std::invalid_argument);
+  EXPECT_EQ(ph::height_field_parameters().origin, ph::point<3>(0, 0, 0));
 }
 
 TEST(a_height_field, has_two_triangles_a_cell_that_look_up) {

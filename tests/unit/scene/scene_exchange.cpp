@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace ph = passive_haptics;
 
@@ -146,6 +147,26 @@ TEST(a_latest_scene, keeps_the_handle_on_its_side_of_a_thin_wall) {
   others.add_moving(ph::wall(ph::mesh_surface<2>(ph::mesh<2>(line))));
   exchange.publish(ph::world<2>(others), 0.05);
   EXPECT_TRUE(ph::sense(latest, back, 0.05).empty());
+}
+
+// As many walls that remember as there are of either kind: none, one that stays, one that moves.
+TEST(a_world, remembers_the_handle_at_walls_that_begin_to_move_or_cease_to) {
+  const ph::mesh_parameters<2> line{.vertices = {{-1, 0}, {1, 0}}, .facets = {{1, 0}}};
+  const ph::any_wall<2> sheet = ph::wall(ph::mesh_surface<2>(ph::mesh<2>(line)));
+  ph::world_walls<2> still, moving;
+  still.add(sheet);
+  moving.add_moving(sheet);
+  const ph::world<2> nothing{ph::world_walls<2>()};
+  for (const auto& [before, after] : {std::pair(still, moving), std::pair(moving, still)}) {
+    ph::world<2> first(before), next(after), empty(nothing);
+    ph::sense(first, {0.1, 0.01});
+    EXPECT_EQ(ph::sense(first, {0.1, -0.01}).size(), 1);
+    next.remember(nothing);
+    next.remember(first);
+    EXPECT_EQ(ph::sense(next, {0.1, -0.01}).size(), 1);
+    empty.remember(first);
+    EXPECT_TRUE(ph::sense(empty, {0.1, -0.01}).empty());
+  }
 }
 
 }  // namespace
