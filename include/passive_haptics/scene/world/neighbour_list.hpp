@@ -62,8 +62,7 @@ class neighbour_list {
 
     const double slack = rounding(x);
     const auto next_due = [&](int item) {
-      const double distance = look(item);
-      return travelled_ + std::max(distance * (1 - relative_rounding) - slack, 0.0);
+      return travelled_ + (look(item) * (1 - relative_rounding) - slack);
     };
     look_at_near(next_due);
     look_at_others(next_due);
