@@ -117,6 +117,17 @@ TEST(cone_in_the_plane, of_two_that_are_parallel) {
   EXPECT_EQ(project(0, 0, f).point, f);
 }
 
+// The foot on one of them lies on the other; a hair more and the second holds f back farther.
+TEST(cone_in_the_plane, of_two_that_are_parallel_to_rounding) {
+  const double parallel = ph::rounding_tolerance<double>(1);
+  for (const double hair : {0.9 * parallel, 1.1 * parallel}) {
+    const ph::matrix<double, 2, 2> B{{1, 1}, {0, hair}};
+    const auto held = ph::project_onto_half_spaces(B, ph::vector<double, 2>(1, 1));
+    EXPECT_EQ(held.active, hair < parallel ? 1u : 2u);
+    EXPECT_NEAR(held.point[0], hair < parallel ? 0 : -hair, eps);
+  }
+}
+
 // The third half-space holds f back at the apex as well, with the second.
 TEST(cone_in_the_plane, is_held_at_its_apex_by_the_two_that_are_least_parallel) {
   const ph::matrix<double, 2, 3> B{{1, 0, 1}, {0, 1, 1}};
@@ -124,6 +135,31 @@ TEST(cone_in_the_plane, is_held_at_its_apex_by_the_two_that_are_least_parallel) 
   EXPECT_EQ(held.point, (ph::vector<double, 2>(0, 0)));
   EXPECT_EQ(held.coefficients, vec(1, 2, 0));
   EXPECT_EQ(held.active, 3u);
+}
+
+// Of one and of the other, to either side of the third quadrant's normals.
+TEST(nearest_edge, is_that_along_which_f_points) {
+  using pair = ph::vector<double, 2>;
+  const ph::matrix<double, 2, 2> e{{2, 1}, {0, -3}};
+  const auto of = [&](const pair& s, const pair& f) {
+    const pair outside = s.cwiseProduct(e.transpose() * f);
+    return ph::nearest_edge<double>(e, s, f, outside, {4, 10}, -6 * s[0] * s[1]);
+  };
+  const auto first = of({1, 1}, {1, 5});  // { x <= 0, x <= 3 y }
+  EXPECT_EQ(first.held, 0);
+  EXPECT_EQ(first.direction, pair(0, 2));
+  EXPECT_EQ(first.square, 4);
+  EXPECT_EQ(first.along, 10);
+  const auto second = of({1, 1}, {-3, -2});
+  EXPECT_EQ(second.held, 1);
+  EXPECT_EQ(second.direction, pair(-3, -1));
+  EXPECT_EQ(second.square, 10);
+  EXPECT_EQ(second.along, 11);
+  EXPECT_EQ(of({1, 1}, {1, -1}).held, -1) << "the apex";
+  const auto turned = of({1, -1}, {-3, 2});  // { x <= 0, x >= 3 y }
+  EXPECT_EQ(turned.held, 1);
+  EXPECT_EQ(turned.direction, pair(-3, -1));
+  EXPECT_EQ(turned.along, 7);
 }
 
 // A point of each face, edge and so on, pushed out of the cone by what meets there: all solvers know it.
@@ -194,6 +230,25 @@ TEST(cone_in_the_plane, knows_what_is_parallel_and_what_beyond_to_rounding) {
   EXPECT_TRUE(ph::detail::is_beyond(4 * 1.1 * eps, 2.0, 8.0));
   EXPECT_FALSE(ph::detail::is_beyond(4 * 0.9 * eps, 2.0, 8.0));
   EXPECT_FALSE(ph::detail::is_beyond(-1.0, 2.0, 8.0));
+}
+
+// Parallel to rounding, two half-spaces are one; a hair more and the second holds f back farther.
+TEST(space_cone, takes_the_foot_on_one_of_two_parallel_faces_for_one_on_the_other) {
+  const double parallel = ph::rounding_tolerance<double>(1);
+  for (const double hair : {0.9 * parallel, 1.1 * parallel}) {
+    const half_spaces B{{1, 1, 0}, {0, hair, 0}, {0, 0, 1}};
+    projection answer;
+    ASSERT_TRUE(ph::detail::space_cone<double>(B, vec(1, 1, -1)).nearest(answer));
+    EXPECT_EQ(answer.active, hair < parallel ? 1u : 2u);
+    EXPECT_NEAR(answer.point[0], hair < parallel ? 0 : -hair, eps);
+  }
+}
+
+TEST(space_cone, is_of_lengths_whose_products_of_four_are_numbers) {
+  for (const double square : {1.1e-30, 1.0, 0.9e30}) EXPECT_TRUE(ph::detail::is_moderate(square)) << square;
+  for (const double square : {0.0, 0.9e-30, 1.1e30}) EXPECT_FALSE(ph::detail::is_moderate(square)) << square;
+  for (const float square : {1.1e-8f, 1.0f, 0.9e8f}) EXPECT_TRUE(ph::detail::is_moderate(square)) << square;
+  for (const float square : {0.0f, 0.9e-8f, 1.1e8f}) EXPECT_FALSE(ph::detail::is_moderate(square)) << square;
 }
 
 TEST(space_cone_start, is_left_where_rounding_or_a_narrow_edge_would_decide) {
@@ -324,6 +379,42 @@ TEST(active_set, passes_over_half_spaces_whose_squares_are_no_numbers) {
     EXPECT_EQ(held(length), vec(0, 2, 0)) << length;
 }
 
+// Beside the first the square of what is left of the second is no number.
+TEST(active_set, passes_over_a_half_space_that_is_too_short_beside_another) {
+  ph::matrix<double, 3, 4> B{{1, 0.8, 0, 0}, {0, 0.6, 0, 0}, {0, 0, 1, -1}};
+  B.col(1) *= std::sqrt(2 * std::numeric_limits<double>::min());
+  for (unsigned active = 0; active < 16; active += 4) {  // the first two enter, the fourth does not hold
+    ph::half_space_start start{active, 7};
+    const auto held = ph::project_onto_half_spaces(B, vec(9, 2, 1), start);
+    EXPECT_EQ(held.point, vec(0, 2, 0)) << "from " << active;
+    EXPECT_EQ(held.active, 5u) << "from " << active;
+  }
+}
+
+// Beside the third the second is too short, but the third does not stay.
+TEST(active_set, looks_again_at_what_was_too_short_beside_another) {
+  ph::matrix<double, 3, 4> B{{0, 1, -1, 0}, {2, 0, 1, 0}, {2, 0, -2, -1}};
+  B.col(1) *= std::sqrt(1.1 * std::numeric_limits<double>::min());
+  ph::half_space_start start{8, 7};
+  const auto held = ph::project_onto_half_spaces(B, vec(1, 6, 2), start);
+  EXPECT_EQ(held.point, vec(0, 0, 0));
+  EXPECT_EQ(held.active, 11u);
+}
+
+TEST(active_set, sees_a_small_violation_beside_a_long_half_space) {
+  ph::testing::random_source random(5);
+  for (int k = 0; k < 20; ++k) {
+    const vec n = random.direction<double, 3>(),
+              f = 2 * n + ph::cross<double>(n, random.direction<double, 3>());
+    const vec foot = f - 2 * n;
+    ph::matrix<double, 3, 2> B;
+    B << 1e12 * n, ph::cross<double>(n, foot) + 1e-6 * foot;
+    ph::half_space_start start{1, 3};  // f violates both
+    expect_nearest(ph::project_onto_half_spaces(B, f, start), B, f);
+    EXPECT_EQ(start.active, 3u);
+  }
+}
+
 // b_1 makes f alone; beside it b_0 has a coefficient of 0 exactly.
 TEST(active_set, lets_go_what_holds_with_nothing) {
   const half_spaces B{{1, 1, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -336,13 +427,16 @@ TEST(active_set, lets_go_what_holds_with_nothing) {
   }
 }
 
-TEST(active_set, takes_a_violation_of_rounding_for_none) {
-  const vec f(1, eps / 4, -1);
-  for (const ph::half_space_set active : {0u, 4u}) {
-    ph::half_space_start start{active, 3};
-    const auto held = ph::detail::active_set<double, 3, 3>(octant, f).nearest(start);
-    EXPECT_EQ(held.point, vec(0, eps / 4, -1)) << "from " << active;
-    EXPECT_EQ(held.active, 1u) << "from " << active;
+TEST(active_set, takes_a_violation_of_up_to_one_rounding_for_none) {
+  for (const double roundings : {0.25, 0.8, 1.5}) {
+    for (const ph::half_space_set active : {0u, 1u, 4u}) {
+      SCOPED_TRACE(::testing::Message() << roundings << " from " << active);
+      ph::half_space_start start{active, 3};
+      const auto held =
+          ph::detail::active_set<double, 3, 3>(octant, vec(1, roundings * eps, -1)).nearest(start);
+      EXPECT_EQ(held.point, vec(0, roundings > 1 ? 0 : roundings * eps, -1));
+      EXPECT_EQ(held.active, roundings > 1 ? 3u : 1u);
+    }
   }
 }
 
@@ -407,6 +501,22 @@ TEST(updatable_qr, refuses_what_depends_on_its_columns_to_rounding) {
   EXPECT_TRUE(takes({1, 0}, {0, std::sqrt(2 * least)}));
   EXPECT_FALSE(takes({1, 0}, {0, std::sqrt(least / 2)}));
   EXPECT_FALSE(takes({1, 0}, {0, 0}));
+}
+
+TEST(updatable_qr, leaves_exactly_nothing_of_what_its_columns_span) {
+  using column = ph::detail::updatable_qr<double, 3, 3>::column;
+  ph::testing::random_source random(4);
+  for (int k = 0; k < 20; ++k) {
+    const vec f = random.direction<double, 3>();
+    ph::detail::updatable_qr<double, 3, 3> qr(column::load(f.data()));
+    for (int j = 0; j < 3; ++j) {
+      const vec b = random.direction<double, 3>();
+      ASSERT_TRUE(qr.append(column::load(b.data()), b.squaredNorm())) << "seed 4, trial " << k;
+    }
+    vec r;
+    qr.clean_residual().store(r.data());
+    EXPECT_EQ(r, vec(0, 0, 0)) << "seed 4, trial " << k;
+  }
 }
 
 TEST(updatable_qr, is_orthogonal_where_columns_nearly_agree) {

@@ -172,6 +172,22 @@ TEST(displayable, says_what_is_wrong) {
   EXPECT_EQ(outcome(ph::displayable(redundant(), {3.1, 0.0}, v, n)), ph::status::pose_undefined);
 }
 
+// Two slides of which the second moves nothing, with a brake more.
+struct stuck_slides {
+  using scalar = double;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 3;
+  ph::vector<double, 2> position(const ph::vector<double, 2>& q) const { return {q[0], 0}; }
+  ph::matrix<double, 2, 2> jacobian() const { return ph::matrix<double, 2, 2>{{1, 0}, {0, 0}}; }
+  ph::matrix<double, 3, 2> transmission() const { return ph::matrix<double, 3, 2>{{1, 0}, {0, 1}, {1, 1}}; }
+};
+
+TEST(displayable, of_redundant_brakes_is_unknown_at_a_singular_pose) {
+  const auto found = ph::displayable(stuck_slides(), {0, 0}, {1, 0}, {-1, 0}, {1, 1, 1});
+  EXPECT_EQ(found.outcome, ph::status::singular_jacobian);
+  EXPECT_EQ(found.display, ph::display_class::none);
+  EXPECT_EQ(found.strongest, 0);
+}
+
 TEST(displayable, is_the_same_in_float) {
   using single = ph::tendon_two_link<float>;
   ph::testing::random_source random(9);
@@ -196,6 +212,7 @@ TEST(undisplayable_share, counts_where_nothing_or_too_little_can_be_displayed) {
         {0, 0}, u < 0.3 ? ph::vector<double, 2>(1, 0) : ph::vector<double, 2>(0, 1), {0, 1}};
   };
   EXPECT_NEAR(ph::undisplayable_share(table(), path), 0.7, 1e-12);
+  EXPECT_NEAR(ph::undisplayable_share(table(), path, {0.1, 0.2}), 0.7, 1e-12) << "however little will do";
   EXPECT_NEAR(ph::undisplayable_share(table(), path, {1, 2}, 1.9), 0.7, 1e-12);
   EXPECT_NEAR(ph::undisplayable_share(table(), path, {1, 2}, 2.1), 1, 1e-12);
   EXPECT_EQ(ph::undisplayable_share(table(), path, {1, 2}, 2), 1) << "2 N at most is no hold against 2 N";

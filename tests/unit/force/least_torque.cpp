@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace ph = passive_haptics;
@@ -119,6 +120,20 @@ TEST(nearest_torque, of_a_box_without_limits_has_its_signs) {
   EXPECT_TRUE(torque(-both, both, -4, -6).isApprox(three(-0.8, -2, -1.6), 1e-15));
   EXPECT_TRUE(torque(none, both, 4, -6).isApprox(three(0.8, 0, 1.6), 1e-15));
   EXPECT_TRUE(torque(-both, none, -4, 6).isApprox(three(-0.8, 0, -1.6), 1e-15));
+}
+
+TEST(nearest_torque, of_a_box_without_limits_is_that_of_its_signs_to_the_bit) {
+  const ph::matrix<double, 2, 3> G{{1, 0.3, -0.7}, {-0.2, 0.9, 1.1}};
+  for (const double s_0 : {-1.0, 1.0}) {
+    for (int k = 0; k < 20; ++k) {
+      const ph::vector<double, 3> s(s_0, 1, -1), unlimited(inf, inf, inf);
+      const ph::vector<double, 2> Fd(std::cos(0.3 * k), std::sin(0.3 * k));
+      const auto of_signs = ph::nearest_torque(G, s, Fd),
+                 of_box = ph::nearest_torque(G, ph::torques_within(s, unlimited), Fd);
+      EXPECT_EQ(of_box.torque, of_signs.torque) << k;
+      EXPECT_EQ(of_box.force, of_signs.force) << k;
+    }
+  }
 }
 
 TEST(nearest_torque, of_a_diagonal_is_that_of_each_axis) {

@@ -38,7 +38,7 @@ class any_brake {
 
   /// See BrakeModel.
   scalar torque_limit_at(scalar rate) const noexcept {
-    scalar most = scalar(0);
+    scalar most{};
     with_model([&](const auto& model, auto) { most = model.torque_limit_at(rate); });
     return most;
   }

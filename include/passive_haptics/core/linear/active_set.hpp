@@ -189,12 +189,12 @@ class active_set {
   void settle() {
     coefficients y;
     for (qr_.solve(y); !all_positive(y); qr_.solve(y)) {
-      int blocking = -1;
-      T step = T(1);
+      int blocking = qr_.size();  // none
+      T step{};
       for (int k = 0; k < qr_.size(); ++k) {
         if (y[at(k)] > T(0)) continue;
         const T until_zero = mu_[at(k)] > T(0) ? mu_[at(k)] / (mu_[at(k)] - y[at(k)]) : T(0);
-        if (blocking < 0 || until_zero < step) {
+        if (blocking == qr_.size() || until_zero < step) {
           step = until_zero;
           blocking = k;
         }

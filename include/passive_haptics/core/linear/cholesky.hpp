@@ -42,7 +42,7 @@ class cholesky {
     matrix<T, N, C> X = lower_solve(B);
     for (int c = 0; c < C; ++c) {
       for (int i = 0; i < N; ++i) X(i, c) = over_pivot(X(i, c), i);
-      for (int i = N - 1; i >= 0; --i) {
+      for (int i = N; i-- > 0;) {
         for (int k = i + 1; k < N; ++k) X(i, c) -= l_(k, i) * X(k, c);
       }
     }
