@@ -317,8 +317,8 @@ TEST(single_degree_of_freedom, of_four_brakes_locks_for_the_flattest_path_in_any
 // ---- velocity ratio control
 
 using ratio = on_table<ph::velocity_ratio_control>;
-constexpr ph::velocity_ratio_parameters ratios{
-    .reference_depth = 1e-3, .approach_length = 10e-3, .steepest_slope = 0.2, .gain = 1};
+const ph::velocity_ratio_parameters ratios{
+    .reference_depth = 1e-3, .approach_length = 10e-3, .steepest_slope = 0.2};
 
 TEST(velocity_ratio, brakes_who_is_too_fast_in_proportion) {
   const auto torque = [](const V2& v, double depth) {

@@ -171,6 +171,10 @@ TEST(sensorless_controller, probes_no_brake_that_slips) {
   slide();
   control.reset();
   slide();
+  control(state{time, inside, {0, 0}});
+  control.reset();
+  time = 0;  // before it was at rest
+  slide();
 }
 
 TEST(sensorless_controller, takes_any_state_and_reads_no_force) {

@@ -154,4 +154,10 @@ TYPED_TEST(the_nearest_force, is_displayed_up_to_the_largest_angle) {
   EXPECT_GT(approximate, 100);
 }
 
+TEST(step_options, cut_forces_off_beyond_an_angle_of_89_degrees_unless_told_another) {
+  EXPECT_NEAR(ph::step_options<double>().min_cosine, std::cos(ph::radians(89.0)), 1e-16);
+  const ph::approximation_parameters<double> narrow{ph::radians(60.0)};
+  EXPECT_NEAR(ph::step_options<double>(narrow).min_cosine, 0.5, 1e-15);
+}
+
 }  // namespace

@@ -247,7 +247,7 @@ TEST(velocity_direct_control, rests_deeper_where_it_sees_coarsely) {
 
 // A jump is forgotten in jump_time, and a pause of more than that forgets no more than all.
 TEST(velocity_direct_control, forgets_how_coarsely_it_saw) {
-  constexpr double depth = 0.004, v = -0.05, dt = 1e-3, jump = 0.5e-3;
+  constexpr double depth = 0.004, v = -0.05, dt = 1e-3, jump = 0.5e-3, forgotten_in = 2;
   held_slide slide;
   slide.p.depth_per_jump = constants().depth_per_jump;
   slide.p.integral_time = 1e9;  // nothing is learned
@@ -257,10 +257,10 @@ TEST(velocity_direct_control, forgets_how_coarsely_it_saw) {
   };
   slide.cycle(depth - jump + 2 * v * dt, v);
   EXPECT_NEAR(rest(), slide.p.depth_per_jump * jump, 1e-9);
-  EXPECT_NEAR(rest(), slide.p.depth_per_jump * jump * (1 - dt / law::jump_time), 1e-9);
+  EXPECT_NEAR(rest(), slide.p.depth_per_jump * jump * (1 - dt / forgotten_in), 1e-9);
   slide.time += 0.5;
   EXPECT_NEAR(rest(),
-              slide.p.depth_per_jump * jump * (1 - dt / law::jump_time) * (1 - (0.5 + dt) / law::jump_time),
+              slide.p.depth_per_jump * jump * (1 - dt / forgotten_in) * (1 - (0.5 + dt) / forgotten_in),
               1e-9);
   for (int k = 0; k < 3; ++k) {
     slide.time += 5;
