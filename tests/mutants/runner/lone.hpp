@@ -54,7 +54,7 @@ class lone_judge {
       if (run({"c++", object, "-o", program, "-lgtest_main", "-lgtest", "-lpthread"}, room / "log").how !=
           ending::passed)
         continue;  // a test of more than one file
-      v.given.how = run({program, "--gtest_fail_fast"}, room / "log", {}, {300, 1200}).how;
+      v.given.how = run_apart({program, "--gtest_fail_fast"}, room / "log", {}, {300, 1200}).how;
       if (v.given.how != ending::passed) return v;
     }
     for (const fs::path& wrong_use : wrong_uses_of(s)) {

@@ -76,10 +76,35 @@ inline ended run(const std::vector<std::string>& command, const std::filesystem:
   ::kill(-child, SIGKILL);  // those that it left behind
   const double cpu = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
                      1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
-  if (WIFEXITED(status)) return {WEXITSTATUS(status) == 0 ? ending::passed : ending::failed, cpu};
-  const int signal = WTERMSIG(status);
-  const bool late = signal == SIGXCPU || signal == SIGALRM || (signal == SIGKILL && cpu >= limit.cpu);
-  return {late ? ending::late : ending::crashed, cpu};
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {ending::passed, cpu};
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status) - 128;  // as shells say it
+  if (signal == SIGXCPU || signal == SIGALRM || (signal == SIGKILL && cpu >= limit.cpu))
+    return {ending::late, cpu};
+  return {signal > 0 ? ending::crashed : ending::failed, cpu};
+}
+
+// What goes before a command so that it sees no other processes: a mutant may kill all that it sees. Nothing
+// where the kernel does not let us.
+inline const std::vector<std::string>& apart() {
+  static const std::vector<std::string> prefix = [] {
+    const std::vector<std::string> own = {"unshare", "--pid", "--fork", "--kill-child"};
+    std::vector<std::string> as_user = own;
+    as_user.insert(as_user.begin() + 1, {"--user", "--map-current-user"});
+    for (const auto& one : {own, as_user}) {
+      std::vector<std::string> probe = one;
+      probe.push_back("true");
+      if (run(probe, "/dev/null").how == ending::passed) return one;
+    }
+    return std::vector<std::string>();
+  }();
+  return prefix;
+}
+
+// Runs a test, which may be of a mutant.
+inline ended run_apart(std::vector<std::string> command, const std::filesystem::path& output,
+                       const environment& variables = {}, deadline limit = {3600, 7200}) {
+  command.insert(command.begin(), apart().begin(), apart().end());
+  return run(command, output, variables, limit);
 }
 
 // f(i, worker) for all i below count.

@@ -70,9 +70,9 @@ inline std::vector<test_case> measured_tests(const std::vector<fs::path>& progra
   in_parallel(all.size(), jobs, [&](std::size_t i, unsigned worker) {
     const fs::path marks = work / ("marks." + std::to_string(worker));
     std::ofstream(marks) << std::string(passive_haptics_mutants::capacity, '\0');
-    const ended e = run({all[i].program, "--gtest_filter=" + all[i].name},
-                        work / ("measure." + std::to_string(worker) + ".log"),
-                        {{"PASSIVE_HAPTICS_MUTANTS_REACHED", marks.string()}});
+    const ended e = run_apart({all[i].program, "--gtest_filter=" + all[i].name},
+                              work / ("measure." + std::to_string(worker) + ".log"),
+                              {{"PASSIVE_HAPTICS_MUTANTS_REACHED", marks.string()}});
     all[i].cpu = e.cpu;
     all[i].reached = read_text(marks);
     passed[i] = e.how == ending::passed;
@@ -107,8 +107,8 @@ inline verdict judged(int mutant, const std::vector<test_case>& tests, const fs:
     write_text(flags, "--gtest_filter=" + chosen.filter + '\n');
     ending how = ending::failed;
     for (int tries = detail::measures_time(program) ? 3 : 1; tries > 0 && how != ending::passed; --tries)
-      how = run({program, "--gtest_flagfile=" + flags.string(), "--gtest_fail_fast"}, log,
-                {{"PASSIVE_HAPTICS_MUTANT", std::to_string(mutant)}}, detail::deadline_of(chosen.cpu))
+      how = run_apart({program, "--gtest_flagfile=" + flags.string(), "--gtest_fail_fast"}, log,
+                      {{"PASSIVE_HAPTICS_MUTANT", std::to_string(mutant)}}, detail::deadline_of(chosen.cpu))
                 .how;
     if (how != ending::passed) return {true, how, fs::path(program).filename()};
   }

@@ -102,8 +102,7 @@ auto unscaled(const Now& now, displayable_forces<M, Box, desired_forces<T, D, N>
   constexpr T infinity = std::numeric_limits<T>::infinity();
   Fc.box = torques_within(now.s, brake_vector<M>(brake_vector<M>::Constant(infinity)));
   approximated_force<T, D, M::brake_count> F = contact_scales<T, N>() * Fc;
-  const T size = F.force.norm(), largest = Fc.Fd[Fc.Fd.governing].magnitude;
-  const T tolerance = rounding_tolerance<T>(M::brake_count + N) * std::max(size, largest);
+  const T size = F.force.norm(), tolerance = rounding_tolerance<T>(M::brake_count + N) * size;
   bool met = true;
   for (int j = 0; j < Fc.Fd.size(); ++j) {
     const T wanted = asks(Fc.Fd[j]) ? Fc.Fd[j].magnitude : T(0);

@@ -133,7 +133,6 @@ class mesh {
 
     void find_edges() {
       const auto ridges = detail::sorted_ridges<D>(vertices, vertex_normals.size());
-      edge_normals.reserve(ridges.size() / 2);
       for (auto r = ridges.data(), end = r + ridges.size(); r != end;) {
         const auto first = r;
         point<D> sum = point<D>::Zero();
