@@ -9,6 +9,7 @@
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <atomic>
@@ -64,6 +65,22 @@ TEST(a_child_process, that_does_not_become_ready_is_ended) {
   EXPECT_EQ(child.start(never, until_parent_is_gone, 0.1),
             "the process was not ready in time: was it stopped?");
   EXPECT_LE(child.pid(), 0);
+}
+
+TEST(a_child_process, that_gets_no_pipe_leaves_no_file_open) {
+  const int next = dup(STDIN_FILENO);
+  close(next);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit room_for_one_pipe{static_cast<rlim_t>(next) + 3, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &room_for_one_pipe), 0);
+  ph::child_process child;
+  const std::string error = child.start(ready, for_ever);
+  setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_EQ(error, "pipe2: Too many open files");
+  const int again = dup(STDIN_FILENO);
+  EXPECT_EQ(again, next);
+  close(again);
 }
 
 TEST(a_child_process, that_another_one_waited_for_is_not_waited_for) {

@@ -18,12 +18,15 @@ options options_of(int argc, char** argv) {
       o.again = true;
       continue;
     }
-    if (name == "--seed") o.seed = std::stoull(value);
+    if (name == "--of") o.of = value;
+    else if (name == "--seed") o.seed = std::stoull(value);
     else if (name == "--count") o.count = std::stoul(value);
     else if (name == "--jobs") o.jobs = static_cast<unsigned>(std::stoul(value));
     else {
-      std::cerr << "usage: mutants [--seed S] [--count N] [--jobs J] [--again], in the repository\n"
-                   "--again: what was killed before need not be killed again\n";
+      std::cerr
+          << "usage: mutants [--of REGEX] [--seed S] [--count N] [--jobs J] [--again], in the repository\n"
+             "--of: those alone whose 'file | operator' it finds, as 'force/' or 'scene/.*clamp'\n"
+             "--again: what was killed before need not be killed again\n";
       std::exit(name == "--help" ? 0 : 2);
     }
     ++i;
@@ -43,7 +46,8 @@ int main(int argc, char** argv) {
     std::cerr << "error: tests/mutants/equivalent.txt argues about what is no longer there: " << key << '\n';
     return 2;
   }
-  std::cout << "seed " << o.seed << ", " << o.count << " of " << all.size() << " mutants\n" << std::flush;
-  campaign one(o, headers, drawn(all, o.seed, o.count * 3 / 2));  // some will not compile
+  const std::vector<mutant> some = those_of(all, o.of);
+  std::cout << "seed " << o.seed << ", " << o.count << " of " << some.size() << " mutants\n" << std::flush;
+  campaign one(o, headers, drawn(some, o.seed, o.count * 3 / 2));  // some will not compile
   return print_table(std::cout, one.judge(), argued) ? 0 : 1;
 }

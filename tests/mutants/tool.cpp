@@ -165,6 +165,13 @@ TEST(draw, changes_by_what_is_changed_alone) {
             38);
 }
 
+TEST(draw, is_of_files_and_operators_that_are_asked_for) {
+  const auto all = mutants_of(comparing(3));
+  EXPECT_EQ(those_of(all, "").size(), all.size());
+  EXPECT_EQ(those_of(all, "^brake/sample.hpp [|] comparison$").size(), 3u);
+  EXPECT_TRUE(those_of(all, "^force/").empty());
+}
+
 TEST(failures, are_found_by_object) {
   const auto found = failures_in(
       "[1/3] Building a.o\nFAILED: a.o \nc++ -o a.o\na.cpp:1: error: x\n[2/3] Building b.o\nb.cpp:2: note: "

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <random>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +23,15 @@ inline std::string stage_of(const std::string& file) {
 // file | original line | mutated line
 inline std::string key_of(const mutant& m) {
   return m.file + " | " + m.original_line + " | " + m.mutated_line;
+}
+
+// Those in whose "file | operator" the regular expression finds something.
+inline std::vector<mutant> those_of(const std::vector<mutant>& all, const std::string& expression) {
+  const std::regex wanted(expression);
+  std::vector<mutant> some;
+  std::ranges::copy_if(all, std::back_inserter(some),
+                       [&](const mutant& m) { return std::regex_search(m.file + " | " + m.name, wanted); });
+  return some;
 }
 
 // Of the seed and the mutant alone, so that a change of the code draws no others than those it makes.

@@ -25,6 +25,7 @@ namespace mutants {
 struct options {
   std::uint64_t seed = 20040627;
   std::size_t count = 400;
+  std::string of = {};
   unsigned jobs = 2;
   bool again = false;  // what was killed before need not be killed again
   fs::path repository = fs::current_path(), work = fs::current_path() / "build/mutants";

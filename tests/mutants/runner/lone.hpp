@@ -42,8 +42,8 @@ class lone_judge {
     const fs::path room = work_ / "alone" / std::to_string(number);
     fs::remove_all(room);
     write_text(room / "passive_haptics" / m.file, mutated_text(s, m));
-    std::vector<unit> chosen = units_for(light_, 8, m.file, reached);
-    for (unit& u : units_for(heavy_, 3, m.file, reached)) chosen.push_back(std::move(u));
+    std::vector<unit> chosen = units_for(light_, 12, m.file, reached);
+    for (unit& u : units_for(heavy_, 8, m.file, reached)) chosen.push_back(std::move(u));
     lone_verdict v{true, {}};
     for (const unit& u : chosen) {
       v.given.reached = true;
@@ -74,15 +74,25 @@ class lone_judge {
 
   static bool is_static(const unit& u) { return u.source.parent_path().filename() == "static"; }
 
-  // Those that are known to reach it come first, then those that include it by name, then by how little.
+  // Whether a test lies in the folder of a header's stage or room: tests/unit/scene, tests/unit/mesh/full.
+  static bool is_beside(const unit& u, const std::string& header) {
+    fs::path folder = u.source.parent_path();
+    if (folder.filename() == "full") folder = folder.parent_path();
+    return ('/' + header).find('/' + folder.filename().string() + '/') != std::string::npos;
+  }
+
+  // Those that are known to reach it come first, then those that include it by name, then those beside it,
+  // then by how little they include.
   std::vector<unit> units_for(const std::vector<unit>& some, std::size_t most, const std::string& header,
                               const std::set<std::string>& reached) const {
-    std::vector<std::pair<std::tuple<bool, bool, std::size_t>, const unit*>> ordered;
+    std::vector<std::pair<std::tuple<bool, bool, bool, std::size_t>, const unit*>> ordered;
     for (const unit& u : some) {
       const auto found = headers_of_.find(u.object);
       if (found == headers_of_.end() || !found->second.contains(header)) continue;
       const bool by_name = read_text(u.source).find("<passive_haptics/" + header + ">") != std::string::npos;
-      ordered.push_back({{!reached.contains(u.object), !by_name && !is_static(u), found->second.size()}, &u});
+      ordered.push_back({{!reached.contains(u.object), !by_name && !is_static(u), !is_beside(u, header),
+                          found->second.size()},
+                         &u});
     }
     std::sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<unit> chosen;

@@ -101,6 +101,15 @@ TYPED_TEST(several_contacts, say_whether_each_gets_what_it_asks_for) {
   EXPECT_EQ(display({1, 1}), ph::display_class::none);
 }
 
+// The angle between the force that two walls get together and the wall that asks for most.
+TYPED_TEST(several_contacts, tell_the_angle_of_their_force_to_the_wall_that_asks_for_most) {
+  using T = TypeParam;
+  using M = ph::xy_table<T>;
+  const auto result = step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 0}, {-1, -1}),
+                                                       asking_for<2>({4, 0}), asking_for<2>({0, 3}));
+  EXPECT_NEAR(result.approximation_cosine, T(0.8), 4 * std::numeric_limits<T>::epsilon());
+}
+
 // A law that answers what it was made with.
 struct scale_of {
   double value = 0;

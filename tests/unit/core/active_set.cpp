@@ -249,4 +249,18 @@ TEST(updatable_qr, is_orthogonal_where_columns_nearly_agree) {
   }
 }
 
+TEST(updatable_qr, leaves_a_residual_that_is_orthogonal_to_rounding_of_its_own) {
+  using column = ph::detail::updatable_qr<double, 3, 2>::column;
+  ph::testing::random_source random(6);
+  for (int k = 0; k < 20; ++k) {
+    const vec a = random.direction<double, 3>(), b = random.direction<double, 3>();
+    const vec f = a + 0.3 * b + 1e-10 * random.direction<double, 3>();
+    ph::detail::updatable_qr<double, 3, 2> qr(column::load(f.data()));
+    for (const vec& c : {a, b}) ASSERT_TRUE(qr.append(column::load(c.data()), c.squaredNorm()));
+    vec r;
+    qr.clean_residual().store(r.data());
+    for (const vec& c : {a, b}) EXPECT_LE(std::abs(c.dot(r)), 16 * eps * r.norm()) << "seed 6, trial " << k;
+  }
+}
+
 }  // namespace

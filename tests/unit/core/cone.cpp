@@ -219,6 +219,19 @@ TEST(space_cone, is_of_lengths_whose_products_of_four_are_numbers) {
   for (const float square : {0.0f, 0.9e-8f, 1.1e8f}) EXPECT_FALSE(ph::detail::is_moderate(square)) << square;
 }
 
+// Of any length of f: on each face, at each edge and at the apex.
+TEST(space_cone, answers_in_closed_form) {
+  for (const double length : {0.25, 1.0, 4.0})
+    for (int set = 0; set < 8; ++set) {
+      const vec f = length * vec((set & 1) != 0 ? 1 : -1, (set & 2) != 0 ? 1 : -1, (set & 4) != 0 ? 1 : -1);
+      projection answer;
+      ASSERT_TRUE(ph::detail::space_cone<double>(octant, f).nearest(answer)) << length << ' ' << set;
+      EXPECT_EQ(answer.active, static_cast<ph::half_space_set>(set));
+      EXPECT_EQ(answer.point, f.cwiseMin(0));
+      EXPECT_EQ(answer.coefficients, f.cwiseMax(0));
+    }
+}
+
 TEST(space_cone_start, is_left_where_rounding_or_a_narrow_edge_would_decide) {
   const double clear = ph::rounding_tolerance<double>(3);
   projection answer;

@@ -85,6 +85,13 @@ TEST(force_map, inverts_two_by_two_to_the_last_digits_of_each_entry) {
   EXPECT_GT(det, 0);
 }
 
+TEST(force_map, inverts_two_by_two_that_is_nearly_singular) {
+  for (const double h : {0x1p-20, 0x1p-24}) {  // det E = -h
+    const auto map = ph::invert_brake_jacobian(ph::matrix<double, 2, 2>{{1, 1}, {1 + h, 1}});
+    EXPECT_EQ(map.G, (ph::matrix<double, 2, 2>{{-1, 1 + h}, {1, -1}} / h)) << h;
+  }
+}
+
 TEST(force_map, of_what_has_no_inverse_is_the_least_norm_and_the_rest) {
   const auto tall = ph::invert_brake_jacobian(ph::matrix<double, 2, 3>{{1, 0, 1}, {0, 1, 1}});
   EXPECT_TRUE((3 * tall.G).isApprox(ph::matrix<double, 2, 3>{{2, -1, 1}, {-1, 2, 1}}, 1e-14)) << tall.G;

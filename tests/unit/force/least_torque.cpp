@@ -102,6 +102,13 @@ TEST(nearest_torque, stays_within_limits_and_gets_as_near_as_they_allow) {
   for (const pair& s : {moving, resting}) EXPECT_EQ(force(s, {0, inf}, {3, 7}), pair(0, 7)) << "one is dead";
 }
 
+TEST(nearest_torque, within_limits_is_shared_by_brakes_that_push_one_way) {
+  const ph::torque_box<double, 2> box{{-1, -1}, {1, 1}};
+  const auto made = ph::nearest_torque<double, 2, 2>(ph::matrix<double, 2, 2>{{1, 2}, {0, 0}}, box, {2, 1});
+  EXPECT_TRUE(made.torque.isApprox(ph::vector<double, 2>(0.4, 0.8), 1e-14)) << made.torque.transpose();
+  EXPECT_TRUE(made.force.isApprox(ph::vector<double, 2>(2, 0), 1e-14));
+}
+
 TEST(nearest_torque, of_a_box_without_limits_has_its_signs) {
   const ph::matrix<double, 2, 3> G{{1, 0, 2}, {0, 3, 0}};
   using three = ph::vector<double, 3>;

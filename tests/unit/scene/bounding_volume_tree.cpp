@@ -73,6 +73,7 @@ TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
   ph::testing::random_source random(seed);
   const auto boxes = random_boxes<D>(1000, random);
   const ph::bounding_volume_tree<D> all(boxes);
+  int all_looks = 0;
   for (int k = 0; k < 100; ++k) {
     const ph::point<D> x = 3 * random.normal_vector<double, D>();
     double limit = everything;
@@ -91,7 +92,9 @@ TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
     for (const auto& b : boxes) nearest = std::min(nearest, squared_distance<D>(b, x));
     EXPECT_EQ(limit, nearest) << "seed " << seed << ", point " << k;
     EXPECT_LE(looks, 120) << "most nodes are not looked at";
+    all_looks += looks;
   }
+  EXPECT_LE(all_looks, 1000) << "nearer branches come first";
 }
 
 // Wherever it has got to, a copy goes on to the same items.

@@ -52,6 +52,14 @@ TEST(a_list_of_neighbours, is_idle_until_the_nearest_may_be_reached) {
   EXPECT_EQ(line.seen, std::vector<double>{2});
 }
 
+TEST(a_list_of_neighbours, begins_where_it_is_collected) {
+  std::vector<double> places;
+  for (int i = 0; i < 100; ++i) places.push_back(-1 - 0.01 * i);
+  points_on_a_line line(places);
+  for (int k = 0; k < 2; ++k) line.go(5);
+  EXPECT_TRUE(line.near.idle({5, 3}));
+}
+
 // A thousand cycles for each metre, away from more points than it holds.
 TEST(a_list_of_neighbours, is_collected_anew_in_a_few_cycles) {
   std::vector<double> places;

@@ -119,14 +119,12 @@ struct eddy_current_torque {
 inline eddy_current_torque fit_eddy_current_torque(std::span<const rate_and_torque> means) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const double fast = detail::fastest(means);
-  double most = 0;
-  for (const auto& m : means) most = std::max(most, std::abs(m.torque));
   // In 1 / critical_rate^2, in which the formula is almost linear, also at 0
   curve_fit<3> fit;
   fit.deviation = infinite;
   for (const double share : {0.3, 1.0, 3.0, 10.0}) {
     const double bend = share / fast;
-    const auto found = detail::fit_against_rate<3>(means, {0, 2 * most * bend, bend * bend},
+    const auto found = detail::fit_against_rate<3>(means, bend * bend * vector<double, 3>::UnitZ(),
                                                    []<class S>(double w, const vector<S, 3>& p) -> S {
                                                      const S weakened = S(1) + p[2] * w * w;
                                                      if (!(weakened > S(0)))

@@ -46,7 +46,7 @@ nearest_torque_result<T, D, Brakes> nearest_in_box(const matrix<T, D, Brakes>& G
   A.template topRows<D>() = G;
   b.template head<D>() = Fd;
   t.minimise(A, b);
-  if constexpr (Brakes > D) t.minimise(solver::rows::Identity(), solver::targets::Zero());
+  t.minimise(solver::rows::Identity(), solver::targets::Zero());
   return {t.solution(), G * t.solution()};
 }
 
@@ -116,7 +116,7 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
       vector<T, Brakes> s;
       matrix<T, D, Brakes> usable = G;
       for (int i = 0; i < Brakes; ++i) {
-        s[i] = T(box.lower[i] < T(0)) - T(box.upper[i] > T(0));
+        s[i] = T(box.lower[i] != T(0)) - T(box.upper[i] != T(0));
         if (box.lower[i] == box.upper[i]) usable.col(i).setZero();
       }
       return detail::nearest_of_generators(usable, s, Fd);

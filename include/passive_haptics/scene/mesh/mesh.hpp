@@ -96,7 +96,7 @@ class mesh {
     bounding_volume_tree<D> tree;
     bounding_box<D> bounds;
     std::string hole;
-    double content = 0;
+    double content;
 
     explicit data(const mesh_parameters<D>& p) : vertices(p.facets), edges(p.facets.size()) {
       const std::vector<int> first = detail::welded<D>(p.vertices);
