@@ -57,6 +57,20 @@ TEST(displayable, is_nothing_out_of_a_wall_and_without_bound_where_no_limit_is_g
   EXPECT_EQ(released.strongest, 0);
 }
 
+// One brake moves the handle along its column of E: the other rests, to rounding.
+TEST(displayable, knows_which_brake_rests) {
+  const tendon arm;
+  ph::testing::random_source random(11);
+  for (int k = 0; k < 500; ++k) {
+    const ph::vector<double, 2> q(random.uniform(-3.0, 3.0), random.uniform(0.3, 2.8));
+    const auto E = ph::brake_jacobian(arm, q);
+    for (int i = 0; i < 2; ++i) {
+      const auto found = ph::displayable(arm, q, -E.col(i), E.col(i));
+      EXPECT_EQ(found.signs, (-ph::vector<double, 2>::Unit(i))) << "seed 11, pose " << k;
+    }
+  }
+}
+
 // Two links stretched along x: what pulls along them is held by the links, and q1 + q2 / 2 alone moves the
 // handle.
 TEST(displayable, knows_singular_poses) {

@@ -214,6 +214,7 @@ TEST(wall_friction, is_mu_times_the_load_against_the_motion_along_the_wall) {
 
 TEST(wall_friction, takes_the_load_that_the_hand_presses) {
   EXPECT_EQ((ph::pressing_force(ph::vector<double, 2>(0, 1), {3, -2})), 2);
+  EXPECT_EQ((ph::pressing_force(ph::vector<double, 2>(0, 1), {3, -0.5})), 0.5);
   EXPECT_EQ((ph::pressing_force(ph::vector<double, 2>(0, 1), {3, 2})), 0);
 }
 
@@ -259,6 +260,14 @@ TEST(viscous_field, is_minus_B_v) {
   p.viscosity << 4, 0, 0, 1;
   const ph::viscous_field<double, 2> field(p);
   EXPECT_EQ(field.force({9, 9}, {0.5, 2}), (ph::vector<double, 2>(-2, -2)));
+}
+
+TEST(viscous_field, of_any_strength_drives_no_motion) {
+  for (const double size : {1e-9, 1.0, 1e9}) {
+    using field = ph::viscous_field_parameters<double, 2>;
+    EXPECT_EQ(validate(field{.viscosity = size * ph::matrix<double, 2, 2>{{1, 2}, {-2, 0}}}), "");
+    EXPECT_NE(validate(field{.viscosity = size * ph::matrix<double, 2, 2>{{1, 2}, {2, 0}}}), "") << size;
+  }
 }
 
 TEST(viscous_field, may_be_free_along_a_direction) {

@@ -40,13 +40,13 @@ struct displayable_force {
 
 namespace detail {
 
-// s of rates w = A v. A rate of the size that rounding of E makes it is none: E w = v.
+// s of rates w = A v. A rate of the size that rounding of A and E makes it is none: E w = v.
 template <class T, int Brakes, int D>
 vector<T, Brakes> signs_in_motion(const matrix<T, Brakes, D>& A, const matrix<T, D, Brakes>& E,
                                   const vector<T, D>& v) {
   const vector<T, Brakes> w = A * v;
-  const vector<T, D> terms = v.cwiseAbs() + E.cwiseAbs() * w.cwiseAbs();
-  const vector<T, Brakes> rounding = rounding_tolerance<T>(D + Brakes) * A.cwiseAbs() * terms;
+  const T terms = v.norm() + (E.cwiseAbs() * w.cwiseAbs()).norm();
+  const vector<T, Brakes> rounding = rounding_tolerance<T>(D + Brakes) * terms * A.rowwise().norm();
   return (w.array().abs() > rounding.array()).select(w.array().sign(), T(0));
 }
 
