@@ -70,7 +70,7 @@ need() {
   if [[ $(id -u) != 0 ]]; then sudo="sudo -n"; fi
   if command -v apt-get >/dev/null && { [[ ! $sudo ]] || sudo -n true 2>/dev/null; }; then
     say "installing$missing ($why)"
-    if $sudo apt-get update -qq &&
+    if { [[ ${lists_are_new:-} ]] || $sudo apt-get update -qq; } && lists_are_new=yes &&
       $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing |
       sed -nu 's/^\(Get:\|Setting up\)/   &/p'; then
       return 0

@@ -75,6 +75,16 @@ TEST(a_step_response, may_be_quicker_than_the_samples) {
   }
 }
 
+// More than it will be in the end, at once: the area between the end and the way there is negative.
+TEST(a_step_response, may_overshoot) {
+  auto all = exact_step{.time_constant = 0.0005, .dead_time = 0.0015}.samples();
+  for (std::size_t k = 103; k < all.size(); ++k)
+    all[k].torque += 0.1 * std::exp(-(all[k].time - 0.103) / 0.1);
+  const auto found = ph::fit_step_response(all);
+  EXPECT_NEAR(found.change.value, 0.8, 0.1);
+  EXPECT_LT(found.time_constant.value + found.dead_time.value, 0.005);
+}
+
 TEST(a_step_response, is_told_from_noise_by_five_standard_errors_of_the_last_fifth) {
   // 80 samples, 0.005 N m to either side
   const double least = 5 * 0.005 / std::sqrt(80);

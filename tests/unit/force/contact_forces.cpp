@@ -92,6 +92,12 @@ TEST(force_map, inverts_two_by_two_that_is_nearly_singular) {
   }
 }
 
+TEST(force_map, of_what_has_an_inverse_leaves_no_torque_over) {
+  const auto map =
+      ph::invert_brake_jacobian(ph::matrix<double, 3, 3>{{2, 1, 0.3}, {-1, 3, 0.7}, {0.1, 0.2, 1}});
+  EXPECT_TRUE(map.P.isZero(0)) << map.P;
+}
+
 TEST(force_map, of_what_has_no_inverse_is_the_least_norm_and_the_rest) {
   const auto tall = ph::invert_brake_jacobian(ph::matrix<double, 2, 3>{{1, 0, 1}, {0, 1, 1}});
   EXPECT_TRUE((3 * tall.G).isApprox(ph::matrix<double, 2, 3>{{2, -1, 1}, {-1, 2, 1}}, 1e-14)) << tall.G;
