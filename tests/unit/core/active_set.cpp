@@ -137,6 +137,20 @@ TEST(active_set, lets_go_what_holds_with_nothing) {
   }
 }
 
+// What is left of it is rounding, which violates nothing.
+TEST(active_set, of_a_force_along_one_half_space_is_held_by_it_alone) {
+  ph::testing::random_source random(12);
+  for (int k = 0; k < 200; ++k) {
+    half_spaces B;
+    for (int j = 0; j < 3; ++j) B.col(j) = random.direction<double, 3>();
+    const vec f = 1.3 * B.col(0);
+    ph::half_space_start start;
+    const auto held = ph::detail::active_set<double, 3, 3>(B, f).nearest(start);
+    EXPECT_EQ(held.active, 1u) << "seed 12, trial " << k;
+    EXPECT_LE(held.point.norm(), 4 * eps * f.norm()) << "seed 12, trial " << k;
+  }
+}
+
 TEST(active_set, takes_a_violation_of_up_to_one_rounding_for_none) {
   for (const double roundings : {0.25, 0.8, 1.5}) {
     for (const ph::half_space_set active : {0u, 1u, 4u}) {

@@ -279,6 +279,34 @@ TYPED_TEST(world, is_of_any_shape_with_bounds_or_without) {
   for (const int n : touched) EXPECT_GT(n, 10);
 }
 
+// A wall that tells where it was told that the handle was.
+struct following_wall {
+  static constexpr int dimension = 2;
+  struct tracker {};
+  inline static ph::point<2> told = ph::point<2>::Zero();
+  ph::bounding_box<2> bounds() const { return ph::box_about<2>({0, 0}, 1); }
+  template <class Add>
+  double follow(const ph::point<2>& from, const ph::point<2>&, tracker&, Add&&) const {
+    told = from;
+    return 0;
+  }
+};
+
+TEST(a_world, that_forgets_the_handle_follows_it_from_nowhere) {
+  ph::world_walls<2> walls;
+  walls.add(ph::wall(following_wall{}));
+  ph::world<2> w(walls);
+  const auto told_at = [&](double x) {
+    ph::sense(w, {x, 0});
+    return following_wall::told;
+  };
+  EXPECT_TRUE(told_at(0.1).hasNaN());
+  EXPECT_EQ(told_at(0.2), ph::point<2>(0.1, 0));
+  w.reset();
+  EXPECT_TRUE(told_at(0.3).hasNaN());
+  EXPECT_EQ(told_at(0.4), ph::point<2>(0.3, 0));
+}
+
 TYPED_TEST(world, has_walls_that_move) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(seed);

@@ -67,7 +67,7 @@ inline estimate torque_near(std::span<const branch_sample> all, bool falling, do
   if (near.size() < 8)
     require_no_error(error_text(indexed("samples near ", current, " A"), near.size(),
                                 "at least 8: ramp more slowly, and up to the same current and down to 0"));
-  const auto parabola = fit_curve<3>(near, vector<double, 3>(vector<double, 3>::Zero()),
+  const auto parabola = fit_curve<3>(near, vector<double, 3>::Zero(),
                                      [&]<class S>(const branch_sample& s, const vector<S, 3>& p) -> S {
                                        const double x = (s.current - current) / width;
                                        return p[0] + x * (p[1] + x * p[2]) - s.torque;
@@ -149,7 +149,7 @@ inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, cons
   current_ramp found;
   found.greatest_current = samples[at.top].current;
   found.residual_torque = fit_curve<1>(
-      samples.first(at.start + 1), vector<double, 1>(vector<double, 1>::Zero()),
+      samples.first(at.start + 1), vector<double, 1>::Zero(),
       []<class S>(const bench_sample& s, const vector<S, 1>& p) -> S { return p[0] - s.torque; })[0];
   found.samples = detail::branches_of_ramp(samples, at, delay);
 
