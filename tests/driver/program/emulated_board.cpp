@@ -98,12 +98,16 @@ class line_through_the_test {
       return bytes(buffer.begin(), buffer.begin() + std::max<ssize_t>(n, 0));
     };
     serial::decoder from_board, from_brakes;
+    bytes down;
     while (!ended_) {
       usleep(300);
       const std::size_t n = host_.read(buffer);
-      const bytes down = disturbed(bytes(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(n)));
-      // What the board does not take in time is lost, as on any line: nothing old may wait here
-      if (send(line_, down.data(), down.size(), MSG_NOSIGNAL | MSG_DONTWAIT) < 0 && errno != EAGAIN) return;
+      // What the board does not take in time is lost, as on any line, but for the last: no currents wait, a
+      // release does
+      if (n > 0) down = disturbed(bytes(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(n)));
+      const ssize_t taken = send(line_, down.data(), down.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (taken < 0 && errno != EAGAIN) return;
+      down.erase(down.begin(), down.begin() + std::max<ssize_t>(taken, 0));
       const bytes up = received(line_);
       if (!up.empty()) host_.write(disturbed(up));
       const std::lock_guard hold(guard_);
