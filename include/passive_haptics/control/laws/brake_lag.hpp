@@ -29,20 +29,11 @@ class brake_lag_model {
     });
   }
 
-  /// The capacity [N m] to command now, so that the brake has `wanted` >= 0 a horizon [s] later:
-  /// u = tau + (wanted - tau) / (1 - exp(-horizon / T_b)), within [0, limit]; `wanted` itself without a lag.
+  /// The capacity [N m] to command now, so that the brake has `wanted` >= 0 a horizon [s] later, by when it
+  /// covers share = lag_share(horizon, T_b) of its way: u = tau + (wanted - tau) / share, within [0, limit].
   /// It is taken for commanded from now on.
   template <class T>
-  T command(int brake, T wanted, T time_constant, T limit, double horizon) {
-    const double lag = static_cast<double>(time_constant);
-    const double share = lag > 0 && horizon > 0 ? lag_share(horizon, lag) : 1.0;
-    return command_by_share(brake, wanted, static_cast<T>(share), limit);
-  }
-
-  /// The same, of brakes that cover `share` of the way in the horizon: lag_share(horizon, T_b), 1 without a
-  /// lag.
-  template <class T>
-  T command_by_share(int brake, T wanted, T share, T limit) {
+  T command(int brake, T wanted, T limit, T share = T(1)) {
     const auto k = static_cast<std::size_t>(brake);
     double u = static_cast<double>(wanted);
     if (share < T(1)) u = torque_[k] + (u - torque_[k]) / static_cast<double>(share);

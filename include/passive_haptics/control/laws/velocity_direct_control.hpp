@@ -109,8 +109,7 @@ class velocity_direct_control {
     for (int j = 0; j < touched.size(); ++j) learn(walls[std::size_t(j)], brakes, t, dt);
 
     unrolled<m>([&](auto i) {
-      const T u =
-          remembered.brakes.command_by_share(i, t[i], brakes.share[i], torque_limit_of<T>(now.brakes, i));
+      const T u = remembered.brakes.command(i, t[i], torque_limit_of<T>(now.brakes, i), brakes.share[i]);
       t[i] = now.s[i] > T(0) ? -u : u;
     });
     return t;

@@ -70,17 +70,16 @@ brake_reach<typename M::scalar, M::brake_count> reach_of_brakes(
   constexpr T most_held(2);  // of what holds a brake at rest, by a sensor and inertia that are off
   brake_reach<T, m> reach;
   brake_vector<M> strength, made;
-  bool any_at_rest = false;
   unrolled<m>([&](auto i) {
     const T band = rate_dead_band_of<T>(now.brakes, i);
     reach.at_rest[i] = !slips(device.rates[i], band);
-    any_at_rest = any_at_rest || reach.at_rest[i] || !slips(w[i], band);
+    reach.any_at_rest = reach.any_at_rest || reach.at_rest[i] || !slips(w[i], band);
     strength[i] = static_cast<T>(model.torque(i));
     made[i] = reach.at_rest[i] ? T(0) : -std::copysign(strength[i], device.rates[i]);
   });
   brake_vector<M> holding = brake_vector<M>::Zero();
-  if (any_at_rest) holding = holding_torques(device, now.hand_force, reach.at_rest, made, strength, reach.A);
-  reach.any_at_rest = any_at_rest;
+  if (reach.any_at_rest)
+    holding = holding_torques(device, now.hand_force, reach.at_rest, made, strength, reach.A);
   unrolled<m>([&](auto i) {
     const T band = rate_dead_band_of<T>(now.brakes, i);
     const bool turns = g == nullptr && !reach.at_rest[i];
@@ -92,7 +91,7 @@ brake_reach<typename M::scalar, M::brake_count> reach_of_brakes(
       reach.lasts[i] = false;
     }
     const T lag = now.brakes.time_constant[i];
-    reach.share[i] = lag > T(0) && horizon > 0 ? lag_share(static_cast<T>(horizon), lag) : T(1);
+    reach.share[i] = horizon > 0 ? lag_share(static_cast<T>(horizon), lag) : T(1);
     reach.least[i] = strength[i] * (T(1) - reach.share[i]);
     reach.most[i] = torque_limit_of<T>(now.brakes, i);
     if (reach.at_rest[i])

@@ -157,7 +157,7 @@ class momentum_observer {
     brake_vector<M> u, mean, before;
     unrolled<m>([&](auto i) {
       const scalar told = std::isfinite(capacity[i]) ? capacity[i] : brakes_.torque_limit[i];
-      u[i] = lag_.command(i, told, brakes_.time_constant[i], brakes_.torque_limit[i], 0.0);
+      u[i] = lag_.command(i, told, brakes_.torque_limit[i]);
       before[i] = static_cast<scalar>(lag_.torque(i));
     });
     const double h = time - before_.time;

@@ -121,7 +121,7 @@ class sensorless_controller {
     unrolled<M::brake_count>([&](auto i) {
       const scalar lag = brakes().time_constant[i], limit = brakes().torque_limit[i], u = result.capacity[i];
       const double missing = of_the_law_.torque(i) - of_the_device_.torque(i);
-      of_the_law_.command(i, u, lag, limit, 0.0);
+      of_the_law_.command(i, u, limit);
       if (!(u > scalar(0) && lag > scalar(0) && missing > negligible * static_cast<double>(limit))) return;
       const double more = missing * (1 / lag_share(make_up_time, static_cast<double>(lag)) - 1);
       result.capacity[i] = std::min(limit, u + static_cast<scalar>(more));
@@ -131,9 +131,7 @@ class sensorless_controller {
 
   void tell(const brake_vector<M>& capacity) {
     told_ = capacity;
-    unrolled<M::brake_count>([&](auto i) {
-      of_the_device_.command(i, told_[i], brakes().time_constant[i], brakes().torque_limit[i], 0.0);
-    });
+    unrolled<M::brake_count>([&](auto i) { of_the_device_.command(i, told_[i], brakes().torque_limit[i]); });
   }
 
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {

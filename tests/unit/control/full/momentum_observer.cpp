@@ -59,6 +59,18 @@ TEST(momentum_observer, knows_what_slipping_brakes_make_and_what_stuck_ones_migh
   EXPECT_NEAR(hand.half_width(Eigen::Vector2d(1, 1).normalized()), std::sqrt(2.0), 1e-9);
 }
 
+// What brakes were told before the first state may be there.
+TEST(momentum_observer, knows_of_no_brake_what_it_makes_at_first) {
+  ph::brakes_of<table> brakes;
+  brakes.torque_limit.setConstant(10);
+  brakes.time_constant.setZero();
+  for (const double time : {0.0, 5.0}) {
+    ph::momentum_observer<table> observer{table(), brakes};
+    EXPECT_EQ(observer.update(sensorless<table>{time, {0, 0}, {3, 0}}, {4, 2}).unknown_torque,
+              Eigen::Vector2d(4, 2));
+  }
+}
+
 TEST(momentum_observer, takes_a_brake_that_turned_round_for_unknown) {
   ph::brakes_of<table> brakes;
   brakes.torque_limit.setConstant(10);
@@ -108,8 +120,10 @@ TEST(momentum_observer, starts_anew_after_faults_and_pauses) {
   EXPECT_EQ(observer.update(sensorless<table>{3.1, {0, 0}, {0, 0}}, {0, nan}).outcome,
             ph::status::state_not_finite);
   push(3.2);
+  EXPECT_FALSE(observer.joint_torques().isZero(0));
   observer.reset();
   EXPECT_TRUE(observer.estimate().force.isZero(0));
+  EXPECT_TRUE(observer.joint_torques().isZero(0));
 }
 
 TEST(momentum_observer, starts_anew_in_the_cycle_after_a_fault_or_a_reset) {
@@ -153,10 +167,40 @@ TEST(momentum_observer, knows_no_force_at_a_singular_pose) {
   EXPECT_EQ(observer.update(sensorless<arm>{0, {0.3, 0}, {0, 0}}, {0, 0}).outcome,
             ph::status::singular_jacobian);
   EXPECT_TRUE(observer.estimate().force.isZero(0));
-  EXPECT_EQ(observer.update(sensorless<arm>{0.001, {0.3, 0.5}, {0, 0}}, {0, 0}).outcome, ph::status::ok);
+  observer.update(sensorless<arm>{0.001, {0.3, 0.5}, {0, 0}}, {0, 0});
+  EXPECT_EQ(observer.update(sensorless<arm>{0.002, {0.3, 0.5}, {0, 1}}, {0, 0}).outcome, ph::status::ok);
   EXPECT_FALSE(observer.estimate().generators.isZero(0));
-  observer.update(sensorless<arm>{0.002, {0.3, 0}, {0, 0}}, {0, 0});
+  EXPECT_FALSE(observer.estimate().force.isZero(0));
+  observer.update(sensorless<arm>{0.003, {0.3, 0}, {0, 1}}, {0, 0});
   EXPECT_TRUE(observer.estimate().generators.isZero(0)) << "those of another pose";
+  EXPECT_TRUE(observer.estimate().force.isZero(0)) << "of another pose";
+}
+
+// A table without a Jacobian at x > 1 and without a mass at y > 1.
+struct torn_table : table {
+  double hole(bool is_there) const { return is_there ? std::numeric_limits<double>::quiet_NaN() : 1.0; }
+  ph::matrix<double, 2, 2> jacobian(const Eigen::Vector2d& q) const {
+    return hole(q[0] > 1) * ph::matrix<double, 2, 2>::Identity();
+  }
+  ph::matrix<double, 2, 2> mass_matrix(const Eigen::Vector2d& q) const {
+    return hole(q[1] > 1) * table::mass_matrix(q);
+  }
+};
+
+TEST(momentum_observer, starts_anew_after_a_pose_that_is_undefined) {
+  for (const Eigen::Vector2d& nowhere : {Eigen::Vector2d(2, 0), Eigen::Vector2d(0, 2)}) {
+    ph::momentum_observer<torn_table> observer{torn_table(), ph::brakes_of<torn_table>()};
+    const auto push = [&](double time, const Eigen::Vector2d& q, double v) {
+      return observer.update(sensorless<torn_table>{time, q, {v, 0}}, {0, 0});
+    };
+    push(0, {0, 0}, 0);
+    EXPECT_GT(push(0.001, {0, 0}, 0.01).force[0], 0);
+    const auto there = push(0.002, nowhere, 0.02);
+    EXPECT_EQ(there.outcome, ph::status::pose_undefined);
+    EXPECT_TRUE(there.force.isZero(0));
+    push(0.003, {0, 0}, 0.03);
+    EXPECT_GT(push(0.004, {0, 0}, 0.04).force[0], 0);
+  }
 }
 
 TEST(momentum_observer, complains_of_its_gain) {
