@@ -157,7 +157,8 @@ inline bool is_asked_at_compile_time(const source& s, int i) {
   for (; i >= 0; i = s.around(i)) {
     if (s.is(i, "{") && s.scope_of(i) != scope::list) return false;
     if (s.is(i, "(") && i > 0 && s[i - 1].is_any({"static_assert", "constexpr"})) return true;
-    for (int k = i; k > s.around(i) && !s.is(k, ";") && !s.is(k, "{") && !s.is(k, "}"); --k) {
+    for (int k = s.opens(i) ? i - 1 : i; k > s.around(i) && !s.is(k, ";") && !s.is(k, "{") && !s.is(k, "}");
+         --k) {
       if (s[k].is_any({"concept", "requires"})) return true;
       if (s.closes(k)) k = s.partner_of(k);
     }

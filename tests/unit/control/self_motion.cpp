@@ -1,15 +1,20 @@
 // Arms with more joints than task dimensions keep their wall: random states that move into one.
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/effects/with_effects.hpp>
 #include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <limits>
 #include <numbers>
 #include <random>
+#include <type_traits>
 
 namespace ph = passive_haptics;
 
@@ -76,6 +81,57 @@ TEST(self_motion, of_arms_with_inertia_leaves_the_wall) {
   // What lighter rotors leave to the links, nobody's torques can undo
   EXPECT_LT(share_without_wall("3R, without rotors", planar_arm<3>(0)), 0.08);
   EXPECT_LT(share_without_wall("4R, without rotors", planar_arm<4>(0)), 0.05);
+}
+
+// On-off control displays what no_direct_control does, by the same generators.
+TEST(self_motion, is_left_alone_by_a_relay_too) {
+  using M = arm<3>;
+  std::mt19937_64 engine(20040627);
+  std::normal_distribution<double> gauss;
+  int held = 0;
+  for (int k = 0; k < 200; ++k) {
+    ph::device_state<M> state;
+    for (double& q : state.q) q = gauss(engine);
+    for (double& qd : state.qd) qd = gauss(engine);
+    ph::contacts<2, 1> touched;
+    touched.push_back(
+        {.normal = ph::point<2>(gauss(engine), gauss(engine)).normalized(), .depth = 1, .stiffness = 3});
+    const auto torque = [&](const auto& law) {
+      ph::step_memory<std::remove_cvref_t<decltype(law)>> memory;
+      return ph::vector<double, 3>(
+          ph::step(planar_arm<3>(particle_brake), ph::unlimited_brakes(), touched, law, state, memory)
+              .torque);
+    };
+    const ph::vector<double, 3> plain = torque(ph::no_direct_control());
+    EXPECT_LE((torque(ph::on_off_control()) - plain).norm(), 1e-12 * plain.norm()) << k;
+    held += !plain.isZero(0);
+  }
+  EXPECT_GT(held, 150);
+}
+
+// An arm without a mass in a pose has no forces there.
+TEST(self_motion, by_an_inertia_that_is_undefined_is_a_fault) {
+  struct torn_arm : arm<3> {
+    ph::matrix<double, 3, 3> mass_matrix(const ph::vector<double, 3>& q) const {
+      return (q[0] > 1 ? std::numeric_limits<double>::quiet_NaN() : 1.0) * arm<3>::mass_matrix(q);
+    }
+  };
+  const torn_arm mechanism{planar_arm<3>(particle_brake)};
+  ph::contacts<2, 2> walls;
+  walls.push_back({.normal = {0, 1}, .depth = 1, .stiffness = 3});
+  walls.push_back({.normal = {1, 0}, .depth = 1, .stiffness = 3});
+  const ph::viscous_field<double, 2> honey({.viscosity = ph::matrix<double, 2, 2>::Identity()});
+  for (const double q : {0.5, 1.5}) {
+    const auto outcome = [&](const auto& touched) {
+      ph::step_memory<ph::no_direct_control> memory;
+      return ph::step(mechanism, ph::unlimited_brakes(), touched, ph::no_direct_control(),
+                      ph::device_state<torn_arm>{0, {q, 1, 1}, {-1, -1, 1}, {0, 0}}, memory)
+          .outcome;
+    };
+    const ph::status expected = q > 1 ? ph::status::pose_undefined : ph::status::ok;
+    EXPECT_EQ(outcome(walls), expected);
+    EXPECT_EQ(outcome(ph::with_effects(ph::contacts<2, 1>(), honey)), expected);
+  }
 }
 
 TEST(self_motion, left_alone_costs_the_wall_and_says_so) {

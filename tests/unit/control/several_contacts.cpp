@@ -68,6 +68,42 @@ TYPED_TEST(several_contacts, each_want_what_the_law_says_of_them) {
   EXPECT_GT(kept, 100);
 }
 
+// Half of what a wall asks for; may not be asked where that is nothing.
+struct half_of_what_asks {
+  template <class T, int D>
+  T scale(const ph::contact_situation<T, D>& c) const noexcept {
+    return c.desired_magnitude > T(0) ? T(0.5) : std::numeric_limits<T>::quiet_NaN();
+  }
+};
+
+// Three walls of which one asks for nothing are the other two, and its law is not asked.
+TYPED_TEST(several_contacts, are_those_that_ask_for_a_force) {
+  using T = TypeParam;
+  using M = ph::tendon_two_link<T>;
+  ph::testing::random_source random(seed);
+  for (int k = 0; k < 1000; ++k) {
+    const auto state = state_of<M>({random.uniform(T(-3), T(3)), random.uniform(T(0.3), T(2.8))},
+                                   {random.wide(T(0.1), T(3)), random.wide(T(0.1), T(3))});
+    ph::contact<2> walls[3];
+    for (auto& wall : walls) wall = asking_for<2>(random.positive(1.0, 20.0) * random.direction<double, 2>());
+    walls[k % 3].depth *= k % 2 == 0 ? 0 : -1;
+    const auto step = [&]<int N>(ph::contacts<2, N> touched, bool all) {
+      for (int j = 0; j < 3; ++j)
+        if (all || j != k % 3) touched.push_back(walls[j]);
+      ph::step_memory<half_of_what_asks> memory;
+      return ph::step(M(), ph::brakes_of<M>(), touched, half_of_what_asks(), state, memory);
+    };
+    const auto three = step(ph::contacts<2, 3>(), true);
+    const auto two = step(ph::contacts<2, 2>(), false);
+    SCOPED_TRACE(::testing::Message() << "seed " << seed << ", trial " << k);
+    ASSERT_EQ(three.outcome, ph::status::ok);
+    expect_near(three.torque, two.torque, 1e3);
+    expect_near(three.control_force, two.control_force, 1e3);
+    EXPECT_EQ(three.display, two.display);
+    EXPECT_EQ(three.contacts[static_cast<std::size_t>(k % 3)].wanted, T(0));
+  }
+}
+
 // The limits hold, and that one is reached is said.
 TYPED_TEST(several_contacts, stay_within_the_limits_and_say_where_they_end) {
   using T = TypeParam;
@@ -108,6 +144,26 @@ TYPED_TEST(several_contacts, tell_the_angle_of_their_force_to_the_wall_that_asks
   const auto result = step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 0}, {-1, -1}),
                                                        asking_for<2>({4, 0}), asking_for<2>({0, 3}));
   EXPECT_NEAR(result.approximation_cosine, T(0.8), 4 * std::numeric_limits<T>::epsilon());
+}
+
+// Also where the elbow is all but straight, and rounding decides what brakes can do.
+TYPED_TEST(several_contacts, tell_the_angle_of_the_force_that_they_tell) {
+  using T = TypeParam;
+  using M = ph::tendon_two_link<T>;
+  ph::testing::random_source random(seed);
+  for (int k = 0; k < 4000; ++k) {
+    const auto state = state_of<M>({random.uniform(T(-3), T(3)), random.wide(T(1e-17), T(1e-3))},
+                                   {random.wide(T(0.1), T(3)), random.wide(T(0.1), T(3))});
+    const auto a = asking_for<2>(random.positive(10.0, 20.0) * random.direction<double, 2>());
+    const auto result = step_once<ph::no_direct_control>(
+        M(), {}, state, a, asking_for<2>(random.positive(1.0, 9.0) * random.direction<double, 2>()));
+    if (result.outcome != ph::status::ok || !ph::is_displayed(result.display)) continue;
+    const ph::vector<T, 2> F = result.control_force;
+    const T cosine = F.dot(ph::as<T>(a.normal)) / F.stableNorm();
+    ASSERT_NEAR(result.approximation_cosine, std::max(cosine, T(0)),
+                T(1e3) * std::numeric_limits<T>::epsilon())
+        << "seed " << seed << ", trial " << k;
+  }
 }
 
 // A law that answers what it was made with.

@@ -10,6 +10,7 @@
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -173,6 +174,47 @@ TEST(with_effects, asks_no_law_in_free_space) {
   const auto free = second(state);
   EXPECT_EQ(free.contact_count, 0);
   EXPECT_FALSE(free.contacts[0].first) << "nothing was left";
+}
+
+// ---- What changes nothing
+
+TEST(with_effects, of_no_force_are_as_without_to_the_last_digit) {
+  using M = ph::tendon_two_link<double>;
+  ph::testing::random_source random(20040627);
+  const auto floor = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 50.0));  // far below the limits
+  for (const auto limits : {ph::saturation::keep_direction, ph::saturation::clamp_each}) {
+    ph::step_options<double> options;
+    options.limits = limits;
+    ph::controller plain(M(), ph::brakes_of<M>(), floor, ph::direct_control(), options);
+    ph::controller control(M(), ph::brakes_of<M>(), ph::with_effects(floor, honey(0)), ph::direct_control(),
+                           options);
+    int pressed = 0;
+    for (int k = 0; k < 1000; ++k) {
+      const ph::device_state<M> state{k * 1e-3,
+                                      {random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)},
+                                      random.normal_vector<double, 2>(),
+                                      random.normal_vector<double, 2>()};
+      const auto without = plain(state);
+      const auto result = control(state);
+      if (without.saturated && limits == ph::saturation::clamp_each) continue;  // each brake was cut alone
+      ASSERT_EQ(result.torque, without.torque) << k;
+      pressed += !result.saturated && !result.torque.isZero(0);
+    }
+    EXPECT_GT(pressed, 100);
+  }
+}
+
+// A wall that asks for nothing takes nothing from an effect along its normal.
+TEST(with_effects, act_through_a_wall_that_asks_for_nothing) {
+  using M = ph::xy_table<double>;
+  ph::contacts<2, 2> touched;
+  auto wall = asking_for<2>({0, 5});
+  wall.depth = 0;
+  touched.push_back(wall);
+  ph::step_memory<ph::no_direct_control> memory;
+  const auto result = ph::step(M(), ph::unlimited_brakes(), ph::with_effects(touched, honey(2)),
+                               ph::no_direct_control(), state_of<M>({0, 0}, {0, -1}), memory);
+  EXPECT_EQ(result.torque, ph::point<2>(0, 2));
 }
 
 // ---- At rest

@@ -66,13 +66,11 @@ struct torques_with_effects : saturated_torque<typename M::scalar, M::brake_coun
 
 namespace detail {
 
-// What the effects want: their forces, and the torques of joints.
+// Adds what the effects want: their forces, and the torques of joints.
 template <class M, class Now, class Touched>
 void ask_effects(const Now& now, const Touched& touched, torques_with_effects<M>& wanted) {
   using T = typename M::scalar;
   const auto Tt = [&] { return transposed_transmission(now.mechanism, now.q); };
-  wanted.effect_force.setZero();
-  wanted.effect_torque.setZero();
   for_each(touched.effects, [&]<class E>(const E& effect) {
     static_assert(std::same_as<typename E::scalar, T>,
                   "passive_haptics: an effect's scalar must be the mechanism's.");
@@ -119,7 +117,8 @@ template <class M, class B, class L, class Now, class Walls, class... Effects, c
 torques_with_effects<M> add_effects(const cycle_parts<M, B, L>& with, const Now& now,
                                     const walls_and_effects<Walls, Effects...>& touched,
                                     const saturated_torque<T, Brakes>& td) {
-  torques_with_effects<M> all{td, {}, {}, status::result_not_finite};
+  torques_with_effects<M> all{td, task_vector<M>::Zero(), joint_vector<M>::Zero(),
+                              status::result_not_finite};
   detail::ask_effects(now, touched, all);
   if (!all_finite(td.torque, all.effect_force, all.effect_torque)) return all;
   all.outcome = status::ok;

@@ -84,14 +84,15 @@ template <class M, class Box, class T, int D, int N>
 auto operator*(const contact_scales<T, N>& scales,
                const displayable_forces<M, Box, desired_forces<T, D, N>>& Fc) {
   std::array<contact_demand<T, D>, static_cast<std::size_t>(N)> demands;
+  int count = 0;
   for (int j = 0; j < Fc.Fd.size(); ++j) {
-    const auto k = static_cast<std::size_t>(j);
-    const T wanted = asks(Fc.Fd[j]) ? scales.alpha[j] * Fc.Fd[j].magnitude : T(0);
-    demands[k] = {Fc.Fd[j].direction, wanted, scales.first[k]};
+    const auto Fd = Fc.Fd[j];
+    if (!asks(Fd)) continue;
+    demands[static_cast<std::size_t>(count++)] = {Fd.direction, scales.alpha[j] * Fd.magnitude,
+                                                  scales.first[static_cast<std::size_t>(j)]};
   }
-  const auto answer = contact_forces<T, D, M::brake_count, N>(Fc.map, Fc.box, demands, Fc.Fd.size());
-  return approximated_force<T, D, M::brake_count>{display_class::approximate, answer.force, answer.torque,
-                                                  T(0)};
+  const auto answer = contact_forces<T, D, M::brake_count, N>(Fc.map, Fc.box, demands, count);
+  return approximated_force<T, D, M::brake_count>{display_class::approximate, answer.force, answer.torque};
 }
 
 namespace detail {
@@ -105,8 +106,8 @@ auto unscaled(const Now& now, displayable_forces<M, Box, desired_forces<T, D, N>
   const T size = F.force.norm(), tolerance = rounding_tolerance<T>(M::brake_count + N) * size;
   bool met = true;
   for (int j = 0; j < Fc.Fd.size(); ++j) {
-    const T wanted = asks(Fc.Fd[j]) ? Fc.Fd[j].magnitude : T(0);
-    met = met && std::abs(wanted - Fc.Fd[j].direction.dot(F.force)) <= tolerance;
+    const auto Fd = Fc.Fd[j];
+    if (asks(Fd)) met = met && std::abs(Fd.magnitude - Fd.direction.dot(F.force)) <= tolerance;
   }
   if (met) F.display = display_class::exact;
   else if (!(size > T(0))) F.display = display_class::none;
@@ -135,10 +136,10 @@ Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<
                const desired_forces<T, D, N>& Fd, const Forces& Fc, const contact_scales<T, N>& scales,
                const Force& Fc_scaled, const saturated_torque<T, M::brake_count>& td,
                const brake_vector<M>& t, step_memory<L>& memory) {
-  T leaving = T(0), magnitude = T(0);
+  vector<T, N> leaving = vector<T, N>::Zero(), magnitude = vector<T, N>::Zero();
   for (int j = 0; j < Fd.size(); ++j) {
-    leaving += outward(Fd[j], now.v);
-    magnitude += Fd[j].magnitude;
+    leaving[j] = outward(Fd[j], now.v);
+    magnitude[j] = Fd[j].magnitude;
   }
   const bool are_shares = (scales.alpha.array() >= T(0) && scales.alpha.array() <= T(1)).all();
   status outcome = check_command<T>(touched, leaving, are_shares, magnitude);

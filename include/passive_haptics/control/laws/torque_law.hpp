@@ -9,12 +9,10 @@
 namespace passive_haptics {
 
 namespace detail {
-// Stands for a law that scales nothing.
+// Stands for a law that is never asked.
 struct no_law {
   template <class T, int D>
-  T scale(const contact_situation<T, D>&) const noexcept {
-    return T(1);
-  }
+  T scale(const contact_situation<T, D>&) const noexcept;
 };
 }  // namespace detail
 

@@ -24,8 +24,7 @@ struct brake_reach {
   matrix<T, Brakes, Brakes> A;             ///< T M^-1 T^T, where any is at rest [rad/s^2 per N m].
   bool any_at_rest = false;                ///< Some brake is at rest.
   flags at_rest = flags::Constant(false);  ///< It is at rest.
-  flags lasts =
-      flags::Constant(false);  ///< It can push so as long as the handle slides, not only while it lands.
+  flags lasts;  ///< It can push so as long as the handle slides, not only while it lands.
 };
 
 /// T M^-1 T^T, how brake torques accelerate the brakes [rad/s^2 per N m].

@@ -5,8 +5,6 @@
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
-#include <limits>
-
 namespace passive_haptics {
 
 /// Constants of a release_probe.
@@ -88,8 +86,8 @@ class release_probe {
 
   release_probe_parameters p_;
   phase phase_ = phase::watching;
-  double since_ = -std::numeric_limits<double>::infinity();
-  point<D> origin_ = point<D>::Zero();  // where the phase began; when released, the farthest point out
+  double since_{};  // when the phase began [s]
+  point<D> origin_ = point<D>::Zero();  // and where; when released, the farthest point out
 };
 
 }  // namespace passive_haptics

@@ -63,8 +63,8 @@ TEST(momentum_observer, knows_what_slipping_brakes_make_and_what_stuck_ones_migh
 TEST(momentum_observer, knows_of_no_brake_what_it_makes_at_first) {
   ph::brakes_of<table> brakes;
   brakes.torque_limit.setConstant(10);
-  brakes.time_constant.setZero();
   for (const double time : {0.0, 5.0}) {
+    brakes.time_constant.setConstant(time / 100);
     ph::momentum_observer<table> observer{table(), brakes};
     EXPECT_EQ(observer.update(sensorless<table>{time, {0, 0}, {3, 0}}, {4, 2}).unknown_torque,
               Eigen::Vector2d(4, 2));

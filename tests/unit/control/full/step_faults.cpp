@@ -201,6 +201,19 @@ struct remembering_scene {
   ph::point<2> last = ph::point<2>::Zero();
 };
 
+TEST(a_position_that_is_not_finite, is_a_fault_where_a_wall_is_touched) {
+  ph::contacts<2, 1> touched;
+  const auto outcome = [&] {
+    ph::step_memory<ph::no_direct_control> memory;
+    return ph::step(long_slides{}, ph::brakes_of<long_slides>{}, touched, ph::no_direct_control(),
+                    state_of<long_slides>({2, 0}, {0, 0}), memory)
+        .outcome;
+  };
+  EXPECT_EQ(outcome(), ph::status::ok) << "free";
+  touched.push_back({.normal = {0, 1}, .depth = 0, .stiffness = 1});
+  EXPECT_EQ(outcome(), ph::status::pose_undefined);
+}
+
 TEST(a_position_that_is_not_finite, reaches_no_scene_that_remembers) {
   ph::controller control(long_slides{}, ph::brakes_of<long_slides>{}, remembering_scene{},
                          ph::no_direct_control());

@@ -76,6 +76,49 @@ TEST(velocity_direct_control, brakes_what_its_velocity_and_a_share_of_the_push_a
               (0.05 + p.velocity_limit) * force_per_speed(p), 1e-12);
 }
 
+// In a corner, where each wall has a brake of its own.
+TEST(velocity_direct_control, holds_in_a_corner_what_sinks_and_nothing_that_leaves) {
+  const constants p;
+  const law control(p);
+  const auto capacity = [&](const pair& v) {
+    ph::contacts<2, 2> touched;
+    for (const int i : {0, 1})
+      touched.push_back({.normal = pair::Unit(i), .depth = p.rest_depth, .stiffness = 1e7, .wall = i});
+    auto brakes = without_lag();
+    brakes.rate_dead_band.setConstant(1e-9);
+    ph::step_memory<law> memory;
+    return pair(
+        ph::step(table(), brakes, touched, control, state_of<table>({0, 0}, v, {0, 0}), memory).capacity);
+  };
+  const double mass = table().mass_matrix({0, 0})(0, 0) + p.hand_mass;
+  for (const double force : {0.5, 3.0}) {
+    const double v = force * p.velocity_lag / mass;
+    EXPECT_TRUE(capacity({v, v}).isZero(0));
+    EXPECT_NEAR(capacity({-v, -v})[0], force, 1e-6);
+    EXPECT_NEAR(capacity({-v, -v})[1], force, 1e-6);
+    EXPECT_NEAR(capacity({-v, v})[0], force, 1e-6);
+    EXPECT_NEAR(capacity({-v, v})[1], 0, 1e-9);
+  }
+}
+
+// Of two brakes that push alike the faster costs more power: shares as 1 / p^2, p = |w| and a thousandth of
+// the fastest, which tells resting ones apart from none.
+TEST(least_power_torques, of_several_walls_are_those_of_least_power) {
+  ph::brake_reach<double, 2> reach;
+  reach.sign = {1, -1};
+  reach.least = {0, 0};
+  reach.most = {10, 10};
+  const ph::matrix<double, 2, 2> rows = ph::matrix_of<2, 2>(1.0, -1.0, 0.0, 0.0);
+  for (const pair& w : {pair(1, 3), pair(-3, 1), pair(2, 0), pair(0, 0)}) {
+    const pair t = ph::least_power_torques<double, 2, 2>(rows, pair(4, 0), reach, w);
+    const double most = w.cwiseAbs().maxCoeff();
+    const pair power = w.cwiseAbs().array() + 1e-3 * most;
+    const double share = most > 0 ? power[1] * power[1] / power.squaredNorm() : 0.5;
+    EXPECT_NEAR(t[0], 4 * share, 1e-8) << w.transpose();
+    EXPECT_NEAR(t[1], 4 * (1 - share), 1e-8) << w.transpose();
+  }
+}
+
 TEST(velocity_direct_control, never_holds_a_handle_that_leaves) {
   for (const double Fh : {-2.0, 0.0, 2.0}) {
     const auto leaving = once(law(), -1e-3, {0, 0.05}, {0, Fh});
