@@ -61,6 +61,12 @@ TEST(a_step_response, may_begin_many_time_constants_late) {
   expect_found({.time_constant = 0.004, .dead_time = 0.1505});
 }
 
+TEST(a_step_response, may_be_slow) {
+  for (const double time_constant : {0.03, 0.05, 0.07})
+    for (const double dead_time : {0.0002, 0.02, 0.045})
+      expect_found({.time_constant = time_constant, .dead_time = dead_time});
+}
+
 // From a single start one of these is missed, whichever it is: the dead time has a kink in the formula.
 TEST(a_step_response, may_be_quicker_than_the_samples) {
   for (const auto& [time_constant, dead_time] : {std::pair(0.0005984, 0.003974),
@@ -97,6 +103,21 @@ TEST(a_step_response, is_told_from_noise_by_five_standard_errors_of_the_last_fif
   EXPECT_NO_THROW(fit(-1.1 * least));
   EXPECT_THROW(fit(0.9 * least), std::invalid_argument);
   EXPECT_THROW(fit(-0.9 * least), std::invalid_argument);
+}
+
+// ---- standard errors
+
+// s^2 = sum_ij f_i f_j C_ij, f_i the derivatives of f.
+TEST(a_curve_fit, tells_the_standard_error_of_what_follows) {
+  ph::curve_fit<2> fit;
+  fit.value = {2, 3};
+  fit.covariance = ph::matrix_of<2, 2>(0.04, 0.01, 0.01, 0.09);
+  const ph::estimate product = fit.of([](const auto& p) { return p[0] * p[1]; });
+  EXPECT_DOUBLE_EQ(product.value, 6);
+  EXPECT_DOUBLE_EQ(product.standard_error, std::sqrt(9 * 0.04 + 2 * 3 * 2 * 0.01 + 4 * 0.09));
+  EXPECT_EQ(fit[0].value, 2);
+  EXPECT_DOUBLE_EQ(fit[0].standard_error, 0.2);
+  EXPECT_DOUBLE_EQ(fit[1].standard_error, 0.3);
 }
 
 // ---- ramps

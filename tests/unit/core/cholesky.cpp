@@ -90,6 +90,21 @@ TEST(cholesky, keeps_a_nan_beside_a_zero_pivot) {
   EXPECT_FALSE(ph::all_finite(ph::cholesky<double, 2>(A).solve(ph::vector<double, 2>(1, 1))));
 }
 
+TEST(cholesky, is_of_a_positive_definite_matrix_where_each_pivot_is_positive) {
+  using diagonal = ph::vector<double, 3>;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto is_positive_definite = [](const diagonal& d) {
+    return ph::cholesky<double, 3>(ph::matrix<double, 3, 3>(d.asDiagonal())).is_positive_definite();
+  };
+  EXPECT_TRUE(is_positive_definite({1, 1e-300, 2}));
+  for (const double bad : {0.0, -1.0, nan})
+    for (int i = 0; i < 3; ++i) {
+      diagonal d = diagonal::Ones();
+      d[i] = bad;
+      EXPECT_FALSE(is_positive_definite(d)) << bad << " at " << i;
+    }
+}
+
 TEST(cholesky, takes_nothing_from_the_upper_triangle) {
   ph::matrix<double, 2, 2> A = ph::matrix<double, 2, 2>::Identity();
   A(0, 1) = std::numeric_limits<double>::quiet_NaN();

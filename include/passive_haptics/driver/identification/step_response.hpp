@@ -63,12 +63,6 @@ inline step_response fit_step_response(std::span<const bench_sample> samples) {
   const std::size_t end = samples.size(), tail = step + (end - step) * 4 / 5;
   const double t_step = samples[step - 1].time, before = mean(0, step), change = mean(tail, end) - before;
 
-  // The area between the end and the way there is change (t_d + T)
-  double area = 0;
-  for (std::size_t k = step; k < end; ++k)
-    area += (before + change - samples[k].torque) * (samples[k].time - samples[k - 1].time);
-  const double lateness = std::max(area / change, samples[step].time - t_step);
-
   const auto residual = [t_step]<class S>(const bench_sample& s, const vector<S, 4>& p) -> S {
     using std::exp;
     const S since = s.time - t_step - p[3];
@@ -76,12 +70,12 @@ inline step_response fit_step_response(std::span<const bench_sample> samples) {
     if (!(since > S(0))) return p[0] - s.torque;
     return p[0] + p[1] * (S(1) - exp(-since / p[2])) - s.torque;
   };
-  // The dead time has a kink in the formula: the best of several starts
+  // The dead time has a kink in the formula: the best of several starts within the first sample
+  const double late = samples[step].time - t_step;
   curve_fit<4> best;
   best.deviation = std::numeric_limits<double>::infinity();
   for (const double share : {0.02, 0.1, 0.3, 0.6, 0.9}) {
-    const auto fit =
-        fit_curve<4>(samples, {before, change, (1 - share) * lateness, share * lateness}, residual);
+    const auto fit = fit_curve<4>(samples, {before, change, (1 - share) * late, share * late}, residual);
     if (fit.deviation < best.deviation) best = fit;
   }
 
