@@ -652,6 +652,8 @@ TEST(least_power_torques, ask_brakes_beside_one_that_is_held_in_turn) {
   EXPECT_LE((torques(0.5 + 0.3 * 0.4) - V(0.5, 0, 0.4, 0)).norm(), 1e-12);
   EXPECT_LE((torques(0.5 + 0.3 * 1.5) - V(0.5, 0, 1, 0.5)).norm(), 1e-12);
   EXPECT_LE((torques(100) - V(0.5, 0, 1, 5)).norm(), 1e-12);
+  reach.A(0, 3) = reach.A(3, 0) = 1;  // the last would pull in
+  EXPECT_LE((torques(100) - V(0.5, 0, 1, 0)).norm(), 1e-12);
 }
 
 // Two walls that the brakes can serve both: each gets what it wants, also where that is less than nothing.
