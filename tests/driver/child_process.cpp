@@ -67,6 +67,16 @@ TEST(a_child_process, that_does_not_become_ready_is_ended) {
   EXPECT_LE(child.pid(), 0);
 }
 
+TEST(a_child_process, that_ends_before_it_is_ready_is_no_child) {
+  ph::child_process child;
+  const auto at_once = [] {
+    _exit(0);
+    return std::string();
+  };
+  EXPECT_EQ(child.start(at_once, until_parent_is_gone), "the process ended before it was ready");
+  EXPECT_LE(child.pid(), 0);
+}
+
 TEST(a_child_process, that_gets_no_pipe_leaves_no_file_open) {
   const int next = dup(STDIN_FILENO);
   close(next);
