@@ -130,7 +130,9 @@ TEST_F(a_control_loop, that_a_throwing_law_ends_releases_first_and_tells_what_wa
   EXPECT_EQ(report.ended_by, ph::fault::law_failed);
   EXPECT_EQ(report.exception, "no such wall");
   EXPECT_EQ(released, (std::vector{ph::fault::law_failed, ph::fault::law_failed}));
-  EXPECT_EQ(run([](const ph::loop_cycle&) -> std::int64_t { throw 3; }).ended_by, ph::fault::law_failed);
+  const auto by_number = run([](const ph::loop_cycle&) -> std::int64_t { throw 3; });
+  EXPECT_EQ(by_number.ended_by, ph::fault::law_failed);
+  EXPECT_EQ(by_number.exception, "something that is no std::exception");
 }
 
 TEST_F(a_control_loop, ends_before_the_next_cycle_when_it_is_told_to_stop) {

@@ -6,6 +6,8 @@
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace ph = passive_haptics;
@@ -137,6 +139,12 @@ TEST(homing, finds_the_zero_counts_of_a_handle_held_still) {
   const double worst = 2 * encoders.resolution().maxCoeff();
   EXPECT_LT((encoders.position(device.counts()) - device.reference).norm(), worst);
   EXPECT_EQ(home.add(1000, {1e6, 1e6}), status::done) << "and stays so";
+}
+
+TEST(homing, needs_a_pose_that_is_a_number) {
+  const homed device;
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(ph::homing<2>(device.believed, vec(0, bad)), std::invalid_argument) << bad;
 }
 
 TEST(homing, needs_no_knowledge_of_the_zero_counts_that_were_set) {

@@ -421,6 +421,14 @@ TEST(a_safe_port, that_could_not_be_opened_says_what_is_missing_and_does_nothing
   EXPECT_EQ(port.open(), "no device");
 }
 
+TEST(a_safe_port, is_opened_once) {
+  rig r;
+  r.hold();
+  EXPECT_EQ(r.port.open(), "open() was called before: the device is open");
+  r.cycle();
+  EXPECT_EQ(r.device.currents, r.wanted) << "and goes on";
+}
+
 TEST(a_safe_port, releases_the_brakes_when_it_ends) {
   fake::device device;
   {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -291,6 +292,32 @@ struct following_wall {
     return 0;
   }
 };
+
+// A wall that lies where it was told.
+struct wall_within {
+  static constexpr int dimension = 2;
+  ph::bounding_box<2> box;
+  ph::bounding_box<2> bounds() const { return box; }
+  double distance(const ph::point<2>&) const { return 1; }
+  ph::point<2> gradient(const ph::point<2>&) const { return {1, 0}; }
+};
+
+TEST(a_world, refuses_a_wall_that_is_nowhere) {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  const auto said_of = [](const ph::bounding_box<2>& box) {
+    ph::world_walls<2> walls;
+    walls.add(ph::wall(ph::ball<2>({0, 0}, 1)));
+    walls.add(ph::wall(wall_within{box}));
+    return validate(walls);
+  };
+  EXPECT_EQ(said_of({{0, 0}, {0, 0}}), "");
+  EXPECT_EQ(said_of({{-infinity, -1}, {1, infinity}}), "");
+  for (const ph::bounding_box<2>& bad :
+       {ph::bounding_box<2>{{0, 1}, {1, 0}}, {{1, 0}, {0, 1}}, {{nan, 0}, {1, 1}}, {{0, 0}, {1, nan}}})
+    EXPECT_EQ(
+        said_of(bad),
+        "bounds of wall 1 of a world are not lower <= upper, expected a box of finite or infinite metres");
+}
 
 TEST(a_world, that_forgets_the_handle_follows_it_from_nowhere) {
   ph::world_walls<2> walls;

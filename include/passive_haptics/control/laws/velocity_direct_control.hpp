@@ -208,7 +208,7 @@ class velocity_direct_control {
     for (int j = 0; j < count; ++j) {
       const auto& wall = walls[std::size_t(j)];
       rows.row(j) = wall.along.inertia * wall.along.g.transpose();
-      wanted[j] = std::max(wall.force, T(0));
+      wanted[j] = std::max(wall.force, T(0));  // no wall holds a handle that leaves it
       any = any || wall.force > T(0);
     }
     if (!any) return reach.least;
