@@ -117,8 +117,7 @@ template <class M, class B, class L, class Now, class Walls, class... Effects, c
 torques_with_effects<M> add_effects(const cycle_parts<M, B, L>& with, const Now& now,
                                     const walls_and_effects<Walls, Effects...>& touched,
                                     const saturated_torque<T, Brakes>& td) {
-  torques_with_effects<M> all{td, task_vector<M>::Zero(), joint_vector<M>::Zero(),
-                              status::result_not_finite};
+  torques_with_effects<M> all{td, task_vector<M>::Zero(), joint_vector<M>::Zero(), status::result_not_finite};
   detail::ask_effects(now, touched, all);
   if (!all_finite(td.torque, all.effect_force, all.effect_torque)) return all;
   all.outcome = status::ok;
