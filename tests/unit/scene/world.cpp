@@ -303,7 +303,7 @@ struct wall_within {
 };
 
 TEST(a_world, refuses_a_wall_that_is_nowhere) {
-  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto said_of = [](const ph::bounding_box<2>& box) {
     ph::world_walls<2> walls;
     walls.add(ph::wall(ph::ball<2>({0, 0}, 1)));
