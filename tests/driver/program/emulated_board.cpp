@@ -102,8 +102,8 @@ class line_through_the_test {
     while (!ended_) {
       usleep(300);
       const std::size_t n = host_.read(buffer);
-      // What the board does not take in time is lost, as on any line, but for the last: no currents wait, a
-      // release does
+      // What the board has not taken when more comes is lost, so nothing old waits; the last, a release, is
+      // kept
       if (n > 0) down = disturbed(bytes(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(n)));
       const ssize_t taken = send(line_, down.data(), down.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
       if (taken < 0 && errno != EAGAIN) return;

@@ -151,6 +151,7 @@ TYPED_TEST(several_contacts, tell_the_angle_of_the_force_that_they_tell) {
   using T = TypeParam;
   using M = ph::tendon_two_link<T>;
   ph::testing::random_source random(seed);
+  int displayed = 0;
   for (int k = 0; k < 4000; ++k) {
     const auto state = state_of<M>({random.uniform(T(-3), T(3)), random.wide(T(1e-17), T(1e-3))},
                                    {random.wide(T(0.1), T(3)), random.wide(T(0.1), T(3))});
@@ -158,12 +159,14 @@ TYPED_TEST(several_contacts, tell_the_angle_of_the_force_that_they_tell) {
     const auto result = step_once<ph::no_direct_control>(
         M(), {}, state, a, asking_for<2>(random.positive(1.0, 9.0) * random.direction<double, 2>()));
     if (result.outcome != ph::status::ok || !ph::is_displayed(result.display)) continue;
+    ++displayed;
     const ph::vector<T, 2> F = result.control_force;
     const T cosine = F.dot(ph::as<T>(a.normal)) / F.stableNorm();
     ASSERT_NEAR(result.approximation_cosine, std::max(cosine, T(0)),
                 T(1e3) * std::numeric_limits<T>::epsilon())
         << "seed " << seed << ", trial " << k;
   }
+  EXPECT_GT(displayed, 1000);
 }
 
 // A law that answers what it was made with.

@@ -30,8 +30,8 @@ class brake_lag_model {
   }
 
   /// The capacity [N m] to command now, so that the brake has `wanted` >= 0 a horizon [s] later, by when it
-  /// covers share = lag_share(horizon, T_b) of its way: u = tau + (wanted - tau) / share, within [0, limit].
-  /// It is taken for commanded from now on.
+  /// covers share = lag_share(horizon, T_b) of its way: u = tau + (wanted - tau) / share, within [0, limit];
+  /// `wanted` itself where the share is 1. It is taken for commanded from now on.
   template <class T>
   T command(int brake, T wanted, T limit, T share = T(1)) {
     const auto k = static_cast<std::size_t>(brake);

@@ -204,14 +204,12 @@ class velocity_direct_control {
     constexpr int most = static_cast<int>(std::tuple_size_v<Walls>);
     matrix<T, most, Brakes> rows = matrix<T, most, Brakes>::Zero();
     vector<T, most> wanted = vector<T, most>::Zero();
-    bool any = false;
     for (int j = 0; j < count; ++j) {
       const auto& wall = walls[std::size_t(j)];
       rows.row(j) = wall.along.inertia * wall.along.g.transpose();
       wanted[j] = std::max(wall.force, T(0));  // no wall holds a handle that leaves it
-      any = any || wall.force > T(0);
     }
-    if (!any) return reach.least;
+    if (!(wanted.array() > T(0)).any()) return reach.least;
     return least_power_torques<T, Brakes, most>(rows, wanted, reach, w);
   }
 

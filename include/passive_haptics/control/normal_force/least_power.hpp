@@ -63,8 +63,8 @@ vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
 }
 
 /// The same for `count` walls together: forces [N] as near to the wanted ones as may be, sum of squares, of
-/// these the least power. A wall that wants less than nothing is not left to the others' forces: coupled
-/// forces are met together. rows: Lambda_j g_j. Cost: core/priorities/least_squares_by_priority.hpp, two
+/// these the least power. A wall that wants nothing is not left to the others' forces: coupled forces are met
+/// together. rows: Lambda_j g_j. Cost: core/priorities/least_squares_by_priority.hpp, two
 /// levels.
 template <class T, int Brakes, int Walls>
 vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, const vector<T, Walls>& wanted,

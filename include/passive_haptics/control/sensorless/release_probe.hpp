@@ -86,7 +86,7 @@ class release_probe {
 
   release_probe_parameters p_;
   phase phase_ = phase::watching;
-  double since_{};                      // when the phase began [s]
+  double since_ = 0;                    // when the phase began [s]
   point<D> origin_ = point<D>::Zero();  // and where; when released, the farthest point out
 };
 
