@@ -69,6 +69,25 @@ TEST(a_list_of_neighbours, is_collected_anew_in_a_few_cycles) {
   EXPECT_LT(line.visits, 60);
 }
 
+// The cycles in which it is asked are the same wherever the frame has its origin; off the places that a list's
+// end falls on by rounding.
+TEST(a_list_of_neighbours, knows_no_origin) {
+  const auto asked_in = [](double origin) {
+    std::vector<double> places;
+    for (int i = 0; i < 100; ++i) places.push_back(origin - 1 - i / 128.0);
+    points_on_a_line line(places);
+    std::vector<int> cycles;
+    for (int k = 0; k <= 3000; ++k) {
+      const int before = line.visits;
+      line.go(origin + k / 1024.0);
+      if (line.visits > before) cycles.push_back(k);
+    }
+    return cycles;
+  };
+  EXPECT_GT(asked_in(0).size(), 5U);
+  EXPECT_EQ(asked_in(1024), asked_in(0));
+}
+
 TEST(a_world, is_touched_as_soon_as_the_handle_is_behind_a_wall) {
   ph::world_walls<2> walls;
   walls.add(ph::wall(ph::half_space<2>({-1, 0}, {1, 0})));
