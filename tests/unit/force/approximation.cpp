@@ -68,6 +68,15 @@ TEST(approximation, by_generators_is_exact_within_their_cone) {
   EXPECT_EQ(F.cosine_squared, 1);
 }
 
+// Two generators that are nearly opposed hold a face up by long torques; what is missed beside that face
+// is no rounding of theirs.
+TEST(approximation, by_generators_tells_what_is_beside_a_face_of_long_torques) {
+  const ph::matrix<double, 3, 3> G{{1, -1, 0}, {1e-8, 1e-8, 0}, {0, 0, 1}};
+  const auto F = ph::approximate_by_generators(G, three(-1, -1, -1), three(0, 1, -1e-9), 0.0);
+  EXPECT_EQ(F.display, ph::display_class::approximate);
+  EXPECT_NEAR(F.torque[0], 5e7, 1);
+}
+
 TEST(approximation, by_generators_ends_at_the_largest_angle) {
   const ph::matrix<double, 2, 3> G{{1, 2, 1}, {0, 0, 0}};
   const force n(0.6, 0.8);
