@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -137,6 +138,22 @@ TEST(switches, take_constexpr_from_what_holds_them) {
       switched("constexpr int f() { return 1; }\n").starts_with("inline /*constexpr*/ int f() { return ("));
   EXPECT_TRUE(
       switched("void f() { constexpr T a(1); }\n").starts_with("void f() { const /*constexpr*/ T a(("));
+}
+
+// What the compiler says of a class whose constant a concept asks for: never the constant's line.
+TEST(switches, are_blamed_where_the_compiler_names_their_class_alone) {
+  sources headers;
+  const std::string text = "struct square {\n  static constexpr int dimension = 2;\n  int corners = 4;\n};\n";
+  const source& s =
+      *headers.emplace("scene/square.hpp", std::make_unique<source>("scene/square.hpp", text)).first->second;
+  std::map<int, mutant> chosen;
+  for (const mutant& m : mutants_of(s)) chosen.emplace(static_cast<int>(chosen.size()), m);
+  ASSERT_EQ(chosen.size(), 2u);
+  const std::string asked = "x.cpp:1:2: error: static assertion failed\n";
+  EXPECT_EQ(numbers_in_errors(asked + "[with S = ns::square<3>]\n", headers, chosen), std::set<int>{0});
+  EXPECT_TRUE(numbers_in_errors(asked + "[with S = ns::round]\n", headers, chosen).empty());
+  const std::string line = "/include/passive_haptics/scene/square.hpp:3:4: error: ns::square\n";
+  EXPECT_EQ(numbers_in_errors(asked + line, headers, chosen), std::set<int>{1});
 }
 
 // Functions 0 .. count - 1 that compare, and one that has a constant.

@@ -195,11 +195,12 @@ inline blamed_lines blamed_in(const std::string& log) {
 }
 
 // The switches where a compiler found errors. If there are none, those where its notes point, or which have
-// made a function that they point to a function of run time.
+// made a function that they point to a function of run time. If there are none of these either, those in
+// constants of classes that the compiler names: what a concept asks of a constant is told without its line.
 inline std::set<int> numbers_in_errors(const std::string& log, const sources& headers,
                                        const std::map<int, mutant>& chosen) {
   const blamed_lines blamed = blamed_in(log);
-  std::set<int> in_errors, in_notes;
+  std::set<int> in_errors, in_notes, in_constants;
   for (const auto& [number, m] : chosen) {
     const source& s = *headers.at(m.file);
     for (long line = m.line; line <= s.line_at(m.end); ++line) {
@@ -209,8 +210,12 @@ inline std::set<int> numbers_in_errors(const std::string& log, const sources& he
     for (const int k : detail::constexprs_around(s, m)) {
       if (blamed.notes.contains({m.file, s.line_at(s[k].begin)})) in_notes.insert(number);
     }
+    const std::string name = fs::path(m.file).stem();
+    if (m.original_line.starts_with("static constexpr") && log.find("::" + name) != std::string::npos)
+      in_constants.insert(number);
   }
-  return in_errors.empty() ? in_notes : in_errors;
+  if (!in_errors.empty()) return in_errors;
+  return in_notes.empty() ? in_constants : in_notes;
 }
 
 }  // namespace mutants
