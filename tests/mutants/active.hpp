@@ -53,4 +53,15 @@ template <class A, class B>
   return first ? value(a) : value(b);
 }
 
+template <class T>
+[[gnu::always_inline]] inline auto value_of(const T& x) -> typename evaluated<T>::type {
+  return x;
+}
+
+// Of a and b, functions without arguments, only one is called.
+template <class A, class B>
+[[gnu::always_inline]] inline auto either_of(bool first, const A& a, const B& b) -> decltype(b()) {
+  return first ? decltype(b())(a()) : b();
+}
+
 }  // namespace passive_haptics_mutants

@@ -119,6 +119,15 @@ TEST(switches, stand_one_within_the_other) {
             "passive_haptics_mutants::either(passive_haptics_mutants::active(1), b - c, b + c))); }\n");
 }
 
+TEST(switches, call_what_they_are_given_once) {
+  EXPECT_EQ(
+      switched("int g(const F& f) { return f() - cut(1); }\n"),
+      "int g(const F& f) { return passive_haptics_mutants::either_of(passive_haptics_mutants::active(0), "
+      "[&] { return passive_haptics_mutants::value_of(f() + cut(1)); }, "
+      "[&] { return passive_haptics_mutants::value_of(f() - "
+      "cut((passive_haptics_mutants::active(1) ? (2) : (1)))); }); }\n");
+}
+
 TEST(switches, take_all_of_what_is_added) {
   EXPECT_NE(switched("void f() {\n  x += a ? b : c;\n}\n").find(" ? (x -= a ? b : c) : (x += "),
             std::string::npos)

@@ -15,6 +15,7 @@ enum class form {
   choice,     // active(N) ? mutated : original
   condition,  // the same of bools
   value,      // either(active(N), mutated, original): the two may have types of their own
+  lazy,       // the same of lambdas: it calls what it is given, which may do more than give a value
   statement,  // if (!active(N)) original
   compiled,   // not at all: the compiler has to know
 };
@@ -54,6 +55,7 @@ class collector {
     // The two values are both computed, so that nothing may happen in them
     const bool happens = mutated.find("++") != std::string::npos || mutated.find("--") != std::string::npos;
     if (how == form::value && happens) how = form::choice;
+    if (how == form::value && in_code(s_, first) && calls_what_it_is_given(s_, first, last)) how = form::lazy;
     if (is_asked_at_compile_time(s_, first)) {
       if (how == form::statement) return;
       how = form::compiled;

@@ -25,6 +25,12 @@ inline bracketed switch_of(const mutant& m, int number) {
     case form::condition: return {m.begin, m.end, "(" + active + " ? " + m.mutated + " : bool(", "))"};
     case form::value:
       return {m.begin, m.end, "passive_haptics_mutants::either(" + active + ", " + m.mutated + ", ", ")"};
+    case form::lazy:
+      return {m.begin, m.end,
+              "passive_haptics_mutants::either_of(" + active +
+                  ", [&] { return passive_haptics_mutants::value_of(" + m.mutated +
+                  "); }, [&] { return passive_haptics_mutants::value_of(",
+              "); })"};
     case form::statement: return {m.begin, m.end, "{ if (!" + active + ") ", " }"};
     default: return {m.begin, m.end, "(" + active + " ? (" + m.mutated + ") : (", "))"};
   }

@@ -150,6 +150,21 @@ inline bool is_plain(const source& s, std::pair<int, int> range) {
   return true;
 }
 
+// Whether tokens first .. last call a function that is an argument (F&& f) or a lambda (auto f = []).
+inline bool calls_what_it_is_given(const source& s, int first, int last) {
+  const auto is_given = [&](int at) {
+    if (s[at - 1].is_any({"&", "&&"}) && !s[at - 1].spaced_before) return true;
+    return s.is(at - 1, "auto") && s.is(at + 1, "=") && s.is(at + 2, "[");
+  };
+  for (int i = first; i < last; ++i) {
+    if (s[i].kind != token_kind::word || !s.is(i + 1, "(") || s[i - 1].is_any({".", "->", "::"})) continue;
+    for (int k = 1; k + 2 < s.size(); ++k) {
+      if (s.is(k, s[i].text) && is_given(k)) return true;
+    }
+  }
+  return false;
+}
+
 // ---- where a token stands
 
 // Whether the compiler asks for a constant there: nothing at run time can stand for it.
