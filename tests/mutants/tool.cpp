@@ -80,10 +80,12 @@ TEST(operators, swap_arguments_that_look_alike) {
       mutants_in_body("return m(i, j) * g(a, b + c);"),
       (strings{"swapped argument: return m(j, i) * g(a, b + c);", "sign: return m(i, j) * g(a, b - c);"}));
   EXPECT_EQ(mutants_in("void f(T a, U b);\n"), strings{});
+  EXPECT_EQ(mutants_in_body("std::swap(a, b);"), strings{"removed statement: ;"});
 }
 
 TEST(operators, remove_statements_that_do_something) {
-  EXPECT_EQ(mutants_in_body("const T a = b;\nT c(a);\nint d = k++;\na.b[k] = c;\nclear();\nreturn c;"),
+  EXPECT_EQ(mutants_in_body(
+                "const T a = b;\nT c(a);\nint d = k++;\na.b[k] = c;\nclear();\nv.reserve(n);\nreturn c;"),
             (strings{"removed statement: ;", "removed statement: ;"}));
 }
 

@@ -188,8 +188,8 @@ inline void swapped_arguments(const source& s, int i, collector& found) {
   if (!s.is(i, "(") || !s.opens(i) || s[i].spaced_before || i == 0) return;
   int callee = i - 1;
   if (s.closes(callee) && s.is(callee, ">")) callee = s.partner_of(callee) - 1;
-  static const std::set<std::string_view> symmetric{"min",           "max",    "all_finite",
-                                                    "static_assert", "sizeof", "decltype"};
+  static const std::set<std::string_view> symmetric{"min",        "max",           "swap",   "hypot",
+                                                    "all_finite", "static_assert", "sizeof", "decltype"};
   if (callee < 1 || s[callee].kind != token_kind::word || s[callee].is_any(symmetric)) return;
   const int first = name_begin(s, callee), last = s.partner_of(i);
   if (first < 1 || is_declared(s, first)) return;

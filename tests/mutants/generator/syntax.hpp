@@ -223,6 +223,7 @@ inline bool has_an_effect(const source& s, int first, int end) {
   if (s[end - 1].is_any({"++", "--"})) return true;
   if (!s.is(end - 1, ")")) return false;
   int callee = s.partner_of(end - 1) - 1;
+  if (s.is(callee, "reserve")) return false;  // of no effect but on time
   if (s.closes(callee)) callee = s.partner_of(callee) - 1;
   return callee >= first && name_begin(s, callee) == first;
 }
