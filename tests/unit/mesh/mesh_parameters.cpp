@@ -165,6 +165,23 @@ TEST(a_mesh, has_a_unit_normal_everywhere) {
   const ph::triangle_mesh leaf({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
   for (const ph::point<3>& x : {ph::point<3>(-1, -1, 0), {2, 0, 0}, {0, 2, 0}, {0.5, -1, 0}, {0.2, 0.2, 1}})
     EXPECT_EQ(leaf.normal_at(leaf.nearest(x)).norm(), 1) << x.transpose();
+  const ph::triangle_mesh box(sample_meshes::box<3>({-1, -1, -1}, {1, 1, 1}));
+  for (const ph::point<3>& x : {ph::point<3>(2, 2, 2), {2, 2, 0}, {-2, 0.1, 0.2}})
+    EXPECT_NEAR(box.normal_at(box.nearest(x)).norm(), 1, 1e-15) << x.transpose();
+}
+
+// However near it is: the way to it would be rounding.
+TEST(a_mesh, has_the_gradient_of_the_facet_in_front_of_it) {
+  const auto globe = sample_meshes::globe(24, 12, [](const auto&) { return 1.0; });
+  const ph::triangle_mesh surface(globe);
+  const ph::mesh_solid<3> solid{surface};
+  for (std::size_t f = 0; f < globe.facets.size(); ++f) {
+    const auto c = globe.corners(f);
+    const ph::point<3>& n = surface[static_cast<int>(f)].normal;
+    const ph::point<3> middle = (c[0] + c[1] + c[2]) / 3;
+    for (const double height : {1e-9, 1e-3})
+      EXPECT_EQ(solid.gradient(middle + height * n), n) << "facet " << f;
+  }
 }
 
 TEST(a_mesh, keeps_to_the_facet_that_was_guessed_where_others_are_as_near) {

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 #include <vector>
 
 namespace ph = passive_haptics;
@@ -76,11 +77,21 @@ TEST(a_tracker, rests_on_nothing_where_the_handle_is_free) {
   const ph::mesh_parameters<2> plate{{{-1, 0}, {1, 0}}, {{1, 0}}};
   tracked::handle<2> h{ph::mesh_surface<2>(ph::mesh<2>(plate))};
   EXPECT_EQ(h.memory.nearest, 0) << "which every mesh has";
+  EXPECT_EQ(h.memory.facet_count, 0);
   h.go({0.1, 0.01});
   h.go({0.1, -0.01});
   EXPECT_EQ(h.memory.facet_count, 1);
   h.go({0.1, 0.02});
   EXPECT_EQ(h.memory.facet_count, 0);
+}
+
+TEST(a_tracker, remembers_the_nearest_facet) {
+  const ph::mesh_parameters<2> plate{{{-1, 0}, {0, 0}, {1, 0}}, {{1, 0}, {2, 1}}};
+  tracked::handle<2> h{ph::mesh_surface<2>(ph::mesh<2>(plate))};
+  for (const auto& [x, facet] : {std::pair(0.5, 1), {-0.5, 0}}) {
+    h.go({x, 0.1});
+    EXPECT_EQ(h.memory.nearest, facet) << x;
+  }
 }
 
 }  // namespace

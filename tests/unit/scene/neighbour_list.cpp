@@ -69,8 +69,7 @@ TEST(a_list_of_neighbours, is_collected_anew_in_a_few_cycles) {
   EXPECT_LT(line.visits, 60);
 }
 
-// The cycles in which it is asked are the same wherever the frame has its origin; off the places that a
-// list's end falls on by rounding.
+// All coordinates are exact in either frame, so that it is asked in the same cycles.
 TEST(a_list_of_neighbours, knows_no_origin) {
   const auto asked_in = [](double origin) {
     std::vector<double> places;
