@@ -5,6 +5,7 @@
 #include <numbers>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace ph = passive_haptics;
 
@@ -44,6 +45,12 @@ struct complete_shape {
   V2 gradient(const V2&) const;
 };
 static_assert(ph::Shape<complete_shape>);
+struct shape_on_a_line {
+  static constexpr int dimension = 1;
+  double distance(const ph::point<1>&) const;
+  ph::point<1> gradient(const ph::point<1>&) const;
+};
+static_assert(ph::Shape<shape_on_a_line>);
 struct shape_without_dimension {
   double distance(const V2&) const;
   V2 gradient(const V2&) const;
@@ -81,6 +88,38 @@ static_assert(!ph::Shape<distance_in_float> && !ph::Shape<distance_not_const> &&
 static_assert(!ph::Shape<gradient_of_wrong_size> && !ph::Shape<gradient_as_expression> &&
               !ph::Shape<shape_of_no_dimension>);
 static_assert(!ph::Shape<int> && !ph::Shape<ph::static_scene<ph::disc>>);
+
+template <class Tracker>
+struct followed_shape {
+  static constexpr int dimension = 2;
+  using tracker = Tracker;
+  ph::bounding_box<2> bounds() const;
+  template <class Add>
+  double follow(const V2&, const V2&, tracker&, Add&&) const;
+};
+struct tracker_with_a_list {
+  std::vector<int> list;
+};
+struct tracker_without_a_beginning {
+  explicit tracker_without_a_beginning(int);
+};
+struct followed_without_a_tracker {
+  static constexpr int dimension = 2;
+  ph::bounding_box<2> bounds() const;
+  template <class Add>
+  double follow(const V2&, const V2&, int&, Add&&) const;
+};
+struct followed_without_bounds {
+  static constexpr int dimension = 2;
+  using tracker = int;
+  template <class Add>
+  double follow(const V2&, const V2&, tracker&, Add&&) const;
+};
+static_assert(ph::TrackedShape<followed_shape<int>>);
+static_assert(!ph::TrackedShape<followed_shape<tracker_with_a_list>> &&
+              !ph::TrackedShape<followed_shape<tracker_without_a_beginning>>);
+static_assert(!ph::TrackedShape<followed_without_a_tracker> && !ph::TrackedShape<followed_without_bounds>);
+static_assert(!ph::TrackedShape<complete_shape> && !ph::TrackedShape<int>);
 
 // ---- control laws
 

@@ -31,6 +31,8 @@ TEST(mesh_parameters, say_what_is_wrong) {
   auto p = cube();
   p.vertices[3][1] = no_number;
   EXPECT_EQ(validate(p), "vertex 3 of a mesh is not finite, expected metres");
+  p.vertices[0][2] = no_number;
+  EXPECT_EQ(validate(p), "vertex 0 of a mesh is not finite, expected metres");
   p = cube();
   p.facets[7][2] = 8;
   EXPECT_EQ(validate(p), "facet 7 of a mesh: index of a vertex = 8, expected 0 or more and less than 8");
@@ -50,6 +52,16 @@ TEST(mesh_parameters, say_what_is_wrong) {
   EXPECT_EQ(validate(without_slivers(s)), "");
   EXPECT_EQ(without_slivers(s).facets.size(), 3u);
   EXPECT_THROW(ph::triangle_mesh(ph::mesh_parameters<3>{}), std::invalid_argument);
+}
+
+TEST(a_facet, is_as_slender_as_it_is_high_for_its_length) {
+  const ph::point<2> a(1, 2), b(1, 1e200);
+  EXPECT_EQ(ph::detail::slenderness<2>({a, b}), 1);
+  EXPECT_EQ(ph::detail::slenderness<2>({a, a}), 0);
+  const ph::point<3> o(0, 0, 0), x(2, 0, 0), y(1, 1, 0);
+  EXPECT_EQ(ph::detail::slenderness<3>({o, x, y}), 0.5);
+  EXPECT_EQ(ph::detail::slenderness<3>({o, x, x}), 0);
+  EXPECT_EQ(ph::detail::slenderness<3>({x, x, x}), 0);
 }
 
 // Whichever corner comes first, and wherever the needle lies.

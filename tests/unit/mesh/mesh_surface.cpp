@@ -115,8 +115,110 @@ TYPED_TEST(a_mesh_surface, is_free_from_the_back_and_beside_its_rim) {
   EXPECT_TRUE(h.felt.empty());
   h.go(at_height<D>(-0.1));
   EXPECT_EQ(h.felt.size(), 1u);
-  h.go(at_height<D>(-0.1, 1.01));  // pushed off the rim
+  EXPECT_GT(h.go(at_height<D>(-0.1, 1.01)), 0) << "pushed off the rim";
   EXPECT_TRUE(h.felt.empty());
+  EXPECT_FALSE(h.memory.held);
+}
+
+TYPED_TEST(a_mesh_surface, leaves_a_handle_in_its_skin_free_until_it_falls) {
+  constexpr int D = TestFixture::dimension;
+  handle<D> h(surface_of(cube<D>()));
+  ph::point<D> x = at_height<D>(1 + 0.5 * skin);
+  h.go(x);
+  EXPECT_FALSE(h.memory.held);
+  EXPECT_TRUE(h.felt.empty());
+  x[D - 1] = 0.9;
+  h.go(x);
+  EXPECT_EQ(h.felt.size(), 1u);
+}
+
+TYPED_TEST(a_mesh_surface, lets_a_handle_go_that_comes_back_to_its_proxy) {
+  constexpr int D = TestFixture::dimension;
+  handle<D> h(surface_of(plate<D>()));
+  h.go(at_height<D>(0.5));
+  h.go(at_height<D>(-0.1));
+  ASSERT_TRUE(h.memory.held);
+  h.go(h.proxy());
+  EXPECT_FALSE(h.memory.held);
+  EXPECT_EQ(h.memory.facet_count, 0);
+}
+
+// A roof along the x axis, its ridge at the origin and its sides at this angle to the vertical.
+template <int D>
+ph::mesh_parameters<D> roof(double angle) {
+  const double side = std::sin(angle), down = -std::cos(angle);
+  if constexpr (D == 2) return {{{0, 0}, {side, down}, {-side, down}}, {{1, 0}, {0, 2}}};
+  else
+    return {{{0, -1, 0}, {0, 1, 0}, {side, -1, down}, {side, 1, down}, {-side, -1, down}, {-side, 1, down}},
+            {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}}};
+}
+
+// From behind one side to behind the other: over the ridge and down, a skin in front. The handle is as far
+// beyond the ridge as it is along the first side: where that is little, the proxy comes in low over the
+// second.
+TYPED_TEST(a_mesh_surface, is_followed_over_a_ridge_in_one_cycle) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  for (int k = 0; k < 1000; ++k) {
+    const double angle = random.uniform(50.0, 85.0) * std::numbers::pi / 180;
+    handle<D> h(surface_of(roof<D>(angle)));
+    // Of a side of 1 or -1, as far down from the ridge and as deep
+    const auto go = [&](double side, double down, double depth) {
+      ph::point<D> x = ph::point<D>::Zero();
+      x[0] = side * (down * std::sin(angle) - depth * std::cos(angle));
+      x[D - 1] = -down * std::cos(angle) - depth * std::sin(angle);
+      h.go(x);
+    };
+    const double side = k % 2 == 0 ? 1 : -1, down = random.uniform(0.3, 0.6);
+    go(side, down, -0.1);
+    go(side, down, 1e-3);
+    ASSERT_EQ(h.felt.size(), 1u);
+    const double beyond = random.positive(1e-9, 0.02);
+    const double depth = (-down * std::cos(2 * angle) - beyond) / std::sin(2 * angle);
+    go(-side, down, depth);
+    ASSERT_EQ(h.felt.size(), 1u) << "seed " << seed << ", trial " << k;
+    EXPECT_LT(side * h.felt[0].normal[0], 0) << "seed " << seed << ", trial " << k;
+    EXPECT_NEAR(h.felt[0].depth, depth, 1e-12);
+    EXPECT_NEAR(h.distance_of_proxy(), skin, 0.11 * skin) << "seed " << seed << ", trial " << k;
+    EXPECT_NEAR((h.proxy() - h.x).norm(), depth + skin, 0.11 * skin) << "seed " << seed << ", trial " << k;
+  }
+}
+
+// Many sides, and the handle below the point where they meet, round and round.
+TEST(a_funnel, is_never_left_however_many_sides_hold) {
+  constexpr int sides = 40;
+  ph::mesh_parameters<3> p;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2 * std::numbers::pi * k / sides;
+    p.vertices.push_back({std::cos(angle), std::sin(angle), 1});
+    p.facets.push_back({sides, k, (k + 1) % sides});
+  }
+  p.vertices.push_back({0, 0, 0});
+  handle<3> h(surface_of(p));
+  h.go({0, 0, 0.5});
+  int most = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const double angle = 0.7 * k;
+    h.go({0.4 * std::cos(angle), 0.4 * std::sin(angle), -0.5});
+    ASSERT_FALSE(h.felt.empty()) << k;
+    ASSERT_NEAR(h.proxy().norm(), skin, skin) << k;
+    most = std::max(most, h.memory.facet_count);
+  }
+  EXPECT_EQ(most, ph::proxy_tracker<3>::most_facets);
+}
+
+// A room whose skin is as thin as it may be, and handles beyond its walls, further than numbers are exact.
+TYPED_TEST(a_mesh_surface, holds_with_the_thinnest_skin_what_goes_the_furthest) {
+  constexpr int D = TestFixture::dimension;
+  random_source random(seed);
+  const ph::mesh<D> room(sample_meshes::inside_out(cube<D>()));
+  handle<D> h(ph::mesh_surface<D>(ph::mesh_surface_parameters<D>{room, 1e-9}));
+  for (int k = 0; k < 2000; ++k) {
+    if (k % 10 == 0) h.go(0.5 * random.direction<double, D>());
+    h.go(random.positive(1.0, 1e9) * 1e3 * random.direction<double, D>());
+    ASSERT_TRUE(h.memory.held) << "seed " << seed << ", handle " << k;
+    ASSERT_NEAR(h.distance_of_proxy(), 1e-9, 0.01e-9) << "seed " << seed << ", handle " << k;
+  }
 }
 
 // Two opposed faces 1 mm apart, and even none apart.
@@ -555,6 +657,10 @@ TEST(mesh_surface, says_what_is_wrong_with_its_parameters) {
             "skin of a mesh_surface [m] = inf" + skin_text);
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-7, -0.1}),
             "crease_angle of a mesh_surface [rad] = -0.1, expected 0 or more and less than pi");
+  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-7, 0}), "");
+  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-7, std::numbers::pi}).substr(0, 33),
+            "crease_angle of a mesh_surface [r");
+  EXPECT_EQ(ph::mesh_surface_parameters<3>{m}.crease_angle, std::numbers::pi / 6);
   EXPECT_THROW(ph::mesh_surface<3>(ph::mesh_surface_parameters<3>{m, 0}), std::invalid_argument);
 }
 

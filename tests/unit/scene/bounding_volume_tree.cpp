@@ -108,6 +108,7 @@ TYPED_TEST(tree, a_search_is_copied_with_what_is_left_of_it) {
   while (!search.done()) {
     std::vector<int> rest, again;
     auto one = search, other = one;
+    EXPECT_FALSE(other.done());
     all.go_on(one, bound, limit, [&](int place, double) { rest.push_back(place); });
     all.go_on(other, bound, limit, [&](int place, double) { again.push_back(place); }, 1);
     EXPECT_LE(again.size(), 16u) << "a node at a time";
@@ -160,6 +161,82 @@ TYPED_TEST(tree, opens_no_more_nodes_than_it_may) {
   const auto boxes = ever_closer<D>(0, true);
   const ph::bounding_volume_tree<D> all(boxes);
   for (const int budget : {1, 2, 3}) EXPECT_EQ(opened<D>(all, boxes[300].lower, budget), budget);
+}
+
+TYPED_TEST(tree, visits_each_of_a_few_once) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  for (int count = 0; count <= 9; ++count) {
+    std::vector<int> places;
+    ph::bounding_volume_tree<D>(random_boxes<D>(count, random))
+        .visit_within(ph::squared_distance_from<D>(ph::point<D>::Zero()), everything,
+                      [&](int place, double) { places.push_back(place); });
+    std::sort(places.begin(), places.end());
+    ASSERT_EQ(places.size(), static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k) EXPECT_EQ(places[static_cast<std::size_t>(k)], k);
+  }
+}
+
+TYPED_TEST(tree, finds_a_box_at_its_very_distance) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  for (int k = 0; k < 5000; ++k) {
+    const auto boxes = random_boxes<D>(1, random);
+    const ph::point<D> x = 3 * random.normal_vector<double, D>();
+    int found = 0;
+    ph::bounding_volume_tree<D>(boxes).visit_within(
+        ph::squared_distance_from<D>(x), squared_distance<D>(boxes[0], x), [&](int, double) { ++found; });
+    EXPECT_EQ(found, 1) << "seed " << seed << ", box " << k;
+  }
+}
+
+// On the axis on which all lie, the box about some is as far as the nearest of them.
+TYPED_TEST(tree, opens_no_node_that_is_further_than_the_limit) {
+  constexpr int D = TestFixture::dimension;
+  const ph::bounding_volume_tree<D> all(ever_closer<D>(0, true));
+  ph::testing::random_source random(seed);
+  for (int k = 0; k < 1000; ++k) {
+    const ph::point<D> x = random.uniform(-1.0, 2.0) * ph::point<D>::UnitX();
+    const auto distance = ph::squared_distance_from<D>(x);
+    const double limit = random.positive(1e-3, 2.0);
+    bool root = true;
+    const auto bound = [&](const ph::four_outer_boxes<D>& boxes) {
+      const auto squared = distance(boxes);
+      double nearest = everything;
+      for (int i = 0; i < 4; ++i) nearest = std::min(nearest, double(squared[i]));
+      EXPECT_TRUE(root || nearest <= (1 + 1e-5) * limit) << "seed " << seed << ", limit " << limit;
+      root = false;
+      return squared;
+    };
+    all.visit_within(bound, limit, [](int, double) {});
+  }
+}
+
+// Points on a line, of which at each cut in the middle only a fifth lie beyond it.
+void add_lopsided(double lower, double upper, int count, std::vector<double>& places) {
+  if (count < 5) {
+    for (int k = 0; k < count; ++k)
+      places.push_back(k == 0 ? lower : k == 1 ? upper : lower + (upper - lower) / (k + 2));
+    return;
+  }
+  const int beyond = (count + 3) / 5;
+  const double middle = lower + (upper - lower) / 2;
+  add_lopsided(lower, lower + 0.49 * (upper - lower), count - beyond, places);
+  if (beyond == 1) places.push_back(upper);
+  else add_lopsided(middle + 0.01 * (upper - lower), upper, beyond, places);
+}
+
+// No branch has more than 3/7 of its node's items: after five there are at most four left of 276.
+TYPED_TEST(tree, is_as_deep_as_it_says_at_most) {
+  constexpr int D = TestFixture::dimension;
+  std::vector<double> places;
+  add_lopsided(0, 1, 276, places);
+  std::vector<ph::bounding_box<D>> boxes;
+  for (const double at : places) boxes.push_back(ph::box_about<D>(at * ph::point<D>::UnitX(), 0));
+  const ph::bounding_volume_tree<D> all(boxes);
+  int deepest = 0;
+  for (const auto& box : boxes) deepest = std::max(deepest, opened<D>(all, box.lower, 99));
+  EXPECT_LE(deepest, 5);
 }
 
 TEST(a_tree, knows_how_large_its_coordinates_are) {

@@ -87,6 +87,72 @@ TEST(a_list_of_neighbours, knows_no_origin) {
   EXPECT_EQ(asked_in(1024), asked_in(0));
 }
 
+TEST(a_list_of_neighbours, asks_about_an_item_in_the_very_place) {
+  points_on_a_line line({0});
+  for (int k = 0; k < 3; ++k) {
+    line.go(0);
+    EXPECT_EQ(line.seen, std::vector<double>{0});
+  }
+}
+
+// Something is touched all the way, so that it is asked in each cycle and the way is a sum of many.
+TEST(a_list_of_neighbours, loses_nothing_of_a_way_in_many_steps) {
+  const ph::bounding_volume_tree<2> tree({ph::box_about<2>({0, 0}, 0)});
+  ph::neighbour_list<2> near(1, tree.scale());
+  bool seen = false;
+  const auto go = [&](double x) {
+    seen = false;
+    near.visit(tree, {x, 0}, [&](int item) {
+      seen |= item == 0;
+      return item == 0 ? std::abs(x) : 0;
+    });
+  };
+  for (int k = 0; k < 2; ++k) go(0);
+  for (int k = 1; k <= 512; ++k) go(k / 1024.0);
+  for (int k = 511; k >= 0; --k) go(k / 1024.0);
+  EXPECT_TRUE(seen);
+}
+
+TEST(a_list_of_neighbours, goes_on_collecting_wherever_the_hand_goes) {
+  std::vector<double> places;
+  for (int i = 0; i < 1000; ++i) places.push_back(-1 - 0.01 * i);
+  points_on_a_line line(places);
+  for (int k = 0; k < 2; ++k) line.go(0);
+  double x = 0;
+  for (int before = line.visits; line.visits == before; x += 1e-3) line.go(x);
+  const int before = line.visits;
+  line.go(x - 0.05);
+  EXPECT_EQ(line.visits, before + 1);
+}
+
+// A hand that jumps: no list is made for a place that it will have left, until it may be a place to stay.
+TEST(a_list_of_neighbours, is_not_collected_where_the_hand_has_jumped_but_tried_some_day) {
+  std::vector<double> places;
+  for (int i = 0; i < 100; ++i) places.push_back(-1 - 0.01 * i);
+  points_on_a_line line(places);
+  for (int k = 0; k < 2; ++k) line.go(0);
+  EXPECT_TRUE(line.near.idle({0, 0}));
+  int jumps = 0;
+  for (; jumps < 1000; ++jumps) {
+    line.go(jumps % 2 == 0 ? 3 : 0);
+    if (line.near.idle({jumps % 2 == 0 ? 3.0 : 0.0, 0})) break;
+  }
+  EXPECT_GT(jumps, 100);
+  EXPECT_LT(jumps, 1000);
+}
+
+TEST(a_list_of_neighbours, stays_idle_while_what_moves_is_further_off_than_the_hand) {
+  const ph::bounding_volume_tree<2> none;
+  ph::neighbour_list<2> near(1, 1);
+  for (int k = 0; k < 2; ++k) near.visit(none, {0, 0}, [](int) { return 0.9; });
+  ASSERT_TRUE(near.idle({0.89, 0}));
+  near.moved(0, 0.1);
+  EXPECT_TRUE(near.idle({0.79, 0}));
+  EXPECT_FALSE(near.idle({0.81, 0}));
+  near.moved(0, 0.9);
+  EXPECT_FALSE(near.idle({0, 0}));
+}
+
 TEST(a_world, is_touched_as_soon_as_the_handle_is_behind_a_wall) {
   ph::world_walls<2> walls;
   walls.add(ph::wall(ph::half_space<2>({-1, 0}, {1, 0})));

@@ -144,6 +144,15 @@ TEST(contact_list, holds_up_to_its_capacity_and_says_when_it_is_full) {
   EXPECT_EQ(list.size(), 0);
 }
 
+TEST(contact_listDeathTest, tells_nothing_beyond_its_last) {
+  ph::contacts<2, 3> list;
+  EXPECT_DEBUG_DEATH(list[0], "size_");
+  list.push_back({.depth = 1});
+  EXPECT_EQ(list[0].depth, 1);
+  EXPECT_DEBUG_DEATH(list[1], "size_");
+  EXPECT_DEBUG_DEATH(list[-1], "size_");
+}
+
 TEST(contact_list, shows_its_first_contact_alone) {
   ph::contacts<2, 2> list;
   list.push_back({.depth = 1, .wall = 3});

@@ -8,6 +8,7 @@
 #include <passive_haptics/scene/shapes/moving.hpp>
 #include <passive_haptics/scene/world/scene_exchange.hpp>
 #include <passive_haptics/scene/world/world.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,7 @@ namespace ph = passive_haptics;
 
 namespace {
 
+constexpr unsigned seed = 20040627;
 using M = ph::xy_table<double>;
 const ph::point<2> up{0, 1};
 
@@ -98,10 +100,55 @@ TEST(a_latest_scene, carries_moving_walls_on_only_if_asked) {
   expect_carried_on(world);
 }
 
+// Knows no more than its number and which scene it took over from.
+struct numbered_scene {
+  int number;
+  int remembered = -1;
+  void remember(const numbered_scene& other) { remembered = other.number; }
+};
+
+TEST(a_scene_exchange, leaves_the_scene_that_is_read_alone_until_it_is_updated) {
+  ph::testing::random_source random(seed);
+  ph::scene_exchange<numbered_scene> exchange({0}, 0);
+  int read = 0, before = -1, latest = 0;
+  const auto check = [&] {
+    ASSERT_EQ(exchange.scene().number, read) << "seed " << seed;
+    ASSERT_EQ(exchange.scene().remembered, before) << "seed " << seed;
+    ASSERT_EQ(exchange.time(), read) << "seed " << seed;
+  };
+  for (int k = 0; k < 1000; ++k) {
+    if (k < 2 || random.coin()) {
+      ++latest;
+      exchange.publish({latest}, latest);
+    } else {
+      exchange.update();
+      if (latest != read) before = read;
+      read = latest;
+    }
+    check();
+  }
+}
+
+// A scene that nothing can be asked but what it touches.
 struct bare {
   static constexpr int dimension = 2;
   using contacts_type = ph::contacts<2, 1>;
+  double depth = 0;
+  contacts_type touched_at(const ph::point<2>&) const {
+    contacts_type touched;
+    touched.push_back({.depth = depth});
+    return touched;
+  }
 };
+
+TEST(a_latest_scene, may_be_one_that_can_only_be_sensed) {
+  ph::scene_exchange<bare> exchange(bare{1}, 0.0);
+  ph::latest_scene latest(exchange);
+  EXPECT_EQ(scene_status(latest), ph::status::ok) << "before anything is sensed";
+  EXPECT_EQ(ph::sense(latest, {0, 0}, 0.01)[0].depth, 1);
+  exchange.publish(bare{2}, 0.02);
+  EXPECT_EQ(ph::sense(latest, {0, 0}, 0.02)[0].depth, 2);
+}
 
 TEST(a_latest_scene, refuses_parameters_that_it_cannot_follow) {
   ph::scene_exchange<floor_scene> exchange(floor_at(0), 0.0);

@@ -334,6 +334,61 @@ TEST(a_world, that_forgets_the_handle_follows_it_from_nowhere) {
   EXPECT_EQ(told_at(0.4), ph::point<2>(0.3, 0));
 }
 
+// A wall that counts in one byte how often it was asked, from 7.
+struct counting_wall {
+  static constexpr int dimension = 2;
+  struct tracker {
+    signed char count = 7;
+  };
+  inline static int told = 0;
+  ph::bounding_box<2> bounds() const { return ph::box_about<2>({0, 0}, 1); }
+  template <class Add>
+  double follow(const ph::point<2>&, const ph::point<2>&, tracker& t, Add&&) const {
+    told = t.count++;
+    return 0;
+  }
+};
+
+TEST(a_world, gives_each_tracker_its_room_and_its_beginning) {
+  ph::world_walls<2> walls;
+  walls.add(ph::wall(counting_wall{}));
+  ph::world<2> w(walls);
+  for (int k = 0; k < 3; ++k) {
+    ph::sense(w, {0, 0});
+    EXPECT_EQ(counting_wall::told, 7 + k);
+  }
+  w.reset();
+  ph::sense(w, {0, 0});
+  EXPECT_EQ(counting_wall::told, 7);
+}
+
+TEST(a_world, looks_at_nothing_while_the_hand_stays_in_free_space) {
+  ph::world_walls<2> walls;
+  walls.add(ph::wall(counted<ph::ball<2>>(ph::disc({2, 0}, 1))));
+  walls.add(ph::wall(counted<ph::half_space<2>>(ph::half_space<2>({-1, 0}, {1, 0}))));
+  ph::world<2> w(walls);
+  for (int k = 0; k < 2; ++k) ph::sense(w, {0, 0});
+  looks = 0;
+  for (int k = 0; k < 1000; ++k) EXPECT_TRUE(ph::sense(w, {k % 2 == 0 ? 0.1 : -0.1, 0}).empty());
+  EXPECT_EQ(looks, 0);
+}
+
+TYPED_TEST(world, tells_of_a_fixed_wall_beside_a_moving_one_that_it_stands_still) {
+  constexpr int D = TestFixture::dimension;
+  const ph::point<D> e = ph::point<D>::UnitX(), o = ph::point<D>::Zero();
+  ph::world_walls<D> walls;
+  const int fixed = walls.add(ph::wall(ph::ball<D>(o, 1)));
+  const int lid = walls.add_moving(ph::wall(ph::half_space<D>(o, e)));
+  ph::world<D> w(walls);
+  w.set_motion(lid, o, 0.5 * e);
+  for (int k = 0; k < 3; ++k) {
+    const auto& found = ph::sense(w, ph::point<D>(-0.5 * e));
+    ASSERT_EQ(found.size(), 2);
+    EXPECT_EQ(found[fixed].wall_velocity, o);
+    EXPECT_EQ(found[lid].wall_velocity, 0.5 * e);
+  }
+}
+
 TYPED_TEST(world, has_walls_that_move) {
   constexpr int D = TestFixture::dimension;
   ph::testing::random_source random(seed);
@@ -399,6 +454,9 @@ TYPED_TEST(world, refuses_bounds_that_are_none) {
     walls.add(ph::any_wall<D>(ph::wall(ph::ball<D>(ph::point<D>::Zero(), 1)), bad));
     EXPECT_NE(validate(walls).find("bounds of wall 1"), std::string::npos) << validate(walls);
     EXPECT_THROW(ph::world<D>{walls}, std::invalid_argument);
+    ph::world_walls<D> alone;
+    alone.add(walls.all().back());
+    EXPECT_NE(validate(alone).find("bounds of wall 0"), std::string::npos) << validate(alone);
   }
 }
 

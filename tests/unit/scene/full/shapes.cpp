@@ -178,6 +178,8 @@ TEST(box, makes_printed_axes_orthonormal) {
   const ph::box<2> shape(p);
   for (const ph::point<2>& x : {ph::point<2>(3, 0.1), {0.2, 0.1}, {-5, 5}})
     EXPECT_NEAR(shape.gradient(x).norm(), 1, 4 * eps);
+  p.axes << 1, 5e-6, 0, 1;  // skew
+  EXPECT_NEAR(ph::box<2>(p).gradient({3, 0}).dot(ph::box<2>(p).gradient({0, 3})), 0, eps);
 }
 
 TEST(convex_polygon, has_the_distance_that_a_search_over_its_edges_finds) {
