@@ -4,6 +4,7 @@
 #include <passive_haptics/brake/brake_parameters.hpp>
 #include <passive_haptics/control/extensions/plausibility.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <gtest/gtest.h>
@@ -29,6 +30,18 @@ TEST(plausibility, names_each_part_and_value) {
             "wall 1: stiffness of a wall [N/m] = 1, usually 100 to 1e9\n"
             "q[0] [rad or m] = 90, more than two turns: degrees?\n"
             "mechanism: end effector 150.149 m from the base: millimetres?\n");
+}
+
+// 4 pi = 12.566
+TEST(plausibility, asks_beyond_two_turns_and_five_metres) {
+  using arm = custom::planar_arm<double>;
+  EXPECT_EQ(ph::plausibility(arm(), ph::unlimited_brakes(), 0, {12.56, -12.56, 0}), "");
+  EXPECT_EQ(ph::plausibility(arm(), ph::unlimited_brakes(), 0, {0, -12.57, 0}),
+            "q[1] [rad or m] = -12.57, more than two turns: degrees?\n");
+  const ph::xy_table<double> table;
+  EXPECT_EQ(ph::plausibility(table, ph::unlimited_brakes(), 0, {3, -3.99}), "");
+  EXPECT_EQ(ph::plausibility(table, ph::unlimited_brakes(), 0, {3, -4.01}).substr(0, 31),
+            "mechanism: end effector 5.008 m");
 }
 
 TEST(plausibility, asks_no_table_of_a_mechanism) {

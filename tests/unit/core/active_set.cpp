@@ -62,6 +62,45 @@ TEST(active_set, is_nearest_from_any_start) {
   expect_nearest_from_any_start<6, 6>(40);
 }
 
+// So many that the rare ones are among them in which several members must leave, one after the other.
+template <int Rows, int Columns>
+void expect_nearest_of_many() {
+  SCOPED_TRACE(::testing::Message() << Rows << " x " << Columns << ", seed 20");
+  ph::testing::random_source random(20);
+  for (int k = 0; k < 10'000; ++k) {
+    ph::matrix<double, Rows, Columns> B;
+    for (int j = 0; j < Columns; ++j) B.col(j) = random.normal_vector<double, Rows>();
+    const ph::vector<double, Rows> f = random.direction<double, Rows>();
+    ph::half_space_start start{};
+    for (int j = 0; j < Columns; ++j) {
+      start.violated |= (B.col(j).dot(f) > 0 ? 1u : 0u) << j;
+      start.active |= (random.coin() ? 1u : 0u) << j;
+    }
+    const auto held = ph::project_onto_half_spaces(B, f, start);
+    const double size = 1e-12 * (1 + B.norm() * held.coefficients.norm());
+    ASSERT_LE((B.transpose() * held.point).maxCoeff(), size) << "cone " << k;
+    ASSERT_GE(held.coefficients.minCoeff(), 0) << "cone " << k;
+    ASSERT_LE((held.point + B * held.coefficients - f).norm(), size) << "cone " << k;
+    ASSERT_NEAR(held.point.dot(B * held.coefficients), 0, size) << "cone " << k;
+  }
+}
+
+TEST(active_set, meets_the_conditions_of_the_nearest_point_in_many_cones) {
+  expect_nearest_of_many<3, 5>();
+  expect_nearest_of_many<4, 7>();
+  expect_nearest_of_many<6, 9>();
+}
+
+// Let anyone leave but the first that would become negative on the way, and half-spaces take turns for ever.
+TEST(active_set, lets_the_first_leave_that_is_in_the_way) {
+  const ph::matrix<double, 6, 9> B{{1, 1, -2, 2, -1, -2, -2, 0, -1}, {-2, -1, 0, 2, 2, -1, -1, -2, 2},
+                                   {2, 2, 2, -2, 2, -2, -2, 2, -1},  {2, 1, -1, 1, -2, 2, 2, -1, 0},
+                                   {1, -2, 2, 2, -1, -2, 0, -1, -2}, {0, 2, -1, -2, 1, -1, -2, 2, 0}};
+  const ph::vector<double, 6> f(2, -1, -1, 1, 0, -3);
+  ph::half_space_start start{198, 105};  // f violates these
+  expect_nearest(ph::project_onto_half_spaces(B, f, start), B, f);
+}
+
 // Either of two sets holds f back at the apex.
 TEST(active_set, begins_with_what_held_before_if_f_violates_the_same) {
   const ph::matrix<double, 3, 4> B{{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};

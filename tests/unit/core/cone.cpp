@@ -32,6 +32,7 @@ TEST(cone_on_a_line, f_or_zero) {
   EXPECT_EQ(by_the_first.coefficients, (ph::vector<double, 3>(0.75, 0, 0)));
   EXPECT_EQ(by_the_first.active, 1u);
   EXPECT_EQ(project({1, -1, 0}, 0).point[0], 0);
+  EXPECT_EQ(project({0.5, 0, 0}, 0.5).point[0], 0);
   EXPECT_EQ((ph::project_onto_half_spaces(ph::matrix<double, 1, 1>(1), number(-2)).point[0]), -2);
 }
 
@@ -128,6 +129,10 @@ TEST(nearest_edge, is_that_along_which_f_points) {
   EXPECT_EQ(turned.held, 1);
   EXPECT_EQ(turned.direction, pair(-3, -1));
   EXPECT_EQ(turned.along, 7);
+  const auto turned_first = of({1, -1}, {1, -5});
+  EXPECT_EQ(turned_first.held, 0);
+  EXPECT_EQ(turned_first.direction, pair(0, -2));
+  EXPECT_EQ(turned_first.along, 10);
 }
 
 // A point of each face, edge and so on, pushed out of the cone by what meets there: all solvers know it.
