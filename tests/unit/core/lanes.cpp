@@ -81,6 +81,8 @@ TYPED_TEST(lanes, compute_what_single_numbers_do) {
     EXPECT_EQ(any(a < b), (x.array() < y.array()).any());
     for (int i = 0; i < 32; ++i)
       EXPECT_EQ(bits(a < b) >> i & 1u, i < fixture::count && x[i] < y[i] ? 1u : 0u);
+    for (int i = 0; i < 32; ++i)
+      EXPECT_EQ(bits(a <= b) >> i & 1u, i < fixture::count && x[i] <= y[i] ? 1u : 0u);
     const typename fixture::vector stored = a;
     for (int i = 0; i < fixture::count; ++i) fixture::expect_same(stored[i], x[i]);
   }

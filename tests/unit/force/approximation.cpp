@@ -130,6 +130,18 @@ TEST(approximation, of_two_brakes_is_the_nearest_force_made_longer) {
   }
 }
 
+// Whichever brakes hold it, what is left is across both, and asks for no torque.
+TEST(approximation, of_two_brakes_that_pull_along_one_line_needs_no_torque) {
+  const ph::matrix<double, 2, 2> E{{1, 2}, {1, 2}};
+  for (const force& s : {force(1, 1), force(1, -1), force(-1, 1)}) {
+    const auto F = ph::approximate(E, s, force(0.6, 0.8), 0.02);
+    EXPECT_EQ(F.display, ph::display_class::approximate) << s.transpose();
+    EXPECT_EQ(F.torque, force(0, 0)) << s.transpose();
+    EXPECT_TRUE(F.force.isApprox(5 * force(-1, 1), 1e-14)) << F.force.transpose();
+  }
+  EXPECT_EQ(ph::approximate(E, force(-1, -1), force(0.6, 0.8), 0.02).display, ph::display_class::exact);
+}
+
 TEST(approximation, in_space_gives_no_torque_at_all_to_a_released_brake) {
   ph::testing::random_source random(2);
   int released = 0;

@@ -198,7 +198,7 @@ TEST(one_way_resistance, lets_the_other_way_free) {
   EXPECT_EQ(ph::one_way_resistance(5.0, -0.05, 0.1, 0.0), 0);
   EXPECT_EQ(ph::one_way_resistance(5.0, -0.2, 0.1, 100.0), 0);
   EXPECT_EQ(ph::one_way_resistance(5.0, 0.2, 0.1, -9.0), 5) << "beyond the dead band no push counts";
-  EXPECT_EQ(ph::one_way_resistance(5.0, 0.01, 0.1, 0.0), 0.5);
+  EXPECT_EQ(ph::one_way_resistance(5.0, 0.0125, 0.1, 0.0), 0.625);
   EXPECT_EQ(ph::one_way_resistance(5.0, 0.0, 0.1, 3.0), 3);
   EXPECT_EQ(ph::one_way_resistance(5.0, 0.0, 0.1, 7.0), 5);
   EXPECT_EQ(ph::one_way_resistance(5.0, 0.0, 0.1, -3.0), 0);
