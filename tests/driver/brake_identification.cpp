@@ -94,6 +94,19 @@ TEST_P(brake_identification, finds_time_constants_up_and_down_and_the_dead_time)
   });
 }
 
+TEST_P(brake_identification, needs_one_sample_before_the_step) {
+  const ph::delayed_brake<ph::coulomb_brake<double>> brake;
+  for_each_seed([&](const auto& how) {
+    samples all = record(brake, line, steady, [](double t) { return t < 0.1 ? 0.0 : 0.5; }, 0.4, how);
+    const auto stepped = std::ranges::find_if(all, [](const auto& s) { return s.current > 0; });
+    ASSERT_GT(stepped - all.begin(), 1);
+    all.erase(all.begin(), stepped - 1);
+    const auto up = ph::fit_step_response(all);
+    EXPECT_NEAR(up.before.value + up.change.value, slope * 0.5, 0.01);
+    EXPECT_NEAR(up.deviation, how.noise, 0.2 * how.noise);
+  });
+}
+
 // ---- ramps
 
 // 0.5 s of pause, 5 s up, 0.5 s there, 5 s down

@@ -175,6 +175,27 @@ TEST(a_child_process, is_waited_for_on_through_signals) {
   sigaction(SIGUSR1, &before, nullptr);
 }
 
+// Through a signal of a child that says nothing, and where next to no time is left.
+TEST(a_child_process, is_not_waited_for_longer_than_that) {
+  struct sigaction heard{}, before{};
+  heard.sa_handler = [](int) {};
+  sigaction(SIGUSR1, &heard, &before);
+  bool signals = true;
+  const auto never = [&] {
+    poll(nullptr, 0, 10);
+    if (signals) kill(getppid(), SIGUSR1);
+    for (;;) pause();
+    return std::string();
+  };
+  ph::child_process child;
+  for (const double patience : {0.1, 5e-4, 0.0}) {
+    EXPECT_EQ(child.start(never, until_parent_is_gone, patience),
+              "the process was not ready in time: was it stopped?");
+    signals = false;
+  }
+  sigaction(SIGUSR1, &before, nullptr);
+}
+
 TEST(shared_memory, throws_where_there_is_none) {
   struct larger_than_any_machine {
     char bytes[std::size_t{1} << 60];
