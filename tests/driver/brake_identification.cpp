@@ -155,6 +155,10 @@ TEST_P(brake_identification, finds_the_loop_of_a_magnetorheological_brake) {
       EXPECT_LE(std::abs(step.dead_time.value), 4 * step.dead_time.standard_error);
       EXPECT_NEAR(step.deviation, how.noise, 0.2 * how.noise);
     }
+    samples late = rise;  // each torque comes four samples later
+    for (std::size_t k = late.size(); k-- > 4;) late[k].torque = rise[k - 4].torque;
+    const auto dead_time = ph::fit_magnetorheological_step(late, loop).dead_time;
+    EXPECT_NEAR(dead_time.value, late[4].time - late[0].time, 1e-4 + 4 * dead_time.standard_error);
     expect_found(loop.torque_limit, 2, 0.0002 * share, "torque limit");
     expect_found(loop.saturation, 1.5, 0.0005 * share, "saturation");
     expect_found(loop.coercive_current, 0.05, 0.001 * share, "coercive current");

@@ -529,6 +529,16 @@ TEST(a_frozen_encoder, is_none_where_it_moves_now_and_then) {
   }
 }
 
+TEST(a_sample, is_of_nothing_by_default) {
+  const ph::port_sample<2> sample;
+  EXPECT_EQ(sample.time, 0);
+  EXPECT_EQ(sample.sequence, 0U);
+  for (const std::size_t k : {0U, 1U}) {
+    EXPECT_EQ(sample.value[k], 0);
+    EXPECT_FALSE(sample.valid[k]);
+  }
+}
+
 TEST(a_jump, cannot_be_waited_out) {
   ph::encoder_check<1> check({.largest_rate = 1000});
   ph::port_sample<1> sample{0, 0, {0}, {true}};
