@@ -31,6 +31,17 @@ void for_ever(ph::parent_link) {
   for (;;) pause();
 }
 
+// SIGUSR1 interrupts what waits, and does no more.
+struct hears_signals {
+  struct sigaction before{};
+  hears_signals() {
+    struct sigaction heard{};
+    heard.sa_handler = [](int) {};
+    sigaction(SIGUSR1, &heard, &before);
+  }
+  ~hears_signals() { sigaction(SIGUSR1, &before, nullptr); }
+};
+
 // Whether it is stopped, as ps(1) shows it.
 bool is_stopped(pid_t process) {
   siginfo_t what{};
@@ -159,9 +170,7 @@ TEST(a_child_process, keeps_no_file_open_but_the_standard_ones_and_its_pipes) {
 }
 
 TEST(a_child_process, is_waited_for_on_through_signals) {
-  struct sigaction heard{}, before{};
-  heard.sa_handler = [](int) {};
-  sigaction(SIGUSR1, &heard, &before);
+  const hears_signals on;
   const auto ready_after_signals = [] {
     for (int k = 0; k < 20; ++k) {
       kill(getppid(), SIGUSR1);
@@ -172,14 +181,11 @@ TEST(a_child_process, is_waited_for_on_through_signals) {
   ph::child_process child;
   EXPECT_EQ(child.start(ready_after_signals, until_parent_is_gone), "");
   EXPECT_TRUE(child.stop());
-  sigaction(SIGUSR1, &before, nullptr);
 }
 
 // Through a signal of a child that says nothing, and where next to no time is left.
-TEST(a_child_process, is_not_waited_for_longer_than_that) {
-  struct sigaction heard{}, before{};
-  heard.sa_handler = [](int) {};
-  sigaction(SIGUSR1, &heard, &before);
+TEST(a_child_process, is_not_waited_for_longer_than_there_is_patience) {
+  const hears_signals on;
   bool signals = true;
   const auto never = [&] {
     poll(nullptr, 0, 10);
@@ -193,7 +199,6 @@ TEST(a_child_process, is_not_waited_for_longer_than_that) {
               "the process was not ready in time: was it stopped?");
     signals = false;
   }
-  sigaction(SIGUSR1, &before, nullptr);
 }
 
 TEST(shared_memory, throws_where_there_is_none) {

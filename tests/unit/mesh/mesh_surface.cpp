@@ -658,8 +658,8 @@ TEST(mesh_surface, says_what_is_wrong_with_its_parameters) {
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-7, -0.1}),
             "crease_angle of a mesh_surface [rad] = -0.1, expected 0 or more and less than pi");
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-7, 0}), "");
-  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-7, std::numbers::pi}).substr(0, 33),
-            "crease_angle of a mesh_surface [r");
+  EXPECT_TRUE(
+      validate(ph::mesh_surface_parameters<3>{m, 1e-7, std::numbers::pi}).starts_with("crease_angle"));
   EXPECT_EQ(ph::mesh_surface_parameters<3>{m}.crease_angle, std::numbers::pi / 6);
   EXPECT_THROW(ph::mesh_surface<3>(ph::mesh_surface_parameters<3>{m, 0}), std::invalid_argument);
 }
