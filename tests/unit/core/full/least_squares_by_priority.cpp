@@ -20,7 +20,6 @@ using real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 constexpr unsigned seed = 20040627;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double eps = std::numeric_limits<double>::epsilon();
 
 template <int N>
 struct problem {
