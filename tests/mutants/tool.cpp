@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,13 @@ TEST(operators, change_constants) {
                "constant: return 0 * 2u * 0.0 * 2 * 0.5 * 1e-9;",
                "constant: return 0 * 2u * 0.0 * 0.5 * 10 * 1e-9;"}));
   EXPECT_EQ(mutants_in("struct a { bool b = true; };\n"), strings{"constant: struct a { bool b = false; };"});
+}
+
+TEST(operators, make_no_next_number_where_it_is_as_good) {
+  EXPECT_EQ(mutants_in_body("return -1;"), strings{"sign: return 1;"});
+  EXPECT_EQ(mutants_in_body("return n - 1;"), (strings{"sign: return n + 1;", "constant: return n - 2;"}));
+  EXPECT_EQ(mutants_in_body("return rounding_tolerance<T>(1) * 2;"),
+            strings{"constant: return rounding_tolerance<T>(1) * 3;"});
 }
 
 TEST(operators, leave_clamps_out) {
@@ -224,6 +232,23 @@ TEST(arguments, are_found_by_text_and_grow_stale) {
             (std::map<std::string, std::string>{{key, "a is never b"}}));
   EXPECT_TRUE(stale({{key, ""}}, all).empty());
   EXPECT_EQ(stale({{key, ""}, {"brake/a.hpp | x | y", ""}}, all).size(), 1u);
+}
+
+TEST(table, counts_and_lists_survivors) {
+  const source s("brake/sample.hpp", "bool f() { return a < b; }\n");
+  const mutant m = mutants_of(s).at(0);
+  std::ostringstream out;
+  EXPECT_EQ(print_table(out, {{m, {true, ending::failed}}, {m, {true, ending::late}}, {m, {true}}, {m, {}}}),
+            50.0);
+  const std::string text = out.str();
+  EXPECT_TRUE(
+      text.starts_with("brake/sample.hpp:1: comparison\n  - bool f() { return a < b; }\n  + bool f() "
+                       "{ return a > b; }\nbrake/sample.hpp:1: comparison, not reached\n"))
+      << text;
+  EXPECT_NE(
+      text.find("all                          4         1         0         1         2\n50.0 % killed\n"),
+      std::string::npos)
+      << text;
 }
 
 }  // namespace

@@ -118,6 +118,19 @@ inline void sign(const source& s, int i, collector& found) {
   }
 }
 
+// The word before this parenthesis and what may stand in < > between.
+inline int callee_of(const source& s, int open) {
+  const int before = open - 1;
+  return before > 0 && s.closes(before) && s.is(before, ">") ? s.partner_of(before) - 1 : before;
+}
+
+// A margin of one rounding more is no mistake; and below 0, which often stands for none, the sign is one.
+inline bool next_is_as_good(const source& s, int i) {
+  if (i > 0 && s.is(i - 1, "-") && is_unary(s, i - 1)) return true;
+  const int open = s.around(i);
+  return open > 0 && s.is(open, "(") && s.is(callee_of(s, open), "rounding_tolerance");
+}
+
 // Another number: of integers the next, of others one that is noticed; a tolerance ten times as large.
 inline void constant(const source& s, int i, collector& found) {
   const std::string text(s[i].text);
@@ -130,7 +143,7 @@ inline void constant(const source& s, int i, collector& found) {
   std::string other;
   if (text.find_first_of(".eE") == std::string::npos) {
     const std::size_t digits = text.find_first_not_of("0123456789");
-    if (text.find('\'') != std::string::npos) return;
+    if (text.find('\'') != std::string::npos || next_is_as_good(s, i)) return;
     other = std::to_string(std::stol(text) + 1) + (digits == std::string::npos ? "" : text.substr(digits));
   } else if (std::stod(text) == 0) {
     other = "1.0";
@@ -186,8 +199,7 @@ inline void missing_check(const source& s, int i, collector& found) {
 // Arguments that stand beside each other in the other order; indices are the arguments of a matrix.
 inline void swapped_arguments(const source& s, int i, collector& found) {
   if (!s.is(i, "(") || !s.opens(i) || s[i].spaced_before || i == 0) return;
-  int callee = i - 1;
-  if (s.closes(callee) && s.is(callee, ">")) callee = s.partner_of(callee) - 1;
+  const int callee = callee_of(s, i);
   static const std::set<std::string_view> symmetric{"min",        "max",           "swap",   "hypot",
                                                     "all_finite", "static_assert", "sizeof", "decltype"};
   if (callee < 1 || s[callee].kind != token_kind::word || s[callee].is_any(symmetric)) return;

@@ -27,7 +27,8 @@ struct options {
   std::size_t count = 400;
   std::string of = {};
   unsigned jobs = 2;
-  bool again = false;  // what was killed before need not be killed again
+  bool again = false;   // what was killed before need not be killed again
+  bool argued = false;  // those alone that are argued to change nothing
   fs::path repository = fs::current_path(), work = fs::current_path() / "build/mutants";
 };
 

@@ -1,9 +1,10 @@
-// What became of the mutants, and which of those that survive are argued to change nothing.
+// What became of the mutants, and which are argued to change nothing.
 #pragma once
 
 #include "../generator/draw.hpp"
 #include "suites.hpp"
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -35,57 +36,62 @@ inline std::map<std::string, std::string> stale(std::map<std::string, std::strin
   return argued;
 }
 
+inline bool is_argued(const mutant& m, const std::map<std::string, std::string>& argued) {
+  return argued.contains(key_of(m));
+}
+
 struct judged_mutant {
   mutant what;
   verdict given;
 };
 
 struct tally {
-  int drawn = 0, failed = 0, crashed = 0, late = 0, argued = 0, survived = 0;
+  int drawn = 0, failed = 0, crashed = 0, late = 0, survived = 0;
 };
 
-inline void count(tally& t, const judged_mutant& m, bool argued) {
+inline void count(tally& t, const judged_mutant& m) {
   ++t.drawn;
   switch (m.given.how) {
     case ending::failed: ++t.failed; break;
     case ending::crashed: ++t.crashed; break;
     case ending::late: ++t.late; break;
-    case ending::passed: ++(argued ? t.argued : t.survived);
+    case ending::passed: ++t.survived;
   }
 }
 
 inline void print(std::ostream& out, const std::string& name, const tally& t) {
   out << std::left << std::setw(20) << name << std::right;
-  for (const int number : {t.drawn, t.failed, t.crashed, t.late, t.argued, t.survived})
-    out << std::setw(10) << number;
+  for (const int number : {t.drawn, t.failed, t.crashed, t.late, t.survived}) out << std::setw(10) << number;
   out << '\n';
 }
 
-// Prints all; true if enough are killed or argued, and few enough argued.
-inline bool print_table(std::ostream& out, const std::vector<judged_mutant>& all,
-                        const std::map<std::string, std::string>& argued) {
+inline void print(std::ostream& out, const judged_mutant& m) {
+  out << m.what.file << ':' << m.what.line << ": " << m.what.name << (m.given.reached ? "" : ", not reached")
+      << '\n'
+      << "  - " << m.what.original_line << "\n  + " << m.what.mutated_line << '\n';
+}
+
+// Prints the survivors, or those that are killed, and how many there are of each kind; returns how many of a
+// hundred are killed.
+inline double print_table(std::ostream& out, const std::vector<judged_mutant>& all,
+                          bool killed_are_listed = false) {
   std::map<std::string, tally> by_operator, by_stage;
   tally sum;
   for (const judged_mutant& m : all) {
-    const bool is_argued = argued.contains(key_of(m.what));
-    count(by_operator[m.what.name], m, is_argued);
-    count(by_stage[stage_of(m.what.file)], m, is_argued);
-    count(sum, m, is_argued);
-    if (m.given.how != ending::passed || is_argued) continue;
-    out << m.what.file << ':' << m.what.line << ": " << m.what.name
-        << (m.given.reached ? "" : ", not reached") << '\n'
-        << "  - " << m.what.original_line << "\n  + " << m.what.mutated_line << '\n';
+    count(by_operator[m.what.name], m);
+    count(by_stage[stage_of(m.what.file)], m);
+    count(sum, m);
+    if ((m.given.how != ending::passed) == killed_are_listed) print(out, m);
   }
-  out << "\n                         drawn    failed   crashed      late    argued  survived\n";
+  out << "\n                         drawn    failed   crashed      late  survived\n";
   for (const auto& [name, t] : by_operator) print(out, name, t);
   out << '\n';
   for (const auto& [name, t] : by_stage) print(out, name, t);
   out << '\n';
   print(out, "all", sum);
-  const double killed = 100.0 * (sum.failed + sum.crashed + sum.late) / sum.drawn,
-               argued_share = 100.0 * sum.argued / sum.drawn;
-  out << std::fixed << std::setprecision(1) << killed << " % killed, " << argued_share << " % argued\n";
-  return killed + argued_share >= 97 && argued_share <= 3;
+  const double killed = 100.0 * (sum.failed + sum.crashed + sum.late) / std::max(sum.drawn, 1);
+  out << std::fixed << std::setprecision(1) << killed << " % killed\n";
+  return killed;
 }
 
 }  // namespace mutants

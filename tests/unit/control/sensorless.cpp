@@ -177,6 +177,18 @@ TEST(sensorless_controller, probes_no_brake_that_slips) {
   slide();
 }
 
+// The motion before a reset is none of the hand's after it.
+TEST(sensorless_controller, knows_of_no_hand_after_a_reset) {
+  const device arm;
+  auto control = controller_with(ph::no_direct_control());
+  const auto outside = arm.inverse({0.1, 0.2}, ph::elbow::left).q;
+  for (int k = 0; k < 20; ++k) control(state{k * 1e-3, outside, {-0.02 * k, 0.03 * k}});
+  EXPECT_GT(control.hand().force.norm(), 0.1);
+  control.reset();
+  control(state{0.02, outside, {-0.4, 0.6}});
+  EXPECT_TRUE(control.hand().force.isZero(0)) << control.hand().force.transpose();
+}
+
 TEST(sensorless_controller, takes_any_state_and_reads_no_force) {
   const device arm;
   auto one = controller_with(ph::direct_control()), other = controller_with(ph::direct_control());

@@ -102,6 +102,16 @@ TEST(wall_limits, brakes_that_are_too_weak_hold_nothing) {
   EXPECT_EQ(limits_of(wall).stiffness, 0);
 }
 
+TEST(wall_limits, a_hand_that_takes_over_a_second_to_stop_is_not_held) {
+  ph::braked_wall wall = bare_wall();
+  wall.inertia = 10;
+  wall.force = wall.approximated_force = 0.2;
+  wall.approach_speed = 0.0195;
+  EXPECT_NEAR(limits_of(wall).depth, 0.0195 * 0.0195 * 10 / (2 * 0.2), 1e-6);
+  wall.approach_speed = 0.0205;
+  EXPECT_FALSE(limits_of(wall).holds());
+}
+
 TEST(wall_limits, a_hand_that_does_not_come_rests_where_the_law_holds_it) {
   ph::braked_wall wall;
   wall.approach_speed = 0;
