@@ -175,6 +175,21 @@ TEST(switches, are_blamed_where_the_compiler_names_their_class_alone) {
   EXPECT_EQ(numbers_in_errors(asked + line, headers, chosen), std::set<int>{1});
 }
 
+// g(b, a) is of another type than g(a, b), and so is x behind a switch: h refuses it a line later.
+TEST(switches, are_blamed_where_what_they_declare_is_used) {
+  sources headers;
+  const std::string text = "void f() {\n  const auto x = g(a, b);\n  h(x);\n}\n";
+  const source& s =
+      *headers.emplace("control/f.hpp", std::make_unique<source>("control/f.hpp", text)).first->second;
+  const auto all = mutants_of(s);
+  ASSERT_EQ(all.at(0).name, "swapped argument");
+  const std::map<int, mutant> chosen{{7, all[0]}};
+  EXPECT_EQ(numbers_in_errors("/include/passive_haptics/control/f.hpp:3:3: error: no h\n", headers, chosen),
+            std::set<int>{7});
+  EXPECT_TRUE(numbers_in_errors("/include/passive_haptics/control/g.hpp:3:3: error: no h\n", headers, chosen)
+                  .empty());
+}
+
 // Functions 0 .. count - 1 that compare, and one that has a constant.
 source comparing(int count) {
   std::string text;

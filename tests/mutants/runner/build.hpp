@@ -197,10 +197,11 @@ inline blamed_lines blamed_in(const std::string& log) {
 // The switches where a compiler found errors. If there are none, those where its notes point, or which have
 // made a function that they point to a function of run time. If there are none of these either, those in
 // constants of classes that the compiler names: what a concept asks of a constant is told without its line.
+// Else those in the headers of the errors.
 inline std::set<int> numbers_in_errors(const std::string& log, const sources& headers,
                                        const std::map<int, mutant>& chosen) {
   const blamed_lines blamed = blamed_in(log);
-  std::set<int> in_errors, in_notes, in_constants;
+  std::set<int> in_errors, in_notes, in_constants, beside_errors;
   for (const auto& [number, m] : chosen) {
     const source& s = *headers.at(m.file);
     for (long line = m.line; line <= s.line_at(m.end); ++line) {
@@ -210,12 +211,18 @@ inline std::set<int> numbers_in_errors(const std::string& log, const sources& he
     for (const int k : detail::constexprs_around(s, m)) {
       if (blamed.notes.contains({m.file, s.line_at(s[k].begin)})) in_notes.insert(number);
     }
+    // What is declared of another type is refused where it is used
+    for (const auto& [file, line] : blamed.errors) {
+      if (file == m.file) beside_errors.insert(number);
+    }
     const std::string name = fs::path(m.file).stem();
     if (m.original_line.starts_with("static constexpr") && log.find("::" + name) != std::string::npos)
       in_constants.insert(number);
   }
-  if (!in_errors.empty()) return in_errors;
-  return in_notes.empty() ? in_constants : in_notes;
+  for (const std::set<int>* found : {&in_errors, &in_notes, &in_constants}) {
+    if (!found->empty()) return *found;
+  }
+  return beside_errors;
 }
 
 }  // namespace mutants
