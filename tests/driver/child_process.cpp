@@ -183,6 +183,21 @@ TEST(a_child_process, is_waited_for_on_through_signals) {
   EXPECT_TRUE(child.stop());
 }
 
+// CPU time, which a busy machine does not add to.
+TEST(a_child_process, is_waited_for_asleep) {
+  const auto used = [] {
+    rusage all{};
+    getrusage(RUSAGE_SELF, &all);
+    return static_cast<double>(all.ru_utime.tv_sec + all.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(all.ru_utime.tv_usec + all.ru_stime.tv_usec);
+  };
+  ph::child_process child;
+  ASSERT_EQ(child.start(ready, [](ph::parent_link) { poll(nullptr, 0, 500); }), "");
+  const double before = used();
+  EXPECT_TRUE(child.stop());
+  EXPECT_LT(used() - before, 0.25);
+}
+
 // Through a signal of a child that says nothing, and where next to no time is left.
 TEST(a_child_process, is_not_waited_for_longer_than_there_is_patience) {
   const hears_signals on;

@@ -1,8 +1,10 @@
 // The wall calculator against the closed form of its equation of motion, and by hand on an XY table.
 #include <passive_haptics/control/normal_force/braked_wall_at.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <limits>
@@ -169,6 +171,31 @@ void an_xy_table_by_hand() {
 TEST(wall_limits, are_those_of_a_slide_by_hand) {
   an_xy_table_by_hand<double>();
   an_xy_table_by_hand<float>();
+}
+
+// A brake that turns round half-way through the landing: before it by a little, and after.
+TEST(wall_limits, are_of_the_signs_half_way_through_a_landing) {
+  using M = ph::tendon_two_link<double>;
+  using V = ph::vector<double, 2>;
+  const M arm;
+  const ph::brakes_of<M> brakes;
+  const V q = arm.inverse({0.1, 0.226}, ph::elbow::left).q, n(0, -1);
+  const ph::matrix<double, 2, 2> J(ph::jacobian(arm, q));
+  const auto rates = [&](const V& v) -> V { return ph::brake_rates(arm, q, V(J.inverse() * v)); };
+  const auto strongest = [&](const V& v) {
+    return ph::displayable(arm, q, v, n, brakes.torque_limit).strongest;
+  };
+  int turned = 0;
+  for (int i = 0; i < 2; ++i) {
+    for (const double part : {0.45, 0.55}) {  // of the velocity into the wall, at which brake i stands still
+      const double along = part * rates(n)[i] / rates(V(1, 0))[i];
+      const V v = 0.1 * (V(along, 0) - n), half = 0.1 * (V(along, 0) - n / 2);
+      EXPECT_DOUBLE_EQ(ph::braked_wall_at(arm, q, v, n, brakes, V(0, 0), V(0, 0), 0.5).force,
+                       strongest(half));
+      turned += std::abs(strongest(half) - strongest(v)) > 0.1;
+    }
+  }
+  EXPECT_GE(turned, 1);
 }
 
 }  // namespace

@@ -740,6 +740,14 @@ TEST(contact_memory, is_a_walls_own_while_it_is_touched) {
   EXPECT_EQ(memory.of(9), 0);
 }
 
+TEST(contact_memory, is_each_walls_own_from_the_first) {
+  ph::contact_memory<int> memory;
+  memory.of(3) = 30;
+  memory.of(5) = 50;
+  EXPECT_EQ(memory.of(3), 30);
+  EXPECT_EQ(memory.of(5), 50);
+}
+
 TEST(contact_memory, of_more_walls_than_it_has_room_for_shares_the_last) {
   ph::contact_memory<int, 3> memory;
   memory.begin_cycle();
