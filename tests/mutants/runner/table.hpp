@@ -36,10 +36,6 @@ inline std::map<std::string, std::string> stale(std::map<std::string, std::strin
   return argued;
 }
 
-inline bool is_argued(const mutant& m, const std::map<std::string, std::string>& argued) {
-  return argued.contains(key_of(m));
-}
-
 struct judged_mutant {
   mutant what;
   verdict given;

@@ -61,7 +61,8 @@ struct braked_wall {
 /// What a wall made of brakes can be.
 struct wall_limits {
   /// Smallest depth that can be held, under velocity_direct_control that sees the wall once it is touched
-  /// [m]: how deep the hand gets. Infinite where the brakes do not stop it within a second.
+  /// [m]: how deep the hand gets. Infinite where the brakes do not stop it within a second
+  /// and deepest_landing.
   double depth;
   double rigid_depth;  ///< The same under force approximation and a wall of any stiffness [m].
   /// Largest useful stiffness under force approximation [N/m]: the hand gets half as deep again as into a

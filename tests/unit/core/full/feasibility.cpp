@@ -63,9 +63,7 @@ template <class T, int R, int C>
 double condition(const ph::matrix<T, R, C>& B) {
   ph::matrix<long double, R, C> unit = B.template cast<long double>();
   for (int j = 0; j < C; ++j) unit.col(j) /= unit.col(j).norm();
-  // Of a size at run time: the compiler makes one of them
-  using any_matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-  const auto values = Eigen::JacobiSVD<any_matrix>(any_matrix(unit)).singularValues();
+  const auto values = Eigen::JacobiSVD<ph::matrix<long double, R, C>>(unit).singularValues();
   const double condition = static_cast<double>(values[0] / values[std::min(R, C) - 1]);
   return std::isfinite(condition) ? condition : HUGE_VAL;
 }
