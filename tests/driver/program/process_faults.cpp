@@ -530,7 +530,7 @@ TEST(process_faults, end_as_the_release_policy_says_and_lose_nothing_untold) {
   std::iota(which.begin(), which.end(), std::size_t{0});
   // Again and fewer at once where the machine held a case up
   std::size_t tried = 0;
-  for (const std::size_t at_once : {12, 4, 2, 1, 1, 1}) {
+  for (const std::size_t at_once : {12u, 4u, 2u, 1u, 1u, 1u}) {
     run(cases, which, at_once, rows);
     tried += which.size();
     std::erase_if(which, [&](std::size_t k) { return !has(rows[k], "HELD UP: "); });
