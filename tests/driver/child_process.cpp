@@ -59,6 +59,17 @@ TEST(a_child_process, that_is_stopped_is_woken_to_end_well) {
   EXPECT_TRUE(child.stop());
 }
 
+TEST(a_child_process, that_is_stopped_as_it_ends_is_woken_too) {
+  ph::child_process child;
+  const auto stops_at_its_end = [](ph::parent_link parent) {
+    until_parent_is_gone(parent);
+    poll(nullptr, 0, 20);
+    raise(SIGSTOP);
+  };
+  ASSERT_EQ(child.start(ready, stops_at_its_end), "");
+  EXPECT_TRUE(child.stop());
+}
+
 TEST(a_child_process, that_does_not_end_is_killed) {
   ph::child_process child;
   ASSERT_EQ(child.start(ready, for_ever), "");

@@ -82,13 +82,12 @@ class child_process {
     return error;
   }
 
-  /// Tells the child to end, wakes it where it is stopped, and waits for it, at most `patience` [s]; then it
-  /// is killed, for which a second more may pass. False if it did not end well: it was killed, or its
+  /// Tells the child to end, wakes it whenever it is stopped, and waits for it, at most `patience` [s]; then
+  /// it is killed, for which a second more may pass. False if it did not end well: it was killed, or its
   /// function threw.
   bool stop(double patience = default_patience) noexcept {
     if (pid_ <= 0) return true;
     close(pipe_);
-    kill(pid_, SIGCONT);
     int status = 0;
     bool ended = ends_within(patience, status);
     if (!ended) {
@@ -113,6 +112,7 @@ class child_process {
       if (ended < 0) status = -1;
       if (ended != 0) return true;
       if (monotonic_seconds() >= end) return false;
+      kill(pid_, SIGCONT);  // it may be stopped at any time
       poll(nullptr, 0, 1);
     }
   }
