@@ -162,6 +162,21 @@ static_assert(!ph::ControlLaw<law_that_may_throw> && !ph::ControlLaw<law_in_floa
               !ph::ControlLaw<law_not_const>);
 static_assert(!ph::ControlLaw<law_with_memory_to_be_filled> && !ph::ControlLaw<int>);
 
+// ---- what a step needs, where all is included
+
+struct redundant_device {  // as a user's, in no namespace of the library
+  using scalar = double;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 3;
+  V2 position(const V2& q) const { return q; }
+  ph::matrix<double, 2, 2> jacobian(const V2&) const;
+  ph::matrix<double, 3, 2> transmission() const;
+};
+template <class L>
+using requirements_of_redundant_brakes =
+    ph::detail::law_brake_requirements<redundant_device, L, ph::brakes_of<redundant_device>>;
+static_assert(requirements_of_redundant_brakes<ph::direct_control>::met);
+static_assert(requirements_of_redundant_brakes<ph::on_off_control>::met);
+
 // ---- device states
 
 using arm = ph::two_link<double>;

@@ -23,6 +23,15 @@ struct scene_requirements {
   static constexpr bool met = true;
 };
 
+// Step 1 of a cycle in generator form is there, or not needed. A concept: what follows || is not asked in
+// vain.
+template <class M, class B, class L>
+concept has_generator_form =
+    !displays_by_generators<M> || !ScalingLaw<L> ||
+    requires(const cycle_parts<M, B, L>& with, const brake_situation<M, brake_matrix<M>, B>& now,
+             const desired_force<typename M::scalar, M::task_dimension>& Fd,
+             step_memory<L>& memory) { displayed(with, now, Fd, Fd, memory); };
+
 // What must hold of the brakes of a step under this law, one short message for each.
 template <class M, class L, class B>
 struct law_brake_requirements {
@@ -34,11 +43,9 @@ struct law_brake_requirements {
         limited(with, t);
       }, "passive_haptics: a TorqueLaw needs <passive_haptics/control/laws/torque_law.hpp>.");
   static_assert(self_motion_requirements<M>::met);
-  static_assert(
-      !displays_by_generators<M> ||
-          requires(const M& mechanism, const joint_vector<M>& q) { generators_of(mechanism, q); },
-      "passive_haptics: redundant brakes and inertial forces need "
-      "<passive_haptics/control/extensions/generator_form.hpp>.");
+  static_assert(has_generator_form<M, B, L>,
+                "passive_haptics: redundant brakes and inertial forces need "
+                "<passive_haptics/control/extensions/generator_form.hpp>.");
   static_assert(brake_requirements<B, M>::met);
   static_assert(!needs_brake_lag<L> || names_time_constant<B>,
                 "passive_haptics: this law needs the brakes' lag: give the brakes a time_constant "
