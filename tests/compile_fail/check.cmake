@@ -11,7 +11,7 @@ list(TRANSFORM includes PREPEND -I)
 if(prelude AND NOT text MATCHES "#define" AND text MATCHES "#include <passive_haptics/passive_haptics.hpp>")
   list(APPEND includes -include ${prelude})
 endif()
-execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${includes} ${source}
+execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${one_error} ${includes} ${source}
   RESULT_VARIABLE status ERROR_VARIABLE errors)
 if(status EQUAL 0)
   message(FATAL_ERROR "${source} compiles; expected an error matching '${expected}'")

@@ -2,6 +2,7 @@
 /// A device without hardware: a mechanism with inertia, real brakes and a hand's mass on its handle.
 #pragma once
 
+#include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/brake/models/coulomb_brake.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
@@ -112,7 +113,7 @@ class simulated_device {
   /// Joint rates [rad/s or m/s].
   const joint_vector<M>& qd() const { return qd_; }
   /// Handle [m].
-  task_vector<M> position() const { return mechanism_.position(q_); }
+  const task_vector<M>& position() const { return x_; }
   /// Velocity of the handle [m/s].
   task_vector<M> velocity() const { return J_ * qd_; }
   /// Rates of the brakes' axes [rad/s or m/s].
@@ -130,12 +131,14 @@ class simulated_device {
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
 
-  /// The force at the handle that does to it what brake_torque() does [N], here and now, by the dynamically
-  /// consistent inverse. Not finite where J has not full row rank.
+  /// The force at the handle that does to it what brake_torque() does [N], here and now: J^-T T^T t, and for
+  /// n > d by the dynamically consistent inverse. Not finite where J has not full row rank.
   task_vector<M> brake_force() const {
+    if constexpr (M::dof == M::task_dimension) return force_generators(mechanism_, q_) * brake_torque_;
     // The hand's mass changes nothing, so it may stay in M
-    return dynamically_consistent_inverse<scalar, M::dof, M::task_dimension>(J_, mass_).forces(
-        joint_vector<M>(transposed_transmission(mechanism_, q_) * brake_torque_));
+    else
+      return dynamically_consistent_inverse<scalar, M::dof, M::task_dimension>(J_, mass_).forces(
+          joint_vector<M>(transposed_transmission(mechanism_, q_) * brake_torque_));
   }
 
  private:
@@ -165,7 +168,9 @@ class simulated_device {
   }
 
   void measure_pose() {
-    J_ = task_matrix(jacobian(mechanism_, q_));
+    const auto at = pose(mechanism_, q_);
+    x_ = mechanism_.position(at);
+    J_ = task_matrix(jacobian(mechanism_, at));
     mass_ = mechanism_.mass_matrix(q_) + hand_mass_ * J_.transpose() * J_;
   }
 
@@ -184,6 +189,7 @@ class simulated_device {
   brake_vector<M> strength_ = brake_vector<M>::Zero();
   scalar hand_mass_;
   joint_vector<M> q_, qd_;
+  task_vector<M> x_;
   task_matrix J_;
   joint_matrix mass_;  // device and hand
   energy_balance energy_;

@@ -16,7 +16,7 @@ namespace ph = passive_haptics;
 
 namespace {
 
-const custom::planar_arm<double> arm;  // three joints in the plane
+const custom::planar_arm<double> three_joints;
 const ph::vector<double, 3> pose(0.4, 0.9, -0.7);
 
 ph::vector<double, 3> signs(unsigned pattern) {
@@ -26,8 +26,8 @@ ph::vector<double, 3> signs(unsigned pattern) {
 }  // namespace
 
 TEST(force_map, of_a_device_with_self_motion_gives_the_nearest_force) {
-  const auto E = ph::brake_jacobian(arm, pose);
-  const auto map = ph::force_map_of(arm, pose);
+  const auto E = ph::brake_jacobian(three_joints, pose);
+  const auto map = ph::force_map_of(three_joints, pose);
   for (unsigned pattern = 0; pattern < 8; ++pattern) {
     const ph::vector<double, 3> s = signs(pattern), wide(100, 100, 100);
     const ph::vector<double, 2> Fd(0.6, -0.8);
@@ -38,8 +38,8 @@ TEST(force_map, of_a_device_with_self_motion_gives_the_nearest_force) {
 }
 
 TEST(force_map, gives_the_nearest_force_within_limits) {
-  const auto E = ph::brake_jacobian(arm, pose);
-  const auto map = ph::force_map_of(arm, pose);
+  const auto E = ph::brake_jacobian(three_joints, pose);
+  const auto map = ph::force_map_of(three_joints, pose);
   const ph::vector<double, 2> Fd(0.6, -0.8);
   const ph::vector<double, 3> limit(0.05, 0.04, 0.03), none(0, 0, 0);
   const auto found = ph::nearest_torque(map, ph::torques_within(none, limit), Fd);
@@ -72,7 +72,7 @@ TEST(nearest_torque, takes_a_diagonal_matrix) {
 
 TEST(velocity, is_that_of_the_brakes_through_E) {
   const ph::vector<double, 3> qd(0.3, -0.2, 0.5);
-  EXPECT_EQ(ph::velocity(arm, pose, qd), ph::jacobian(arm, pose) * qd);
+  EXPECT_EQ(ph::velocity(three_joints, pose, qd), ph::jacobian(three_joints, pose) * qd);
   EXPECT_EQ(ph::velocity(ph::xy_table<double>(), {0, 0}, {0.1, 0.2}), (ph::vector<double, 2>(0.1, 0.2)));
 }
 

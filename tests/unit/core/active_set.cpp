@@ -11,12 +11,6 @@
 
 namespace {
 
-using vec = ph::vector<double, 3>;
-using half_spaces = ph::matrix<double, 3, 3>;
-using projection = ph::half_space_projection<double, 3, 3>;
-constexpr double eps = std::numeric_limits<double>::epsilon();
-const half_spaces octant = ph::identity_matrix<double, 3>();  // { p <= 0 }
-
 // Of the first two either could hold f back alone; the answer lies on the second.
 TEST(active_set, comes_from_any_start_to_the_same) {
   const half_spaces B{{1, 1, 0}, {1, 0, 0}, {0, 0, 1}};

@@ -11,12 +11,6 @@
 
 namespace {
 
-using vec = ph::vector<double, 3>;
-using half_spaces = ph::matrix<double, 3, 3>;
-using projection = ph::half_space_projection<double, 3, 3>;
-constexpr double eps = std::numeric_limits<double>::epsilon();
-const half_spaces octant = ph::identity_matrix<double, 3>();  // { p <= 0 }
-
 // On a line a half-space lets f through or leaves 0.
 TEST(cone_on_a_line, f_or_zero) {
   using line = ph::matrix<double, 1, 3>;

@@ -7,8 +7,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace ph = passive_haptics;
+
+using vec = ph::vector<double, 3>;
+using half_spaces = ph::matrix<double, 3, 3>;
+using projection = ph::half_space_projection<double, 3, 3>;
+inline constexpr double eps = std::numeric_limits<double>::epsilon();
+inline const half_spaces octant = ph::identity_matrix<double, 3>();  // { p <= 0 }
 
 // The conditions of Karush, Kuhn and Tucker, which make p the nearest point: f = p + B mu, p in the cone and
 // at right angles to what holds it back, mu > 0 there and else 0.

@@ -11,7 +11,7 @@ namespace ph = passive_haptics;
 
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double tolerance = ph::rounding_tolerance<double>(8);
 
 // A product of random factors, of rank Rank.
@@ -26,7 +26,7 @@ void expect_pseudo_inverse() {
     const ph::orthogonal_decomposition<double, Rows, N> factors(A, tolerance);
     ASSERT_EQ(factors.rank(), Rank);
     const ph::matrix<double, N, Rows> X = factors.pseudo_inverse();
-    const double size = A.norm() * X.norm(), rounding = 64 * eps * (1 + size * size);
+    const double size = A.norm() * X.norm(), rounding = 64 * epsilon * (1 + size * size);
     EXPECT_LE((A * X * A - A).norm(), rounding * A.norm());
     EXPECT_LE((X * A * X - X).norm(), rounding * X.norm());
     EXPECT_LE((A * X - (A * X).transpose()).norm(), rounding);
@@ -84,7 +84,7 @@ TEST(orthogonalise, leaves_a_right_angle_where_little_is_left) {
   EXPECT_EQ(parts[1], 7);
   EXPECT_NEAR(x[0], -0.48e-9, 1e-14);
   EXPECT_NEAR(x[1], 0.36e-9, 1e-14);
-  EXPECT_LE(std::abs(Q.col(0).dot(x)), 4 * eps * x.norm());
+  EXPECT_LE(std::abs(Q.col(0).dot(x)), 4 * epsilon * x.norm());
   x = {1, 2, 3};
   EXPECT_EQ(ph::orthogonalise(x, Q, 0), (ph::vector<double, 2>(0, 0)));
   EXPECT_EQ(x, (ph::vector<double, 3>(1, 2, 3)));

@@ -15,7 +15,7 @@ namespace ph = passive_haptics;
 namespace {
 
 template <class Scalar, int Length>
-struct size {
+struct numbers {
   using T = Scalar;
   static constexpr int length = Length;
 };
@@ -47,9 +47,9 @@ struct packets : ::testing::Test {
 };
 
 // Shorter than a packet, one packet, several with and without a rest, and a number without packets
-using sizes =
-    ::testing::Types<size<double, 3>, size<float, 4>, size<double, 8>, size<float, 7>, size<long double, 2>>;
-TYPED_TEST_SUITE(packets, sizes);
+using lengths = ::testing::Types<numbers<double, 3>, numbers<float, 4>, numbers<double, 8>, numbers<float, 7>,
+                                 numbers<long double, 2>>;
+TYPED_TEST_SUITE(packets, lengths);
 
 TYPED_TEST(packets, hold_their_numbers_and_zeros) {
   ph::testing::random_source random(1);

@@ -24,7 +24,7 @@ constexpr bool address_sanitizer = false;
 
 namespace {
 
-const std::string header = "t,q1,q2,qd1,qd2,Fh_x,Fh_y\n";
+const std::string log_header = "t,q1,q2,qd1,qd2,Fh_x,Fh_y\n";
 const std::string good = "0.5,1.9,-1.2,0.1,0.2,0.5,2\n";
 const ph::half_space<2> surface({0, 0.2}, {0, -1});
 
@@ -52,7 +52,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 // A log that is made up as it is read.
 class endless_log : public std::streambuf {
  public:
-  explicit endless_log(std::size_t lines) : left_(lines), text_(header) { show(); }
+  explicit endless_log(std::size_t lines) : left_(lines), text_(log_header) { show(); }
 
  protected:
   int_type underflow() override {
@@ -91,7 +91,7 @@ long peak_memory() {  // [KiB]
 }  // namespace
 
 TEST(replay, tells_what_a_controller_tells) {
-  const auto lines = lines_of(replay(header + good));
+  const auto lines = lines_of(replay(log_header + good));
   ASSERT_EQ(lines.size(), 4U);
   EXPECT_EQ(lines[0], "# passive_haptics log 1");
   EXPECT_EQ(lines[1], "# units: s,rad,rad,rad/s,rad/s,N,N,,,,rad,1,N,N,N,N,N m,N m,N m,N m");
@@ -120,7 +120,7 @@ TEST(replay, tells_what_a_controller_tells) {
 }
 
 TEST(replay, decides_nothing_where_a_number_is_missing) {
-  const auto lines = lines_of(replay(header + "0,,,,,,\n0.1,1.9,-1.2,0.1,0.2,,\n" + good));
+  const auto lines = lines_of(replay(log_header + "0,,,,,,\n0.1,1.9,-1.2,0.1,0.2,,\n" + good));
   ASSERT_EQ(lines.size(), 6U);
   EXPECT_EQ(lines[3], "0,,,,,,,,,,,,,,,,,,,");
   EXPECT_EQ(lines[4], "0.1,1.9,-1.2,0.1,0.2,,,,,,,,,,,,,,,");
@@ -128,9 +128,9 @@ TEST(replay, decides_nothing_where_a_number_is_missing) {
 }
 
 TEST(replay, does_without_a_force_where_none_is_needed) {
-  const auto missing = lines_of(replay(header + "0,1.9,-1.2,0.1,0.2,,\n", false));
+  const auto missing = lines_of(replay(log_header + "0,1.9,-1.2,0.1,0.2,,\n", false));
   const auto none = lines_of(replay("t,q1,q2,qd1,qd2\n0,1.9,-1.2,0.1,0.2\n", false));
-  const auto zero = lines_of(replay(header + "0,1.9,-1.2,0.1,0.2,0,0\n", false));
+  const auto zero = lines_of(replay(log_header + "0,1.9,-1.2,0.1,0.2,0,0\n", false));
   const std::string decision = zero.back().substr(zero.back().find("ok"));
   EXPECT_EQ(missing.back(), "0,1.9,-1.2,0.1,0.2,,," + decision);
   EXPECT_EQ(none.back(), "0,1.9,-1.2,0.1,0.2,,," + decision);
@@ -138,7 +138,7 @@ TEST(replay, does_without_a_force_where_none_is_needed) {
 }
 
 TEST(replay, writes_the_units_that_it_reads) {
-  const auto lines = lines_of(replay("# units: s,m,m,m/s,m/s,N,N\n" + header + good));
+  const auto lines = lines_of(replay("# units: s,m,m,m/s,m/s,N,N\n" + log_header + good));
   EXPECT_EQ(lines[1], "# units: s,m,m,m/s,m/s,N,N,,,,rad,1,N,N,N,N,N,N,N,N");
 }
 

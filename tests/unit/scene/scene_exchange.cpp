@@ -21,7 +21,6 @@ namespace ph = passive_haptics;
 
 namespace {
 
-constexpr unsigned seed = 20040627;
 using M = ph::xy_table<double>;
 const ph::point<2> up{0, 1};
 
@@ -108,6 +107,7 @@ struct numbered_scene {
 };
 
 TEST(a_scene_exchange, leaves_the_scene_that_is_read_alone_until_it_is_updated) {
+  constexpr unsigned seed = 20040627;
   ph::testing::random_source random(seed);
   ph::scene_exchange<numbered_scene> exchange({0}, 0);
   int read = 0, before = -1, latest = 0;

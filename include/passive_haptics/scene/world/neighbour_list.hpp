@@ -172,7 +172,7 @@ class neighbour_list {
     next().centre = x;
     next().size = 0;
     // A list half full is found fastest: nothing has to give way
-    const double reach = (near().size < Listed / 2 ? 1.25 : 0.8) * near().reach;
+    const double reach = (Listed / 2 > near().size ? 1.25 : 0.8) * near().reach;
     squared_limit_ = reach > 0 ? reach * reach : unbounded;
     started_at_ = travelled_;
     search_ = tree.start();
@@ -185,9 +185,9 @@ class neighbour_list {
         search_, squared_distance_from<D>(next.centre), squared_limit_,
         [&](int item, double squared_distance) {
           const neighbour found{std::sqrt(squared_distance), item};
-          if (next.size < Listed) {
+          if (Listed > next.size) {
             next.items[static_cast<std::size_t>(next.size++)] = found;
-            if (next.size < Listed) return;
+            if (Listed > next.size) return;
             std::make_heap(next.begin(), next.end());
           } else {
             std::pop_heap(next.begin(), next.end());

@@ -19,7 +19,7 @@ namespace {
 
 using pair = ph::vector<double, 2>;
 
-struct calls {
+struct calls_made {
   int position = 0, jacobian = 0, transmission = 0, distance = 0, gradient = 0, velocity = 0;
 };
 
@@ -36,7 +36,7 @@ struct counting_table {
     ++count->jacobian;
     return {1, 1};
   }
-  calls* count;
+  calls_made* count;
 };
 
 struct counting_geared_table : counting_table {
@@ -56,7 +56,7 @@ struct counting_plane {
     ++count->gradient;
     return plane.gradient(x);
   }
-  calls* count;
+  calls_made* count;
   ph::half_space<2> plane{{0, 0}, {0.6, 0.8}};
 };
 
@@ -87,7 +87,7 @@ auto control_of(const M& mechanism, const Brakes& brakes, const Law& law, const 
 }
 
 struct static_skipping : ::testing::Test {
-  calls count;
+  calls_made count;
   counting_table table{&count};
   counting_plane plane{&count};
   ph::sensorless_device_state<counting_table> blind{0.0, {-0.1, -0.1}, {-0.5, 0.01}};

@@ -15,13 +15,11 @@
 
 namespace {
 
-constexpr unsigned seed = 20040627;
-
 template <class M>
 struct torque_limits : ::testing::Test {};
-using mechanisms = ::testing::Types<ph::xy_table<double>, ph::tendon_two_link<float>,
+using limited_mechanisms = ::testing::Types<ph::xy_table<double>, ph::tendon_two_link<float>,
                                     ph::tendon_two_link<double>, ph::delta<double>>;
-TYPED_TEST_SUITE(torque_limits, mechanisms);
+TYPED_TEST_SUITE(torque_limits, limited_mechanisms);
 
 // The law holds of every brake: keep_direction scales all by the smallest factor that one of them needs.
 TYPED_TEST(torque_limits, scale_all_brakes_by_the_smallest_factor_or_cut_each) {
@@ -29,6 +27,7 @@ TYPED_TEST(torque_limits, scale_all_brakes_by_the_smallest_factor_or_cut_each) {
   using T = typename M::scalar;
   constexpr int m = M::brake_count, D = M::task_dimension;
   const M mechanism;
+  constexpr unsigned seed = 20040627;
   ph::testing::random_source random(seed);
   int cut[std::size_t(m + 1)] = {};
   for (int k = 0; k < 3000; ++k) {
@@ -94,6 +93,7 @@ TYPED_TEST_SUITE(a_torque_law, scalars);
 TYPED_TEST(a_torque_law, never_drives_a_brake_and_stays_within_its_limits) {
   using T = TypeParam;
   using M = ph::xy_table<T>;
+  constexpr unsigned seed = 20040627;
   ph::testing::random_source random(seed);
   ph::brakes_of<M> brakes;
   brakes.torque_limit = {T(2), T(0.5)};

@@ -27,11 +27,12 @@ constexpr double eps = static_cast<double>(std::numeric_limits<T>::epsilon());
 template <class Size>
 struct adversarial_cone : ::testing::Test {};
 
-using sizes = ::testing::Types<size<double, 2, 2>, size<double, 2, 4>, size<double, 3, 3>, size<double, 3, 4>,
-                               size<double, 3, 7>, size<double, 4, 4>, size<double, 5, 5>, size<double, 6, 6>,
-                               size<double, 7, 7>, size<float, 2, 2>, size<float, 3, 3>, size<float, 3, 7>,
-                               size<float, 4, 4>, size<float, 5, 5>, size<float, 6, 6>, size<float, 7, 7>>;
-TYPED_TEST_SUITE(adversarial_cone, sizes);
+using adversarial_sizes =
+    ::testing::Types<size<double, 2, 2>, size<double, 2, 4>, size<double, 3, 3>, size<double, 3, 4>,
+                     size<double, 3, 7>, size<double, 4, 4>, size<double, 5, 5>, size<double, 6, 6>,
+                     size<double, 7, 7>, size<float, 2, 2>, size<float, 3, 3>, size<float, 3, 7>,
+                     size<float, 4, 4>, size<float, 5, 5>, size<float, 6, 6>, size<float, 7, 7>>;
+TYPED_TEST_SUITE(adversarial_cone, adversarial_sizes);
 
 TYPED_TEST(adversarial_cone, holds_the_nearest_force_to_8_roundings_from_any_start) {
   using T = typename TypeParam::T;
