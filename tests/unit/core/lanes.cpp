@@ -123,8 +123,8 @@ TYPED_TEST(lanes, multiply_matrices) {
 
 template <class T>
 class pairs : public ::testing::Test {};
-using scalars = ::testing::Types<float, double, long double>;
-TYPED_TEST_SUITE(pairs, scalars);
+using all_scalars = ::testing::Types<float, double, long double>;
+TYPED_TEST_SUITE(pairs, all_scalars);
 
 TYPED_TEST(pairs, are_swapped_and_told_apart) {
   using T = TypeParam;
