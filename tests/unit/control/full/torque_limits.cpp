@@ -18,7 +18,7 @@ namespace {
 template <class M>
 struct torque_limits : ::testing::Test {};
 using limited_mechanisms = ::testing::Types<ph::xy_table<double>, ph::tendon_two_link<float>,
-                                    ph::tendon_two_link<double>, ph::delta<double>>;
+                                            ph::tendon_two_link<double>, ph::delta<double>>;
 TYPED_TEST_SUITE(torque_limits, limited_mechanisms);
 
 // The law holds of every brake: keep_direction scales all by the smallest factor that one of them needs.
