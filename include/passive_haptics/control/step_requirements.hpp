@@ -23,8 +23,8 @@ struct scene_requirements {
   static constexpr bool met = true;
 };
 
-// Step 1 of a cycle in generator form is there, or not needed. A concept: what follows || is not asked in
-// vain.
+// Whether step 1 of a cycle is there, or is not by generators. A concept, as that asks for the last part only
+// where the others do not hold.
 template <class M, class B, class L>
 concept has_generator_form =
     !displays_by_generators<M> || !ScalingLaw<L> ||

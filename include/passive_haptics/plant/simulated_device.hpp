@@ -134,11 +134,13 @@ class simulated_device {
   /// The force at the handle that does to it what brake_torque() does [N], here and now: J^-T T^T t, and for
   /// n > d by the dynamically consistent inverse. Not finite where J has not full row rank.
   task_vector<M> brake_force() const {
-    if constexpr (M::dof == M::task_dimension) return force_generators(mechanism_, q_) * brake_torque_;
-    // The hand's mass changes nothing, so it may stay in M
-    else
-      return dynamically_consistent_inverse<scalar, M::dof, M::task_dimension>(J_, mass_).forces(
-          joint_vector<M>(transposed_transmission(mechanism_, q_) * brake_torque_));
+    if constexpr (M::dof == M::task_dimension) {
+      return force_generators(mechanism_, q_) * brake_torque_;
+    } else {
+      // The hand's mass changes nothing, so it may stay in M
+      const dynamically_consistent_inverse<scalar, M::dof, M::task_dimension> inverse(J_, mass_);
+      return inverse.forces(joint_vector<M>(transposed_transmission(mechanism_, q_) * brake_torque_));
+    }
   }
 
  private:

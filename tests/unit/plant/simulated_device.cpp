@@ -1,9 +1,12 @@
 // The simulated device: what its brakes hold, what its motion keeps, what its sensor feels.
+#include "../../property/chain_cases.hpp"
 #include "../support.hpp"
 
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
+
+#include <Eigen/LU>
 
 #include <cmath>
 #include <type_traits>
@@ -156,6 +159,30 @@ TEST(simulated_motion, sensor_feels_the_hands_mass_on_a_curved_path) {
     EXPECT_LE((device.sensed_force() + hand_mass * acceleration).norm(),
               0.01 * hand_mass * acceleration.norm());
   }
+}
+
+// J M^-1 J^T F = J M^-1 T^T t without the hand's mass, for n = d and n > d; and where the handle is.
+template <class M>
+void expect_brake_force(const M& mechanism, const ph::joint_vector<M>& q, double rounding) {
+  ph::simulated_device<M> device(mechanism, brakes_with<M>(0, 1), 0.3, q);
+  device.set_motion(q, ph::joint_vector<M>::Constant(2));
+  for (int k = 0; k < 100; ++k) {
+    device.advance(1e-4, ph::brake_vector<M>::Constant(0.2), ph::task_vector<M>::Zero());
+    EXPECT_LE((device.position() - mechanism.position(device.q())).norm(), 1e-15) << k;
+    const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, device.q()));
+    const ph::joint_vector<M> tau =
+        ph::transposed_transmission(mechanism, device.q()) * device.brake_torque();
+    const auto inverse_mass = mechanism.mass_matrix(device.q()).inverse().eval();
+    const ph::task_vector<M> by_torques = J * inverse_mass * tau,
+                             by_force = J * inverse_mass * J.transpose() * device.brake_force();
+    EXPECT_GT(by_torques.norm(), 1e-3) << k;
+    EXPECT_LE((by_force - by_torques).norm(), rounding * by_torques.norm()) << k;
+  }
+}
+
+TEST(brake_force, does_to_the_handle_what_the_brakes_do) {
+  expect_brake_force(ph::tendon_two_link<double>(), {2, -1.2}, 1e-12);
+  expect_brake_force(chains::irregular_chain<double, 4, 2>::make(), {0.3, -0.7, 1.1, 0.5}, 1e-11);
 }
 
 }  // namespace

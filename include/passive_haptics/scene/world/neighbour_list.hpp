@@ -109,6 +109,8 @@ class neighbour_list {
   struct list {
     point<D> centre = point<D>::Zero();
     double reach = 0;  // [m]
+    // Right of its comparisons: `size <` begins the arguments of a template of that name, where a user has
+    // one
     int size = 0;
     std::array<neighbour, static_cast<std::size_t>(Listed)> items{};
 
