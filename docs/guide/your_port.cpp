@@ -50,7 +50,7 @@ int main() {
   float held = 0;
   loop.run(
       [&](const ph::loop_cycle& now) {
-        if (!guard.beat(now.time)) port.release({ph::fault::supervisor_lost});
+        if (!guard.beat(now.time, port.applied())) port.release({ph::fault::supervisor_lost}, guard.began());
         port.read(now.time);
         port.activate();  // a real program homes before
         port.write({0.25, 0.25});

@@ -63,7 +63,8 @@ class session {
     recorded_ = record_.stop();
     summarise(report, reason);
     const bool log_is_whole = configuration_.log.empty() || (recorded_ && record_.lost() == 0);
-    return (reason.what == ph::fault::user ? 0 : fault_status) + (log_is_whole ? 0 : log_status);
+    const bool well = reason.what == ph::fault::user && faults_ == 0 && port_.applied_is_known();
+    return (well ? 0 : fault_status) + (log_is_whole ? 0 : log_status);
   }
 
  private:
@@ -107,9 +108,9 @@ class session {
       const ph::loop_report rest = loop.run(
           [&](const ph::loop_cycle& now) {
             record r;
-            beat(now.time);
             port_.read(now.time);
             device_->cycle(last_samples(now.time), phase::homing, r);  // where it is, without the law
+            beat(now.time);
             port_.write({});
             log({before + now.number, now.time, now.late}, r);
             return flows(now.time);
@@ -125,20 +126,22 @@ class session {
   }
 
   bool cycle(const ph::loop_cycle& now) {
-    beat(now.time);
     port_.read(now.time);
     const samples read = last_samples(now.time);
     const bool good = port_.held_over().what == ph::fault::none;
     if (doing_ != phase::running && port_.state() == ph::port_state::ready && good)
       doing_ = device_->prepare(read);
-    if (signals_.rearm() && guard_.alive() && port_.rearm()) {
+    const bool released = port_.state() == ph::port_state::released;
+    if (signals_.rearm(released) && guard_.alive() && port_.rearm()) {
       guard_.rearm();
       device_->reset();
     }
     if (doing_ == phase::running && port_.state() == ph::port_state::ready) port_.activate();
 
     record r;
-    port_.write(device_->cycle(read, doing_, r));
+    const auto wanted = device_->cycle(read, doing_, r);
+    beat(now.time);  // last: a supervisor that released meanwhile is heard before currents go out
+    port_.write(wanted);
     log(now, r);
     return r.time < options_.seconds;
   }
@@ -160,7 +163,15 @@ class session {
     r.current_is_known = port_.applied_is_known();
     r.late = now.late;
     r.compute = ph::monotonic_seconds() - now.time;
+    count_faults(r);
     if (!record_(r)) warn_of_a_full_log();
+  }
+
+  // Releases by a fault, rearmed or not: a run that had one does not end as if it had none
+  void count_faults(const record& r) {
+    const bool faulty = r.state == ph::port_state::released && r.reason.what != ph::fault::user;
+    if (faulty && !faulty_ && faults_++ == 0) first_fault_ = r.reason;
+    faulty_ = faulty;
   }
 
   // Once, and not where it would have to wait: whoever writes the log down may be dead
@@ -183,6 +194,10 @@ class session {
     line("late   ", report.late);
     line("compute", report.compute);
     std::cout << "brakes released: " << to_string(reason) << "\n";
+    if (faults_ > 0 && reason != first_fault_)
+      std::cout << "released by a fault before, " << faults_ << " times; first: " << to_string(first_fault_)
+                << "\n";
+    if (!port_.applied_is_known()) std::cout << "the device did not confirm 0 A\n";
     if (!report.exception.empty()) std::cout << "the control law threw: " << report.exception << "\n";
     if (doing_ != phase::running)
       std::cout << (doing_ == phase::homing ? "homing" : "taring") << " did not end: something moved\n";
@@ -208,7 +223,10 @@ class session {
   phase doing_ = phase::homing;
   double begin_ = 0;         // [s]
   std::int64_t number_ = 0;  // of the last cycle
-  bool recorded_ = true;     // whether the recorder came to its end
+  int faults_ = 0;           // that released the brakes
+  bool faulty_ = false;      // in the last cycle
+  ph::fault_record first_fault_;
+  bool recorded_ = true;  // whether the recorder came to its end
 };
 
 }  // namespace

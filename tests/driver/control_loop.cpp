@@ -152,7 +152,7 @@ TEST_F(a_control_loop, that_was_stopped_or_slept_too_long_releases_before_the_ne
     released_before.push_back(released.size());
     return 0;
   });
-  EXPECT_EQ(released.front(), ph::fault::clock_jump);
+  EXPECT_EQ(released.front(), ph::fault::cycle_late);
   EXPECT_EQ(released_before[3], 0u);
   EXPECT_EQ(released_before[4], 1u);
 }

@@ -3,13 +3,28 @@
 
 namespace ph = passive_haptics;
 
-TEST(stop_signals, tell_of_one_SIGUSR1_once) {
+TEST(stop_signals, count_one_SIGUSR1_once) {
   ph::stop_signals signals;
-  EXPECT_FALSE(signals.rearm());
+  EXPECT_FALSE(signals.rearm(true));
   std::raise(SIGUSR1);
-  EXPECT_TRUE(signals.rearm());
-  EXPECT_FALSE(signals.rearm()) << "each fault is rearmed by a signal of its own";
+  EXPECT_TRUE(signals.rearm(true));
+  EXPECT_FALSE(signals.rearm(true)) << "each fault is rearmed by a signal of its own";
   EXPECT_EQ(signals.stop(), 0);
+}
+
+TEST(stop_signals, drop_a_request_that_came_before_the_release) {
+  ph::stop_signals signals;
+  std::raise(SIGUSR1);
+  EXPECT_FALSE(signals.rearm(false)) << "nothing is released";
+  std::raise(SIGUSR1);
+  EXPECT_FALSE(signals.rearm(true)) << "it waited while the program was stopped, or came with the fault";
+  EXPECT_FALSE(signals.rearm(true));
+  std::raise(SIGUSR1);
+  EXPECT_TRUE(signals.rearm(true));
+  std::raise(SIGUSR1);
+  EXPECT_FALSE(signals.rearm(true)) << "another release, in the same cycle";
+  std::raise(SIGUSR1);
+  EXPECT_TRUE(signals.rearm(true));
 }
 
 TEST(stop_signals, stay_and_begin_anew_with_each) {
@@ -36,5 +51,5 @@ TEST(stop_signals, leave_what_was_before) {
     EXPECT_EQ(caught, 1);
     std::signal(signal, before);
   }
-  EXPECT_FALSE(ph::stop_signals().rearm()) << "a signal to one before";
+  EXPECT_FALSE(ph::stop_signals().rearm(true)) << "a signal to one before";
 }

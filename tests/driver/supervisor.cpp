@@ -396,11 +396,11 @@ TEST_F(a_supervised_loop, does_not_go_on_without_its_supervisor) {
   ph::supervisor<keeping_port> guard(keeping_port{&*device});
   ASSERT_EQ(guard.start(), "");
   EXPECT_FALSE(guard.alive()) << "nobody knows yet";
-  EXPECT_TRUE(guard.beat(1));
-  EXPECT_TRUE(guard.beat(1.05));
+  EXPECT_TRUE(guard.beat(1, {}));
+  EXPECT_TRUE(guard.beat(1.05, {}));
   EXPECT_TRUE(guard.alive());
   const auto alive_at = [&](double time) {
-    guard.beat(time);
+    guard.beat(time, {});
     return guard.alive();
   };
   EXPECT_TRUE(eventually([&] { return alive_at(1.5); })) << "it looked since";
@@ -410,15 +410,15 @@ TEST_F(a_supervised_loop, does_not_go_on_without_its_supervisor) {
   EXPECT_TRUE(alive_at(1.55)) << "it may have looked once more";
   EXPECT_TRUE(alive_at(1.59));
   EXPECT_FALSE(alive_at(1.66)) << "nothing to rearm with";
-  EXPECT_FALSE(guard.beat(1.67));
+  EXPECT_FALSE(guard.beat(1.67, {}));
 }
 
 TEST_F(a_supervised_loop, gives_a_supervisor_with_a_long_timeout_the_time_to_look) {
   ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 10});
   ASSERT_EQ(guard.start(), "");
-  EXPECT_TRUE(guard.beat(1));
-  EXPECT_TRUE(guard.beat(3)) << "it looks every 2.5 s";
-  EXPECT_FALSE(guard.beat(11.1));
+  EXPECT_TRUE(guard.beat(1, {}));
+  EXPECT_TRUE(guard.beat(3, {})) << "it looks every 2.5 s";
+  EXPECT_FALSE(guard.beat(11.1, {}));
 }
 
 TEST_F(a_supervised_loop, can_be_rearmed_after_it_was_released) {
@@ -434,20 +434,53 @@ TEST_F(a_supervised_loop, can_be_rearmed_after_it_was_released) {
   EXPECT_EQ(guard.began()->flowing, (ph::brake_currents<1>{0.25}));
   EXPECT_GE(guard.began()->time, before);
   EXPECT_LE(guard.began()->time, ph::monotonic_seconds());
-  EXPECT_FALSE(guard.beat(1.01));
+  EXPECT_FALSE(guard.beat(1.01, {}));
   EXPECT_TRUE(eventually([&] { return device->releases >= 1; })) << "it says so before";
   guard.rearm();
   EXPECT_FALSE(guard.began());
-  EXPECT_TRUE(guard.beat(1.02));
+  EXPECT_TRUE(guard.beat(1.02, {}));
   device->current = 1;
   guard.stop();
   EXPECT_EQ(device->current, 0) << "released once more at its end";
 }
 
+// The loop beats, but does not know what flows: its port did not confirm a release.
+TEST_F(a_supervised_loop, that_does_not_know_what_flows_gives_no_heartbeat) {
+  ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.05});
+  ASSERT_EQ(guard.start(), "");
+  ASSERT_TRUE(guard.beat(1, {0.25}));
+  device->current = 0.25;
+  EXPECT_TRUE(eventually([&] {
+    guard.beat(1, {std::numeric_limits<double>::quiet_NaN()});
+    return guard.released();
+  }));
+  EXPECT_EQ(guard.began()->flowing, (ph::brake_currents<1>{0.25})) << "the last that was known";
+  EXPECT_TRUE(eventually([&] { return device->current == 0; }));
+}
+
+// Stopped, held to the end by the supervisor, continued: nothing may flow, whoever dies then.
+TEST_F(a_supervised_loop, whose_hold_is_over_stays_without_current) {
+  at_release = {.policy = ph::release_policy::hold, .hold_time = 0.3};
+  start();
+  kill(loop, SIGSTOP);
+  ASSERT_TRUE(eventually([&] { return device->current == 0; }));
+  const std::uint32_t continued = device->entries;
+  kill(loop, SIGCONT);
+  ASSERT_TRUE(eventually([&] { return device->after_stop.load(); }));
+  ASSERT_TRUE(eventually([&] { return device->entries > continued + 200; }));
+  double killed = 0;
+  by_supervisor_of_a_killed_loop(killed);
+  int flowed = 0;
+  for (std::size_t k = continued; k < std::min<std::size_t>(device->entries, device->history.size()); ++k)
+    flowed += device->history[k].current != 0;
+  EXPECT_LE(flowed, 1) << "but for what it was about to write when it was stopped";
+  EXPECT_EQ(device->current, 0);
+}
+
 TEST_F(a_supervised_loop, that_writes_after_a_release_is_released_again) {
   ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.05});
   ASSERT_EQ(guard.start(), "");
-  guard.beat(1);
+  guard.beat(1, {});
   ASSERT_TRUE(eventually([&] { return guard.released(); }));
   for (int k = 0; k < 3; ++k) {
     device->current = 1;

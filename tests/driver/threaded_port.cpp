@@ -3,12 +3,14 @@
 #include "eventually.hpp"
 
 #include <gtest/gtest.h>
+#include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/thread/threaded_port.hpp>
 
 #include <sys/resource.h>
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <mutex>
 #include <thread>
@@ -224,7 +226,86 @@ TEST_F(threaded_port, may_be_moved_and_releases_in_the_end) {
     EXPECT_EQ(d.opened, 1);
   }
   EXPECT_EQ(d.all_heard().back(), (currents{}));
-  EXPECT_EQ(d.all_releases(), 1);
+  EXPECT_EQ(d.all_releases(), 2) << "its thread's, then its own";
+}
+
+// A port without a destructor: nothing but the thread can carry out the release.
+struct plain_port {
+  static constexpr int encoder_count = 1, brake_count = 1;
+  std::atomic<double>* current;
+  std::string open() { return {}; }
+  port_status read(ph::port_sample<1>&) noexcept { return port_status::no_sample; }
+  port_status write(const ph::brake_currents<1>& c) noexcept {
+    *current = c[0];
+    return port_status::ok;
+  }
+  void release() noexcept { *current = 0; }
+};
+
+TEST_F(threaded_port, carries_out_what_was_ordered_before_its_end) {
+  for (const bool released : {false, true})
+    for (int k = 0; k < 50; ++k) {
+      std::atomic<double> current = 0;
+      {
+        ph::threaded_port<plain_port> p{plain_port{&current}};
+        ASSERT_EQ(p.open(), "");
+        p.write({0.8});
+        ASSERT_TRUE(eventually([&] { return current == 0.8; }));
+        if (released) p.release();
+      }
+      ASSERT_EQ(current, 0) << "round " << k;
+    }
+}
+
+// The end waits for it so long as is said, then leaves the port to its thread, which releases when it can.
+TEST_F(threaded_port, whose_read_never_returns_ends_all_the_same) {
+  std::unique_lock<std::timed_mutex> line;
+  {
+    port p{slow_port(d)};
+    ASSERT_EQ(p.open(), "");
+    p.write({1, 1});
+    line = waiting_after(1);
+  }
+  EXPECT_EQ(d.all_releases(), 0) << "the read still waits";
+  line.unlock();
+  EXPECT_TRUE(eventually([&] { return d.all_releases() == 2; })) << "and the port is gone";
+}
+
+TEST_F(threaded_port, that_does_not_come_back_leaves_the_loop_without_a_heartbeat) {
+  ph::safe_port<port> safe(port{slow_port(d)}, {}, {.hold_over = 0.02});
+  ASSERT_EQ(safe.open(), "");
+  double now = 100;
+  std::uint32_t sequence = 0;
+  const auto cycle = [&] {
+    now += 1e-3;
+    {
+      const std::lock_guard hold(d.guard);
+      d.sample.time = now;
+      d.sample.valid = {true, true};
+    }
+    d.say(port_status::ok, ++sequence);
+    eventually([&] { return d.unread() == 0; });
+    safe.read(now);
+    safe.activate();
+    safe.write({1, 1});
+  };
+  for (int k = 0; k < 200 && safe.state() != ph::port_state::active; ++k) cycle();
+  ASSERT_EQ(safe.state(), ph::port_state::active);
+  std::unique_lock line(d.line);
+  ASSERT_TRUE(eventually([&] { return d.is_read.load(); }));
+  int cycles = 0;
+  for (; cycles < 100 && !std::isnan(safe.applied()[0]); ++cycles) {
+    now += 1e-3;
+    safe.read(now);
+    safe.write({1, 1});
+  }
+  EXPECT_LE(cycles, 23) << "20 ms, and what was answered before";
+  EXPECT_EQ(safe.state(), ph::port_state::released);
+  line.unlock();
+  EXPECT_TRUE(eventually([&] {
+    safe.write({1, 1});
+    return d.all_heard().back() == currents{};
+  }));
 }
 
 TEST_F(threaded_port, leaves_signals_to_the_loop) {
@@ -368,7 +449,7 @@ TEST(threaded_sensor, that_does_not_open_starts_no_thread) {
 }
 
 TEST(polling_thread, looks_from_start_to_stop_with_a_pause_a_small_stack_and_no_signals) {
-  struct {
+  struct counting_look {
     std::atomic<int> looks = 0, signals = 0;
     std::atomic<std::size_t> stack = 0;
     void operator()() noexcept {
@@ -384,23 +465,23 @@ TEST(polling_thread, looks_from_start_to_stop_with_a_pause_a_small_stack_and_no_
       stack = size;
       ++looks;
     }
-  } look;
-  ph::polling_thread thread({.pause = 0.05});
+  };
+  ph::polling_thread<counting_look> thread({.pause = 0.05});
   thread.stop();
   EXPECT_FALSE(thread.runs());
   const double start = ph::monotonic_seconds();
-  ASSERT_EQ(thread.start(look), "");
+  ASSERT_EQ(thread.start(), "");
   EXPECT_TRUE(thread.runs());
-  EXPECT_TRUE(eventually([&] { return look.looks == 2; }));
+  EXPECT_TRUE(eventually([&] { return thread->looks == 2; }));
   EXPECT_GE(ph::monotonic_seconds(), start + 0.05);
-  thread.stop();
-  const int looks = look.looks;
-  EXPECT_LE(looks, 1 + (ph::monotonic_seconds() - start) / 0.05);
+  EXPECT_TRUE(thread.stop());
+  const int looks = thread->looks;
+  EXPECT_LE(looks, 2 + (ph::monotonic_seconds() - start) / 0.05) << "one more at the end";
   EXPECT_FALSE(thread.runs());
-  thread.stop();
-  EXPECT_EQ(look.looks, looks);
-  EXPECT_EQ(look.signals, 0);
-  EXPECT_EQ(look.stack, 1u << 20);
+  EXPECT_TRUE(thread.stop());
+  EXPECT_EQ(thread->looks, looks);
+  EXPECT_EQ(thread->signals, 0);
+  EXPECT_EQ(thread->stack, 1u << 20);
 }
 
 TEST(polling_parameters, are_checked_by_name) {

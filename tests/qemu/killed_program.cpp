@@ -23,10 +23,11 @@ pid_t start_program(bool supervised) {
   port outputs(port_parameters());
   if (!outputs.open().empty()) _exit(1);
   const ph::monotonic_clock clock;
+  double current = 0;
   for (std::int64_t wake = clock.now();; wake += 1'000'000) {
     clock.sleep_until(wake);
-    const bool well = !supervised || watch.beat(ph::monotonic_seconds());
-    const double current = well ? amperes_per_volt * holding : 0;
+    const bool well = !supervised || watch.beat(ph::monotonic_seconds(), {current, current});
+    current = well ? amperes_per_volt * holding : 0;
     outputs.write({current, current});
   }
 }

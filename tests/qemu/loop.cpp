@@ -32,7 +32,7 @@ class program {
   ph::loop_report run(std::int64_t cycles) {
     const auto cycle = [&](const ph::loop_cycle& c) {
       device_.read(c.time);
-      supervised = watch_.beat(c.time) && supervised;
+      supervised = watch_.beat(c.time, device_.applied()) && supervised;
       if (c.number == 1) device_.activate();
       else worst = std::max(worst, std::abs(device_.force()[0] - expected_));
       const double current = 2 - 2 * std::cos(2 * std::numbers::pi * c.time);

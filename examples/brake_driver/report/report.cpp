@@ -45,9 +45,10 @@ bool displays(const record& r) {
   return r.state == ph::port_state::active || r.state == ph::port_state::degraded;
 }
 
+// Empty for a share that is not known.
 std::string bar(double share, std::size_t width) {
-  const auto full =
-      static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(width)));
+  const double length = share > 0 ? std::min(share, 1.0) * static_cast<double>(width) : 0;
+  const auto full = static_cast<std::size_t>(std::lround(length));
   return std::string(full, '#') + std::string(width - full, '.');
 }
 
@@ -182,11 +183,12 @@ void report_sink::show() {
   if (!terminal_) {
     if (!rearm.empty()) state += " (" + rearm + ")";
     pending_ = text(
-        "%7.1f s  %-10s handle (%s, %s) m  hand (%5s, %5s) N  %-11s brakes %.3f, %.3f %s  late %s at "
+        "%7.1f s  %-10s handle (%s, %s) m  hand (%5s, %5s) N  %-11s brakes %s, %s %s  late %s at "
         "most%s\n",
         r.time, state.c_str(), number("%.4f", r.x[0]).c_str(), number("%.4f", r.x[1]).c_str(),
         number("%.2f", r.hand_force[0]).c_str(), number("%.2f", r.hand_force[1]).c_str(),
-        displays(r) ? to_string(r.decision.display).data() : "no display", r.current[0], r.current[1], ampere,
+        displays(r) ? to_string(r.decision.display).data() : "no display",
+        number("%.3f", r.current[0]).c_str(), number("%.3f", r.current[1]).c_str(), ampere,
         duration(static_cast<double>(late_.largest())).c_str(),
         loss().empty() ? "" : ("  " + loss()).c_str());
     write_shown();
@@ -209,8 +211,8 @@ void report_sink::show() {
                               degrees, r.decision.alpha)
                        : "wall     not displayed\n";
   for (std::size_t i = 0; i < r.current.size(); ++i)
-    table += text("brake %zu  %9s /s  may hold %6.3f %s  %6.3f %s  ", i + 1, number("%.4f", r.qd[i]).c_str(),
-                  r.decision.capacity[i], joints_.torque()(i), r.current[i], ampere) +
+    table += text("brake %zu  %9s /s  may hold %6.3f %s  %6s %s  ", i + 1, number("%.4f", r.qd[i]).c_str(),
+                  r.decision.capacity[i], joints_.torque()(i), number("%.3f", r.current[i]).c_str(), ampere) +
              bar(r.current[i] / current_limit_[i], 20) + "\n";
   for (const auto& [name, h] : {std::pair{"late", &late_}, std::pair{"compute", &compute_}})
     table += text("%-8s p50 %8s   p99 %8s   p99.9 %8s   max %8s\n", name,

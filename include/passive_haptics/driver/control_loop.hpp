@@ -77,7 +77,8 @@ class control_loop {
       clock_.sleep_until(deadline);
       const std::int64_t begin = clock_.now(), late = begin - deadline;
       // No cycle ends after the next deadline: a clock that went back is before it
-      if (late < 0 || static_cast<double>(late) > 1e9 * p_.longest_sleep) release(fault::clock_jump);
+      if (late < 0) release(fault::clock_jump);
+      else if (static_cast<double>(late) > 1e9 * p_.longest_sleep) release(fault::cycle_late);
       report.late.add(late);
       const loop_cycle now{number, 1e-9 * static_cast<double>(begin), 1e-9 * static_cast<double>(late)};
       bool go_on = false;

@@ -28,7 +28,8 @@ enum class fault {
   // of the loop
   law_failed,       ///< The control law threw, or its result is a fault.
   overruns,         ///< Too many cycles in a row took too long.
-  clock_jump,       ///< The clock went back, or the loop slept far too long.
+  cycle_late,       ///< A cycle began far too late: the machine or the process stood still.
+  clock_jump,       ///< The clock went back, or is no number.
   supervisor_lost,  ///< The other process does not answer, or released the brakes itself.
   user,             ///< Somebody asked for it: a signal, or a call of release().
 };
@@ -53,7 +54,8 @@ constexpr std::string_view to_string(fault f) {
     case fault::current_not_valid: return "the commanded current is NaN, infinite or negative";
     case fault::law_failed: return "the control law failed";
     case fault::overruns: return "cycles took too long";
-    case fault::clock_jump: return "the clock jumped";
+    case fault::cycle_late: return "a cycle began far too late";
+    case fault::clock_jump: return "the clock went back";
     case fault::supervisor_lost: return "the supervisor is lost, or released the brakes";
     case fault::user: return "as asked";
   }

@@ -15,7 +15,7 @@ enum class release_policy {
   zero,  ///< 0 A at once: the handle is free.
   ramp,  ///< Down to 0 A within ramp_time: an arm under gravity sinks instead of falling.
   hold,  ///< The last currents stay, for brakes that current opens, or an arm that must not sink: while the
-         ///< loop runs, and hold_time longer. Heat may lower them.
+         ///< loop runs, and hold_time longer. Heat may lower them. What came to 0 A stays there.
 };
 
 /// A policy and its time.
@@ -59,24 +59,39 @@ class release_profile {
   explicit release_profile(const release_parameters& p) : p_(require_valid(p)) {}
 
   /// A release begins.
-  void begin(const release_start<N>& start) noexcept { start_ = start; }
+  void begin(const release_start<N>& start) noexcept {
+    start_ = start;
+    attended_ = start.time;
+  }
+  /// The release that another process began goes on here. If nothing flows any more, nothing changes.
+  void take_over(const release_start<N>& start) noexcept {
+    if (start_.flowing != brake_currents<N>{} && start_.time != start.time) begin(start);
+  }
+  /// The loop runs at this time, so that somebody can rearm: a hold lasts hold_time from here on. What is
+  /// over stays so until the next begin().
+  void attend(double now) noexcept {
+    if (over(now)) start_.flowing = {};
+    attended_ = now;
+  }
   /// Where it began.
   const release_start<N>& start() const noexcept { return start_; }
 
-  /// What may still flow at a time [A]. A ramp gives 0 A at a time that is none or far before its start.
+  /// What may flow at a time [A]. A ramp gives 0 A at a time that is none or far before its start.
   brake_currents<N> operator()(double now) const noexcept {
-    double share = p_.policy == release_policy::hold ? 1 : 0;
-    if (p_.policy == release_policy::ramp && !over(now))
+    double share = over(now) ? 0 : 1;
+    if (share > 0 && p_.policy == release_policy::ramp)
       share = std::min(1.0, 1 - (now - start_.time) / p_.ramp_time);
     brake_currents<N> flowing = start_.flowing;
     for (double& current : flowing) current *= share;
     return flowing;
   }
 
-  /// Whether it is over at a time, where nobody can rearm any more.
+  /// Whether nothing flows any more at a time: a ramp is done, or nobody ran the loop for hold_time.
   bool over(double now) const noexcept {
+    if (start_.flowing == brake_currents<N>{}) return true;
+    if (p_.policy == release_policy::hold) return now - attended_ >= p_.hold_time;
     // Another process may have begun a little later than this one's cycle
-    return start_.flowing == brake_currents<N>{} || !(std::abs(now - start_.time) < p_.longest());
+    return !(std::abs(now - start_.time) < p_.longest());
   }
 
   /// Whether nothing flows any more at once.
@@ -85,6 +100,7 @@ class release_profile {
  private:
   release_parameters p_;
   release_start<N> start_;
+  double attended_ = 0;  // when the loop ran last, for a hold [s]
 };
 
 }  // namespace passive_haptics

@@ -68,10 +68,10 @@ class safe_port {
   /// Takes this cycle's samples.
   port_state read(double now) noexcept {
     if (state_ == port_state::closed) return state_;
-    const bool jumped = !(now > now_) || (holds() && now - now_ > hold_over_);
-    dt_ = now > now_ && std::isfinite(now_) ? now - now_ : 0;
-    now_ = now;
-    if (jumped) fail({fault::clock_jump});
+    const double before = std::exchange(now_, now);
+    dt_ = now > before && std::isfinite(before) ? now - before : 0;
+    if (!(now > before && std::isfinite(now))) fail({fault::clock_jump});
+    else if (holds() && now - before > hold_over_) fail({fault::cycle_late}, before);
     if (lost_) return state_;
 
     const fault_record encoders = read_encoders();
@@ -93,7 +93,10 @@ class safe_port {
     currents asked{};
     if (holds()) asked = wanted;
     if (lost_) return state_;
-    if (state_ == port_state::released) asked = release_(now_);
+    if (state_ == port_state::released) {
+      asked = release_(now_);
+      release_.attend(now_);
+    }
     const currents flowing = limiter_(asked, dt_);
 
     const port_status written = port_.write(flowing);
@@ -120,7 +123,7 @@ class safe_port {
                const std::optional<release_start<brake_count>>& begun = {}) noexcept {
     if (state_ == port_state::closed) return;
     fail(why);
-    if (begun) release_.begin(*begun);
+    if (begun) release_.take_over(*begun);
   }
 
   /// Releases the brakes, and gives 0 A at once, whatever the release policy.
@@ -156,8 +159,13 @@ class safe_port {
   double position_time() const noexcept { return position_time_; }
   /// The last good reading of the force sensor.
   const force_reading& force() const noexcept { return force_; }
-  /// What the device last took [A]; a release counts as 0 A unless it is lost or refuses what is written.
-  const currents& applied() const noexcept { return applied_; }
+  /// What the device last took [A]; a release counts as 0 A unless it is lost or refuses what is written. If
+  /// the brakes are released and nothing was taken for hold_over seconds, NaN: nobody knows what flows, and a
+  /// supervisor that gets it as its heartbeat acts (supervisor::beat()).
+  currents applied() const noexcept {
+    const bool known = state_ != port_state::released || now_ - write_good_ <= hold_over_;
+    return known ? applied_ : same_for_each<brake_count>(std::numeric_limits<double>::quiet_NaN());
+  }
   /// Whether they are on the brakes, as far as the device tells: false while it is lost or refuses.
   bool applied_is_known() const noexcept { return !lost_ && bad_write_.what == fault::none; }
   /// The port, to ask it for what only it knows.
@@ -201,12 +209,14 @@ class safe_port {
     else if (at_once(found) || ((holds() || flows()) && now_ - good > hold_over_)) fail(found);
   }
 
-  void fail(const fault_record& why) noexcept {
+  // since: when a cycle last came [s]
+  void fail(const fault_record& why) noexcept { fail(why, now_); }
+  void fail(const fault_record& why, double since) noexcept {
     if (why.what == fault::device_lost && why.source != fault_source::force_sensor) lost_ = true;
     if (lost_) homed_ = false;
     if (state_ != port_state::released) {
       reason_ = why;
-      release_.begin({now_, applied_});
+      release_.begin({since, applied_});
     }
     state_ = port_state::released;
     if (lost_ || release_.is_at_once()) give_none();

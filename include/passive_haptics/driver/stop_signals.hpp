@@ -13,8 +13,8 @@ inline std::atomic<bool> signal_to_rearm = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 }  // namespace detail
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the program but set a flag, and SIGUSR1 another. One
-/// at a time.
+/// The signals that a loop looks at. While it lives, SIGINT, SIGTERM and SIGHUP do not end the program but
+/// set a flag, and SIGUSR1 another. One at a time.
 class stop_signals {
  public:
   stop_signals() {
@@ -36,10 +36,19 @@ class stop_signals {
 
   /// The last signal that asked to stop; 0 if none did.
   int stop() const noexcept { return detail::signal_to_stop; }
-  /// Whether SIGUSR1 came since this was asked before.
-  bool rearm() noexcept { return detail::signal_to_rearm.exchange(false); }
+  /// Whether SIGUSR1 came since the brakes were first seen released; to be called once a cycle, with whether
+  /// they are. A request that came before is dropped: whoever sent it had another release in mind, or none.
+  /// So is one that waited while the program was stopped, as the program learns of a release after it goes
+  /// on.
+  bool rearm(bool released) noexcept {
+    const bool came = detail::signal_to_rearm.exchange(false);
+    const bool counts = came && released && were_released_;
+    were_released_ = released && !counts;
+    return counts;
+  }
 
  private:
+  bool were_released_ = false;
   static constexpr std::array<int, 4> caught{SIGINT, SIGTERM, SIGHUP, SIGUSR1};
   std::array<struct sigaction, 4> before_{};
 };

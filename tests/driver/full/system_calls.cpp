@@ -130,9 +130,9 @@ class filtered_cycles {
       [&](const ph::loop_cycle& now) {
         run.begin();
         if (one_call_more && run.number() == cycles / 2) syscall(SYS_getppid);
-        if (!guard.beat(now.time)) port.release({ph::fault::supervisor_lost});
+        if (!guard.beat(now.time, port.applied())) port.release({ph::fault::supervisor_lost});
         port.read(now.time);
-        if (signals.rearm()) port.rearm();
+        if (signals.rearm(port.state() == ph::port_state::released)) port.rearm();
         port.activate();
         auto state = calibration.state(port.position_time(), port.position(), port.force());
         state.time = now.time;

@@ -154,7 +154,7 @@ TEST_F(a_terminal, shows_no_force_of_a_wall_that_is_not_displayed_and_how_to_rea
   send(SIGCONT);
   ASSERT_TRUE(eventually([this] {
     look();
-    return shown.count("state    released: the clock jumped") == 1;
+    return shown.count("state    released: a cycle began far too late") == 1;
   })) << shown.text();
   ASSERT_TRUE(redraws(shown.redrawn + 2));
   EXPECT_EQ(shown.count("wall     not displayed"), 1) << shown.text();

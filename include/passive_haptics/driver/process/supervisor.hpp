@@ -76,12 +76,15 @@ class supervisor {
     return child_.start([this] { return port_.open(); }, [this](parent_link parent) { watch(parent); });
   }
 
-  /// Once a cycle, with its time [s, CLOCK_MONOTONIC] and what flows [A]; the first beat starts the watch.
+  /// The heartbeat, once a cycle, with its time [s, CLOCK_MONOTONIC] and what flows [A]; the first one starts
+  /// the watch. If a current is NaN, nobody knows what flows (safe_port::applied()): then it is no heartbeat.
   /// False where the supervisor released the brakes, or has not been seen for 0.1 s, or for `timeout` where
   /// that is longer: release them here, too, from where it began().
-  bool beat(double now, const currents& flowing = {}) noexcept {
-    store(shared_->flowing, flowing);
-    shared_->beats.fetch_add(1, std::memory_order_release);
+  bool beat(double now, const currents& flowing) noexcept {
+    if (std::ranges::all_of(flowing, [](double current) { return std::isfinite(current); })) {
+      store(shared_->flowing, flowing);
+      shared_->beats.fetch_add(1, std::memory_order_release);
+    }
     const std::uint32_t looks = shared_->looks.load(std::memory_order_relaxed);
     if (looks != looks_ || !std::isfinite(seen_)) {
       looks_ = looks;
@@ -148,13 +151,15 @@ class supervisor {
       silent = now - beaten > p_.timeout;
       if (silent && !released()) begin(now);
       // A loop that beats gives the currents of a release itself; of 0 A nothing else can be said
+      if (released() && !silent) release_.attend(now);
       if (released() && (silent || release_.is_at_once())) give(now);
       else learn(now);
       shared_->looks.fetch_add(1, std::memory_order_relaxed);
     }
     if (!shared_->dismissed.load(std::memory_order_acquire)) {
       double now = monotonic_seconds();
-      if (!silent) begin(now);
+      const bool ended = released() && release_.over(now);  // and nobody rearmed since
+      if (!silent && !ended) begin(now);
       for (; !release_.over(now); now = monotonic_seconds()) {
         give(now);
         poll(nullptr, 0, often);

@@ -12,7 +12,9 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace passive_haptics {
 
@@ -28,64 +30,99 @@ struct polling_parameters {
   }
 };
 
-/// Calls look() until it ends. It inherits the scheduling of the thread that starts it (priority, processor);
-/// signals go to the others. Not to be moved while it runs.
+/// A thread that calls look() from start() to stop(), and once more at its end: what was ordered before
+/// stop() is carried out. Thread and owner share the look, so that one that never returns stays valid. The
+/// thread inherits the scheduling of the thread that starts it (priority, processor); signals go to the
+/// others.
+template <class Look>
 class polling_thread {
  public:
-  /// Throws std::invalid_argument with the text of validate(p).
-  explicit polling_thread(const polling_parameters& p) : pause_(std::llround(1e9 * require_valid(p).pause)) {}
-  polling_thread(const polling_thread&) = delete;
-  polling_thread& operator=(const polling_thread&) = delete;
+  /// The longest time that stop() waits for the look under way, beside the pause [s].
+  static constexpr double longest_look = 1;
+
+  /// A look made of these arguments. Throws std::invalid_argument with the text of validate(p).
+  template <class... Arguments>
+  explicit polling_thread(const polling_parameters& p, Arguments&&... arguments)
+      : shared_(std::make_shared<shared>(require_valid(p).pause, std::forward<Arguments>(arguments)...)) {}
+  /// The thread goes on; the look stays where it is.
+  polling_thread(polling_thread&& other) noexcept
+      : shared_(std::move(other.shared_)), thread_(other.thread_), runs_(std::exchange(other.runs_, false)) {}
+  polling_thread& operator=(polling_thread&&) = delete;
   ~polling_thread() { stop(); }
 
-  /// Starts it, with a noexcept look.operator()() whose owner lives until stop(); empty, or why it could not.
-  template <class Look>
-  std::string start(Look& look) {
-    look_ = &look;
-    call_ = [](void* l) noexcept { (*static_cast<Look*>(l))(); };
+  /// Whether there is a look: it was not moved away.
+  explicit operator bool() const noexcept { return shared_ != nullptr; }
+  /// The look.
+  Look* operator->() const noexcept { return &shared_->look; }
+
+  /// Starts the thread; empty, or why it could not.
+  std::string start() {
+    auto own = std::make_unique<std::shared_ptr<shared>>(shared_);
     pthread_attr_t attributes;
     pthread_attr_init(&attributes);
     pthread_attr_setstacksize(&attributes, stack);
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    const int error = pthread_create(&thread_, &attributes, run, this);
+    const int error = pthread_create(&thread_, &attributes, run, own.get());
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     pthread_attr_destroy(&attributes);
     runs_ = error == 0;
-    return runs_ ? "" : std::string("a port's thread: ").append(std::strerror(error));
+    if (!runs_) return std::string("a port's thread: ").append(std::strerror(error));
+    own.release();  // the thread's now
+    return {};
   }
 
   /// Whether it was started and not stopped.
   bool runs() const noexcept { return runs_; }
 
-  /// Ends it: waits for the look under way.
-  void stop() noexcept {
-    if (!runs_) return;
-    ended_.store(true, std::memory_order_relaxed);
-    pthread_join(thread_, nullptr);
+  /// Ends the thread after one more look. False if the look has not returned after `pause` and longest_look:
+  /// the thread is left alone with it, and ends when it returns.
+  bool stop() noexcept {
+    if (!runs_) return true;
     runs_ = false;
+    shared_->ends.store(true, std::memory_order_release);
+    const monotonic_clock clock;
+    const std::int64_t longest = shared_->pause + std::llround(1e9 * longest_look);
+    for (const std::int64_t end = clock.now() + longest; !shared_->ended.load(std::memory_order_acquire);) {
+      if (clock.now() > end) {
+        pthread_detach(thread_);
+        return false;
+      }
+      clock.sleep_until(clock.now() + 100'000);
+    }
+    pthread_join(thread_, nullptr);
+    return true;
   }
 
  private:
   static constexpr std::size_t stack = 1 << 20;  // [bytes]; all of it is locked where memory is
 
-  static void* run(void* self) noexcept {
-    polling_thread& t = *static_cast<polling_thread*>(self);
+  struct shared {
+    template <class... Arguments>
+    explicit shared(double seconds, Arguments&&... arguments)
+        : look(std::forward<Arguments>(arguments)...), pause(std::llround(1e9 * seconds)) {}
+    Look look;
+    std::int64_t pause;  // [ns]
+    std::atomic<bool> ends = false, ended = false;
+  };
+
+  static void* run(void* given) noexcept {
+    const std::shared_ptr<shared> own =
+        std::move(*std::unique_ptr<std::shared_ptr<shared>>(static_cast<std::shared_ptr<shared>*>(given)));
     const monotonic_clock clock;
-    while (!t.ended_.load(std::memory_order_relaxed)) {
-      t.call_(t.look_);
-      clock.sleep_until(clock.now() + t.pause_);
+    for (bool last = false; !last;) {
+      last = own->ends.load(std::memory_order_acquire);  // before the look, which then sees all orders
+      own->look();
+      if (!last) clock.sleep_until(clock.now() + own->pause);
     }
+    own->ended.store(true, std::memory_order_release);
     return nullptr;
   }
 
-  std::int64_t pause_;  // [ns]
-  void* look_ = nullptr;
-  void (*call_)(void*) noexcept = nullptr;
+  std::shared_ptr<shared> shared_;
   pthread_t thread_{};
   bool runs_ = false;
-  std::atomic<bool> ended_ = false;
 };
 
 }  // namespace passive_haptics

@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -61,8 +60,10 @@ class sample_mailbox {
 /// nothing feeds a device's watchdog but the loop. The status is that of the currents before; no_sample where
 /// the thread has not come to them yet.
 /// release: from any thread or signal handler. Overtakes currents that still lie here. 0 A leave this
-/// computer after at most `pause` and the transfer under way, which the device's watchdog bounds: it gets no
-/// currents meanwhile.
+/// computer after at most `pause` and the transfer under way. If that transfer does not end, 0 A is the
+/// matter of a supervisor (safe_port::applied()) and of the device's watchdog, which gets no currents.
+/// The destructor releases, and waits for the thread at most polling_thread::stop()'s time. A port that is
+/// kept by a transfer longer than that lives on until the transfer ends.
 ///
 /// Start other processes before open(), and set the scheduling before, which the thread inherits. A
 /// supervisor takes the port itself: it may wait, and has to be done when it ends.
@@ -76,33 +77,34 @@ class threaded_port {
   static constexpr int brake_count = Port::brake_count;      ///< Brakes.
 
   /// Throws std::invalid_argument with the text of validate(p).
-  explicit threaded_port(Port port, const polling_parameters& p = {})
-      : shared_(std::make_unique<shared>(std::move(port), p)) {}
+  explicit threaded_port(Port port, const polling_parameters& p = {}) : thread_(p, std::move(port)) {}
+  threaded_port(threaded_port&&) noexcept = default;
+  ~threaded_port() { release(); }  // then the thread's last look carries it out
 
   /// Opens the port and starts the thread.
   std::string open() {
-    std::string error = shared_->port.open();
-    return error.empty() ? shared_->thread.start(*shared_) : error;
+    std::string error = thread_->port.open();
+    return error.empty() ? thread_.start() : error;
   }
 
   /// See above.
   port_status read(port_sample<encoder_count>& sample) noexcept {
-    return threaded() ? shared_->samples.take(sample) : shared_->port.read(sample);
+    return thread_.runs() ? thread_->samples.take(sample) : thread_->port.read(sample);
   }
   /// See above.
   port_status write(const brake_currents<brake_count>& currents) noexcept {
-    return threaded() ? shared_->leave(currents) : shared_->port.write(currents);
+    return thread_.runs() ? thread_->leave(currents) : thread_->port.write(currents);
   }
   /// See above.
   void release() noexcept {
-    if (shared_ == nullptr) return;  // moved from
-    if (threaded()) shared_->releases.fetch_add(1, std::memory_order_release);
-    else shared_->port.release();
+    if (!thread_) return;  // moved from
+    if (thread_.runs()) thread_->releases.fetch_add(1, std::memory_order_release);
+    else thread_->port.release();
   }
   /// Of the port's counters.
-  int counter_bits() const noexcept { return passive_haptics::counter_bits(shared_->port); }
+  int counter_bits() const noexcept { return passive_haptics::counter_bits(thread_->port); }
   /// Of the device.
-  double watchdog() const noexcept { return passive_haptics::watchdog(shared_->port); }
+  double watchdog() const noexcept { return passive_haptics::watchdog(thread_->port); }
 
  private:
   struct order {
@@ -115,9 +117,9 @@ class threaded_port {
     port_status status = port_status::ok;
   };
 
-  // Stays where it is when the port is moved
-  struct shared {
-    shared(Port p, const polling_parameters& polling) : port(std::move(p)), thread(polling) {}
+  // What loop and thread share
+  struct exchange {
+    explicit exchange(Port p) : port(std::move(p)) {}
 
     Port port;  // the thread's alone while it runs
     sample_mailbox<encoder_count> samples;
@@ -126,7 +128,6 @@ class threaded_port {
     std::atomic<std::uint32_t> releases = 0;
     std::uint32_t ordered = 0, released = 0;
     answer last;
-    polling_thread thread;  // last: it ends before the rest
 
     // By the loop
     port_status leave(const brake_currents<brake_count>& currents) noexcept {
@@ -152,9 +153,7 @@ class threaded_port {
     }
   };
 
-  bool threaded() const noexcept { return shared_->thread.runs(); }
-
-  std::unique_ptr<shared> shared_;
+  polling_thread<exchange> thread_;
 };
 
 /// A ForceSensor in the same way: the one it is made of, read by a thread of its own.
@@ -164,26 +163,24 @@ class threaded_sensor {
   static constexpr int channel_count = Sensor::channel_count;  ///< As of the sensor.
 
   /// Throws std::invalid_argument with the text of validate(p).
-  explicit threaded_sensor(Sensor sensor, const polling_parameters& p = {})
-      : shared_(std::make_unique<shared>(std::move(sensor), p)) {}
+  explicit threaded_sensor(Sensor sensor, const polling_parameters& p = {}) : thread_(p, std::move(sensor)) {}
 
   /// Opens the sensor and starts the thread.
   std::string open() {
-    std::string error = shared_->sensor.open();
-    return error.empty() ? shared_->thread.start(*shared_) : error;
+    std::string error = thread_->sensor.open();
+    return error.empty() ? thread_.start() : error;
   }
   /// The newest sample since, else what the thread found instead: some loads and stores.
   port_status read(port_sample<channel_count>& sample) noexcept {
-    return shared_->thread.runs() ? shared_->samples.take(sample) : shared_->sensor.read(sample);
+    return thread_.runs() ? thread_->samples.take(sample) : thread_->sensor.read(sample);
   }
 
  private:
-  struct shared {
-    shared(Sensor s, const polling_parameters& polling) : sensor(std::move(s)), thread(polling) {}
+  struct exchange {
+    explicit exchange(Sensor s) : sensor(std::move(s)) {}
 
     Sensor sensor;  // the thread's alone while it runs
     sample_mailbox<channel_count> samples;
-    polling_thread thread;  // last: it ends before the rest
 
     void operator()() noexcept {
       port_sample<channel_count> sample;
@@ -192,7 +189,7 @@ class threaded_sensor {
     }
   };
 
-  std::unique_ptr<shared> shared_;
+  polling_thread<exchange> thread_;
 };
 
 }  // namespace passive_haptics
