@@ -71,8 +71,7 @@ void identify(const Model& brake, const Torque& torque_at, const std::filesystem
     ph::bench_parameters p;
     p.radians_per_count = how.resolution;
     p.current_limit = current;
-    const auto wait = [] {
-    };  // the simulation's time goes on by itself; a real bench sleeps until the next period
+    const auto wait = [&] { return bench->wait(); };  // a real bench sleeps until the next period
     const auto samples = ph::record_on_bench(port, sensor, p, duration, current_at, wait);
     example::write_file(directory / (std::string(name) + ".csv"), table(samples));
     return samples;

@@ -28,7 +28,7 @@ struct simulated_bench_parameters {
 };
 
 /// The axis turns at rate(t) [rad/s], whatever the brake does; command_of(I) [N m] is what the brake is told
-/// by a current. Its clock goes on by a period with each reading of the encoder.
+/// by a current. Its clock goes on by a period with each wait().
 template <ph::BrakeModel Model>
 class simulated_bench {
  public:
@@ -42,7 +42,8 @@ class simulated_bench {
         p_(p),
         bits_(ph::random_bits(p.seed, 0)) {}
 
-  void next_period() {
+  /// Until the next period: the time then [s].
+  double wait() {
     const auto steps = static_cast<int>(std::lround(p_.period / p_.time_step));
     for (int i = 0; i < steps; ++i) {
       const double rate = rate_(time());
@@ -53,6 +54,7 @@ class simulated_bench {
       position_ += p_.time_step * rate;
       ++ticks_;
     }
+    return time();
   }
   double time() const { return p_.time_step * static_cast<double>(ticks_); }
   double counts() const { return std::floor(position_ / p_.resolution); }
@@ -78,7 +80,6 @@ struct simulated_bench_port {
 
   std::string open() { return {}; }
   ph::port_status read(ph::port_sample<1>& sample) noexcept {
-    bench->next_period();
     sample = {bench->time(), ++sequence, {bench->counts()}, {true}};
     return ph::port_status::ok;
   }
@@ -94,10 +95,11 @@ template <class Model>
 struct simulated_torque_sensor {
   static constexpr int channel_count = 1;
   std::shared_ptr<simulated_bench<Model>> bench;
+  std::uint32_t sequence = 0;
 
   std::string open() { return {}; }
   ph::port_status read(ph::port_sample<1>& sample) noexcept {
-    sample = {bench->time(), 0, {bench->reading()}, {true}};
+    sample = {bench->time(), ++sequence, {bench->reading()}, {true}};
     return ph::port_status::ok;
   }
 };

@@ -15,7 +15,10 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <functional>
 
 namespace {
 
@@ -37,7 +40,7 @@ samples record(const Model& brake, Command command, Rate rate, Current current, 
   example::simulated_torque_sensor<Model> sensor{bench};
   ph::bench_parameters p;
   p.radians_per_count = how.resolution;
-  return ph::record_on_bench(port, sensor, p, duration, current, [] {});
+  return ph::record_on_bench(port, sensor, p, duration, current, [&] { return bench->wait(); });
 }
 
 // Within four of its standard errors, which are at most `share` of it.
@@ -390,48 +393,94 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_sweep) {
 
 // ---- the port
 
-// Turns by 3 counts a period through the wrap of an 8 bit counter, until it fails.
-struct short_lived_port {
+// A bench of two brakes and three torques at 1 kHz of its own time, whose every reading a test may spoil. Its
+// second encoder turns by 3 counts a period through the wrap of an 8 bit counter.
+struct bench_device {
+  int period = 0, released = 0, waits = 0;
+  std::vector<double> told;
+  std::function<void(bench_device&)> spoil = [](bench_device&) {};
+
+  double now = 0;
+  ph::port_sample<2> axes{0, 0, {0, 250}, {true, true}};
+  ph::port_sample<3> torque{0, 0, {0, 0, 7}, {true, true, true}};
+  ph::port_status read = ph::port_status::ok, felt = ph::port_status::ok, taken = ph::port_status::ok;
+
+  bool flows() const { return !told.empty() && told[0] + told[1] != 0; }
+  double wait() {
+    if (++waits > 1'000'000) throw std::logic_error("the test does not end");
+    ++period;
+    now = axes.time = torque.time = 1e-3 * period;
+    axes.sequence = torque.sequence = static_cast<std::uint32_t>(period);
+    axes.value[1] = (250 + 3 * period) % 256;
+    spoil(*this);
+    return now;
+  }
+};
+struct bench_device_port {
   static constexpr int encoder_count = 2, brake_count = 2;
-  int good = 50, period = 0, released = 0;
-  ph::port_status afterwards = ph::port_status::failed;
-  std::vector<double> told = {};
+  bench_device* of;
   std::string open() { return {}; }
   ph::port_status read(ph::port_sample<2>& s) noexcept {
-    if (++period > good) return afterwards;
-    s = {1e-3 * period, 0, {0, static_cast<double>((250 + 3 * period) % 256)}, {false, true}};
-    return ph::port_status::ok;
+    s = of->axes;
+    return of->read;
   }
   ph::port_status write(const ph::brake_currents<2>& currents) noexcept {
-    told = {currents[0], currents[1]};
-    return ph::port_status::ok;
+    of->told = {currents[0], currents[1]};
+    return of->taken;
   }
-  void release() noexcept { ++released; }
+  void release() noexcept {
+    ++of->released;
+    of->told = {0, 0};
+  }
   int counter_bits() const noexcept { return 8; }
 };
-struct constant_sensor {
+struct bench_device_sensor {
   static constexpr int channel_count = 3;
+  bench_device* of;
   std::string open() { return {}; }
   ph::port_status read(ph::port_sample<3>& s) noexcept {
-    s.value = {0, 0, 7};
-    s.valid = {false, false, true};
-    return ph::port_status::ok;
+    s = of->torque;
+    return of->felt;
   }
 };
 
-TEST(record_on_bench, follows_a_counter_through_its_wrap_and_keeps_the_limit) {
-  short_lived_port port;
-  constant_sensor sensor;
-  const ph::bench_parameters p{.brake = 1,
-                               .encoder = 1,
-                               .channel = 2,
-                               .radians_per_count = 0.5,
-                               .torque_per_unit = 2,
-                               .torque_at_zero = 4,
-                               .current_limit = 0.3,
-                               .settling_time = 0};
-  const samples all =
-      ph::record_on_bench(port, sensor, p, 0.02, [](double t) { return t > 0.01 ? 9 : -1; }, [] {});
+struct record_on_bench : ::testing::Test {
+  bench_device device;
+  ph::bench_parameters p{.brake = 1, .encoder = 1, .channel = 2, .settling_time = 0};
+  double duration = 0.02;
+
+  template <class Current>
+  samples record(const Current& current) {
+    bench_device_port port{&device};
+    bench_device_sensor sensor{&device};
+    samples all = ph::record_on_bench(port, sensor, p, duration, current, [this] { return device.wait(); });
+    EXPECT_FALSE(device.flows());
+    return all;
+  }
+  // What is thrown where every period is spoilt so, from the 300th on.
+  std::string error_of(const std::function<void(bench_device&)>& spoil) {
+    device = {};
+    device.spoil = [spoil](bench_device& d) {
+      if (d.period >= 300) spoil(d);
+    };
+    duration = 1;
+    const std::string error = thrown_by([&] { record([](double) { return 0.1; }); });
+    EXPECT_FALSE(device.flows());
+    EXPECT_GE(device.released, 1);
+    return error;
+  }
+};
+
+TEST_F(record_on_bench, follows_a_counter_through_its_wrap_and_keeps_the_limit) {
+  p.radians_per_count = 0.5;
+  p.torque_per_unit = 2;
+  p.torque_at_zero = 4;
+  p.current_limit = 0.3;
+  std::vector<double> others;
+  device.spoil = [&](bench_device& d) {
+    if (!d.told.empty()) others.push_back(d.told[0]);
+  };
+  const samples all = record([](double t) { return t > 0.01 ? 9 : -1; });
   ASSERT_EQ(all.size(), 21u);
   for (std::size_t k = 1; k < all.size(); ++k) {
     EXPECT_EQ(all[k].position - all[k - 1].position, 1.5);
@@ -439,62 +488,36 @@ TEST(record_on_bench, follows_a_counter_through_its_wrap_and_keeps_the_limit) {
   }
   EXPECT_EQ(all.front().current, 0);
   EXPECT_EQ(all.back().current, 0.3);
-  EXPECT_EQ(port.told, (std::vector<double>{0, 0.3}));
-  EXPECT_EQ(port.released, 1);
+  EXPECT_EQ(others, std::vector<double>(others.size(), 0.0)) << "the other brake is released";
 }
 
-TEST(record_on_bench, gives_no_current_for_what_is_none) {
-  constant_sensor sensor;
+TEST_F(record_on_bench, gives_no_current_for_what_is_none) {
   for (const double none : {double(NAN), -1.0, -double(INFINITY)}) {
-    short_lived_port port;
-    const ph::bench_parameters p{.brake = 1, .encoder = 1, .channel = 2, .settling_time = 0};
-    for (const auto& s : ph::record_on_bench(port, sensor, p, 0.01, [none](double) { return none; }, [] {}))
-      EXPECT_EQ(s.current, 0);
-    EXPECT_EQ(port.told, (std::vector<double>{0, 0}));
+    device = {};
+    for (const auto& s : record([none](double) { return none; })) EXPECT_EQ(s.current, 0);
   }
 }
 
-// Feels something in each third period.
-struct slow_sensor : constant_sensor {
-  int period = 0;
-  ph::port_status read(ph::port_sample<3>& s) noexcept {
-    constant_sensor::read(s);
-    return ++period % 3 == 0 ? ph::port_status::ok : ph::port_status::no_sample;
-  }
-};
-
-TEST(record_on_bench, records_where_port_and_sensor_have_something_new_that_is_valid) {
-  short_lived_port port;
-  slow_sensor sensor;
-  int waits = 0;
-  const ph::bench_parameters p{.encoder = 1, .channel = 2, .settling_time = 0, .most_missed = 2};
-  const samples all =
-      ph::record_on_bench(port, sensor, p, 0.03, [](double) { return 0.1; }, [&] { ++waits; });
+TEST_F(record_on_bench, records_where_port_and_sensor_have_something_new_that_is_valid) {
+  p.most_missed = 2;
+  duration = 0.03;
+  device.spoil = [](bench_device& d) {
+    d.felt = d.period % 3 == 0 ? ph::port_status::ok : ph::port_status::no_sample;
+    d.axes.valid[0] = d.torque.valid[1] = false;  // of no matter here
+  };
+  const samples all = record([](double) { return 0.1; });
   ASSERT_EQ(all.size(), 11u);
   for (std::size_t k = 0; k < 11; ++k) EXPECT_NEAR(all[k].time, 0.003 * static_cast<double>(k), 1e-12);
-  EXPECT_EQ(waits, 33) << "before each read";
-
-  constant_sensor quick;
-  const auto error = [&](const ph::bench_parameters& of) {
-    short_lived_port fine;
-    return thrown_by([&] { ph::record_on_bench(fine, quick, of, 1, [](double) { return 0.1; }, [] {}); });
-  };
-  const std::string missing =
-      "periods without a new valid sample = 3, expected at most most_missed: check the port and the sensor";
-  EXPECT_EQ(error({.encoder = 0, .channel = 2, .most_missed = 2}), missing);
-  EXPECT_EQ(error({.encoder = 1, .channel = 1, .most_missed = 2}), missing);
+  EXPECT_EQ(device.waits, 33) << "before each read";
 }
 
-TEST(record_on_bench, lets_the_brake_settle_under_the_first_current) {
-  short_lived_port port;
-  constant_sensor sensor;
-  const ph::bench_parameters p{.encoder = 1, .channel = 2, .settling_time = 0.0095};
+TEST_F(record_on_bench, lets_the_brake_settle_under_the_first_current) {
+  p.settling_time = 0.0095;
   double earliest = 1;
-  const auto current = [&](double t) {
+  const samples all = record([&](double t) {
     earliest = std::min(earliest, t);
     return t > 0 ? 0.2 : 0.7;
-  };
-  const samples all = ph::record_on_bench(port, sensor, p, 0.02, current, [] {});
+  });
   EXPECT_EQ(earliest, 0);
   EXPECT_NEAR(all.front().time, 0.0005, 1e-12);
   EXPECT_EQ(all[0].current, 0.7);
@@ -502,29 +525,112 @@ TEST(record_on_bench, lets_the_brake_settle_under_the_first_current) {
   EXPECT_EQ(all[0].position, 283) << "counts, past wraps";
 }
 
-TEST(record_on_bench, releases_where_a_transfer_fails_or_nothing_comes) {
-  constant_sensor sensor;
-  const ph::bench_parameters p{.encoder = 1, .channel = 2, .most_missed = 20};
-  const auto error = [&](short_lived_port& port) {
-    return thrown_by([&] { ph::record_on_bench(port, sensor, p, 1, [](double) { return 0.1; }, [] {}); });
+TEST_F(record_on_bench, ends_with_the_brakes_released_and_the_name_of_what_was_wrong) {
+  const std::string ended = ": the test ended, the brake is released";
+  EXPECT_EQ(error_of([](bench_device&) {}), "nothing");
+  EXPECT_EQ(error_of([](bench_device& d) { d.read = ph::port_status::failed; }),
+            "encoders: device lost" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.felt = ph::port_status::failed; }),
+            "force sensor: device lost" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.read = ph::port_status::no_sample; }),
+            "encoders: no sample" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.felt = ph::port_status::bad_sample; }),
+            "force sensor: damaged samples" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.taken = ph::port_status::no_sample; }),
+            "brakes: the device takes no currents" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.axes.time = 0.3; }), "encoders: samples too late" + ended)
+      << "its clock stands still";
+  EXPECT_EQ(error_of([](bench_device& d) { d.axes.time = NAN; }), "encoders: samples too late" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.axes.time -= 1e6; }), "encoders: samples too late" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.axes.sequence = 299; }),
+            "encoders: the same sample again and again" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.torque.sequence = 299; }),
+            "force sensor: the same sample again and again" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.axes.value[1] = NAN; }), "encoder 2: NaN or infinity" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.torque.value[2] = NAN; }),
+            "force channel 3: NaN or infinity" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.now = 0.3; }), "the clock went back" + ended)
+      << "the time of the loop stands still";
+  EXPECT_EQ(error_of([](bench_device& d) { d.now = NAN; }), "the clock went back" + ended);
+  EXPECT_EQ(error_of([](bench_device& d) { d.now = d.axes.time = d.torque.time += 0.2; }),
+            "a cycle began far too late" + ended);
+  p.largest_reading = 7;
+  EXPECT_EQ(error_of([](bench_device&) {}), "force channel 3: saturated" + ended);
+}
+
+// One bad count in each 100 is bridged, and loses none.
+TEST_F(record_on_bench, goes_on_after_a_sample_that_is_none) {
+  duration = 1;
+  device.spoil = [](bench_device& d) {
+    if (d.period % 100 == 50) d.axes.value[1] = NAN;
   };
-  short_lived_port lost;
-  EXPECT_EQ(error(lost), "port: device lost");
-  EXPECT_EQ(lost.released, 1);
-  short_lived_port silent{.afterwards = ph::port_status::no_sample};
-  EXPECT_EQ(
-      error(silent),
-      "periods without a new valid sample = 21, expected at most most_missed: check the port and the sensor");
-  EXPECT_EQ(silent.released, 1);
-  short_lived_port fine;
-  const auto error_of = [&](const ph::bench_parameters& wrong) {
-    return thrown_by([&] { ph::record_on_bench(fine, sensor, wrong, 1, [](double) { return 0.1; }, [] {}); });
+  const samples all = record([](double) { return 0.1; });
+  ASSERT_EQ(all.size(), 991u);
+  EXPECT_EQ(all.back().position - all.front().position, 3000);
+}
+
+// A sensor may be that slow, an encoder may not turn that fast.
+TEST_F(record_on_bench, has_limits_of_its_own) {
+  p.hold_over = 0.005;
+  EXPECT_EQ(error_of([](bench_device& d) {
+              if (d.period % 10 != 0) d.felt = ph::port_status::no_sample;
+              else d.felt = ph::port_status::ok;
+            }),
+            "force sensor: no sample: the test ended, the brake is released");
+  p.hold_over = 0.02;    // before the counter comes round
+  p.largest_rate = 500;  // and two counts
+  EXPECT_EQ(error_of([](bench_device&) {}), "encoder 2: jumped: the test ended, the brake is released");
+}
+
+// Before the first good sample no clock but the number of periods is known to go on.
+TEST_F(record_on_bench, ends_where_no_good_sample_ever_comes) {
+  p.most_missed = 20;
+  for (const bool of_sensor : {false, true}) {
+    device = {};
+    device.spoil = [&](bench_device& d) { (of_sensor ? d.torque.time : d.axes.time) = -5; };
+    EXPECT_EQ(thrown_by([&] { record([](double) { return 0.1; }); }),
+              std::string(of_sensor ? "force sensor" : "encoders") +
+                  ": samples too late: the test ended, the brake is released");
+    EXPECT_EQ(device.waits, 21);
+    EXPECT_FALSE(device.flows());
+  }
+}
+
+TEST_F(record_on_bench, ends_on_the_clock_of_this_machine_whatever_the_samples_say) {
+  duration = 0.001;
+  device.spoil = [](bench_device& d) {
+    usleep(10'000);
+    d.now = d.axes.time = d.torque.time = 1e-6 * d.period;
+    d.axes.value[1] = 0;
   };
-  EXPECT_EQ(error_of({.brake = 2}), "brake = 2, expected 0 to 1");
-  EXPECT_EQ(error_of({.brake = -1}), "brake = -1, expected 0 to 1");
-  EXPECT_EQ(error_of({.encoder = 2}), "encoder = 2, expected 0 to 1");
-  EXPECT_EQ(error_of({.channel = 3}), "channel = 3, expected 0 to 2");
-  EXPECT_EQ(fine.period, 0) << "nothing was read";
+  const std::string error = thrown_by([&] { record([](double) { return 0.1; }); });
+  EXPECT_TRUE(error.starts_with("time of the test on this machine's clock [s] = ")) << error;
+  EXPECT_TRUE(error.ends_with(", expected at most 1.001: check the clock of the samples")) << error;
+  EXPECT_FALSE(device.flows());
+}
+
+// A wait that returns nothing: the samples have times of CLOCK_MONOTONIC.
+TEST_F(record_on_bench, takes_the_clock_of_this_machine_where_the_wait_names_none) {
+  bench_device_port port{&device};
+  bench_device_sensor sensor{&device};
+  const auto wait = [this] {
+    usleep(500);
+    device.wait();
+    device.axes.time = device.torque.time = ph::monotonic_seconds();
+  };
+  EXPECT_GE(ph::record_on_bench(port, sensor, p, 0.02, [](double) { return 0.1; }, wait).back().time, 0.02);
+}
+
+TEST_F(record_on_bench, needs_a_brake_an_encoder_and_a_channel_that_are_there) {
+  const auto error = [&](const ph::bench_parameters& wrong) {
+    p = wrong;
+    return thrown_by([&] { record([](double) { return 0.1; }); });
+  };
+  EXPECT_EQ(error({.brake = 2}), "brake = 2, expected 0 to 1");
+  EXPECT_EQ(error({.brake = -1}), "brake = -1, expected 0 to 1");
+  EXPECT_EQ(error({.encoder = 2}), "encoder = 2, expected 0 to 1");
+  EXPECT_EQ(error({.channel = 3}), "channel = 3, expected 0 to 2");
+  EXPECT_EQ(device.waits, 0) << "nothing was read";
 }
 
 }  // namespace
