@@ -110,6 +110,11 @@ const std::vector<fault_case> all_faults{
      held_over,
      false,
      [](rig& r) { r.device.sample.value[0] = -fake::infinite; }},
+    {"count_beyond_the_counter",
+     {ph::fault::count_out_of_range, encoders, 0},
+     held_over,
+     false,
+     [](rig& r) { r.device.sample.value[0] = 1e300; }},
     {"encoder_that_the_device_calls_invalid",
      {ph::fault::channel_invalid, encoders, 0},
      held_over,
@@ -539,6 +544,44 @@ TEST(a_sample, is_of_nothing_by_default) {
   }
 }
 
+// Unsigned or signed, the first sample too; without a width, as far as a double tells one count from the
+// next.
+TEST(an_encoder_check, takes_only_counts_that_the_counter_has) {
+  const auto takes = [](int bits, double count) {
+    bool first = false, later = false;
+    {
+      ph::encoder_check<1> check({});
+      check.set_counter_bits(bits);
+      first = check({0, 0, {count}, {true}}, true) == ph::fault_record{};
+      EXPECT_EQ(check.position()[0], first ? count : 0);
+    }
+    ph::encoder_check<1> check({.largest_rate = 1e300});
+    check.set_counter_bits(bits);
+    check({0, 0, {0}, {true}}, true);
+    later = check({1, 1, {count}, {true}}, true) == ph::fault_record{};
+    EXPECT_EQ(first, later) << bits << " bits, count " << count;
+    return first;
+  };
+  for (const double good : {0.0, 255.0, 255.75, -1.0, -128.0}) EXPECT_TRUE(takes(8, good)) << good;
+  for (const double bad : {256.0, -128.5, 1e6, 1e300, -1e300, fake::nan, fake::infinite})
+    EXPECT_FALSE(takes(8, bad)) << bad;
+  EXPECT_TRUE(takes(24, 16777215));
+  EXPECT_FALSE(takes(24, 16777216));
+  for (const double good : {0.0, 1e15, -1e15}) EXPECT_TRUE(takes(0, good)) << good;
+  for (const double bad : {1e16, -1e16, 1e300, fake::nan}) EXPECT_FALSE(takes(0, bad)) << bad;
+}
+
+TEST(an_encoder_check, loses_no_count_where_each_tenth_sample_is_none) {
+  ph::encoder_check<1> check({});
+  check.set_counter_bits(24);
+  for (std::uint32_t k = 0; k < 3000; ++k) {
+    const bool spoilt = k % 10 == 9;
+    const auto found = check({1e-3 * k, k, {spoilt ? 1e300 : 10.0 * k}, {true}}, false);
+    ASSERT_EQ(found.what, spoilt ? ph::fault::count_out_of_range : ph::fault::none) << k;
+    ASSERT_EQ(check.position()[0], 10.0 * (spoilt ? k - 1 : k));
+  }
+}
+
 TEST(a_jump, cannot_be_waited_out) {
   ph::encoder_check<1> check({.largest_rate = 1000});
   ph::port_sample<1> sample{0, 0, {0}, {true}};
@@ -579,7 +622,7 @@ TEST(an_encoder_check, allows_the_largest_rate_and_a_count_at_each_end) {
     EXPECT_EQ(after(-0.0625, side * 2), ph::fault_record{}) << "a time that goes back is none that went by";
     EXPECT_EQ(after(-0.0625, side * 3), jump);
   }
-  EXPECT_EQ(after(1, fake::nan), jump);
+  EXPECT_EQ(after(1, fake::nan), (ph::fault_record{ph::fault::count_out_of_range, encoders, 1}));
 }
 
 TEST(an_encoder_check, counts_the_way_of_the_others_since_each_encoder_changed) {

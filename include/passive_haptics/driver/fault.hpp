@@ -19,12 +19,13 @@ enum class fault {
   device_restarted,     ///< The sequence number jumped: nobody knows what the device did meanwhile.
   write_refused,        ///< The device took no currents.
   // of a channel
-  channel_invalid,    ///< The device itself says so.
-  value_not_finite,   ///< NaN or infinity.
-  encoder_jump,       ///< Faster than the device can move.
-  encoder_frozen,     ///< Does not change while the others move.
-  sensor_saturated,   ///< At the end of its range.
-  current_not_valid,  ///< A command that is NaN, infinite or negative.
+  channel_invalid,     ///< The device itself says so.
+  value_not_finite,    ///< NaN or infinity.
+  count_out_of_range,  ///< A count that the counter of an encoder does not have.
+  encoder_jump,        ///< Faster than the device can move.
+  encoder_frozen,      ///< Does not change while the others move.
+  sensor_saturated,    ///< At the end of its range.
+  current_not_valid,   ///< A command that is NaN, infinite or negative.
   // of the loop
   law_failed,       ///< The control law threw, or its result is a fault.
   overruns,         ///< Too many cycles in a row took too long.
@@ -48,6 +49,7 @@ constexpr std::string_view to_string(fault f) {
     case fault::write_refused: return "the device takes no currents";
     case fault::channel_invalid: return "invalid, says the device";
     case fault::value_not_finite: return "NaN or infinity";
+    case fault::count_out_of_range: return "a count beyond the range of its counter";
     case fault::encoder_jump: return "jumped";
     case fault::encoder_frozen: return "frozen";
     case fault::sensor_saturated: return "saturated";
@@ -84,8 +86,8 @@ constexpr bool at_once(const fault_record& i) noexcept {
 /// Whether the encoders may have lost their way, if it lasts.
 constexpr bool in_doubt(fault f) noexcept {
   return f == fault::device_lost || f == fault::device_restarted || f == fault::sample_out_of_order ||
-         f == fault::channel_invalid || f == fault::value_not_finite || f == fault::encoder_jump ||
-         f == fault::encoder_frozen;
+         f == fault::channel_invalid || f == fault::value_not_finite || f == fault::count_out_of_range ||
+         f == fault::encoder_jump || f == fault::encoder_frozen;
 }
 
 /// The fault_record in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.

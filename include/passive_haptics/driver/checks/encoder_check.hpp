@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -46,6 +47,9 @@ class encoder_check {
   /// Takes a sample; `free` says that no brake holds. A fault: the sample was not taken, or an encoder froze,
   /// which stays so.
   fault_record operator()(const port_sample<N>& sample, bool free) noexcept {
+    for (std::size_t i = 0; i < sample.value.size(); ++i)
+      if (!in_range(sample.value[i]))
+        return {fault::count_out_of_range, fault_source::encoders, static_cast<int>(i)};
     if (!started_) {
       start(sample);
       return {};
@@ -79,6 +83,13 @@ class encoder_check {
   const counts& position() const noexcept { return position_; }
 
  private:
+  // Of a counter without or with a sign; of one that never wraps, whether each single count is still told
+  // apart
+  bool in_range(double count) const noexcept {
+    constexpr double most = 1 / std::numeric_limits<double>::epsilon();
+    return turn_ > 0 ? count >= -turn_ / 2 && count < turn_ : std::abs(count) <= most;
+  }
+
   void start(const port_sample<N>& sample) noexcept {
     last_ = sample;
     position_ = sample.value;
