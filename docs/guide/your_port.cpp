@@ -5,6 +5,7 @@
 #include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/thread/threaded_port.hpp>
 
+#include <cmath>
 #include <iostream>
 #include <thread>
 
@@ -30,6 +31,7 @@ struct stand_in {
            sizeof amperes) {
       last = amperes[0];
       ++sample.sequence;
+      sample.time = static_cast<std::uint32_t>(std::llround(1e6 * ph::monotonic_seconds()));
       sendto(listening, &sample, sizeof sample, 0, reinterpret_cast<sockaddr*>(&from), size);
     }
   }

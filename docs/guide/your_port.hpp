@@ -1,6 +1,7 @@
 #pragma once
 
 #include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/device_clock.hpp>
 #include <passive_haptics/driver/port.hpp>
 
 #include <arpa/inet.h>
@@ -14,7 +15,7 @@
 namespace ph = passive_haptics;
 
 struct board_sample {
-  std::uint32_t sequence;
+  std::uint32_t sequence, time;  // time: when the counts were latched, on the board's clock [us]
   std::int32_t counts[2];
 };
 
@@ -25,7 +26,8 @@ class udp_board {
   static constexpr int encoder_count = 2, brake_count = 2;
 
   explicit udp_board(std::uint16_t port = 7000) : port_(port) {}
-  udp_board(udp_board&& other) noexcept : port_(other.port_), socket_(std::exchange(other.socket_, -1)) {}
+  udp_board(udp_board&& other) noexcept
+      : port_(other.port_), socket_(std::exchange(other.socket_, -1)), clock_(other.clock_) {}
   ~udp_board() {
     release();
     if (socket_ >= 0) close(socket_);
@@ -47,7 +49,8 @@ class udp_board {
     if (size < 0) return ph::port_status::no_sample;
     if (size != sizeof latest) return ph::port_status::bad_sample;
     const double first = latest.counts[0], second = latest.counts[1];
-    sample = {ph::monotonic_seconds(), latest.sequence, {first, second}, {true, true}};
+    const double taken = clock_.to_host(latest.time, ph::monotonic_seconds());
+    sample = {taken, latest.sequence, {first, second}, {true, true}};
     return ph::port_status::ok;
   }
 
@@ -63,6 +66,7 @@ class udp_board {
  private:
   std::uint16_t port_;
   int socket_ = -1;
+  ph::device_clock clock_;
 };
 
 static_assert(ph::BrakePort<udp_board>);

@@ -14,6 +14,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <iostream>
 #include <string_view>
 #include <utility>
@@ -201,6 +202,10 @@ class session {
     if (!report.exception.empty()) std::cout << "the control law threw: " << report.exception << "\n";
     if (doing_ != phase::running)
       std::cout << (doing_ == phase::homing ? "homing" : "taring") << " did not end: something moved\n";
+    if (port_.arrivals().found() && configuration_.port != "simulated")
+      std::cout << "the times of the encoders look like those of their arrival: "
+                << std::lround(100 * port_.arrivals().share())
+                << " % came soon after the one before; rates are wrong by that (docs/guide/driver.md)\n";
     if (port_.needs_homing()) std::cout << "the encoders lost their way: start again, at the home pose\n";
     if (!configuration_.log.empty())
       std::cout << "log: " << configuration_.log

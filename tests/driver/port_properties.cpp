@@ -62,6 +62,7 @@ struct at_a_socket {
       host = from;
     }
     ++sample.sequence;
+    sample.time += 1000;
     sendto(listening, &sample, sizeof sample, 0, reinterpret_cast<const sockaddr*>(&host), sizeof host);
   }
   std::array<double, 2> currents() { return has; }

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <passive_haptics/driver/checks/arrival_check.hpp>
 #include <passive_haptics/driver/rate_estimator.hpp>
 #include <passive_haptics/plant/encoder.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -89,6 +90,63 @@ TEST(rate_estimator, never_has_the_wrong_sign_for_its_window) {
     }
   }
   std::cout << ": " << signs << " rates with a sign, none wrong; " << zeros << " zeros\n";
+}
+
+// 2 counts each millisecond, with the times of their arrival: each second sample waits for the next one, or
+// bursts of samples come together.
+TEST(rate_estimator, bears_samples_at_nearly_equal_times) {
+  const auto rates = [](const auto& lateness) {
+    ph::rate_estimator<1> estimator;
+    std::pair<double, double> found{INFINITY, 0};
+    for (int k = 0; k < 1000; ++k) {
+      const double rate = estimator.add(k * T + lateness(k), one(2. * k))[0];
+      if (k > 100) found = {std::min(found.first, rate), std::max(found.second, rate)};
+    }
+    return found;
+  };
+  const auto [slowest, fastest] = rates([](int k) { return k % 2 == 0 ? 0.9e-3 : 0; });
+  EXPECT_GE(slowest, 1000);
+  EXPECT_LE(fastest, 2500);
+  EXPECT_LE(rates([](int k) { return 0.95e-3 * (4 - k % 5); }).second, 4000) << "twice the rate";
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    random_source random(seed);
+    const double most = rates([&](int) { return random.uniform(0.0, 0.999) * T; }).second;
+    ASSERT_LE(most, 4000 + 1 / (0.5 * T)) << "twice the rate, and a count; seed " << seed;
+  }
+}
+
+// A pause does not make those after it nearly simultaneous.
+TEST(rate_estimator, is_as_quick_after_a_pause) {
+  ph::rate_estimator<1> estimator;
+  double t = 0, count = 0;
+  for (int k = 0; k < 100; ++k) estimator.add(t += T, one(count += 2));
+  estimator.add(t += 1, one(count));
+  for (int k = 0; k < 3; ++k) estimator.add(t += T, one(count += 50));
+  EXPECT_NEAR(estimator.rate()[0], 50 / T, 1 / T);
+}
+
+TEST(arrival_check, finds_times_of_arrival_and_no_others) {
+  const auto found = [](const auto& time_of, int samples = 1000) {
+    ph::arrival_check check;
+    for (int k = 0; k < samples; ++k) check.add(time_of(k));
+    return check.found();
+  };
+  random_source random(20040627);
+  const auto delayed = [&](double most) {
+    return [&random, most](int k) { return k * T + random.uniform(0.0, most) * T; };
+  };
+  EXPECT_TRUE(found([](int k) { return k * T + (k % 2 == 0 ? 0.9e-3 : 0); }));
+  EXPECT_TRUE(found([](int k) { return k / 5 * 5 * T + 1e-5 * (k % 5); })) << "bursts";
+  EXPECT_TRUE(found(delayed(0.99)));
+  EXPECT_FALSE(found([](int k) { return k * T; }));
+  EXPECT_FALSE(found(delayed(0.3))) << "no rate is far off";
+  EXPECT_FALSE(found([](int k) { return 1.5 * T * k - (k % 20 == 0 ? T : 0); })) << "one in twenty";
+  EXPECT_FALSE(found([&](int k) { return (k + k / 10 * 3) * T; })) << "some are missing";
+  EXPECT_FALSE(found([](int k) { return k * T + (k % 2 == 0 ? 0.9e-3 : 0); }, 100)) << "too few to say so";
+  ph::arrival_check check;
+  EXPECT_EQ(check.share(), 0);
+  check.add(1), check.add(1), check.add(0);
+  EXPECT_EQ(check.share(), 0) << "no time went by";
 }
 
 TEST(rate_estimator, is_at_rest_while_the_encoder_stands_on_an_edge) {

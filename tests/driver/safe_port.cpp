@@ -354,6 +354,21 @@ TEST(a_safe_port, tells_when_the_encoders_were_where_they_are) {
   EXPECT_EQ(r.port.position_time(), r.time - 0.004);
 }
 
+TEST(a_safe_port, sees_times_that_look_like_those_of_arrival) {
+  for (const bool of_arrival : {false, true}) {
+    rig r;
+    r.hold();
+    for (int k = 0; k < 300; ++k) {
+      r.take_samples();
+      if (of_arrival && k % 2 == 0) r.device.sample.time -= 0.9e-3;
+      r.port.read(r.time);
+      r.port.write(r.wanted);
+    }
+    EXPECT_EQ(r.port.arrivals().found(), of_arrival);
+    EXPECT_EQ(r.port.state(), ph::port_state::active);
+  }
+}
+
 TEST(a_safe_port, follows_a_sensor_that_restarted) {
   rig r;
   r.hold();

@@ -53,9 +53,10 @@ class comedi_port {
 
   /// A new sample with each call. no_sample: the card was busy; it may be asked again.
   ph::port_status read(ph::port_sample<Encoders>& sample) noexcept {
+    const double before = ph::monotonic_seconds();
     if (const ph::port_status status = counts_.run(device_.get()); status != ph::port_status::ok)
       return status;
-    sample.time = ph::monotonic_seconds();
+    sample.time = 0.5 * (before + ph::monotonic_seconds());  // the card read its channels in between
     sample.sequence = ++sequence_;
     for (std::size_t i = 0; i < counters_.size(); ++i) {
       sample.value[i] = counts_.samples[i];

@@ -73,7 +73,8 @@ struct rdt_record {
 /// again it may have to find memory or a route. The loop cannot wait for it, as it touches memory alone.
 ///
 /// Forces [N] and torques [N m] in the sensor's frame. Samples carry the record's sequence and the time of
-/// the read that found them; the sensor tells no time of its own.
+/// the read that found them, as the sensor sends no time of its own: good enough to see that a force is old,
+/// and no rate is made of it.
 ///
 /// read: `ok` with the record of the highest sequence of all that came; all channels are invalid unless
 /// rdt_record::trusted().

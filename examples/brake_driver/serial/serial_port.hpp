@@ -2,11 +2,11 @@
 /// Brakes and encoders behind a microcontroller on a serial line, which speaks serial_protocol.hpp.
 #pragma once
 
-#include <serial/device_clock.hpp>
 #include <serial/serial_line.hpp>
 #include <serial/serial_port_parameters.hpp>
 
 #include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/device_clock.hpp>
 #include <passive_haptics/driver/port.hpp>
 
 #include <algorithm>
@@ -151,7 +151,7 @@ class serial_port {
   serial::decoder decoder_;
   serial::hello hello_;
   serial::sample newest_;
-  device_clock clock_;
+  ph::device_clock clock_;
   statistics statistics_;
   bool lost_ = false, armed_ = false;
   double armed_since_ = 0;  // the first currents after a release [s]

@@ -29,7 +29,7 @@ constexpr std::string_view to_string(port_status s) {
 template <int N>
 struct port_sample {
   static constexpr auto channels = static_cast<std::size_t>(N);  ///< N
-  double time = 0;                                               ///< When it was taken [s], CLOCK_MONOTONIC.
+  double time = 0;                       ///< When it was taken [s], CLOCK_MONOTONIC (device_clock).
   std::uint32_t sequence = 0;            ///< One more with each sample that the device takes, modulo 2^32.
   std::array<double, channels> value{};  ///< As the device tells them; encoders need not tell whole counts.
   /// False where the device itself says that a channel is not to be trusted.

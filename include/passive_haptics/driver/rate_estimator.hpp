@@ -4,6 +4,7 @@
 
 #include <passive_haptics/core/matrix.hpp>
 #include <passive_haptics/core/parameters.hpp>
+#include <passive_haptics/driver/sample_spacing.hpp>
 
 #include <algorithm>
 #include <array>
@@ -60,6 +61,11 @@ inline double rate_onset(double resolution, int window, double period, double ac
 /// resolution. A line through sample k passes sample i so if its slope is in an interval; the intersection of
 /// these grows sample by sample, so the cost is O(window) and needs no fitting.
 ///
+/// A sample that is nearer in time to sample k than half of the usual spacing ends no window and limits none:
+/// of times of arrival, two samples may have nearly the same. The window is so one in samples and in time. At
+/// constant rate the estimate then is at most twice the rate, and a resolution over the window. The times at
+/// which samples were taken (port_sample, device_clock) have no such error.
+///
 /// A rate with |y_k - y_(k-n)| <= resolution is exactly 0: its sign is not certain. Any other has the sign of
 /// the mean rate over its window, also if the encoder jitters about an edge (by less than half a step) and
 /// samples are missing. At constant rate the error is below resolution / (t_k - t_(k-n)). Lag: rate_lag,
@@ -109,6 +115,7 @@ class rate_estimator {
     std::array<sample, static_cast<std::size_t>(Capacity + 1)> ring{};
     int newest = Capacity, size = 0;
     double span = 0;
+    sample_spacing spacing;
 
     const sample& back(int n) const noexcept {
       const int i = newest - n;
@@ -116,6 +123,7 @@ class rate_estimator {
     }
     bool is_after(double time) const noexcept { return size == 0 || time > back(0).time; }
     void push(const sample& s) noexcept {
+      if (size > 0) spacing.add(s.time - back(0).time);
       newest = newest == Capacity ? 0 : newest + 1;
       ring[static_cast<std::size_t>(newest)] = s;
       size += size <= Capacity;
@@ -132,6 +140,7 @@ class rate_estimator {
     for (int n = 1; n < of.size && n <= p_.window; ++n) {
       const sample& then = of.back(n);
       const double dy = now.position - then.position, dt = now.time - then.time;
+      if (of.spacing.is_short(dt)) continue;
       const double slope = dy / dt;
       if (slope < least || slope > most) break;
       moved = dy;

@@ -2,6 +2,7 @@
 /// A port that no bad sample, command or device can hurt a hand through.
 #pragma once
 
+#include <passive_haptics/driver/checks/arrival_check.hpp>
 #include <passive_haptics/driver/checks/sample_check.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
 
@@ -157,6 +158,8 @@ class safe_port {
   const encoder_counts& position() const noexcept { return encoder_check_.position(); }
   /// When that was [s].
   double position_time() const noexcept { return position_time_; }
+  /// Whether the times of the encoders look like those of their arrival, which makes rates wrong.
+  const arrival_check& arrivals() const noexcept { return arrivals_; }
   /// The last good reading of the force sensor.
   const force_reading& force() const noexcept { return force_; }
   /// What the device last took [A]; a release counts as 0 A unless it is lost or refuses what is written. If
@@ -187,7 +190,9 @@ class safe_port {
     fault_record found = sample_check_(status, sample, now_, fault_source::encoders);
     if (found.what != fault::none) return found;
     found = encoder_check_(sample, !flows() && applied_is_known());
-    if (found.what == fault::none) position_time_ = sample.time;
+    if (found.what != fault::none) return found;
+    position_time_ = sample.time;
+    arrivals_.add(sample.time);
     return found;
   }
 
@@ -239,6 +244,7 @@ class safe_port {
   double hold_over_;
   sample_check<encoder_count> sample_check_;
   encoder_check<encoder_count> encoder_check_;
+  arrival_check arrivals_;
   sample_check<channel_count> sensor_sample_check_;
   sensor_check<channel_count> sensor_check_;
   current_limiter<brake_count> limiter_;

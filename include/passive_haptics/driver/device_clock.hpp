@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace example {
+namespace passive_haptics {
 
-/// Takes the sample that came fastest for one that took no time: host time = device time + the least offset
-/// seen, which may grow by `drift` so that it follows a device whose clock is slow. A sample that waited
-/// somewhere is then seen to be old. Samples are dated later than they were taken by the shortest way to the
-/// host (the frame's time on the line).
+/// The time at which a device took a sample, on the host's clock, for a port to a device that sends its own
+/// time with each. Takes the sample that came fastest for one that took no time: host time = device time +
+/// the least offset seen, which may grow by `drift` so that it follows a device whose clock is slow. A sample
+/// that waited somewhere is then seen to be old. Samples are dated later than they were taken by the shortest
+/// way to the host (the frame's time on the line).
 class device_clock {
  public:
   static constexpr double drift =
@@ -35,4 +36,4 @@ class device_clock {
   double elapsed_ = 0, offset_ = 0;  // [s]
 };
 
-}  // namespace example
+}  // namespace passive_haptics
