@@ -201,7 +201,9 @@ class session {
     if (!port_.applied_is_known()) std::cout << "the device did not confirm 0 A\n";
     if (!report.exception.empty()) std::cout << "the control law threw: " << report.exception << "\n";
     if (doing_ != phase::running)
-      std::cout << (doing_ == phase::homing ? "homing" : "taring") << " did not end: something moved\n";
+      std::cout << (doing_ == phase::homing ? "homing" : "taring")
+                << " did not end: " << (faults_ > 0 ? "the brakes were released first" : device_->hindrance())
+                << "\n";
     if (port_.arrivals().found() && configuration_.port != "simulated")
       std::cout << "the times of the encoders look like those of their arrival: "
                 << std::lround(100 * port_.arrivals().share())

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 
 namespace example {
 
@@ -30,6 +31,8 @@ class haptic_device {
 
   /// One more cycle at rest, of homing, then of taring; what is to be done next.
   virtual phase prepare(const samples& now) noexcept = 0;
+  /// What kept homing or taring from its end so far, in words.
+  virtual std::string hindrance() const = 0;
   /// One cycle with walls, or without where it is not `running` yet: currents [A], and what is to be written
   /// down.
   virtual ph::brake_currents<axes> cycle(const samples& now, phase doing, record& r) noexcept = 0;

@@ -34,19 +34,31 @@ class mechanism_device final : public haptic_device {
   phase prepare(const samples& now) noexcept override {
     if (doing_ == phase::homing) {
       const ph::vector<double, axes> counts(now.counts.data());
-      if (homing_.add(now.time, counts) == ph::steady_status::done) {
+      if (is_done(homing_.add(now.time, counts))) {
         calibration_.encoders.set_zero_count(homing_.zero_count());
         doing_ = configuration_.tare ? phase::taring : phase::running;
       }
     } else if (doing_ == phase::taring) {
       const ph::vector<double, sensor_channels> raw(now.readings.data());
-      if (tare_.add(now.time, raw) == ph::steady_status::done) {
+      if (is_done(tare_.add(now.time, raw))) {
         const auto R = calibration_.sensor_frame(configuration_.home);
         calibration_.force.set_tare(calibration_.force.tare_of(tare_.mean(), R));
         doing_ = phase::running;
       }
     }
+    if (doing_ == phase::running && plant_) plant_->let_the_hand_in();
     return doing_;
+  }
+
+  std::string hindrance() const override {
+    switch (hindered_) {
+      case ph::steady_status::moved:
+        return doing_ == phase::homing ? "the handle moved by more than [homing] tolerance"
+                                       : "the force changed by more than [sensor] tare_tolerance";
+      case ph::steady_status::interrupted:
+        return "samples came more than [homing] longest_gap apart, or not at all";
+      default: return "the program ended before it was over";
+    }
   }
 
   ph::brake_currents<axes> cycle(const samples& now, phase doing, record& r) noexcept override {
@@ -78,11 +90,18 @@ class mechanism_device final : public haptic_device {
   void reset() noexcept override { control_.reset(); }
 
  private:
+  // Remembers what began it anew
+  bool is_done(ph::steady_status now) noexcept {
+    if (now != ph::steady_status::collecting) hindered_ = now;
+    return now == ph::steady_status::done;
+  }
+
   configuration configuration_;
   ph::device_calibration<M, sensor_channels, ph::planar_sensor_frame<2>> calibration_;
   ph::controller<M, ph::world<2>, Law> control_;
   ph::homing<axes> homing_;
   ph::steady_mean<sensor_channels> tare_;
+  ph::steady_status hindered_ = ph::steady_status::collecting;  // the last that was not this
   phase doing_ = phase::homing;
   std::shared_ptr<simulation<M>> plant_;
 };

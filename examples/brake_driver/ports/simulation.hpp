@@ -39,9 +39,10 @@ class simulation {
         normal_(c.first_normal),
         device_(mechanism, real_brakes(c), c.simulation.hand_mass, c.home),
         sensor_({.corner = 200, .noise = c.simulation.sensor_noise, .seed = c.simulation.seed}),
-        wire_(c.simulation.watchdog, c.simulation.wire) {
-    take_hold(1, 0);
-  }
+        wire_(c.simulation.watchdog, c.simulation.wire) {}
+
+  /// From now on the hand may take the handle, as a user may who was asked to let go before.
+  void let_the_hand_in() noexcept { take_hold(1, std::max(time_, p_.hand_start)); }
 
   /// Counts of the encoders, which start anywhere and wrap at 2^counter_bits.
   std::array<double, axes> counts() noexcept {
@@ -133,10 +134,9 @@ class simulation {
       }
       const ph::vector<double, 2> x = device_.position();
       ph::vector<double, 2> muscle = ph::vector<double, 2>::Zero();
-      if (time_ >= p_.hand_start) {
+      if (hand_ && time_ >= hand_since_) {
         if ((x - hand_from_).norm() > p_.path) take_hold(-sense_, time_);
-        muscle =
-            hand_->force(time_ - std::max(hand_since_, p_.hand_start), x, device_.velocity(), normal_(x), 0);
+        muscle = hand_->force(time_ - hand_since_, x, device_.velocity(), normal_(x), 0);
       }
       device_.advance(dt, strength, muscle);
       sensor_.advance(dt, device_.sensed_force());
@@ -151,7 +151,7 @@ class simulation {
   wall_normal normal_;
   ph::simulated_device<M, brake> device_;
   ph::force_sensor<double, 2> sensor_;
-  std::optional<ph::following_hand<double, 2>> hand_;
+  std::optional<ph::following_hand<double, 2>> hand_;  // none before it may take the handle
   ph::vector<double, 2> hand_from_;
   double hand_since_ = 0, sense_ = 1;
   double start_ = -1, time_ = 0;  // [s]

@@ -18,7 +18,8 @@ enum class brake_kind { coulomb, stribeck, magnetorheological, eddy_current };
 /// A hand that goes along the first wall and presses on it, lifts off and goes back, again and again; and a
 /// sensor with noise.
 struct simulation_parameters {
-  double hand_start = 2;                  ///< When the hand takes the handle, after the first sample [s].
+  /// When the hand takes the handle, after the first sample and not before the sensor is tared [s].
+  double hand_start = 2;
   std::array<double, 2> direction{1, 0};  ///< In which it goes first, base frame; any length.
   double path = 0.06;                     ///< How far it goes before it lifts off [m].
   double speed = 0.05;                    ///< Along the wall [m/s].

@@ -94,6 +94,34 @@ TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
   EXPECT_TRUE(log().is_whole());
 }
 
+// Not that something moved
+TEST_F(a_driver_whose, homing_does_not_end_says_why) {
+  settings late{.longest_sleep = 0.3, .homing = 30};
+  start(late);
+  ASSERT_TRUE(eventually([&] { return log().size() > 10; })) << ended();
+  send(SIGSTOP);
+  usleep(1'000'000);
+  send(SIGCONT);
+  ASSERT_TRUE(reaches("released"));
+  send(SIGINT);
+  const outcome stopped = end();
+  EXPECT_TRUE(has(stopped.out, "homing did not end: the brakes were released first\n")) << stopped.out;
+
+  fs::remove(log_path());
+  settings gaps{.homing = 0.1};
+  std::string text = gaps.text();
+  text.replace(text.find("longest_gap = 5"), 15, "longest_gap = 1e-4");
+  file("gaps.toml", text);
+  const outcome apart = run({"--config", "gaps.toml", "--seconds", "0.5", "--quiet"});
+  EXPECT_TRUE(has(apart.out, "homing did not end: samples came more than [homing] longest_gap apart"))
+      << apart.out;
+
+  fs::remove(log_path());
+  file("short.toml", settings{.homing = 30}.text());
+  const outcome brief = run({"--config", "short.toml", "--seconds", "0.2", "--quiet"});
+  EXPECT_TRUE(has(brief.out, "homing did not end: the program ended before it was over\n")) << brief.out;
+}
+
 // Whoever sends the request cannot know of the release: the loop does not either.
 TEST_F(a_driver_whose, rearm_request_waited_in_a_freeze_stays_released) {
   start(settings{.supervisor_timeout = 0.25});

@@ -382,6 +382,7 @@ class bench : public a_driver {
   void check_current() {
     const bool flowed = case_.when == stage::running || case_.when == stage::stopping;
     double before = 1e9, widest = 0;
+    int returned = 0;  // to a current from 0 A
     const bool by_policy = case_.what != fault::lost_device &&
                            case_.what != fault::loop_and_supervisor_killed &&
                            case_.what != fault::loop_and_supervisor_stopped;
@@ -396,12 +397,14 @@ class bench : public a_driver {
       if (by_policy && case_.at_release == policy::ramp &&
           current < level_ * (1 - (since + 4e-3) / ramp_time) - 1e-9)
         return wrong("steeper than the ramp after " + std::to_string(since) + " s");
-      // But for one stale write of a loop that goes on; a supervisor knows what flowed a cycle before
+      // A loop that goes on may be about to write; a supervisor knows what flowed a cycle before
       if (current > before + (case_.at_release == policy::ramp ? 8e-3 / ramp_time : 0) && !loop_is_stopped())
         return wrong("current rises again");
+      if (loop_is_stopped() && before == 0 && current > 0) ++returned;
       widest = std::max(widest, before < 1e9 ? before - current : 0);
       before = current;
     }
+    require(returned <= 1, "current returns without a rearm");
     if (flowed && by_policy && case_.at_release == policy::ramp)
       require(widest < 0.7 * level_ || until_zero_ > ramp_time, "a step instead of a ramp");
   }
@@ -421,6 +424,7 @@ class bench : public a_driver {
       case fault::supervisor_killed:
       case fault::supervisor_stopped:
         right = early ? std::set{0, 1, 3} : late ? std::set{0} : std::set{3};
+        if (late && case_.what == fault::loop_and_supervisor_stopped) right.insert(3);  // by the watchdog
         if (loop_is_stopped() && case_.when == stage::homing)
           right.insert(0);  // where the supervisor was late
         break;
