@@ -5,6 +5,7 @@
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/stop_signals.hpp>
+#include <passive_haptics/driver/thread/threaded_port.hpp>
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -442,6 +443,48 @@ TEST_F(a_supervised_loop, can_be_rearmed_after_it_was_released) {
   device->current = 1;
   guard.stop();
   EXPECT_EQ(device->current, 0) << "released once more at its end";
+}
+
+// A port whose read may not return, as one that waits for the lock of a card's driver.
+struct blocking_port : keeping_port {
+  std::atomic<bool>* blocks;
+  ph::port_status read(ph::port_sample<1>& sample) noexcept {
+    while (*blocks) usleep(1000);
+    return keeping_port::read(sample);
+  }
+};
+
+TEST_F(a_supervised_loop, whose_port_does_not_come_back_is_released) {
+  std::atomic<bool> blocks = false;
+  const blocking_port one{{&*device}, &blocks};
+  ph::supervisor<blocking_port> guard(one, {.timeout = 0.1});
+  ASSERT_EQ(guard.start(), "");
+  ph::safe_port_parameters<1, 0> p;
+  p.hold_over = 0.05;
+  ph::safe_port<ph::threaded_port<blocking_port>> port(ph::threaded_port<blocking_port>(one), {}, p);
+  ASSERT_EQ(port.open(), "");
+  const auto cycle = [&] {
+    const double now = ph::monotonic_seconds();
+    port.read(now);
+    port.activate();
+    if (!guard.beat(now, port.applied())) port.release({ph::fault::supervisor_lost}, guard.began());
+    port.write({0.5});
+  };
+  ASSERT_TRUE(eventually([&] { return cycle(), device->current == 0.5; }));
+  blocks = true;
+  const double blocked = ph::monotonic_seconds();
+  EXPECT_TRUE(eventually([&] { return cycle(), device->current == 0; }));
+  std::printf("0 A %.0f ms after the read began to block; stated: %.0f ms\n",
+              1e3 * (1e-9 * static_cast<double>(device->released_at) - blocked), 1e3 * (0.05 + 0.125));
+  EXPECT_EQ(port.state(), ph::port_state::released);
+  for (int k = 0; k < 50; ++k) {
+    cycle();
+    usleep(1000);
+    ASSERT_EQ(device->current, 0);
+  }
+  blocks = false;
+  EXPECT_TRUE(eventually([&] { return cycle(), port.applied() == ph::brake_currents<1>{}; }))
+      << "confirmed: its heart beats again";
 }
 
 // The loop beats, but does not know what flows: its port did not confirm a release.

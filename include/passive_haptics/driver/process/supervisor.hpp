@@ -35,6 +35,8 @@ struct supervisor_parameters {
   int look() const noexcept { return static_cast<int>(1e3 * timeout / 4); }
   /// How long after the last heartbeat it acts at the latest, where it gets the processor [s].
   double latest() const noexcept { return 1.25 * timeout; }
+  /// How long it may not be seen by the loop before it counts as lost [s]: it looks four times in a timeout.
+  double lost() const noexcept { return std::max(0.1, timeout); }
 
   static constexpr const char* owner = "the supervisor";  ///< In errors.
   /// The table of core/parameters.hpp.
@@ -90,7 +92,7 @@ class supervisor {
       looks_ = looks;
       seen_ = now;
     }
-    alive_ = now - seen_ < std::max(lost_after, p_.timeout);  // it looks four times in a timeout
+    alive_ = now - seen_ < p_.lost();
     return alive_ && !released();
   }
 
@@ -116,8 +118,7 @@ class supervisor {
   pid_t pid() const noexcept { return child_.pid(); }
 
  private:
-  static constexpr double lost_after = 0.1;  // [s]
-  static constexpr int often = 2;            // [ms], between the currents of a release
+  static constexpr int often = 2;  // [ms], between the currents of a release
   using shared_currents = std::array<std::atomic<double>, static_cast<std::size_t>(brake_count)>;
   struct heart {
     std::atomic<std::uint32_t> beats = 0, looks = 0;
