@@ -39,9 +39,10 @@ arguments parse(int argc, char** argv) {
   line.output(all.directory);
   line.notes(
       "Signals: SIGINT (Ctrl-C), SIGTERM and SIGHUP release and end; SIGUSR1 rearms after a fault that is "
-      "over.\n"
+      "over,\n"
+      "if it comes after the release.\n"
       "Exit status: 0; 1 if the device is not there; 2 for a mistake in the options or the file;\n"
-      "3 if a fault released the brakes, 4 if the log is not whole, 7 for both.");
+      "3 if a fault released the brakes, rearmed or not, 4 if the log is not whole, 7 for both.");
   line.parse(argc, argv);
   all.options.live = !quiet;
   if (all.config.empty() && std::isinf(all.options.seconds)) all.options.seconds = 10;

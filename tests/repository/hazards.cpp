@@ -1,0 +1,134 @@
+// docs/guide/driver.md has the table of hazards as it is in the code, and a test of each.
+#include <passive_haptics/driver/hazards.hpp>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace ph = passive_haptics;
+
+const fs::path root = PASSIVE_HAPTICS_SOURCE_DIR;
+
+std::string contents(const fs::path& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+// The test of each hazard, in their order: SUITE.NAME, and its file in tests/driver.
+struct test_of_a_hazard {
+  std::string_view suite, name, file;
+};
+constexpr test_of_a_hazard fault{"a_fault", "releases_the_brakes_in_time_and_says_why", "safe_port.cpp"};
+constexpr std::array tests{
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    test_of_a_hazard{"a_frozen_encoder", "is_noticed_after_the_others_turned_so_far_without_a_brake",
+                     "safe_port.cpp"},
+    fault,
+    fault,
+    test_of_a_hazard{"a_control_loop", "may_overrun_so_often_from_its_first_cycle_on", "control_loop.cpp"},
+    test_of_a_hazard{"a_supervised_loop", "whose_law_throws_leaves_no_current", "supervisor.cpp"},
+    test_of_a_hazard{"a_request", "to_stop_releases_first_and_ends_the_loop", "supervisor.cpp"},
+    test_of_a_hazard{"threaded_port", "carries_out_what_was_ordered_before_its_end", "threaded_port.cpp"},
+    test_of_a_hazard{"a_signal", "that_kills_the_loop_leaves_no_current_and_no_record_behind",
+                     "supervisor.cpp"},
+    test_of_a_hazard{"a_child", "CLOSE_RANGE", "child_process.cpp"},
+    test_of_a_hazard{"a_supervised_loop", "that_is_stopped_is_released_and_stays_so_when_it_goes_on",
+                     "supervisor.cpp"},
+    test_of_a_hazard{"a_driver_whose", "rearm_request_waited_in_a_freeze_stays_released",
+                     "program/faults.cpp"},
+    test_of_a_hazard{"a_supervised_loop", "whose_hold_is_over_stays_without_current", "supervisor.cpp"},
+    test_of_a_hazard{"a_supervised_loop", "whose_port_does_not_come_back_is_released", "supervisor.cpp"},
+    test_of_a_hazard{"a_driver_whose", "supervisor_is_killed_is_released_for_good", "program/faults.cpp"},
+    test_of_a_hazard{"process_faults", "end_as_the_release_policy_says_and_lose_nothing_untold",
+                     "program/process_faults.cpp"},
+    test_of_a_hazard{"record_on_bench", "ends_with_the_brakes_released_and_the_name_of_what_was_wrong",
+                     "brake_identification.cpp"},
+    test_of_a_hazard{"record_on_bench", "ends_on_the_clock_of_this_machine_whatever_the_samples_say",
+                     "brake_identification.cpp"},
+    test_of_a_hazard{"CLOSED", "DESCRIPTORS", "program/running.cpp"},
+    test_of_a_hazard{"START", "DEPTH", "program/running.cpp"},
+};
+
+std::string milliseconds(double seconds) {
+  if (std::isinf(seconds)) return "never";
+  std::ostringstream text;
+  text << 1e3 * seconds;
+  return text.str();
+}
+
+std::string table() {
+  std::string all =
+      "| Hazard | Noticed by | 0 A after [ms] | Afterwards | Test |\n| --- | --- | --- | --- | --- |\n";
+  const auto hazards = ph::hazards();
+  for (std::size_t i = 0; i < hazards.size() && i < tests.size(); ++i) {
+    const auto& [what, found_by, longest, after] = hazards[i];
+    const auto& [suite, name, file] = tests[i];
+    const auto cell = [&](const auto& text) { all.append("| ").append(text).append(" "); };
+    cell(what), cell(found_by), cell(milliseconds(longest)), cell(after);
+    cell(std::string("[`").append(suite).append("`](../../tests/driver/").append(file).append(")"));
+    all.append("|\n");
+  }
+  return all;
+}
+
+TEST(hazards, have_a_test_each) {
+  ASSERT_EQ(ph::hazards().size(), tests.size());
+  for (const auto& [suite, name, file] : tests) {
+    const std::string text = contents(root / "tests/driver" / file);
+    const std::string test = std::string("(").append(suite).append(", ").append(name).append(")");
+    EXPECT_NE(text.find(test), std::string::npos) << "tests/driver/" << file << " has no test " << test;
+  }
+}
+
+TEST(hazards, stand_in_the_guide_as_they_are_in_the_code) {
+  const fs::path path = root / "docs/guide/driver.md";
+  const std::string now = contents(path), begin = "<!-- hazards -->\n", end = "<!-- end of hazards -->\n";
+  const auto from = now.find(begin), to = now.find(end);
+  ASSERT_TRUE(from != std::string::npos && to != std::string::npos);
+  const std::string right = now.substr(0, from + begin.size()) + table() + now.substr(to);
+  if (std::getenv("PASSIVE_HAPTICS_WRITE_PAGES") != nullptr) std::ofstream(path) << right;
+  else EXPECT_TRUE(now == right) << path << " is out of date, expected:\n" << table();
+}
+
+// With the times of other parameters, and under each policy.
+TEST(hazards, follow_the_parameters) {
+  ph::driver_timing p;
+  p.loop.period = 0.002;
+  p.hold_over = 0.03;
+  p.supervisor.timeout = 0.2;
+  p.watchdog = 0.5;
+  p.at_release = {.policy = ph::release_policy::hold, .ramp_time = 3, .hold_time = 7};
+  const auto of = [&](std::string_view begins) {
+    for (const auto& one : ph::hazards(p))
+      if (one.what.starts_with(begins)) return one.longest;
+    ADD_FAILURE() << begins;
+    return 0.0;
+  };
+  EXPECT_DOUBLE_EQ(of("A transfer of a threaded port"), 0.03 + 0.004 + 0.25 + 7);
+  EXPECT_DOUBLE_EQ(of("The loop is stopped (SIGSTOP)"), 0.25 + 7);
+  EXPECT_EQ(of("The device refuses currents"), std::numeric_limits<double>::infinity())
+      << "the loop holds on";
+  EXPECT_DOUBLE_EQ(of("Loop and supervisor"), 0.5);
+  p.at_release.policy = ph::release_policy::ramp;
+  EXPECT_DOUBLE_EQ(of("The device refuses currents"), 0.032 + 3);
+  EXPECT_DOUBLE_EQ(of("The supervisor dies"), 0.202 + 3);
+  EXPECT_DOUBLE_EQ(of("The device is lost"), 0.002) << "at once, whatever the policy";
+}
+
+}  // namespace
