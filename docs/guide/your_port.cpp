@@ -52,9 +52,9 @@ int main() {
   float held = 0;
   loop.run(
       [&](const ph::loop_cycle& now) {
-        if (!guard.beat(now.time, port.applied())) port.release({ph::fault::supervisor_lost}, guard.began());
         port.read(now.time);
         port.activate();  // a real program homes before
+        if (!guard.beat(now.time, port.applied())) port.release({ph::fault::supervisor_lost}, guard.began());
         port.write({0.25, 0.25});
         held = std::max(held, board.last.load());
         return now.number < 2000 && held < 0.25f;

@@ -4,7 +4,7 @@
 
 #include <passive_haptics/core/matrix.hpp>
 #include <passive_haptics/core/parameters.hpp>
-#include <passive_haptics/driver/sample_spacing.hpp>
+#include <passive_haptics/driver/checks/sample_spacing.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,7 @@
 /// A port that no bad sample, command or device can hurt a hand through.
 #pragma once
 
-#include <passive_haptics/driver/checks/arrival_check.hpp>
-#include <passive_haptics/driver/checks/sample_check.hpp>
+#include <passive_haptics/driver/checks/believed_samples.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
 
 #include <algorithm>
@@ -43,10 +42,8 @@ class safe_port {
       : port_(std::move(port)),
         sensor_(std::move(sensor)),
         hold_over_(require_valid(p).hold_over),
-        sample_check_(hold_over_),
-        encoder_check_(p.encoders),
-        sensor_sample_check_(hold_over_),
-        sensor_check_(p.sensor),
+        encoders_(hold_over_, p.encoders),
+        forces_(hold_over_, p.sensor),
         limiter_(p.currents),
         release_(p.at_release) {}
   safe_port(const safe_port&) = delete;
@@ -60,7 +57,7 @@ class safe_port {
     if (error.empty() && !release_.is_at_once() && !(watchdog(port_) > 0))
       error = "at_release.policy, expected zero: a device without a watchdog keeps currents for ever";
     if (error.empty()) error = sensor_.open();
-    encoder_check_.set_counter_bits(counter_bits(port_));
+    encoders_.set_counter_bits(counter_bits(port_));
     if (error.empty()) state_ = port_state::ready;
     else port_.release();
     return error;
@@ -75,8 +72,8 @@ class safe_port {
     else if (holds() && now - before > hold_over_) fail({fault::cycle_late}, before);
     if (lost_) return state_;
 
-    const fault_record encoders = read_encoders();
-    const fault_record sensor = read_sensor();
+    const fault_record encoders = encoders_.read(port_, now_, !flows() && applied_is_known());
+    const fault_record sensor = forces_.read(sensor_, now_);
     bad_sample_ = encoders.what != fault::none ? encoders : sensor;
     if (in_doubt(encoders.what) && (at_once(encoders) || now_ - encoders_good_ > hold_over_)) homed_ = false;
     watch(encoders, encoders_good_);
@@ -155,13 +152,13 @@ class safe_port {
   /// Whether nobody knows how far the encoders went: the program must start again.
   bool needs_homing() const noexcept { return !homed_; }
   /// Where the encoders are, past every wrap of their counters: the last good reading [counts].
-  const encoder_counts& position() const noexcept { return encoder_check_.position(); }
+  const encoder_counts& position() const noexcept { return encoders_.position(); }
   /// When that was [s].
-  double position_time() const noexcept { return position_time_; }
+  double position_time() const noexcept { return encoders_.time(); }
   /// Whether the times of the encoders look like those of their arrival, which makes rates wrong.
-  const arrival_check& arrivals() const noexcept { return arrivals_; }
+  const arrival_check& arrivals() const noexcept { return encoders_.arrivals(); }
   /// The last good reading of the force sensor.
-  const force_reading& force() const noexcept { return force_; }
+  const force_reading& force() const noexcept { return forces_.reading(); }
   /// What the device last took [A]; a release counts as 0 A unless it is lost or refuses what is written. If
   /// the brakes are released and nothing was taken for hold_over seconds, NaN: nobody knows what flows, and a
   /// supervisor that gets it as its heartbeat acts (supervisor::beat()).
@@ -183,30 +180,6 @@ class safe_port {
   }
   // Nothing is to flow without being watched, also where the device refuses to end it
   bool flows() const noexcept { return applied_ != currents{}; }
-
-  fault_record read_encoders() noexcept {
-    port_sample<encoder_count> sample;
-    const port_status status = port_.read(sample);
-    fault_record found = sample_check_(status, sample, now_, fault_source::encoders);
-    if (found.what != fault::none) return found;
-    found = encoder_check_(sample, !flows() && applied_is_known());
-    if (found.what != fault::none) return found;
-    position_time_ = sample.time;
-    arrivals_.add(sample.time);
-    return found;
-  }
-
-  fault_record read_sensor() noexcept {
-    if constexpr (channel_count == 0) return {};
-    port_sample<channel_count> sample;
-    const port_status status = sensor_.read(sample);
-    fault_record found = sensor_sample_check_(status, sample, now_, fault_source::force_sensor);
-    // A force has no home to lose
-    if (found.what == fault::device_restarted) sensor_sample_check_.reset();
-    if (found.what == fault::none) found = sensor_check_(sample);
-    if (found.what == fault::none) force_ = sample.value;
-    return found;
-  }
 
   // What may be held over fails hold_over seconds after the last time that all was good, the rest at once
   void watch(const fault_record& found, double& good) noexcept {
@@ -242,11 +215,8 @@ class safe_port {
   Port port_;
   [[no_unique_address]] Sensor sensor_;
   double hold_over_;
-  sample_check<encoder_count> sample_check_;
-  encoder_check<encoder_count> encoder_check_;
-  arrival_check arrivals_;
-  sample_check<channel_count> sensor_sample_check_;
-  sensor_check<channel_count> sensor_check_;
+  believed_encoders<encoder_count> encoders_;
+  believed_forces<channel_count> forces_;
   current_limiter<brake_count> limiter_;
   release_profile<brake_count> release_;
 
@@ -255,9 +225,8 @@ class safe_port {
   bool homed_ = true;
   fault_record reason_, bad_sample_, bad_write_;
   currents applied_{};
-  double now_ = never, dt_ = 0, position_time_ = 0;                          // [s]
+  double now_ = never, dt_ = 0;                                              // [s]
   double encoders_good_ = never, sensor_good_ = never, write_good_ = never;  // when last [s]
-  force_reading force_{};
 };
 
 }  // namespace passive_haptics

@@ -2,7 +2,7 @@
 /// Whether the times of samples look like those of their arrival.
 #pragma once
 
-#include <passive_haptics/driver/sample_spacing.hpp>
+#include <passive_haptics/driver/checks/sample_spacing.hpp>
 
 #include <cstdint>
 

@@ -6,9 +6,9 @@
 
 namespace passive_haptics {
 
-/// The mean of the last 16 spacings of samples or so [s]. A pause counts as eight times the mean at most: then
-/// the mean rises by less than a half, and samples after the pause are not taken for nearly simultaneous ones.
-/// Bursts of up to eight samples are found.
+/// The mean of about the last 16 spacings of samples [s]. A pause counts as eight times the mean at most:
+/// then the mean rises by less than a half, and samples after the pause are not taken for nearly
+/// simultaneous. Bursts of up to eight samples are found.
 class sample_spacing {
  public:
   /// A spacing > 0 [s].
