@@ -2,6 +2,8 @@
 // answers. Times are for comparing rows of one run; each answer is checked before any is timed.
 #include "peers/comparison.hpp"
 
+#include <passive_haptics/driver/process/standard_descriptors.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -81,6 +83,7 @@ void summarise(const std::vector<std::string>& problems, const results& all) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (!passive_haptics::open_standard_descriptors()) return std::perror("/dev/null"), 1;
   // What is given on the command line comes later and wins
   std::array defaults{std::string("--benchmark_repetitions=5"), std::string("--benchmark_min_time=0.1"),
                       std::string("--benchmark_enable_random_interleaving=true")};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <benchmark/benchmark.h>
+#include <passive_haptics/driver/process/standard_descriptors.hpp>
 
 #include <cstdio>
 #include <cstdlib>
@@ -74,10 +75,12 @@ class collector : public benchmark::BenchmarkReporter {
 
 /// Runs what is registered, with Google Benchmark's own options; `defaults` are those that a user may
 /// override. `visit` sees each row when it is there. Ends the program with status 2 for an unknown option, 1
-/// if a row failed, 0 if no row was asked for (--benchmark_list_tests).
+/// if a row failed or a standard descriptor is closed for good, 0 if no row was asked for
+/// (--benchmark_list_tests).
 inline results run(
     int argc, char** argv, std::vector<std::string> defaults = {},
     const row_visitor& visit = [](const std::string&, const figures&) {}) {
+  if (!passive_haptics::open_standard_descriptors()) std::perror("/dev/null"), std::exit(1);
   std::vector<char*> arguments(argv, argv + argc);
   for (std::string& option : defaults) arguments.insert(arguments.begin() + 1, option.data());
   int count = static_cast<int>(arguments.size());

@@ -1,6 +1,7 @@
 #include "your_port.hpp"
 
 #include <passive_haptics/driver/control_loop.hpp>
+#include <passive_haptics/driver/process/standard_descriptors.hpp>
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
 #include <passive_haptics/driver/thread/threaded_port.hpp>
@@ -38,6 +39,7 @@ struct stand_in {
 };
 
 int main() {
+  if (!ph::open_standard_descriptors()) return 1;  // else what is printed may go to a socket
   stand_in board;
 
   ph::supervisor<udp_board> guard(udp_board(board.port()), {.timeout = 1});

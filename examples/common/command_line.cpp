@@ -1,6 +1,7 @@
 #include <command_line.hpp>
 
 #include <passive_haptics/core/text.hpp>
+#include <passive_haptics/driver/process/standard_descriptors.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -52,6 +53,10 @@ struct command_line::options : CLI::App {
 
 command_line::command_line(const std::string& name, const std::string& about)
     : all_(std::make_unique<options>(about, name)) {
+  if (!passive_haptics::open_standard_descriptors())
+    fail(std::string("/dev/null: ") + std::strerror(errno) +
+             ", expected it in place of a closed descriptor; start the program with descriptors 0 to 2 open",
+         1);
   all_->set_help_flag("--help,-h", "this text");
   all_->get_formatter()->column_width(24);
 }

@@ -14,7 +14,9 @@ namespace example {
 /// compiler.)
 class command_line {
  public:
-  /// name: as ./examples/run has it; about: what the example does and what it leaves.
+  /// name: as ./examples/run has it; about: what the example does and what it leaves. The constructor also
+  /// opens the standard descriptors that are closed, so make it before any file, thread or process; where it
+  /// cannot, the program ends with status 1.
   command_line(const std::string& name, const std::string& about);
   ~command_line();
 

@@ -103,6 +103,16 @@ TEST(real_time, closes_what_it_opened_and_nothing_else) {
   }));
 }
 
+TEST(real_time, takes_no_standard_descriptor_that_is_closed) {
+  EXPECT_TRUE(in_a_child([] {
+    for (const int number : {0, 1, 2}) close(number);
+    const ph::real_time quick({.dma_latency = 1e-4});
+    for (const int number : {0, 1, 2})
+      if (fcntl(number, F_GETFD) >= 0) return false;
+    return true;
+  }));
+}
+
 TEST(real_time, checks_its_parameters) {
   EXPECT_EQ(validate(ph::real_time_parameters{}), "");
   EXPECT_EQ(validate(ph::real_time_parameters{.priority = 100}), "priority = 100, expected 0 (none) to 99");

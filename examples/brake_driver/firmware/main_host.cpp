@@ -7,6 +7,7 @@
 #include <firmware/host_board.hpp>
 
 #include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/process/standard_descriptors.hpp>
 
 #include <csignal>
 #include <cstdio>
@@ -51,6 +52,7 @@ void run(firmware::pseudo_terminal& line, const firmware::settings& settings) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (!passive_haptics::open_standard_descriptors()) return std::perror("/dev/null"), 1;
   firmware::settings settings;
   const char* link = nullptr;
   for (int i = 1; i < argc; i += 2) {

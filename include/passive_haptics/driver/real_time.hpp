@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
+#include <passive_haptics/driver/process/standard_descriptors.hpp>
 
 #include <fcntl.h>
 #include <sched.h>
@@ -85,7 +86,8 @@ class real_time {
   }
 
   void ask_for_latency(double seconds) {
-    latency_file_ = open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);
+    // What a program prints must not become a latency
+    latency_file_ = detail::above_standard_descriptors(open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC));
     const auto microseconds = static_cast<std::int32_t>(std::lround(1e6 * seconds));
     const bool granted =
         latency_file_ >= 0 && write(latency_file_, &microseconds, sizeof microseconds) == sizeof microseconds;
