@@ -10,6 +10,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 
 #include <array>
 #include <atomic>
@@ -41,6 +42,25 @@ struct hears_signals {
   }
   ~hears_signals() { sigaction(SIGUSR1, &before, nullptr); }
 };
+
+bool is_open(int file) { return fcntl(file, F_GETFD) >= 0; }
+
+// How many files a child has open, among many of its parent.
+std::string files_of_a_child() {
+  std::array<int, 12> files{};
+  for (int& file : files) file = dup(STDERR_FILENO);
+  for (const std::size_t gap : {2u, 4u, 5u, 8u}) close(files[gap]);  // where the pipes come
+  const auto count = [&] {
+    int open = 0;
+    for (int file = STDERR_FILENO + 1; file <= files.back(); ++file) open += is_open(file);
+    return std::to_string(open);
+  };
+  ph::child_process child;
+  std::string counted = child.start(count, until_parent_is_gone);
+  for (const int file : files)
+    if (is_open(file)) close(file);
+  return counted;
+}
 
 // Whether it is stopped, as ps(1) shows it.
 bool is_stopped(pid_t process) {
@@ -109,7 +129,7 @@ TEST(a_child_process, that_gets_no_pipe_leaves_no_file_open) {
   ph::child_process child;
   const std::string error = child.start(ready, for_ever);
   setrlimit(RLIMIT_NOFILE, &before);
-  EXPECT_EQ(error, "pipe2: Too many open files");
+  EXPECT_EQ(error, "pipe2: Too many open files; close files, or raise `ulimit -n`");
   const int again = dup(STDIN_FILENO);
   EXPECT_EQ(again, next);
   close(again);
@@ -165,19 +185,22 @@ TEST(a_child_process, that_does_not_run_has_nothing_to_end) {
 }
 
 TEST(a_child_process, keeps_no_file_open_but_the_standard_ones_and_its_pipes) {
-  const auto is_open = [](int file) { return fcntl(file, F_GETFD) >= 0; };
-  std::array<int, 12> files{};
-  for (int& file : files) file = dup(STDERR_FILENO);
-  for (const std::size_t gap : {2u, 4u, 5u, 8u}) close(files[gap]);  // where the pipes come
-  const auto count = [&] {
-    int open = 0;
-    for (int file = STDERR_FILENO + 1; file <= files.back(); ++file) open += is_open(file);
-    return std::to_string(open);
+  EXPECT_EQ(files_of_a_child(), "2");
+}
+
+TEST(a_child_process, of_a_program_without_standard_descriptors_takes_none_of_them) {
+  const auto start = [] {
+    for (const int number : {0, 1, 2}) close(number);
+    const auto has_its_own = [] {
+      return std::string(is_open(0) && is_open(1) && is_open(2) ? "" : "the child has none");
+    };
+    ph::child_process child;
+    std::string wrong = child.start(has_its_own, until_parent_is_gone);
+    for (const int number : {0, 1, 2})
+      if (is_open(number)) wrong += " taken: " + std::to_string(number);
+    return child.stop() ? wrong : wrong + " did not end well";
   };
-  ph::child_process child;
-  EXPECT_EQ(child.start(count, until_parent_is_gone), "2");
-  for (const int file : files)
-    if (is_open(file)) close(file);
+  EXPECT_EQ(processes::said_by_a_process(start), "");
 }
 
 TEST(a_child_process, is_waited_for_on_through_signals) {
@@ -225,6 +248,27 @@ TEST(a_child_process, is_not_waited_for_longer_than_there_is_patience) {
               "the process was not ready in time: was it stopped?");
     signals = false;
   }
+}
+
+TEST(a_parent_link, that_cannot_be_watched_counts_the_parent_as_gone) {
+  const auto look = [] {
+    std::array<int, 2> ends{};
+    const rlimit none{0, 0};  // poll(2) fails
+    if (pipe(ends.data()) != 0 || setrlimit(RLIMIT_NOFILE, &none) != 0) return std::string("no pipe");
+    return std::string(ph::parent_link(ends[0]).gone(0) ? "gone" : "there");
+  };
+  EXPECT_EQ(processes::said_by_a_process(look), "gone");
+}
+
+TEST(a_parent_link, is_not_gone_for_a_signal) {
+  const auto look = [] {
+    std::array<int, 2> ends{};
+    const itimerval soon{{0, 0}, {0, 10'000}};
+    std::signal(SIGALRM, [](int) {});
+    if (pipe(ends.data()) != 0 || setitimer(ITIMER_REAL, &soon, nullptr) != 0) return std::string("no pipe");
+    return std::string(ph::parent_link(ends[0]).gone(5000) ? "gone" : "there");
+  };
+  EXPECT_EQ(processes::said_by_a_process(look), "there");
 }
 
 TEST(shared_memory, throws_where_there_is_none) {

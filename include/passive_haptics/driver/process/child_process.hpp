@@ -3,6 +3,10 @@
 #pragma once
 
 #include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/driver/process/close_files.hpp>
+#include <passive_haptics/driver/process/failed_call.hpp>
+#include <passive_haptics/driver/process/parent_link.hpp>
+#include <passive_haptics/driver/process/standard_descriptors.hpp>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -20,22 +24,6 @@
 
 namespace passive_haptics {
 
-/// What a child knows of its parent.
-class parent_link {
- public:
-  /// The child's end of the pipe.
-  explicit parent_link(int pipe) : pipe_(pipe) {}
-
-  /// Waits up to `milliseconds`; true at once where the parent is dead or called child_process::stop().
-  bool gone(int milliseconds) const noexcept {
-    pollfd watched{pipe_, POLLIN, 0};
-    return poll(&watched, 1, milliseconds) > 0;
-  }
-
- private:
-  int pipe_;
-};
-
 /// A forked process. Start it before the loop's real-time set-up and before any thread. It leaves the
 /// terminal's process group, so that Ctrl-C, Ctrl-Z and Ctrl-\ do not reach it, and ignores what asks to end:
 /// it ends after its parent. Where it is stopped, the end of its parent wakes it. It keeps no file open but
@@ -50,33 +38,25 @@ class child_process {
 
   /// Forks. In the child: prepare() returns an error or an empty string, which start() returns in the parent;
   /// if empty, run(parent_link) follows, and the child ends with it. A child that is not ready within
-  /// `patience` [s] is ended.
+  /// `patience` [s] is ended. If the kernel refuses a call, the error names the call and what helps.
   template <class Prepare, class Run>
   std::string start(Prepare&& prepare, Run&& run, double patience = 10) {
     if (pid_ > 0) return "start() was called before: the process runs";
     std::array<int, 2> down{-1, -1}, up{-1, -1};
-    const bool piped = pipe2(down.data(), O_CLOEXEC) == 0 && pipe2(up.data(), O_CLOEXEC) == 0;
-    if (piped) pid_ = fork();
-    if (pid_ < 0) {
-      const std::string error =
-          std::string(piped ? "fork" : "pipe2").append(": ").append(std::strerror(errno));
+    std::string error = open_pipe(down);
+    if (error.empty()) error = open_pipe(up);
+    if (error.empty() && (pid_ = fork()) < 0)
+      error = detail::failed_call("fork", "end processes, or raise `ulimit -u`");
+    if (!error.empty()) {
       for (const int end : {down[0], down[1], up[0], up[1]})
         if (end >= 0) close(end);
       return error;
     }
-    if (pid_ == 0) {
-      // No session of its own: the scheduler shares out time by sessions (autogroup), and let one wait for
-      // half a second
-      setpgid(0, 0);
-      for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGTTOU}) std::signal(signal, SIG_IGN);
-      prctl(PR_SET_PDEATHSIG, SIGCONT);
-      close_all_but(down[0], up[1]);
-      be_child(up[1], parent_link(down[0]), prepare, run);
-    }
+    if (pid_ == 0) be_child(down[0], up[1], prepare, run);
     close(down[0]);
     close(up[1]);
     pipe_ = down[1];
-    const std::string error = answer(up[0], patience);
+    error = answer(up[0], patience);
     close(up[0]);
     if (!error.empty()) stop(0);
     return error;
@@ -91,7 +71,7 @@ class child_process {
     int status = 0;
     bool ended = ends_within(patience, status);
     if (!ended) {
-      kill(pid_, SIGKILL);
+      kill(pid_, SIGKILL);             // which fails only where it ended
       ended = ends_within(1, status);  // a disk may hold up even that
     }
     pid_ = -1;
@@ -105,42 +85,62 @@ class child_process {
   static constexpr char ready = '\n';
   static constexpr double default_patience = 10;  // [s]
 
-  // Its status is -1 where another took it
+  // Its status is -1 where another took it. Of kill() and poll() no error matters: the child ended meanwhile,
+  // or is waited for no longer than `seconds` all the same.
   bool ends_within(double seconds, int& status) const noexcept {
     for (const double end = monotonic_seconds() + seconds;;) {
       const pid_t ended = waitpid(pid_, &status, WNOHANG);  // which no signal interrupts
       if (ended < 0) status = -1;
-      if (ended != 0) return true;
+      if (ended > 0 || (ended < 0 && errno == ECHILD)) return true;
       if (monotonic_seconds() >= end) return false;
       kill(pid_, SIGCONT);  // it may be stopped at any time
       poll(nullptr, 0, 1);
     }
   }
 
-  // Another child's pipe, held open here, would keep that one from seeing its parent die
-  static void close_all_but(int a, int b) noexcept {
-    const auto [low, high] = std::minmax({static_cast<unsigned>(a), static_cast<unsigned>(b)});
-    if (low > 3) close_range(3, low - 1, 0);
-    close_range(low + 1, high - 1, 0);  // refused where they are neighbours
-    close_range(high + 1, ~0U, 0);
+  // Empty, or the error. Its ends are 3 at least, also where the program was started without descriptors 0
+  // to 2: what the program prints must not end the child.
+  static std::string open_pipe(std::array<int, 2>& ends) {
+    constexpr const char* help = "close files, or raise `ulimit -n`";
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return detail::failed_call("pipe2", help);
+    for (int& end : ends)
+      if ((end = detail::above_standard_descriptors(end)) < 0) return detail::failed_call("fcntl", help);
+    return {};
+  }
+
+  // What separates a child from its parent; empty, or the error
+  static std::string separate(int down, int up) {
+    constexpr const char* help = "allow it where system calls are filtered, as in a container";
+    // No session of its own: the scheduler shares out time by sessions (autogroup), and let one wait for
+    // half a second
+    if (setpgid(0, 0) != 0) return detail::failed_call("setpgid", help);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGTTOU})
+      if (std::signal(signal, SIG_IGN) == SIG_ERR) return detail::failed_call("sigaction", help);
+    // Of a parent that died before this call comes no signal, but its pipe is closed at the first look
+    if (prctl(PR_SET_PDEATHSIG, SIGCONT) != 0) return detail::failed_call("prctl(PR_SET_PDEATHSIG)", help);
+    // Else the child's device or file takes a free number, and gets the child's errors
+    if (!open_standard_descriptors())
+      return detail::failed_call("/dev/null", "make it, or start the program with descriptors 0 to 2 open");
+    // Another child's pipe, held open here, would keep that one from seeing its parent die
+    return detail::close_all_but({down, up});
   }
 
   template <class Prepare, class Run>
-  [[noreturn]] static void be_child(int up, parent_link parent, Prepare& prepare, Run& run) noexcept {
-    std::string error = attempt([&] { return prepare(); });
-    if (error.empty()) {
-      const bool told = write(up, &ready, 1) == 1;
-      close(up);
-      if (told)
-        error = attempt([&] {
-          run(parent);
-          return std::string();
-        });
-      if (!error.empty()) complain(STDERR_FILENO, error.append("\n"));
-    } else {
+  [[noreturn]] static void be_child(int down, int up, Prepare& prepare, Run& run) noexcept {
+    std::string error = attempt([&] { return separate(down, up); });
+    if (error.empty()) error = attempt([&] { return prepare(); });
+    if (error.empty() && write(up, &ready, 1) != 1) error = "the parent is gone";
+    if (!error.empty()) {
       complain(up, error);
+      _exit(1);  // not what the parent registered with atexit
     }
-    _exit(error.empty() ? 0 : 1);  // not what the parent registered with atexit
+    close(up);
+    error = attempt([&] {
+      run(parent_link(down));
+      return std::string();
+    });
+    if (!error.empty()) complain(STDERR_FILENO, error.append("\n"));
+    _exit(error.empty() ? 0 : 1);
   }
   template <class Function>
   static std::string attempt(Function&& function) noexcept {
@@ -154,6 +154,7 @@ class child_process {
     return function();
 #endif
   }
+  // Where that fails, nobody is left to hear it
   static void complain(int to, const std::string& error) noexcept {
     if (write(to, error.data(), error.size()) < 0) return;
   }
@@ -162,14 +163,16 @@ class child_process {
   static std::string answer(int from, double patience) {
     std::string text;
     std::array<char, 256> part;
+    constexpr double most = 1e6;  // [s], whose milliseconds are an int
     for (const double end = monotonic_seconds() + patience;;) {
       pollfd watched{from, POLLIN, 0};
       const double left = end - monotonic_seconds();
-      const int came = left > 0 ? poll(&watched, 1, static_cast<int>(1e3 * left) + 1) : 0;
+      const int came = left > 0 ? poll(&watched, 1, static_cast<int>(1e3 * std::min(left, most)) + 1) : 0;
       if (came == 0) return "the process was not ready in time: was it stopped?";
       const ssize_t size = came < 0 ? -1 : ::read(from, part.data(), part.size());
       if (size < 0 && errno == EINTR) continue;
-      if (size <= 0) break;
+      if (size < 0) return detail::failed_call(came < 0 ? "poll" : "read", "start the program again");
+      if (size == 0) break;
       text.append(part.data(), static_cast<std::size_t>(size));
     }
     if (text == std::string(1, ready)) return {};

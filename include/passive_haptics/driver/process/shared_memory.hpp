@@ -26,7 +26,7 @@ class shared_memory {
   shared_memory(shared_memory&& other) noexcept : value_(std::exchange(other.value_, nullptr)) {}
   shared_memory& operator=(shared_memory&&) = delete;
   ~shared_memory() {
-    if (value_ != nullptr) munmap(value_, sizeof(T));
+    if (value_ != nullptr) munmap(value_, sizeof(T));  // of what mmap() gave it cannot fail
   }
 
   /// The value, the same in each process.

@@ -163,7 +163,7 @@ class supervisor {
       if (!silent && !ended) begin(now);
       for (; !release_.over(now); now = monotonic_seconds()) {
         give(now);
-        poll(nullptr, 0, often);
+        poll(nullptr, 0, often);  // where that fails, currents are given more often, and no longer
       }
     }
     port_.release();
@@ -188,7 +188,8 @@ class supervisor {
     looked_ = now;
   }
 
-  // Refusals change nothing but how soon it is
+  // A refusal changes nothing but how soon the supervisor acts, which still releases: so it is not reported,
+  // and sched_getscheduler(pid()) says what was granted
   void be_quick() noexcept {
     mlockall(MCL_CURRENT | MCL_FUTURE);
     if (p_.priority == 0) return;

@@ -1,0 +1,74 @@
+/// @file
+/// What a forked process closes of its parent's files.
+#pragma once
+
+#include <passive_haptics/driver/process/failed_call.hpp>
+
+#include <dirent.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace passive_haptics::detail {
+
+using kept_files = std::array<int, 2>;
+
+// Of close() no error matters here: the number is free, or was not open
+inline void close_unless_kept(int file, const kept_files& kept) noexcept {
+  if (file > STDERR_FILENO && std::find(kept.begin(), kept.end(), file) == kept.end()) close(file);
+}
+
+// False, with errno, where the kernel has no such call (Linux before 5.9) or a filter refuses it
+inline bool close_ranges(kept_files kept) noexcept {
+  std::sort(kept.begin(), kept.end());
+  unsigned from = STDERR_FILENO + 1;
+  for (const int file : kept) {
+    const auto number = static_cast<unsigned>(file);
+    if (number < from) continue;
+    if (number > from && close_range(from, number - 1, 0) != 0) return false;
+    from = number + 1;
+  }
+  return close_range(from, ~0U, 0) == 0;
+}
+
+// False where the list cannot be read to its end
+inline bool close_listed(const kept_files& kept) {
+  DIR* const list = opendir("/proc/self/fd");
+  if (list == nullptr) return false;
+  std::vector<int> files;  // first all, as closing changes the list
+  errno = 0;
+  while (const dirent* const entry = readdir(list)) files.push_back(std::atoi(entry->d_name));  // "." is 0
+  const bool whole = errno == 0;
+  closedir(list);  // and once more below: its number is in the list
+  if (whole)
+    for (const int file : files) close_unless_kept(file, kept);
+  return whole;
+}
+
+// Up to the limit of the numbers; false where that are too many to try each: some containers have 1e9
+inline bool close_up_to(rlim_t limit, const kept_files& kept) noexcept {
+  constexpr rlim_t most = 1 << 20;  // fs.nr_open of Linux; less than a second
+  if (limit > most) return false;
+  for (int file = 0; file < static_cast<int>(limit); ++file) close_unless_kept(file, kept);
+  return true;
+}
+
+// All but the standard descriptors and these; empty, or what is wrong
+inline std::string close_all_but(const kept_files& kept) {
+  if (close_ranges(kept)) return {};
+  const int why = errno;
+  rlimit limit{};
+  if (close_listed(kept)) return {};
+  if (getrlimit(RLIMIT_NOFILE, &limit) == 0 && close_up_to(limit.rlim_cur, kept)) return {};
+  errno = why;
+  return failed_call("close_range",
+                     "allow it where system calls are filtered, mount /proc, or set `ulimit -n 4096`");
+}
+
+}  // namespace passive_haptics::detail

@@ -1,0 +1,74 @@
+// What a service manager or a container takes from the driver: standard descriptors, a system call.
+#include "../system_call_filter.hpp"
+#include "program.hpp"
+
+#include <cerrno>
+
+namespace {
+
+using namespace program;
+
+struct a_driver_without : a_driver {
+  // A program whose descriptors of these numbers are closed; what it has in the others is /dev/null.
+  pid_t spawn_without(const std::vector<int>& closed, const words& command) const {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    for (const int number : {0, 1, 2}) dup2(open("/dev/null", O_RDWR | O_CLOEXEC), number);
+    for (const int number : closed) close(number);
+    become(command, directory);
+  }
+  static std::string file_of(pid_t process, int number) {
+    std::error_code gone;
+    return fs::read_symlink("/proc/" + std::to_string(process) + "/fd/" + std::to_string(number), gone)
+        .string();
+  }
+  static void expect_null_of(pid_t process) {
+    for (const int number : {0, 1, 2}) EXPECT_EQ(file_of(process, number), "/dev/null") << number;
+  }
+};
+
+TEST_F(a_driver_without, standard_descriptors_leaves_a_whole_log) {
+  file("c.toml", settings{}.text());
+  for (const std::vector<int>& closed : {std::vector{0}, {1}, {2}, {0, 1, 2}}) {
+    pid = spawn_without(closed, {driver, "--config", "c.toml"});
+    ASSERT_TRUE(reaches("active")) << ended();
+    expect_null_of(pid);
+    expect_null_of(recorder());
+    expect_null_of(supervisor());
+    send(SIGINT);
+    EXPECT_EQ(end().status, 0);
+    EXPECT_TRUE(log().is_whole());
+    EXPECT_FALSE(fs::exists(part_path()));
+    EXPECT_TRUE(nothing_is_left());
+    fs::remove(log_path());
+  }
+}
+
+TEST_F(a_driver_without, standard_descriptors_has_its_firmware_without_them_too) {
+  if (!has_pseudo_terminals()) GTEST_SKIP() << "no pseudo-terminal: is devpts mounted at /dev/pts?";
+  const pid_t board = spawn_without({0, 1, 2}, {firmware, "--link", "brakes"});
+  ASSERT_TRUE(eventually([this] { return fs::is_symlink(directory / "brakes"); }));
+  expect_null_of(board);
+  kill(board, SIGTERM);
+  EXPECT_EQ(status_of(board), 0);
+}
+
+TEST_F(a_driver_without, close_range_leaves_no_process_where_it_is_killed) {
+  file("c.toml", settings{}.text());
+  for (const int error : {EPERM, ENOSYS}) {
+    pid = fork();
+    if (pid == 0) {
+      if (!system_calls::refuse(SYS_close_range, error)) _exit(126);
+      become({driver, "--config", "c.toml"}, directory);
+    }
+    ASSERT_TRUE(reaches("active")) << ended();
+    send(SIGKILL);
+    EXPECT_EQ(end().status, 128 + SIGKILL);
+    EXPECT_TRUE(nothing_is_left());
+    EXPECT_TRUE(log().is_whole());
+    EXPECT_FALSE(fs::exists(part_path())) << "it would block the next start";
+    fs::remove(log_path());
+  }
+}
+
+}  // namespace
