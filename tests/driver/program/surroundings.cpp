@@ -9,12 +9,14 @@ namespace {
 using namespace program;
 
 struct a_driver_without : a_driver {
-  // A program whose descriptors of these numbers are closed; what it has in the others is /dev/null.
-  pid_t spawn_without(const std::vector<int>& closed, const words& command) const {
+  // A program whose descriptors of these numbers are closed, where the others are /dev/null, and whose
+  // close_range fails with this error.
+  pid_t spawn_without(const std::vector<int>& closed, const words& command, int error = 0) const {
     const pid_t child = fork();
     if (child != 0) return child;
     for (const int number : {0, 1, 2}) dup2(open("/dev/null", O_RDWR | O_CLOEXEC), number);
     for (const int number : closed) close(number);
+    if (error != 0 && !system_calls::refuse(SYS_close_range, error)) _exit(126);
     become(command, directory);
   }
   static std::string file_of(pid_t process, int number) {
@@ -56,11 +58,7 @@ TEST_F(a_driver_without, standard_descriptors_has_its_firmware_without_them_too)
 TEST_F(a_driver_without, close_range_leaves_no_process_where_it_is_killed) {
   file("c.toml", settings{}.text());
   for (const int error : {EPERM, ENOSYS}) {
-    pid = fork();
-    if (pid == 0) {
-      if (!system_calls::refuse(SYS_close_range, error)) _exit(126);
-      become({driver, "--config", "c.toml"}, directory);
-    }
+    pid = spawn_without({}, {driver, "--config", "c.toml"}, error);
     ASSERT_TRUE(reaches("active")) << ended();
     send(SIGKILL);
     EXPECT_EQ(end().status, 128 + SIGKILL);
