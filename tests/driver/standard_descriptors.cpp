@@ -51,7 +51,7 @@ TEST(standard_descriptors, that_are_closed_lead_to_dev_null) {
 
 TEST(standard_descriptors, that_are_open_stay) { EXPECT_EQ(opened({}), "oooo"); }
 
-TEST(standard_descriptors, that_cannot_be_opened_are_told) {
+TEST(standard_descriptors, that_cannot_be_opened_are_reported) {
   const auto without_dev_null = [](bool closed) {
     return processes::said_by_a_process([=]() -> std::string {
       if (!system_calls::refuse(SYS_openat, ENOENT)) return "no filters";

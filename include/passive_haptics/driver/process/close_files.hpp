@@ -1,5 +1,5 @@
 /// @file
-/// What a forked process closes of its parent's files.
+/// The files of its parent that a forked process closes.
 #pragma once
 
 #include <passive_haptics/driver/process/failed_call.hpp>

@@ -1,5 +1,5 @@
 /// @file
-/// What a child process knows of its parent.
+/// The link of a child process to its parent.
 #pragma once
 
 #include <poll.h>

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <initializer_list>
 
 namespace passive_haptics {
 
@@ -13,9 +14,9 @@ namespace passive_haptics {
 /// managers and after `>&-`. Without this call the next file, socket or serial line of the program gets the
 /// free number, and what the program prints goes to the device.
 ///
-/// The place of the call is the first line of main(), before any file, thread or process. It allocates
-/// nothing and is async-signal-safe; what is open stays as it is. False, with errno, where a descriptor is
-/// still closed, as without a file /dev/null: the program must end then.
+/// The place of the call is the first line of main(), before any file, thread or process. The function
+/// allocates nothing and is async-signal-safe; a descriptor that is open stays as it is. False, with errno,
+/// where a descriptor is still closed, as without a file /dev/null: the program must end then.
 inline bool open_standard_descriptors() noexcept {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(number, F_GETFD) >= 0) continue;
