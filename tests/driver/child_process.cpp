@@ -98,6 +98,15 @@ TEST(a_child_process, that_does_not_end_is_killed) {
   EXPECT_EQ(kill(process, SIGKILL), -1) << "it is still there";
 }
 
+TEST(a_child_process, that_throws_before_it_is_ready_is_not_ready) {
+  for (const std::string text : {"no device", ""}) {
+    ph::child_process child;
+    const auto thrown = [&]() -> std::string { throw std::runtime_error(text); };
+    EXPECT_EQ(child.start(thrown, until_parent_is_gone), text.empty() ? "an exception without a text" : text);
+    EXPECT_LE(child.pid(), 0);
+  }
+}
+
 TEST(a_child_process, that_does_not_become_ready_is_ended) {
   ph::child_process child;
   const auto never = [] {

@@ -47,7 +47,8 @@ constexpr std::array tests{
     test_of_a_hazard{"threaded_port", "carries_out_what_was_ordered_before_its_end", "threaded_port.cpp"},
     test_of_a_hazard{"a_signal", "that_kills_the_loop_leaves_no_current_and_no_record_behind",
                      "supervisor.cpp"},
-    test_of_a_hazard{"a_child", "CLOSE_RANGE", "child_process.cpp"},
+    test_of_a_hazard{"a_driver_without", "close_range_leaves_no_process_where_it_is_killed",
+                     "program/surroundings.cpp"},
     test_of_a_hazard{"a_supervised_loop", "that_is_stopped_is_released_and_stays_so_when_it_goes_on",
                      "supervisor.cpp"},
     test_of_a_hazard{"a_driver_whose", "rearm_request_waited_in_a_freeze_stays_released",
@@ -61,7 +62,8 @@ constexpr std::array tests{
                      "brake_identification.cpp"},
     test_of_a_hazard{"record_on_bench", "ends_on_the_clock_of_this_machine_whatever_the_samples_say",
                      "brake_identification.cpp"},
-    test_of_a_hazard{"CLOSED", "DESCRIPTORS", "program/running.cpp"},
+    test_of_a_hazard{"a_driver_without", "standard_descriptors_leaves_a_whole_log",
+                     "program/surroundings.cpp"},
     test_of_a_hazard{"START", "DEPTH", "program/running.cpp"},
 };
 

@@ -148,7 +148,8 @@ class child_process {
     try {
       return function();
     } catch (const std::exception& e) {
-      return e.what();
+      const std::string text = e.what();
+      return text.empty() ? "an exception without a text" : text;
     }
 #else
     return function();
