@@ -13,7 +13,6 @@ namespace {
 ph::brake_curve random_curve(random_source& random) {
   ph::brake_curve p;
   p.residual_torque = random.uniform(0.0, 0.1);
-  p.torque_per_ampere = random.positive(0.05, 20.0);
   p.current_limit = random.positive(0.1, 3.0);
   if (random.coin()) {
     p.points = 2 + static_cast<int>(random.uniform(0.0, 14.99));
@@ -25,6 +24,7 @@ ph::brake_curve random_curve(random_source& random) {
     }
     p.current_limit = p.table[static_cast<std::size_t>(p.points - 1)].current * random.uniform(0.3, 1.0);
   }
+  if (p.points == 0) p.torque_per_ampere = random.positive(0.05, 20.0);
   if (random.coin()) p.loss_per_kelvin = random.uniform(0.0, 0.01);
   return p;
 }
@@ -213,6 +213,32 @@ TEST(brake_calibration, takes_what_is_no_torque_for_none) {
     EXPECT_EQ(calibration.torque(), of_zero.torque()) << none;
     EXPECT_EQ(calibration.currents(one(0.2)), of_zero.currents(one(0.2))) << "its remanence: still falling";
   }
+}
+
+TEST(brake_curve, refuses_a_table_that_it_would_not_read) {
+  const ph::brake_curve measured{
+      .residual_torque = 0.02, .table = {{{0, 0.02}, {0.1, 0.12}, {0.3, 0.48}, {0.5, 0.80}}}, .points = 4};
+  const auto error = [&](auto change) {
+    ph::brake_curve p = measured;
+    p.current_limit = 0.5;
+    change(p);
+    return validate(p);
+  };
+  using curve = ph::brake_curve;
+  EXPECT_EQ(error([](curve&) {}), "");
+  EXPECT_EQ(
+      error([](curve& p) { p.points = 0; }),
+      "points = 0, expected 4, as the last entry of the table that is not 0 is table[3]; set points, or "
+      "make the entries 0 that are not meant");
+  EXPECT_TRUE(error([](curve& p) { p.points = 3; }).starts_with("points = 3, expected 4, as"));
+  EXPECT_TRUE(error([](curve& p) { p.table[15].torque = NAN; }).starts_with("points = 4, expected 16, as"));
+  EXPECT_TRUE(error([](curve& p) { p.table[4].current = 1; }).starts_with("points = 4, expected 5, as"));
+  EXPECT_TRUE(
+      error([](curve& p) { p = {}, p.table[0].torque = 1; }).starts_with("points = 0, expected 1, as"));
+  EXPECT_EQ(
+      error([](curve& p) { p.torque_per_ampere = 1.6; }),
+      "torque_per_ampere [N m/A] = 1.6, expected its default, 1, as the table is read in its place; leave "
+      "one of both out");
 }
 
 TEST(brake_calibration, names_what_is_wrong) {

@@ -11,7 +11,7 @@ namespace {
 
 TEST(calibration, allocates_nothing_in_the_loop) {
   ph::device_calibration_parameters<arm, 6> p;
-  ph::device_calibration device(arm(), p, ph::planar_sensor_frame<2>());
+  ph::device_calibration device(arm(), p, ph::planar_sensor_frame<2>{.link = {1, 1}});
   ph::homing<2> home(device.encoders, device.axis_positions({0, 1}));
   double sum = 0;
   const long count = allocations_in([&] {

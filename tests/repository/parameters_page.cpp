@@ -197,6 +197,7 @@ std::string tables() {
                                                  calibration + "encoder_calibration.hpp");
   p.table<ph::rate_estimator_parameters>("rate_estimator_parameters", "driver/rate_estimator.hpp");
   p.table<ph::brake_curve>("brake_curve", calibration + "brake_curve.hpp");
+  p.table<ph::planar_sensor_frame<2>>("planar_sensor_frame", calibration + "force_calibration.hpp");
   p.table<ph::force_calibration_parameters<2>>("force_calibration_parameters",
                                                calibration + "force_calibration.hpp");
   p.table<ph::device_calibration_parameters<ph::two_link<T>>>("device_calibration_parameters",

@@ -1,7 +1,9 @@
 #include <configuration/configuration.hpp>
 #include <configuration/toml_section.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace example {
 namespace {
@@ -81,17 +83,25 @@ void read_brakes(toml_section from, configuration& c) {
   for (std::size_t i = 0; i < c.curves.size(); ++i) {
     ph::brake_curve& curve = c.curves[i];
     curve.residual_torque = residual[i];
-    curve.torque_per_ampere = slope[i];
     curve.current_limit = limit[i];
     curve.hysteresis = hysteresis[i];
     curve.loss_per_kelvin = loss[i];
     std::array<double, 2 * ph::brake_curve::most_points> pairs{};
-    curve.points = static_cast<int>(
-        from.read_pairs(i == 0 ? "table_1" : "table_2", pairs.data(), ph::brake_curve::most_points));
+    const char* const table = i == 0 ? "table_1" : "table_2";
+    curve.points = static_cast<int>(from.read_pairs(table, pairs.data(), ph::brake_curve::most_points));
+    if (curve.points == 0) {
+      from.refuse(table, "2 to 16 pairs of amperes and newton metres; write them down, or remove it");
+      curve.torque_per_ampere = slope[i];
+    }
     for (std::size_t k = 0; k < static_cast<std::size_t>(curve.points); ++k)
       curve.table[k] = {pairs[2 * k], pairs[2 * k + 1]};
     c.brakes.torque_limit[static_cast<int>(i)] = torque_of_current(curve, curve.current_limit);
   }
+  if (c.curves[0].points > 0 && c.curves[1].points > 0)
+    from.refuse("torque_per_ampere",
+                "no slope where both brakes have a table, which is read in its place; remove it");
+  if (std::any_of(loss.begin(), loss.end(), [](double x) { return x != 0; }))
+    from.refuse("loss_per_kelvin", "0, as no sensor of this program reads a brake's temperature; remove it");
   from.require(validate(c.curves));
   for (const ph::brake_curve& curve : c.curves) check(from, curve);
   from.read_all(c.brakes);
@@ -136,8 +146,32 @@ void read_homing(toml_section from, configuration& c) {
   from.read_all(c.homing);
 }
 
+// How the sensor turns, which a five_bar does not say by itself.
+void read_sensor_frame(toml_section& from, configuration& c) {
+  if (c.mechanism == "five_bar" && !from.has("link"))
+    from.require(
+        "link is missing, expected how far each joint turns the sensor: both angles of a five_bar are "
+        "measured "
+        "from the base, so [1, 0] or [0, 1] on a driven link, [0, 0] where the sensor does not turn; no such "
+        "sum is the angle of a distal link");
+  from.read("link", c.sensor_frame.link);
+  if (c.mechanism == "xy_table" && !c.sensor_frame.link.isZero(0))
+    from.refuse("link", "0, as the slides of an xy_table do not turn the sensor; remove it");
+  from.read("mounting", c.sensor_frame.mounting);
+  check(from, c.sensor_frame);
+}
+
+// A channel that the sensor lacks has no range.
+void read_range_of_values(toml_section& from, configuration& c) {
+  auto& range = c.safety.sensor.range;
+  if (c.sensor == "comedi") from.read("range_of_values", range.data(), c.comedi_sensor.channels.size());
+  else from.read("range_of_values", range);
+  check(from, c.safety.sensor);
+}
+
 void read_sensor(toml_section from, configuration& c) {
   from.read("type", c.sensor, {"simulated", "comedi", "net_ft", "none"});
+  c.sensor_frame.link.setConstant(c.mechanism == "tendon_two_link" ? 1 : 0);
   std::array<double, 2> x{1, 0}, y{0, 1};
   if (c.sensor == "comedi") {
     from.read_all(c.comedi_sensor);
@@ -151,18 +185,15 @@ void read_sensor(toml_section from, configuration& c) {
   from.read("y_newtons_per_unit", y);
   c.force.newtons_per_unit.setZero();
   c.force.newtons_per_unit.leftCols<2>() << x[0], x[1], y[0], y[1];
-  from.read("range_of_values", c.safety.sensor.range);
+  read_range_of_values(from, c);
   from.read("handle_mass", c.force.handle_mass);
   from.read("gravity", c.force.gravity);
-  if (c.mechanism == "xy_table") c.sensor_frame.link.setZero();
-  from.read("link", c.sensor_frame.link);
-  from.read("mounting", c.sensor_frame.mounting);
-  from.require(ph::check_value("link", c.sensor_frame.link, "1", ph::range::finite));
-  from.require(ph::check_value("mounting", c.sensor_frame.mounting, "rad", ph::range::finite));
+  read_sensor_frame(from, c);
   from.read("tare", c.tare);
   from.read("tare_tolerance", c.tare_tolerance);
+  if (!c.tare)
+    from.refuse("tare_tolerance", "tare = true beside it, else nothing is tared; remove one of both");
   check(from, c.force);
-  check(from, c.safety.sensor);
   check(from, ph::steady_parameters{.tolerance = c.tare_tolerance});
 }
 
@@ -182,6 +213,12 @@ void read_port(toml_section from, configuration& c) {
     from.read("counter_setup", setup, {"keep", "ni_quadrature"});
     from.read("counter_a", a);
     from.read("counter_b", b);
+    const auto is_given = [](int terminal) { return terminal != -1; };
+    for (const auto& [key, terminals] : {std::pair{"counter_a", &a}, std::pair{"counter_b", &b}})
+      if (setup == "keep" && std::any_of(terminals->begin(), terminals->end(), is_given))
+        from.refuse(key,
+                    "counter_setup = \"ni_quadrature\" beside it, else no terminal is set; add it, or "
+                    "remove the key");
     for (std::size_t i = 0; i < static_cast<std::size_t>(axes); ++i) {
       c.comedi.brakes[i] = {channel[i], range[i], gain[i], c.safety.currents.largest[i]};
       c.comedi.encoders[i] = {
@@ -238,6 +275,9 @@ configuration read_configuration(const std::string& path) {
   read_port(file.section("port"), c);
   file.section("simulation").read_all(c.simulation);
   file.finish();
+  if (auto brakes = file.section("brakes"); !brakes.has("continuous_current"))
+    brakes.refuse("heat",
+                  "continuous_current beside it, over which a coil gets warm; add it, or remove heat");
   if (c.port == "comedi" && c.safety.at_release.policy != ph::release_policy::zero)
     file.require(
         "[safety] at_release, expected \"zero\": a card under Comedi has no watchdog, so that its currents "

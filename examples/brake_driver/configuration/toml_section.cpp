@@ -285,6 +285,10 @@ std::vector<toml_section> toml_section::sections(std::string_view key) {
   return all;
 }
 
+void toml_section::refuse(std::string_view key, const std::string& expected) const {
+  if (const toml::node* node = state_->find(key); node != nullptr) state_->expected(key, *node, expected);
+}
+
 bool toml_section::has(std::string_view key) const {
   return state_->table != nullptr && state_->table->contains(key);
 }

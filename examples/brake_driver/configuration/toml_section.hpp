@@ -67,6 +67,8 @@ class toml_section {
   toml_section section(std::string_view key);
   /// The tables [[key]].
   std::vector<toml_section> sections(std::string_view key);
+  /// If the key is there, throws its value and what was expected.
+  void refuse(std::string_view key, const std::string& expected) const;
   /// Whether the key is there.
   bool has(std::string_view key) const;
 

@@ -86,7 +86,7 @@ TEST(device_calibration, tells_the_state_of_a_five_bar) {
 }
 
 TEST(device_calibration, tells_the_same_without_a_force_sensor) {
-  ph::device_calibration with(arm(), measured<arm>(), ph::planar_sensor_frame<2>());
+  ph::device_calibration with(arm(), measured<arm>(), ph::planar_sensor_frame<2>{.link = {1, 1}});
   ph::device_calibration without(arm(), measured<arm>());
   for (int k = 0; k < 100; ++k) {
     const std::array<double, 2> counts{3.0 * k, -7.0 * k};
@@ -150,7 +150,7 @@ TEST(device_calibration, tells_no_number_where_a_sensor_does) {
 TEST(device_calibration, is_there_in_single_precision) {
   using single = ph::tendon_two_link<float>;
   const ph::device_calibration_parameters<single> p;
-  ph::device_calibration device(single(), p, ph::planar_sensor_frame<2>());
+  ph::device_calibration device(single(), p, ph::planar_sensor_frame<2>{.link = {1, 1}});
   const auto state = device.state(0, {1000, 1000}, {1, 0});
   EXPECT_NEAR(state.q[0], 1000 * 2 * std::numbers::pi / 8192, 1e-6);
   EXPECT_NEAR(state.hand_force.norm(), 1, 1e-6);

@@ -107,7 +107,7 @@ TEST(force_calibration, takes_the_weight_of_the_handle_out) {
   p.gravity = {0, -10};
   const ph::force_calibration<2> calibration(p);
   const auto upside_down =
-      ph::planar_sensor_frame<2>{.mounting = std::numbers::pi}(ph::vector<double, 2>::Zero());
+      ph::planar_sensor_frame<2>{.link = {1, 1}, .mounting = std::numbers::pi}(ph::vector<double, 2>::Zero());
   EXPECT_LT(calibration.force({0, 5}, upside_down).norm(), 1e-14);
 }
 

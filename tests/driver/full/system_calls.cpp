@@ -107,8 +107,8 @@ class filtered_cycles {
 [[noreturn]] void drive(bool one_call_more) {
   const arm mechanism;
   const ph::vector<double, 2> home = mechanism.inverse({0.08, 0.2255}, ph::elbow::left).q;
-  ph::device_calibration<arm, 2, ph::planar_sensor_frame<2>> calibration(mechanism, {},
-                                                                         ph::planar_sensor_frame<2>());
+  ph::device_calibration<arm, 2, ph::planar_sensor_frame<2>> calibration(
+      mechanism, {}, ph::planar_sensor_frame<2>{.link = {1, 1}});
   calibration.encoders.set_zero_count(-calibration.encoders.counts(calibration.axis_positions(home)));
   ph::world_walls<2> walls;
   walls.add(ph::wall(ph::half_space<2>({0, 0.225}, {0, -1}), 1e4));

@@ -21,8 +21,9 @@ TEST_F(a_configuration, that_is_shipped_is_right) {
 }
 
 TEST_F(a_configuration, tells_what_its_wall_can_be) {
-  for (const std::string mechanism : {"tendon_two_link", "xy_table", "five_bar"}) {
-    file("c.toml", "[mechanism]\ntype = \"" + mechanism + "\"\n[homing]\npose = [1.9, 1.2]\n");
+  for (const std::string mechanism : {"tendon_two_link\"\n", "xy_table\"\n",
+                                      "five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\nlink = [0, 0]\n"}) {
+    file("c.toml", "[mechanism]\ntype = \"" + mechanism);
     const outcome o = run({"--config", "c.toml", "--limits"});
     EXPECT_EQ(o.status, 0) << o.err;
     EXPECT_TRUE(has(o.out, "least noticeable drift")) << o.out;
@@ -32,9 +33,12 @@ TEST_F(a_configuration, tells_what_its_wall_can_be) {
 TEST_F(a_configuration, of_another_mechanism_or_without_a_file_is_right) {
   EXPECT_EQ(run({"--check"}).status, 0);
   EXPECT_EQ(run({"--help"}).out, text_of(shipped + "/../help/08_brake_driver.txt"));
-  const outcome o = check("[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n");
+  const outcome o =
+      check("[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\nlink = [0, 0]\n");
   EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_EQ(o.out, "c.toml is right: five_bar, simulated device, simulated force sensor, direct_control\n");
+  EXPECT_TRUE(o.out.starts_with(
+      "c.toml is right: five_bar, simulated device, simulated force sensor, direct_control\n"))
+      << o.out;
 }
 
 TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expectation) {
@@ -118,9 +122,63 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
   }
 }
 
+// What would be ignored is a mistake.
+TEST_F(a_configuration, says_nothing_that_nobody_reads) {
+  const std::string card =
+      "law = \"no_direct_control\"\n[sensor]\ntype = \"none\"\n[port]\ntype = \"comedi\"\n"
+      "amperes_per_volt = 0.1\n";
+  const std::string tables = "[brakes]\ntable_1 = [[0, 0], [1, 1]]\n";
+  const std::string five_bar = "[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\n";
+  for (const auto& [text, message] : {
+           std::pair<std::string, std::string>{
+               tables + "table_2 = [[0, 0], [1, 1]]\ntorque_per_ampere = 1.5",
+               "4: brakes.torque_per_ampere = 1.5, expected no slope where both brakes have a table, "},
+           {"[brakes]\ntable_2 = []", "2: brakes.table_2 = [], expected 2 to 16 pairs of amperes"},
+           {"[brakes]\nheat = 5", "2: brakes.heat = 5, expected continuous_current beside it, "},
+           {"[brakes]\nloss_per_kelvin = 0.002",
+            "2: brakes.loss_per_kelvin = 0.002, expected 0, as no sensor of this program reads"},
+           {five_bar,
+            "5: [sensor] link is missing, expected how far each joint turns the sensor: both angles "},
+           {"[mechanism]\ntype = \"xy_table\"\n[sensor]\nlink = [1, 1]",
+            "4: sensor.link = [ 1, 1 ], expected 0, as the slides of an xy_table do not turn the sensor"},
+           {"[sensor]\ngravity = [0, -9.81]",
+            "1: [sensor] handle_mass [kg] = 0, expected > 0 where gravity is given, "},
+           {"[sensor]\ntare = false\ntare_tolerance = 0.5",
+            "3: sensor.tare_tolerance = 0.5, expected tare = true beside it, "},
+           {"[sensor]\ntype = \"comedi\"\nrange_of_values = [9, 9, 9, 9, 9, 9]",
+            "3: sensor.range_of_values = [ 9, 9, 9, 9, 9, 9 ], expected 2 numbers, or one for all"},
+           {card + "counter_a = 8",
+            "7: port.counter_a = 8, expected counter_setup = \"ni_quadrature\" beside"},
+           {card + "counter_setup = \"keep\"\ncounter_b = [-1, 9]",
+            "8: port.counter_b = [ -1, 9 ], expected "},
+       }) {
+    const outcome o = check(text);
+    EXPECT_EQ(o.status, 2) << text;
+    EXPECT_TRUE(o.err.starts_with("error: c.toml:" + message)) << text << "\n" << o.err;
+  }
+  for (const std::string& text : {
+           tables + "torque_per_ampere = 1.6",
+           std::string("[brakes]\nheat = 5\ncontinuous_current = 0.7\nloss_per_kelvin = 0"),
+           five_bar + "link = [0, 1]",
+           five_bar + "type = \"none\"\n[port]\ntype = \"simulated\"",
+           std::string("[mechanism]\ntype = \"xy_table\"\n[sensor]\nlink = 0"),
+           std::string("[sensor]\ngravity = 0\nhandle_mass = 0\ntare = false\nrange_of_values = 9"),
+           card + "counter_a = -1",
+           card + "counter_setup = \"ni_quadrature\"\ncounter_a = 8\ncounter_b = 9",
+           // Keys of a choice that is not made, with what they would be
+           std::string(
+               "[safety]\nat_release = \"zero\"\nramp_time = 0.5\nhold_time = 10\nsupervisor_priority = 1"),
+           card + "[simulation]\npush = 3",
+       }) {
+    const outcome o =
+        check((text.starts_with(five_bar + "type") ? "law = \"no_direct_control\"\n" : "") + text);
+    EXPECT_EQ(o.status, 0) << text << "\n" << o.err;
+  }
+}
+
 TEST_F(a_configuration, that_is_unusual_is_remarked_upon) {
   const outcome o = check(
-      "[mechanism]\nlength_1 = 15\n[loop]\nperiod = 0.5\n[safety]\nhold_over = 2\n"
+      "[mechanism]\nlength_1 = 15\n[homing]\npose = [0, 0]\n[loop]\nperiod = 0.5\n[safety]\nhold_over = 2\n"
       "supervisor_timeout = 2");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(

@@ -27,10 +27,10 @@ struct brake_curve {
   static constexpr int most_points = 16;  ///< Of a table.
 
   double residual_torque = 0;    ///< What drags without current [N m].
-  double torque_per_ampere = 1;  ///< Slope of the straight line [N m/A]. Not read with a table.
+  double torque_per_ampere = 1;  ///< Slope of the straight line [N m/A]; beside a table it stays 1.
   double current_limit = 1;      ///< Most current that is ever given [A].
   /// The first `points` are a table in place of the line: both values rise, the first is 0 A and
-  /// residual_torque.
+  /// residual_torque. The others are 0.
   std::array<current_torque, static_cast<std::size_t>(most_points)> table{};
   int points = 0;  ///< 0: the straight line; else 2 to most_points.
   /// By how much the falling branch lies above the rising one, remanence [N m].
@@ -60,16 +60,32 @@ struct brake_curve {
         member("highest_temperature", &p::highest_temperature, "K", range::positive, plausible(250, 500))
             .large_over(1000));
   }
-  /// The table's values rise, and heat leaves some torque.
+  /// The table's values rise, all that is given of it is read, and heat leaves some torque.
   std::string rules() const;
 };
 
 namespace detail {
 
+// What is given but would not be read: entries beyond `points`, and a slope beside a table
+inline std::string check_brake_points(const brake_curve& p) {
+  int given = brake_curve::most_points;
+  for (; given > p.points; --given) {
+    const current_torque& last = p.table[static_cast<std::size_t>(given - 1)];
+    if (last.current != 0 || last.torque != 0) break;
+  }
+  if (given > p.points)
+    return error_text("points", p.points,
+                      indexed(indexed("", given, ", as the last entry of the table that is not 0 is table["),
+                              given - 1, "]; set points, or make the entries 0 that are not meant"));
+  if (p.points == 0 || p.torque_per_ampere == brake_curve().torque_per_ampere) return {};
+  return error_text("torque_per_ampere [N m/A]", p.torque_per_ampere,
+                    "its default, 1, as the table is read in its place; leave one of both out");
+}
+
 inline std::string check_brake_table(const brake_curve& p) {
   const auto named = [](int i, const char* member) { return indexed("table[", i, "]").append(member); };
-  if (p.points == 0) return {};
   if (p.points == 1) return error_text("points", p.points, "0 for a straight line, or 2 to 16");
+  if (std::string text = check_brake_points(p); !text.empty() || p.points == 0) return text;
   for (int i = 0; i < p.points; ++i) {
     const current_torque at = p.table[static_cast<std::size_t>(i)];
     std::string text = first_error(check_value(named(i, ".current").c_str(), at.current, "A", range::finite),

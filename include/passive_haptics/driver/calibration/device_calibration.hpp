@@ -42,7 +42,8 @@ class device_calibration {
   using readings_array = std::array<double, static_cast<std::size_t>(Channels)>;  ///< The same of the sensor.
   using parameters = device_calibration_parameters<M, Channels>;                  ///< What it is made of.
 
-  /// Throws std::invalid_argument with the text of validate(p), or if the transmission is singular.
+  /// Throws std::invalid_argument with the text of validate(p) or, of a frame with a table, validate(frame);
+  /// or if the transmission is singular.
   device_calibration(const M& mechanism, const device_calibration_parameters<M, Channels>& p,
                      const Frame& frame = {})
       : encoders(require_valid(p).encoders),
@@ -51,6 +52,7 @@ class device_calibration {
         brakes(p.brakes),
         axes_(mechanism),
         frame_(frame) {
+    if constexpr (Parameters<Frame>) require_valid(frame);
     const bool solvable = all_finite(axes_.to_joints(vector<T, axes::count>::Ones()));
     require_no_error(solvable ? "" : "the mechanism's transmission is singular");
   }
@@ -79,6 +81,10 @@ class device_calibration {
     return brakes.currents(as<double>(capacity), temperature);
   }
 
+  /// Joint positions [rad or m] of counts; changes nothing.
+  joint_vector<M> joint_positions(const counts_array& counts) const noexcept {
+    return axes_.to_joints(as<T>(encoders.position(vector<double, axes::count>(counts.data()))));
+  }
   /// Axis positions [rad or m] of a pose: the reference of homing.
   vector<double, axes::count> axis_positions(const joint_vector<M>& q) const noexcept {
     return as<double>(axes_.from_joints(q));
@@ -98,7 +104,7 @@ class device_calibration {
   void read(State& y, double time, const counts_array& counts) noexcept {
     const vector<double, axes::count> at(counts.data());
     y.time = time;
-    y.q = axes_.to_joints(as<T>(encoders.position(at)));
+    y.q = joint_positions(counts);
     y.qd = axes_.to_joints(as<T>(encoders.rate(rates.add(time, at))));
   }
 

@@ -6,6 +6,7 @@
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/core/scalar/sine_cosine.hpp>
 
+#include <limits>
 #include <string>
 
 namespace passive_haptics {
@@ -33,9 +34,22 @@ struct fixed_sensor_frame {
 template <int Dof>
 struct planar_sensor_frame {
   /// The link's angle in joint angles: {1, 1} on the last link where q2 is measured from link 1 (two_link,
-  /// tendon_two_link), {0, 1} where it is measured from the base.
-  vector<double, Dof> link = vector<double, Dof>::Ones();
+  /// tendon_two_link), {0, 1} where it is measured from the base, {0, 0} where the sensor does not turn.
+  /// There is no default: a wrong one would turn the forces.
+  vector<double, Dof> link = vector<double, Dof>::Constant(std::numeric_limits<double>::quiet_NaN());
   double mounting = 0;  ///< From the link to the sensor's x axis [rad].
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = planar_sensor_frame;
+    return member_table(
+        member(
+            "link", &p::link, "1",
+            range::finite.as("a finite number; set link to {1, 1} on the last link of a two_link or "
+                             "tendon_two_link, {0, 1} where q2 is measured from the base, {0, 0} where the "
+                             "sensor does not turn")),
+        member("mounting", &p::mounting, "rad", range::finite));
+  }
   /// R(q).
   matrix<double, 2, 2> operator()(const vector<double, Dof>& q) const noexcept {
     const auto [s, c] = sine_cosine(link.dot(q) + mounting);
@@ -66,10 +80,14 @@ struct force_calibration_parameters {
         member("handle_mass", &p::handle_mass, "kg", range::not_negative, plausible(0, 20)).large_over(1000),
         member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)).large_over(100));
   }
-  /// The channels tell each direction apart.
+  /// The channels tell each direction apart, and gravity has a mass to pull at.
   std::string rules() const {
-    if (all_finite(pseudo_inverse(transposed(newtons_per_unit)))) return {};
-    return "newtons_per_unit has dependent rows, expected one that tells each direction apart";
+    if (!all_finite(pseudo_inverse(transposed(newtons_per_unit))))
+      return "newtons_per_unit has dependent rows, expected one that tells each direction apart";
+    if (handle_mass > 0 || gravity.isZero(0)) return {};
+    return detail::error_text("handle_mass [kg]", handle_mass,
+                              "> 0 where gravity is given, as nothing else reads it; weigh the handle, or "
+                              "leave gravity out");
   }
 };
 
