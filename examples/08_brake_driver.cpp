@@ -1,5 +1,6 @@
 // Drives the brakes of a real device, or of a simulated one, at 1 kHz.
 #include <command_line.hpp>
+#include <configuration/home.hpp>
 #include <report/limits.hpp>
 #include <session.hpp>
 
@@ -31,7 +32,7 @@ arguments parse(int argc, char** argv) {
   line.flag("--simulate", all.simulate, "a simulated device in place of the one that the file names");
   line.positive("--seconds", all.options.seconds,
                 "end after so long; otherwise Ctrl-C ends it, which releases the brakes first");
-  line.flag("--check", all.check, "only say whether the configuration is right");
+  line.flag("--check", all.check, "only say whether the configuration is right, and where home is");
   line.flag("--limits", all.limits, "only say what the first wall can be (docs/guide/wall_limits.md)");
   line.flag("--quiet", quiet, "no live table");
   line.port("--live", all.options.live_port,
@@ -61,7 +62,8 @@ int main(int argc, char** argv) try {
   if (chosen.check) {
     std::cout << (chosen.config.empty() ? "the built-in configuration" : chosen.config)
               << " is right: " << c.mechanism << ", " << c.port << " device, " << c.sensor
-              << " force sensor, " << c.law << "\n";
+              << " force sensor, " << c.law << "\n"
+              << example::home_in_words(c);
     return 0;
   }
   if (chosen.limits) {

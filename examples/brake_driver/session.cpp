@@ -1,3 +1,4 @@
+#include <configuration/home.hpp>
 #include <devices/haptic_device.hpp>
 #include <file_descriptor.hpp>
 #include <ports/ports.hpp>
@@ -48,7 +49,7 @@ class session {
     check_watchdog();
     for (const auto& setting : quick.settings())
       std::cout << setting.what << (setting.refused.empty() ? "" : ": refused, " + setting.refused) << "\n";
-    std::cout << release_in_words() << std::flush;
+    std::cout << home_in_words(configuration_) << release_in_words() << std::flush;
 
     ph::control_loop loop(configuration_.loop);
     begin_ = ph::monotonic_seconds();
@@ -137,7 +138,7 @@ class session {
       guard_.rearm();
       device_->reset();
     }
-    if (doing_ == phase::running && port_.state() == ph::port_state::ready) port_.activate();
+    if (doing_ == phase::running && port_.state() == ph::port_state::ready) activate(read);
 
     record r;
     const auto wanted = device_->cycle(read, doing_, r);
@@ -145,6 +146,13 @@ class session {
     port_.write(wanted);
     log(now, r);
     return r.time < options_.seconds;
+  }
+
+  // Not deep in a wall, which would hold the handle there
+  void activate(const samples& read) {
+    deepest_ = device_->deepest_wall(read);
+    if (!deepest_.is_over(configuration_.start.largest_start_depth))
+      was_active_ = port_.activate() || was_active_;
   }
 
   samples last_samples(double now) const noexcept {
@@ -158,6 +166,8 @@ class session {
     r.doing = doing_;
     r.state = port_.state();
     r.reason = port_.reason();
+    if (r.state == ph::port_state::ready && deepest_.is_over(configuration_.start.largest_start_depth))
+      r.too_deep = deepest_;
     r.needs_homing = port_.needs_homing();
     r.held_over = port_.held_over();
     r.current = port_.applied();
@@ -204,6 +214,8 @@ class session {
       std::cout << (doing_ == phase::homing ? "homing" : "taring")
                 << " did not end: " << (faults_ > 0 ? "the brakes were released first" : device_->hindrance())
                 << "\n";
+    else if (!was_active_ && deepest_.is_over(configuration_.start.largest_start_depth))
+      std::cout << not_activated_in_words(deepest_) << "\n";
     if (port_.arrivals().found() && configuration_.port != "simulated")
       std::cout << "the times of the encoders look like those of their arrival: "
                 << std::lround(100 * port_.arrivals().share())
@@ -227,6 +239,8 @@ class session {
                                 ? open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)
                                 : -1};
   bool warned_ = false;
+  bool was_active_ = false;
+  wall_depth deepest_;  // when the brakes last were to come on
   phase doing_ = phase::homing;
   double begin_ = 0;         // [s]
   std::int64_t number_ = 0;  // of the last cycle

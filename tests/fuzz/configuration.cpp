@@ -4,6 +4,7 @@
 #include "memory_file.hpp"
 
 #include <configuration/configuration.hpp>
+#include <configuration/home.hpp>
 #include <devices/haptic_device.hpp>
 
 #include <algorithm>
@@ -33,17 +34,19 @@ std::string text_of(const example::configuration& c) {
   std::string all = c.mechanism + c.law + c.port + c.sensor + c.log + remarks(c) + std::to_string(c.tare);
   const auto add = [&](const auto&... p) { ((all += ph::to_text(p)), ...); };
   add(c.tendon_two_link, c.xy_table, c.five_bar, c.brakes, c.encoders, c.rates, c.curves[0], c.curves[1],
-      c.force, c.homing, c.loop, c.real_time, c.safety, c.supervisor, c.comedi, c.serial, c.comedi_sensor,
-      c.net_ft, c.simulation);
+      c.force, c.homing, c.start, c.loop, c.real_time, c.safety, c.supervisor, c.comedi, c.serial,
+      c.comedi_sensor, c.net_ft, c.simulation);
   return all;
 }
 
 void check(example::configuration c) {
   require_valid(c.tendon_two_link, c.xy_table, c.five_bar, c.brakes, c.curves, c.encoders, c.rates, c.force,
-                c.homing, c.loop, c.real_time, c.safety, c.supervisor, c.serial, c.net_ft, c.simulation);
+                c.homing, c.start, c.sensor_frame, c.loop, c.real_time, c.safety, c.supervisor, c.serial,
+                c.net_ft, c.simulation);
   if (c.port == "comedi") require_valid(c.comedi);
   if (c.sensor == "comedi") require_valid(c.comedi_sensor);
   require(c.home.allFinite(), "a home pose that is not finite");
+  require(home_error(c).empty(), "a home pose deep in a wall", home_error(c));
 
   c.simulation.wire.clear();  // no file is to be made
   const auto device = make_device(c);
@@ -56,6 +59,7 @@ void check(example::configuration c) {
     now.time += c.loop.period;
     now.counts.fill(k < values.size() ? std::floor(values[k]) : static_cast<double>(k));
     now.readings.fill(values[k % values.size()]);
+    device->deepest_wall(now);
     const auto currents = device->cycle(now, example::phase::running, r);
     for (std::size_t i = 0; i < currents.size(); ++i)
       require(currents[i] >= 0 && currents[i] <= c.safety.currents.largest[i], "a current out of its limits");

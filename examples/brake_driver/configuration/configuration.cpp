@@ -1,4 +1,5 @@
 #include <configuration/configuration.hpp>
+#include <configuration/home.hpp>
 #include <configuration/toml_section.hpp>
 
 #include <algorithm>
@@ -47,6 +48,7 @@ wall_normal add_wall(toml_section& from, configuration& c) {
   const auto add = [&](const auto& shape) -> wall_normal {
     const ph::wall wall(shape, stiffness);
     c.walls.add(wall);
+    c.named_walls.push_back({type, [shape](const ph::point<2>& x) { return shape.distance(x); }});
     c.wall_remarks += ph::remarks(wall);
     return [shape](const ph::point<2>& x) { return shape.gradient(x); };
   };
@@ -144,6 +146,8 @@ void read_homing(toml_section from, configuration& c) {
         "pose is missing, expected joint positions at the start [rad]: this arm does not reach (0.08, "
         "0.2245) m");
   from.read_all(c.homing);
+  from.read_all(c.start);
+  from.require(home_error(c));
 }
 
 // How the sensor turns, which a five_bar does not say by itself.
@@ -302,8 +306,8 @@ std::string remarks(const configuration& c) {
   if (c.mechanism == "tendon_two_link") add(c.tendon_two_link);
   else if (c.mechanism == "xy_table") add(c.xy_table);
   else add(c.five_bar);
-  add(c.brakes, c.curves[0], c.curves[1], c.encoders, c.rates, c.homing, c.force, c.loop, c.real_time,
-      c.safety, c.supervisor);
+  add(c.brakes, c.curves[0], c.curves[1], c.encoders, c.rates, c.homing, c.start, c.force, c.loop,
+      c.real_time, c.safety, c.supervisor);
   if (c.port == "simulated") add(c.simulation);
   if (c.port == "serial") add(c.serial);
   if (c.sensor == "net_ft") add(c.net_ft);

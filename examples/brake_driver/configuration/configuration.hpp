@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace example {
 
@@ -27,6 +28,25 @@ inline constexpr int axes = 2, sensor_channels = 6;
 /// The unit normal of a wall near a point, out of the wall.
 using wall_normal = std::function<ph::point<2>(const ph::point<2>&)>;
 
+/// A wall, as a person finds it in the file.
+struct named_wall {
+  std::string type;                                     ///< "plane" or "ball".
+  std::function<double(const ph::point<2>&)> distance;  ///< Signed, positive in free space [m].
+};
+
+/// Where the handle may be when the brakes come on.
+struct start_parameters {
+  double largest_start_depth = 0.005;  ///< Deepest that it may be in a wall [m].
+
+  /// The table of passive_haptics/core/parameters.hpp.
+  static constexpr auto members() {
+    using p = start_parameters;
+    return ph::member_table(ph::member("largest_start_depth", &p::largest_start_depth, "m",
+                                       ph::range::not_negative, ph::plausible(0, 0.02))
+                                .large_over(0.1));
+  }
+};
+
 /// A configuration file, checked.
 struct configuration {
   std::string mechanism = "tendon_two_link";  ///< Or xy_table, five_bar.
@@ -37,6 +57,7 @@ struct configuration {
   std::string law = "direct_control";  ///< Or velocity_direct_control, no_direct_control.
   std::string wall_remarks;            // for remarks()
   ph::world_walls<2> walls;
+  std::vector<named_wall> named_walls;        ///< The walls in the order of the file.
   wall_normal first_normal;                   ///< Of the first of them.
   ph::brake_parameters<double, axes> brakes;  ///< What the controller believes.
 
@@ -48,6 +69,7 @@ struct configuration {
   ph::planar_sensor_frame<2> sensor_frame;
   ph::vector<double, axes> home = {0.55, -1.6};  ///< Joint positions at the start [rad or m].
   ph::steady_parameters homing;
+  start_parameters start;
   bool tare = true;             ///< Whether the sensor's offset is taken at the start, with the hand off.
   double tare_tolerance = 0.5;  ///< Most that a channel may move meanwhile, in its unit.
 

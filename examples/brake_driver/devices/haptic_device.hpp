@@ -3,6 +3,7 @@
 #pragma once
 
 #include <configuration/configuration.hpp>
+#include <configuration/home.hpp>
 #include <ports/any_port.hpp>
 #include <report/record.hpp>
 
@@ -33,6 +34,8 @@ class haptic_device {
   virtual phase prepare(const samples& now) noexcept = 0;
   /// What kept homing or taring from its end so far, in words.
   virtual std::string hindrance() const = 0;
+  /// The wall in which the handle is deepest now; once it is homed.
+  virtual wall_depth deepest_wall(const samples& now) const noexcept = 0;
   /// One cycle with walls, or without where it is not `running` yet: currents [A], and what is to be written
   /// down.
   virtual ph::brake_currents<axes> cycle(const samples& now, phase doing, record& r) noexcept = 0;

@@ -61,6 +61,11 @@ class mechanism_device final : public haptic_device {
     }
   }
 
+  wall_depth deepest_wall(const samples& now) const noexcept override {
+    const auto q = calibration_.joint_positions(now.counts);
+    return example::deepest_wall(configuration_.named_walls, control_.mechanism().position(q));
+  }
+
   ph::brake_currents<axes> cycle(const samples& now, phase doing, record& r) noexcept override {
     auto state = calibration_.state(now.time, now.counts, now.readings);
     state.time = now.now;

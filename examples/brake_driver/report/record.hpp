@@ -3,6 +3,7 @@
 #pragma once
 
 #include <configuration/configuration.hpp>
+#include <configuration/home.hpp>
 
 #include <array>
 #include <cstdint>
@@ -39,6 +40,7 @@ struct record {
   phase doing = phase::homing;
   ph::port_state state = ph::port_state::ready;
   ph::fault_record reason;                   ///< Why the brakes are released.
+  wall_depth too_deep;                       ///< Why ready brakes do not come on; none where they may.
   bool needs_homing = false;                 ///< Whether they stay so until the program starts again.
   ph::fault_record held_over;                ///< What is wrong with the last samples.
   pair q = unknown_pair, qd = unknown_pair;  ///< [rad or m], and of it a second; known once it is homed.

@@ -54,6 +54,11 @@ std::string bar(double share, std::size_t width) {
 
 std::string words(const ph::fault_record& i) { return i.what == ph::fault::none ? "" : to_string(i); }
 
+// Why the brakes are released, or why they do not come on.
+std::string reason(const record& r) {
+  return r.too_deep.number > 0 ? not_activated_in_words(r.too_deep) : words(r.reason);
+}
+
 // A line of the log: what all logs have, then what only a device has.
 void put(log_row& row, const joint_kinds& joints, const record& r) {
   row.start();
@@ -61,7 +66,7 @@ void put(log_row& row, const joint_kinds& joints, const record& r) {
   put_decision(row, joints, r.decision, r.was_asked);
   row.put("cycle", "1", r.number);
   row.put("state", to_string(r.state));
-  row.put("reason", words(r.reason));
+  row.put("reason", reason(r));
   row.put("held_over", words(r.held_over));
   row.put("x", "m", r.x[0]);
   row.put("y", "m", r.x[1]);
@@ -175,7 +180,8 @@ void report_sink::show() {
   const double degrees = ph::degrees(r.decision.gamma);
   const char* const ampere = r.current_is_known ? "A" : "A?";
   std::string state(to_string(r.state));
-  if (r.state == ph::port_state::ready) state += std::string(", ") + words(r.doing);
+  if (r.too_deep.number > 0) state += ", " + not_activated_in_words(r.too_deep);
+  else if (r.state == ph::port_state::ready) state += std::string(", ") + words(r.doing);
   if (r.reason.what != ph::fault::none) state += ": " + to_string(r.reason);
   else if (r.held_over.what != ph::fault::none) state += ", holding over " + to_string(r.held_over);
 

@@ -80,7 +80,11 @@ class bench : public a_driver {
 
   std::string row() {
     fs::create_directory(directory / "log");
-    settings s{.supervisor_timeout = timeout, .period = 4e-3, .hand_start = 0, .watchdog = watchdog};
+    settings s{.supervisor_timeout = timeout,
+               .period = 4e-3,
+               .hand_start = 0,
+               .watchdog = watchdog,
+               .start_depth = 0.1};
     s.homing = case_.when == stage::homing ? 1 : 0.1;
     s.top = "log = \"log/brake_driver.csv\"\n";
     s.sections = std::string("[[wall]]\npoint = [0, 0.2245]\nnormal = [0, -1]\nstiffness = 1e7\n");

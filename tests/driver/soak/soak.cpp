@@ -162,7 +162,7 @@ TEST_F(a_soak, holds_nothing_more_at_its_end) {
   const char* const given = std::getenv("PASSIVE_HAPTICS_SOAK");
   const double seconds = given == nullptr ? 3600 : std::atof(given);
   std::printf("%g s, seed %llu\n", seconds, static_cast<unsigned long long>(seed));
-  settings s{.supervisor_timeout = timeout, .hand_start = 1};
+  settings s{.supervisor_timeout = timeout, .hand_start = 1, .start_depth = 0.1};
   std::string text = s.text();
   text.insert(text.find("[simulation]\n") + 13, "wire = \"wire\"\n");
   file("c.toml", text);
