@@ -64,7 +64,7 @@ constexpr std::array tests{
                      "brake_identification.cpp"},
     test_of_a_hazard{"a_driver_without", "standard_descriptors_leaves_a_whole_log",
                      "program/surroundings.cpp"},
-    test_of_a_hazard{"START", "DEPTH", "program/running.cpp"},
+    test_of_a_hazard{"a_handle", "deep_in_a_wall_gets_no_brakes_and_the_end_says_so", "program/home.cpp"},
 };
 
 std::string milliseconds(double seconds) {
