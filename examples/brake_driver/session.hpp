@@ -16,8 +16,8 @@ struct session_options {
 };
 
 /// Runs until a signal, the time or an exception ends it. 0, or 1 where the device is not there; else 3 where
-/// a fault released the brakes, rearmed or not, or the device did not confirm 0 A, 4 where the log is not whole, 7 both. Throws std::invalid_argument with what
-/// is wrong with the configuration.
+/// a fault released the brakes, rearmed or not, or the device did not confirm 0 A, 4 where the log is not
+/// whole, 7 both. Throws std::invalid_argument with what is wrong with the configuration.
 int run_session(const configuration& c, const session_options& options);
 
 }  // namespace example
