@@ -49,6 +49,7 @@ simulated_port make_simulated() {
   example::configuration c;
   c.first_normal = [](const ph::point<2>&) { return ph::point<2>(0, -1); };
   c.force.newtons_per_unit.setIdentity();
+  c.sensor_frame.link.setOnes();
   return simulated_port(std::make_shared<example::simulation<arm>>(arm(), c));
 }
 
