@@ -78,6 +78,7 @@ class threaded_port {
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit threaded_port(Port port, const polling_parameters& p = {}) : thread_(p, std::move(port)) {}
+  /// The thread goes on; what it was moved from releases nothing.
   threaded_port(threaded_port&&) noexcept = default;
   ~threaded_port() { release(); }  // then the thread's last look carries it out
 
