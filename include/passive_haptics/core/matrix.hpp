@@ -52,6 +52,7 @@ matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
 /// A with rows of zeros under it, `Rows` rows in all.
 template <int Rows, class T, int R, int C>
 matrix<T, Rows, C> padded(const matrix<T, R, C>& A) {
+  static_assert(R <= Rows);
   matrix<T, Rows, C> tall = matrix<T, Rows, C>::Zero();
   tall.template topRows<R>() = A;
   return tall;

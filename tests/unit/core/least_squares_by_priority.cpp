@@ -38,6 +38,30 @@ TYPED_TEST(least_squares_by_priority, leave_to_later_levels_what_earlier_ones_do
       << "says nothing";
 }
 
+// More unknowns than are eliminated in closed form, and fewer rows before the last level than unknowns.
+TYPED_TEST(least_squares_by_priority, hold_for_few_rows_and_many_unknowns) {
+  using T = TypeParam;
+  constexpr int N = 6;
+  const ph::vector<T, N> none = ph::vector<T, N>::Zero(), one = ph::vector<T, N>::Ones();
+  const ph::least_squares_level least{ph::identity_matrix<T, N>()};
+  const T half = T(0.5), rounding = 100 * std::numeric_limits<T>::epsilon();
+  const auto expect_near = [&](const ph::vector<T, N>& found, const ph::vector<T, N>& right) {
+    for (int i = 0; i < N; ++i) EXPECT_NEAR(found[i], right[i], rounding) << i;
+  };
+  ph::matrix<T, 1, N> sum = ph::matrix<T, 1, N>::Ones();
+  const ph::vector<T, 1> three(T(3));
+  expect_near(ph::least_squares_by_priority(none, one, ph::least_squares_level{sum, three}, least),
+              half * one);
+  ph::matrix<T, 2, N> rows = ph::matrix<T, 2, N>::Zero();
+  rows.row(0).setOnes();
+  rows(1, 0) = 1;
+  ph::vector<T, N> first = ph::vector<T, N>::Constant(T(0.4));
+  first[0] = 1;
+  expect_near(ph::least_squares_by_priority(
+                  none, one, ph::least_squares_level{rows, ph::vector<T, 2>(T(3), T(5))}, least),
+              first);
+}
+
 TYPED_TEST(least_squares_by_priority, stop_at_the_bounds_exactly) {
   using suite = TestFixture;
   using values = typename suite::unknowns;

@@ -67,7 +67,8 @@ vector<T, N> least_squares_by_priority(const vector<T, N>& lower, const vector<T
     detail::settle<N>(x, held, lower, upper, levels...);
     return x;
   } else {
-    constexpr int rows = MostRows >= 0 ? std::max({MostRows, Rows...}) : (Rows + ...) - N;
+    // Room for each level alone, and for all but the last together
+    constexpr int rows = std::max({MostRows >= 0 ? MostRows : (Rows + ...) - N, Rows...});
     prioritised_least_squares<T, N, rows> x(lower, upper);
     const auto minimise = [&](const auto& level) {
       if (!level.A.isZero(T(0))) x.minimise(padded<rows>(level.A), padded<rows>(level.b));

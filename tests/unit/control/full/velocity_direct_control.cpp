@@ -1,8 +1,11 @@
 // Direct control at the level of velocities, and what it is made of.
+#include "../../../property/chain_cases.hpp"
 #include "../../support.hpp"
 
 #include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/laws/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
@@ -17,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <stdexcept>
 #include <utility>
 
@@ -431,6 +435,37 @@ TEST(velocity_direct_control, holds_in_the_corner_of_two_walls) {
   }
   EXPECT_GT(shallowest, 1e-4);
   EXPECT_LT(deepest, 2e-3);
+}
+
+// More brakes than the least squares eliminate in closed form, fewer walls than brakes.
+TEST(velocity_direct_control, keeps_to_six_brakes_at_two_walls) {
+  using chain = chains::irregular_chain<double, 6, 3>;
+  using M = chain::mechanism;
+  const M arm = chain::make();
+  const auto brakes = ph::brakes_of<M>();
+  std::cout << "seed 36\n";
+  ph::testing::random_source random(36);
+  int displayed = 0;
+  for (int k = 0; k < 300; ++k) {
+    ph::device_state<M> state{
+        .time = 1, .q = random.normal_vector<double, 6>(), .qd = random.normal_vector<double, 6>()};
+    state.hand_force = random.normal_vector<double, 3>();
+    const ph::point<3> x = arm.position(state.q), n = random.direction<double, 3>(),
+                       other = random.direction<double, 3>();
+    ph::controller control(arm, brakes,
+                           ph::scene(ph::wall(ph::half_space<3>(x + 1e-3 * n, n)),
+                                     ph::wall(ph::half_space<3>(x + 2e-3 * other, other))),
+                           law());
+    const auto result = control(state);
+    ASSERT_EQ(result.outcome, ph::status::ok) << k;
+    for (int i = 0; i < 6; ++i) {
+      ASSERT_GE(result.capacity[i], 0) << k;
+      ASSERT_LE(result.capacity[i], brakes.torque_limit[i]) << k;
+      ASSERT_LE(result.signs[i] * result.torque[i], 0) << k;
+    }
+    displayed += !result.capacity.isZero();
+  }
+  EXPECT_GT(displayed, 100);
 }
 
 // Each brake there is at rest: what pushes it tells its sign, not the velocity that is stopped at both walls.
