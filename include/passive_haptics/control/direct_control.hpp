@@ -63,9 +63,8 @@ struct direct_control {
   /// @equation{12}
   template <class T, int D>
   T scale(const contact_situation<T, D>& c) const noexcept {
-    const lanes<T, 1> pressing = -c.hand_force.dot(c.normal), desired = c.desired_magnitude;
-    const lanes<T, 1> leaving = c.normal_velocity, nulling = max(min(pressing, desired), T(0)) / desired;
-    return choose(leaving > -static_cast<T>(velocity_dead_band), nulling, T(1))[0];
+    const T alpha = clamped(-c.hand_force.dot(c.normal) / c.desired_magnitude, T(0), T(1));
+    return choose(c.normal_velocity > -static_cast<T>(velocity_dead_band), alpha, T(1));
   }
 };
 

@@ -2,6 +2,8 @@
 /// Loops over compile-time sizes, unrolled at every optimisation level.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
+
 #include <utility>
 
 namespace passive_haptics {
@@ -10,7 +12,8 @@ namespace passive_haptics {
 /// control cycle.
 template <int N, class F>
 [[gnu::always_inline]] constexpr void unrolled(F&& f) {
-  [&]<int... I>(std::integer_sequence<int, I...>) { (f(I), ...); }(std::make_integer_sequence<int, N>());
+  [&]<int... I>(std::integer_sequence<int, I...>)
+      PASSIVE_HAPTICS_INLINE { (f(I), ...); }(std::make_integer_sequence<int, N>());
 }
 
 }  // namespace passive_haptics

@@ -45,7 +45,7 @@ struct approximated_force {
 /// a F: the force a Fc has the torques a t, as t = E^T F. The angle stays.
 template <class T, int D, int Brakes>
 approximated_force<T, D, Brakes> operator*(T a, const approximated_force<T, D, Brakes>& F) {
-  return {F.display, a * F.force, a * F.torque, F.cosine_squared};
+  return {F.display, lanes(F.force) * a, lanes(F.torque) * a, F.cosine_squared};
 }
 
 /// cos^2 of the angle between a force [N] and the unit direction n; 0 from 90 degrees on. For accounts: it
@@ -86,24 +86,41 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
   return {display_class::approximate, Fc, tc, square};
 }
 
+namespace detail {
+
+// A vector of the plane for each of two brakes, and the scalar products of each.
+template <class T>
+struct vectors_of_brakes {
+  lanes<T, 2> x, y;
+  [[gnu::always_inline]] friend lanes<T, 2> dot(const vectors_of_brakes& a, const vectors_of_brakes& b) {
+    return a.x * b.x + a.y * b.y;
+  }
+  [[gnu::always_inline]] friend lanes<T, 2> dot(const vectors_of_brakes& a, const vector<T, 2>& b) {
+    return a.x * b[0] + a.y * b[1];
+  }
+};
+
+}  // namespace detail
+
 /// The same for two brakes in the plane: one that would drive is released, the other alone makes Fc along its
 /// reference force R (Fig. 3), at right angles to the released one's column of E: Fc = R / (R . n).
 template <class T>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
                                         const vector<T, 2>& n, T min_cosine, half_space_start&) {
-  using each = lanes<T, 2>;  // of both brakes
-  const each sign = s, t = brake_torque(E, n), x = row(E, 0), y = row(E, 1);
-  const each Rx = swapped(y), Ry = -swapped(x);
-  const each square = Rx * Rx + Ry * Ry, along = Rx * n[0] + Ry * n[1], scale = T(1) / along;
-  const each alone = area_or_zero(x * Rx + y * Ry, square, swapped(square)) * scale;
-  const each cosine_squared = along * along / square, least = std::max(min_cosine, rounding_tolerance<T>(2));
+  using each = lanes<T, 2>;  // brake 1, brake 2
+  const each sign = s, t = brake_torque(E, n);
+  // Of each brake: its column of E, and R at right angles to the other one's
+  const detail::vectors_of_brakes<T> e{row(E, 0), row(E, 1)}, R{swapped(e.y), -swapped(e.x)};
+  const each RR = dot(R, R), Rn = dot(R, n), share = T(1) / Rn;
+  const each t_alone = area_or_zero(dot(e, R), RR, swapped(RR)) * share;
+  const each cosine_squared = Rn * Rn / RR, least = std::max(min_cosine, rounding_tolerance<T>(2));
   const auto drives = sign * t > T(0), some = drives | swapped(drives);
-  const auto holds = swapped(drives) & (sign * alone <= T(0)) & (along * along >= least * least * square);
-  const auto nearest = choose(any(holds), display_class::approximate, display_class::none);
-  const each of_Fc = choose(first(holds), scale, T(0));  // both hold where their columns are parallel
-  return {choose(some[0], nearest, display_class::exact), choose(some, sums(Rx * of_Fc, Ry * of_Fc), n),
-          choose(some, choose(holds, alone, T(0)), t),
-          choose(some[0], sum(choose(first(holds), cosine_squared, T(0))), T(1))};
+  const auto acts = swapped(drives) & (sign * t_alone <= T(0)) & (Rn * Rn >= least * least * RR);
+  const auto nearest = choose(any(acts), display_class::approximate, display_class::none);
+  const each of_R = choose(first(acts), share, T(0));  // both act where their columns are parallel
+  return {choose(some[0], nearest, display_class::exact), choose(some, sums(R.x * of_R, R.y * of_R), n),
+          choose(some, choose(acts, t_alone, T(0)), t),
+          choose(some[0], sum(choose(first(acts), cosine_squared, T(0))), T(1))};
 }
 
 /// The same for a diagonal E: each axis alone.

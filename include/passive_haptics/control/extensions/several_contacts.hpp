@@ -97,12 +97,27 @@ auto operator*(const contact_scales<T, N>& scales,
 
 namespace detail {
 
+// Whether what is commanded is Fc itself: no wall's force is scaled or comes first, no limit is met.
+template <class M, class T, int N>
+bool is_whole(const contact_scales<T, N>& scales, int count, const torque_box<T, M::brake_count>& box,
+              const brake_vector<M>& t) {
+  bool whole = true;
+  for (int j = 0; j < count; ++j)
+    whole = whole && scales.alpha[j] == T(1) && !scales.first[static_cast<std::size_t>(j)];
+  for (int i = 0; i < M::brake_count; ++i)
+    whole = whole && (t[i] == T(0) || (t[i] > box.lower[i] && t[i] < box.upper[i]));
+  return whole;
+}
+
 // Fc of several walls before alpha and limits; exact where each gets all that it asks for.
 template <class M, class Box, class T, int D, int N, class Now>
-auto unscaled(const Now& now, displayable_forces<M, Box, desired_forces<T, D, N>> Fc) {
-  constexpr T infinity = std::numeric_limits<T>::infinity();
-  Fc.box = torques_within(now.s, brake_vector<M>(brake_vector<M>::Constant(infinity)));
-  approximated_force<T, D, M::brake_count> F = contact_scales<T, N>() * Fc;
+auto unscaled(const Now& now, displayable_forces<M, Box, desired_forces<T, D, N>> Fc,
+              const contact_scales<T, N>& scales, approximated_force<T, D, M::brake_count> F) {
+  if (!is_whole<M>(scales, Fc.Fd.size(), Fc.box, F.torque)) {
+    constexpr T infinity = std::numeric_limits<T>::infinity();
+    Fc.box = torques_within(now.s, brake_vector<M>(brake_vector<M>::Constant(infinity)));
+    F = contact_scales<T, N>() * Fc;
+  }
   const T size = F.force.norm(), tolerance = rounding_tolerance<T>(M::brake_count + N) * size;
   bool met = true;
   for (int j = 0; j < Fc.Fd.size(); ++j) {
@@ -153,7 +168,7 @@ Answer account(const cycle_parts<M, B, L>& with, const Now& now, const contacts<
   if constexpr (!requires(Answer answer) { answer.contacts; }) {
     return summary(Fc_scaled);
   } else {
-    Force whole = detail::unscaled(now, Fc);
+    Force whole = detail::unscaled(now, Fc, scales, Fc_scaled);
     // At a pose where rounding decides what brakes without limits could do, what is commanded is told
     if (!displays_by_generators<M> && !detail::is_in_cone(now, whole))
       whole = {display_class::approximate, Fc_scaled.force, Fc_scaled.torque,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
-#include <passive_haptics/core/linear/packets.hpp>
+#include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/core/matrix.hpp>
 
 #include <algorithm>
@@ -20,8 +20,7 @@ namespace passive_haptics::detail {
 template <class T, int D, int M>
 class column_subset {
  public:
-  using row = packets<T, M>;                           ///< A number for each column of V.
-  using packet = typename row::packet;                 ///< Some of them.
+  using row = lanes<T, M>;                             ///< A number for each column of V.
   static constexpr std::size_t rows = std::size_t(D);  ///< Of V.
 
   /// Of V by rows and f. in_set: 1 for the columns in S, else 0.
@@ -44,11 +43,8 @@ class column_subset {
     row u{}, size{};
     unrolled<D>([&](auto k) {
       const T c = z_[k] * inverse_[k], magnitude = std::abs(c);
-      unrolled<row::count>([&](auto i) {
-        const packet r = r_[k].p[i];
-        u.p[i] += c * r;
-        size.p[i] += magnitude * (r < packet{} ? -r : r);
-      });
+      u += c * r_[k];
+      size += magnitude * abs(r_[k]);
     });
     return {u, size};
   }
@@ -61,7 +57,7 @@ class column_subset {
       z[k] = g[equation_[k]];
       for (int l = 0; l < k; ++l) z[k] -= lower_[k][l] * z[l];
       const T c = z[k] * inverse_[k];
-      unrolled<row::count>([&](auto i) { u.p[i] += c * r_[k].p[i]; });
+      u += c * r_[k];
     });
     return u;
   }
@@ -71,15 +67,13 @@ class column_subset {
   static constexpr T dependent = rounding_tolerance<T>(D) * rounding_tolerance<T>(D);
 
   [[gnu::always_inline]] static T product(const row& weight, const row& a, const row& b) {
-    row c;
-    unrolled<row::count>([&](auto i) { c.p[i] = weight.p[i] * a.p[i]; });
-    return c.dot(b);
+    return dot(weight * a, b);
   }
 
   // Row l less its part along row k
   [[gnu::always_inline]] void project(int l, int k, const row& in_set) {
     const T h = product(in_set, r_[k], r_[l]) * inverse_[k];
-    r_[l].subtract(h, r_[k]);
+    r_[l] -= h * r_[k];
     z_[l] -= h * z_[k];
     lower_[l][k] += h;
   }

@@ -39,12 +39,9 @@ class least_norm {
       if (!subset.reaches(rounding_tolerance<T>(D * M))) return false;
       const auto solution = subset.solution();
       const row &u = solution.first, &size = solution.second;
-      row entering, leaving;
-      unrolled<row::count>([&](auto i) {
-        const packet noise = T(4 * D) * std::numeric_limits<T>::epsilon() * size.p[i];
-        entering.p[i] = u.p[i] > noise ? allowed.p[i] - in_set.p[i] : packet{};
-        leaving.p[i] = u.p[i] < -noise ? in_set.p[i] : packet{};
-      });
+      const row noise = T(4 * D) * std::numeric_limits<T>::epsilon() * size;
+      const row entering = choose(u > noise, allowed - in_set, T(0));
+      const row leaving = choose(u < -noise, in_set, T(0));
       const bool any_leaves = count(leaving) > T(0);
       // A basis has one solution: what is negative in it is rounding
       if (any_leaves && count(in_set) > T(rank)) {
@@ -57,7 +54,7 @@ class least_norm {
         else refine(subset, in_set, x);
         return true;
       }
-      unrolled<row::count>([&](auto i) { in_set.p[i] += entering.p[i]; });
+      in_set += entering;
     }
     return true;
   }
@@ -65,7 +62,6 @@ class least_norm {
  private:
   using subset_type = column_subset<T, D, M>;
   using row = typename subset_type::row;
-  using packet = typename subset_type::packet;
 
   [[gnu::always_inline]] static row weights(half_space_set set) {
     vector<T, M> w;
@@ -73,32 +69,24 @@ class least_norm {
     return row::load(w.data());
   }
 
-  [[gnu::always_inline]] static T count(const row& set) {
-    row ones;
-    unrolled<row::count>([&](auto i) { ones.p[i] = packet{} + T(1); });
-    return set.dot(ones);
-  }
+  [[gnu::always_inline]] static T count(const row& set) { return dot(set, row(T(1))); }
 
   // x = u on the set, without rounding below 0
   [[gnu::always_inline]] static void take(const row& u, const row& in_set, vector<T, M>& x) {
-    row taken;
-    unrolled<row::count>([&](auto i) { taken.p[i] = u.p[i] > packet{} ? in_set.p[i] * u.p[i] : packet{}; });
-    taken.store(x.data());
+    choose(u > T(0), in_set * u, T(0)).store(x.data());
   }
 
   // x and the solution for what it leaves of f: V x = f to rounding of its terms, whatever the subset lost
   [[gnu::always_inline]] void refine(const subset_type& subset, const row& in_set, vector<T, M>& x) const {
     const row made = row::load(x.data());
     vector<T, D> left;
-    unrolled<D>([&](auto k) { left[k] = f_[k] - rows_[k].dot(made); });
-    row sum = subset.solution_of(left);
-    unrolled<row::count>([&](auto i) { sum.p[i] += made.p[i]; });
-    take(sum, in_set, x);
+    unrolled<D>([&](auto k) { left[k] = f_[k] - dot(rows_[k], made); });
+    take(subset.solution_of(left) + made, in_set, x);
   }
 
   // x on the set without some that are 0 to rounding, so that the others make all of f.
   [[gnu::noinline]] void take_without(const row& leaving, row in_set, vector<T, M>& x) const {
-    unrolled<row::count>([&](auto i) { in_set.p[i] -= leaving.p[i]; });
+    in_set -= leaving;
     take(subset_type(rows_, f_, in_set).solution().first, in_set, x);
   }
 

@@ -29,7 +29,7 @@ class active_set {
   PASSIVE_HAPTICS_FLATTEN half_space_projection<T, Rows, Columns> nearest(half_space_start& start) {
     prepare();
     const auto products = products_with(qr_.residual());
-    const half_space_set violated = positive_entries(products);
+    const half_space_set violated = bits(products > T(0));
     if (violated == start.violated) append_all(start.active & all);
     else guess(products);
     if (!is_nearest()) exchange();
@@ -46,38 +46,32 @@ class active_set {
   static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
   using qr = updatable_qr<T, Rows, most>;
   using column = typename qr::column;
-  using packet = typename column::packet;
   using coefficients = typename qr::coefficients;
-  using by_half_space = packets<T, Columns>;
+  using by_half_space = lanes<T, Columns>;
 
   [[gnu::always_inline]] column half_space(int j) const { return column::load(b_ + j * Rows); }
 
   [[gnu::always_inline]] void prepare() {
-    const T ff = qr_.residual().dot(qr_.residual());
+    const T ff = dot(qr_.residual(), qr_.residual());
     vanishing_ = rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * ff;
     const auto square = sums<T, Columns>([&](int j) {
       const column b = half_space(j);
-      return b.products(b);
+      return passive_haptics::products(b, b);
     });
     square.store(square_);
     // What is so short that its square is no number any more restricts nothing
-    square.map([](packet s) { return s > std::numeric_limits<T>::min() ? T(1) / s : packet{}; })
-        .store(weight_);
+    choose(square > std::numeric_limits<T>::min(), T(1) / square, T(0)).store(weight_);
   }
 
   // B^T x
   [[gnu::always_inline]] by_half_space products_with(const column& x) const {
-    return sums<T, Columns>([&](int j) { return half_space(j).products(x); });
+    return sums<T, Columns>([&](int j) { return passive_haptics::products(half_space(j), x); });
   }
 
   // The squares of x's parts beyond the half-spaces that may enter; from B^T x.
-  [[gnu::always_inline]] by_half_space squares_beyond(by_half_space products) const {
-    const auto weight = by_half_space::load(weight_);
-    unrolled<by_half_space::count>([&](auto i) {
-      const packet x = products.p[i] > packet{} ? products.p[i] : packet{};
-      products.p[i] = weight.p[i] * x * x;
-    });
-    return products;
+  [[gnu::always_inline]] by_half_space squares_beyond(const by_half_space& products) const {
+    const by_half_space x = max(by_half_space(T(0)), products);
+    return by_half_space::load(weight_) * x * x;
   }
 
   // The same of the residual r, and what so many roundings of it come to: of an r that is rounding, anything.
@@ -85,7 +79,7 @@ class active_set {
     return squares_beyond(products_with(qr_.residual()));
   }
   [[gnu::always_inline]] T square_of(int roundings) const {
-    const T rr = qr_.residual().dot(qr_.residual());
+    const T rr = dot(qr_.residual(), qr_.residual());
     const T tolerance = T(roundings) * std::numeric_limits<T>::epsilon();
     return rr > vanishing_ ? tolerance * tolerance * rr : std::numeric_limits<T>::infinity();
   }
@@ -121,9 +115,8 @@ class active_set {
       const int k = qr_.size();
       if (!append(j, [&, j = j](int l) { return along[l][j]; })) continue;
       const auto product = products_with(qr_.orthogonal(k));
-      products.subtract(qr_.along(k), product);
-      const T scale = qr_.inverse_square(k);
-      product.map([&](packet x) { return scale * x; }).store(along[k]);
+      products -= qr_.along(k) * product;
+      (qr_.inverse_square(k) * product).store(along[k]);
     }
   }
 

@@ -14,6 +14,51 @@ T sum(const lanes<T, N>& x) {
   return all;
 }
 
+/// x_0 y_0 + ... + x_{N-1} y_{N-1}, as a packet whose sum it is.
+template <class T, int N>
+[[gnu::always_inline]] inline auto products(const lanes<T, N>& x, const lanes<T, N>& y) {
+  if constexpr (x.count == 1) {
+    return x.p[0] * y.p[0];
+  } else {  // two sums, neither of which waits for the other
+    typename lanes<T, N>::packet even = x.p[0] * y.p[0], odd = x.p[1] * y.p[1];
+    unrolled<lanes<T, N>::count - 2>([&](auto i) { (i % 2 == 0 ? even : odd) += x.p[i + 2] * y.p[i + 2]; });
+    return even + odd;
+  }
+}
+
+/// x_0 y_0 + ... + x_{N-1} y_{N-1}
+template <class T, int N>
+[[gnu::always_inline]] inline T dot(const lanes<T, N>& x, const lanes<T, N>& y) {
+  const auto s = products(x, y);
+  if constexpr (x.width == 1) return s;
+  else if constexpr (x.width == 2) return s[0] + s[1];
+  else return (s[0] + s[2]) + (s[1] + s[3]);
+}
+
+/// N numbers, number j the sum over the packet f(j): added crosswise, in half of the instructions of N sums.
+template <class T, int N, class F>
+[[gnu::always_inline]] inline lanes<T, N> sums(F&& f) {
+  using packet = typename lanes<T, N>::packet;
+  constexpr int width = lanes<T, N>::width;
+  lanes<T, N> a;
+  unrolled<lanes<T, N>::count>([&](auto i) {
+    packet x[std::size_t(width)];
+    unrolled<width>([&](auto k) { x[k] = i * width + k < N ? f(i * width + k) : packet{}; });
+    if constexpr (width == 1) {
+      a.p[i] = x[0];
+    } else if constexpr (width == 2) {
+      a.p[i] = __builtin_shufflevector(x[0], x[1], 0, 2) + __builtin_shufflevector(x[0], x[1], 1, 3);
+    } else {
+      const packet y =
+          __builtin_shufflevector(x[0], x[1], 0, 4, 1, 5) + __builtin_shufflevector(x[0], x[1], 2, 6, 3, 7);
+      const packet z =
+          __builtin_shufflevector(x[2], x[3], 0, 4, 1, 5) + __builtin_shufflevector(x[2], x[3], 2, 6, 3, 7);
+      a.p[i] = __builtin_shufflevector(y, z, 0, 1, 4, 5) + __builtin_shufflevector(y, z, 2, 3, 6, 7);
+    }
+  });
+  return a;
+}
+
 /// (x_0 + x_1, y_0 + y_1), added crosswise.
 template <class T>
 lanes<T, 2> sums(const lanes<T, 2>& x, const lanes<T, 2>& y) {
@@ -58,26 +103,98 @@ template <class T, int N>
   return all;
 }
 
+namespace detail {
+
+// Integers of the size of T, and a register of them.
+template <class T>
+using integer_of = std::conditional_t<sizeof(T) == 8, long long, int>;
+template <class T>
+struct integers_of {
+  using type [[gnu::vector_size(16)]] = integer_of<T>;
+};
+
+// first, first + 1, ...: where a packet's numbers stand.
+template <class T>
+[[gnu::always_inline]] inline auto places(int first) {
+  return [&]<int... K>(std::integer_sequence<int, K...>) {
+    return typename integers_of<T>::type{integer_of<T>(first + K)...};
+  }(std::make_integer_sequence<int, lanes<T, 1>::width>());
+}
+
+/// The largest of x >= 0; what is NaN counts as 0.
+template <class T, int N>
+[[gnu::always_inline]] inline T largest_value(const lanes<T, N>& x) {
+  typename lanes<T, N>::packet most{};
+  unrolled<lanes<T, N>::count>([&](auto i) { most = x.p[i] > most ? x.p[i] : most; });
+  if constexpr (lanes<T, N>::width == 1) {
+    return most;
+  } else {
+    T value = most[0];
+    unrolled<lanes<T, N>::width - 1>([&](auto k) { value = most[k + 1] > value ? most[k + 1] : value; });
+    return value;
+  }
+}
+
+/// The largest of a vector's numbers and where it stands.
+template <class T>
+struct largest_entry {
+  T value;
+  int index;
+};
+
+// The index takes the place of the last five bits while they are compared.
+template <class T, int N>
+[[gnu::always_inline]] inline largest_entry<T> largest_of_marked(const lanes<T, N>& x) {
+  using packet = typename lanes<T, N>::packet;
+  using integers = typename integers_of<T>::type;
+  constexpr int width = lanes<T, N>::width;
+  constexpr integer_of<T> last_bits = 31;
+  static_assert(N <= last_bits + 1);
+  lanes<T, N> marked;
+  unrolled<lanes<T, N>::count>([&](auto i) {
+    marked.p[i] = bit_cast<packet>((bit_cast<integers>(x.p[i]) & ~last_bits) | places<T>(i * width));
+  });
+  const auto bits = bit_cast<integer_of<T>>(largest_value(marked));
+  return {bit_cast<T>(bits & ~last_bits), static_cast<int>(bits & last_bits)};
+}
+
+/// The largest of x >= 0, to 64 roundings. Which one it is, no processor could predict, so there is no
+/// branch.
+template <class T, int N>
+[[gnu::always_inline]] inline largest_entry<T> largest(const lanes<T, N>& x) {
+  if constexpr (lanes<T, N>::width == 1) {
+    largest_entry<T> most{T(0), 0};
+    for (int i = 0; i < N; ++i) {
+      if (x.p[i] > most.value) most = {x.p[i], i};
+    }
+    return most;
+  } else {
+    return largest_of_marked(x);
+  }
+}
+
+}  // namespace detail
+
 /// Row i of A.
 template <class T, int R, int C>
 lanes<T, C> row(const matrix<T, R, C>& A, int i) {
-  return lanes<T, C>([&](int j) { return A(i, j); });
+  return lanes<T, C>([&](int j) { return apart(A(i, j)); });
 }
 
 /// A x
 template <class T, int R, int C>
 vector<T, R> times(const matrix<T, R, C>& A, const vector<T, C>& x) {
   const auto column = [&](int j) { return lanes<T, R>([&](int i) { return A(i, j); }); };
-  lanes<T, R> y = column(0) * x[0];
-  unrolled<C - 1>([&](auto j) { y = y + column(j + 1) * x[j + 1]; });
+  lanes<T, R> y = column(0) * apart(x[0]);
+  unrolled<C - 1>([&](auto j) { y = y + column(j + 1) * apart(x[j + 1]); });
   return y;
 }
 
 /// A^T x
 template <class T, int R, int C>
 vector<T, C> transposed_times(const matrix<T, R, C>& A, const vector<T, R>& x) {
-  lanes<T, C> y = row(A, 0) * x[0];
-  unrolled<R - 1>([&](auto i) { y = y + row(A, i + 1) * x[i + 1]; });
+  lanes<T, C> y = row(A, 0) * apart(x[0]);
+  unrolled<R - 1>([&](auto i) { y = y + row(A, i + 1) * apart(x[i + 1]); });
   return y;
 }
 

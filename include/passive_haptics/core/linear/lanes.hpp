@@ -3,66 +3,32 @@
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
-#include <passive_haptics/core/linear/packets.hpp>
+#include <passive_haptics/core/linear/lane_mask.hpp>
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/scalar/bit_cast.hpp>
+#include <passive_haptics/core/unrolled.hpp>
 
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
 
 namespace passive_haptics {
-namespace detail {
 
-// What comparing two packets of T gives. In integers of 32 bits: g++ 12 would choose doubles one by one.
+/// x, read alone. clang++ 16 and later read a number that goes to all lanes together with what stands behind
+/// it, before functions are inlined: numbers that were just stored alone would then wait for each other.
 template <class T>
-struct truths_of {
-  using type [[gnu::vector_size(16)]] = std::int32_t;
-};
-template <class T>
-  requires std::same_as<typename packet_of<T>::type, T>
-struct truths_of<T> {
-  using type = bool;
-};
-
-// Bits of two packets: those of x where m is set, else those of y.
-template <class Packet, class Bits>
-[[gnu::always_inline]] inline Packet merged(const Bits& m, const Packet& x, const Packet& y) {
-  return bit_cast<Packet>((bit_cast<Bits>(x) & m) | (bit_cast<Bits>(y) & ~m));
+[[gnu::always_inline]] inline T apart(T x) {
+#if defined(__clang__) && __clang_major__ >= 15 && (defined(__SSE2__) || defined(__aarch64__))
+  if constexpr (detail::packet_width<T> > 1) {
+#if defined(__aarch64__)
+    asm("" : "+w"(x));
+#else
+    asm("" : "+x"(x));
+#endif
+  }
+#endif
+  return x;
 }
-template <class Packet>
-[[gnu::always_inline]] inline Packet with_sign_of(const Packet& x, const Packet& y) {
-  return merged(bit_cast<truths_of<double>::type>(-Packet{}), x, y);
-}
-
-}  // namespace detail
-
-/// N truths: what a comparison of lanes gives.
-template <class T, int N>
-struct lane_mask {
-  static constexpr int width = detail::packets<T, N>::width;  ///< Numbers of a register.
-  static constexpr int count = detail::packets<T, N>::count;  ///< Registers.
-  typename detail::truths_of<T>::type p[std::size_t(count)];  ///< All bits of a number set where it is true.
-
-  /// Truth i.
-  [[gnu::always_inline]] bool operator[](int i) const {
-    if constexpr (width == 1) return p[i];
-    else return p[i / width][i % width * (4 / width)] != 0;
-  }
-
-  /// Both.
-  friend lane_mask operator&(lane_mask a, const lane_mask& b) {
-    unrolled<count>([&](auto k) { a.p[k] = a.p[k] & b.p[k]; });
-    return a;
-  }
-  /// One or both.
-  friend lane_mask operator|(lane_mask a, const lane_mask& b) {
-    unrolled<count>([&](auto k) { a.p[k] = a.p[k] | b.p[k]; });
-    return a;
-  }
-};
 
 /// N numbers, such as one for each brake. What is written of them holds of each. Which brake slips, or is
 /// released, no processor can predict: a choice between lanes takes the same time whichever it is.
@@ -71,15 +37,16 @@ struct lane_mask {
 /// the numbers then live in registers. Other types than float and double are computed one by one.
 template <class T, int N>
 struct lanes {
-  using packet = typename detail::packets<T, N>::packet;  ///< A register of T.
-  using mask = lane_mask<T, N>;                           ///< What a comparison gives.
-  static constexpr int width = mask::width;               ///< Numbers of a register.
-  static constexpr int count = mask::count;               ///< Registers.
-  packet p[std::size_t(count)];                           ///< The numbers, and zeros beyond.
+  using packet = typename detail::packet_of<T>::type;  ///< A register of T.
+  using mask = lane_mask<T, N>;                        ///< What a comparison gives.
+  static constexpr int width = mask::width;            ///< Numbers of a register.
+  static constexpr int count = mask::count;            ///< Registers.
+  static constexpr int rest = N % width;               ///< Numbers in the last one, if it is not full.
+  packet p[std::size_t(count)];                        ///< The numbers, and zeros beyond.
 
   lanes() = default;
   /// N times the same number, also beyond the last.
-  lanes(T x) {
+  [[gnu::always_inline]] lanes(T x) {
     unrolled<count>([&](auto k) {
       if constexpr (width == 1) p[k] = x;
       else if constexpr (width == 2) p[k] = packet{x, x};
@@ -100,12 +67,26 @@ struct lanes {
   /// The numbers of a vector. One by one: a load of a packet would wait for numbers that were stored alone.
   lanes(const vector<T, N>& x) : lanes([&](int i) { return x[i]; }) {}
 
+  /// x[0], ..., x[N - 1], at any address, of numbers that were not stored just now.
+  [[gnu::always_inline]] static lanes load(const T* x) {
+    lanes a;
+    unrolled<N / width>([&](auto k) { std::memcpy(&a.p[k], x + k * width, sizeof(packet)); });
+    if constexpr (rest != 0) {
+      [&]<int... I>(std::integer_sequence<int, I...>) {
+        a.p[count - 1] = packet{x[N - rest + I]...};
+      }(std::make_integer_sequence<int, rest>());
+    }
+    return a;
+  }
+  /// Stores x[0], ..., x[N - 1].
+  [[gnu::always_inline]] void store(T* x) const {
+    unrolled<N / width>([&](auto k) { std::memcpy(x + k * width, &p[k], sizeof(packet)); });
+    if constexpr (rest != 0) unrolled<rest>([&](auto i) { x[N - rest + i] = p[count - 1][i]; });
+  }
   /// As a vector.
   [[gnu::always_inline]] operator vector<T, N>() const {
-    constexpr int rest = N % width;
     vector<T, N> x;
-    unrolled<N / width>([&](auto k) { std::memcpy(x.data() + k * width, &p[k], sizeof(packet)); });
-    if constexpr (rest != 0) unrolled<rest>([&](auto i) { x[N - rest + i] = p[count - 1][i]; });
+    store(x.data());
     return x;
   }
   /// Number i.
@@ -129,29 +110,31 @@ struct lanes {
     return x;
   }
 
-  friend lanes operator-(const lanes& a) {
+  [[gnu::always_inline]] friend lanes operator-(const lanes& a) {
     return each([&](auto k) { return -a.p[k]; });
   }
-  friend lanes operator+(const lanes& a, const lanes& b) {
+  [[gnu::always_inline]] friend lanes operator+(const lanes& a, const lanes& b) {
     return each([&](auto k) { return a.p[k] + b.p[k]; });
   }
-  friend lanes operator-(const lanes& a, const lanes& b) {
+  [[gnu::always_inline]] friend lanes operator-(const lanes& a, const lanes& b) {
     return each([&](auto k) { return a.p[k] - b.p[k]; });
   }
-  friend lanes operator*(const lanes& a, const lanes& b) {
+  [[gnu::always_inline]] friend lanes operator*(const lanes& a, const lanes& b) {
     return each([&](auto k) { return a.p[k] * b.p[k]; });
   }
-  friend lanes operator/(const lanes& a, const lanes& b) {
+  [[gnu::always_inline]] friend lanes operator/(const lanes& a, const lanes& b) {
     return each([&](auto k) { return a.p[k] / b.p[k]; });
   }
-  friend mask operator<(const lanes& a, const lanes& b) {
+  [[gnu::always_inline]] lanes& operator+=(const lanes& x) { return *this = *this + x; }
+  [[gnu::always_inline]] lanes& operator-=(const lanes& x) { return *this = *this - x; }
+  [[gnu::always_inline]] friend mask operator<(const lanes& a, const lanes& b) {
     return test([&](auto k) { return a.p[k] < b.p[k]; });
   }
-  friend mask operator<=(const lanes& a, const lanes& b) {
+  [[gnu::always_inline]] friend mask operator<=(const lanes& a, const lanes& b) {
     return test([&](auto k) { return a.p[k] <= b.p[k]; });
   }
-  friend mask operator>(const lanes& a, const lanes& b) { return b < a; }
-  friend mask operator>=(const lanes& a, const lanes& b) { return b <= a; }
+  [[gnu::always_inline]] friend mask operator>(const lanes& a, const lanes& b) { return b < a; }
+  [[gnu::always_inline]] friend mask operator>=(const lanes& a, const lanes& b) { return b <= a; }
   /// @endcond
 };
 /// Of a vector.
@@ -160,8 +143,9 @@ lanes(const vector<T, N>&) -> lanes<T, N>;
 
 /// a where it is true, else b.
 template <class T, int N>
-lanes<T, N> choose(const lane_mask<T, N>& where, const std::type_identity_t<lanes<T, N>>& a,
-                   const std::type_identity_t<lanes<T, N>>& b) {
+[[gnu::always_inline]] inline lanes<T, N> choose(const lane_mask<T, N>& where,
+                                                 const std::type_identity_t<lanes<T, N>>& a,
+                                                 const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) {
     const auto& m = where.p[k];
     if constexpr (lanes<T, N>::width == 1) return m ? a.p[k] : b.p[k];
@@ -171,7 +155,8 @@ lanes<T, N> choose(const lane_mask<T, N>& where, const std::type_identity_t<lane
 
 /// y with the sign of x.
 template <class T, int N>
-lanes<T, N> copysign(const std::type_identity_t<lanes<T, N>>& y, const lanes<T, N>& x) {
+[[gnu::always_inline]] inline lanes<T, N> copysign(const std::type_identity_t<lanes<T, N>>& y,
+                                                   const lanes<T, N>& x) {
   return lanes<T, N>::each([&](auto k) {
     if constexpr (lanes<T, N>::width == 1) return std::copysign(y.p[k], x.p[k]);
     else return detail::with_sign_of(x.p[k], y.p[k]);
@@ -180,7 +165,7 @@ lanes<T, N> copysign(const std::type_identity_t<lanes<T, N>>& y, const lanes<T, 
 
 /// |x|
 template <class T, int N>
-lanes<T, N> abs(const lanes<T, N>& x) {
+[[gnu::always_inline]] inline lanes<T, N> abs(const lanes<T, N>& x) {
   return copysign(x, lanes<T, N>(T(0)));
 }
 
@@ -200,14 +185,22 @@ lanes<T, N> sgn(const lanes<T, N>& x) {
 
 /// The smaller of each two; a where one is NaN.
 template <class T, int N>
-lanes<T, N> min(const lanes<T, N>& a, const std::type_identity_t<lanes<T, N>>& b) {
+[[gnu::always_inline]] inline lanes<T, N> min(const lanes<T, N>& a,
+                                              const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) { return b.p[k] < a.p[k] ? b.p[k] : a.p[k]; });
 }
 
 /// The larger of each two; a where one is NaN.
 template <class T, int N>
-lanes<T, N> max(const lanes<T, N>& a, const std::type_identity_t<lanes<T, N>>& b) {
+[[gnu::always_inline]] inline lanes<T, N> max(const lanes<T, N>& a,
+                                              const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) { return a.p[k] < b.p[k] ? b.p[k] : a.p[k]; });
+}
+
+/// x within [lowest, highest], without a branch.
+template <class T>
+[[gnu::always_inline]] inline T clamped(T x, T lowest, T highest) {
+  return max(min(lanes<T, 1>(x), highest), lowest)[0];
 }
 
 /// (x_1, x_0): of each of two what the other one has. x: lanes or a mask.

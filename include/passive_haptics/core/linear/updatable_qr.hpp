@@ -4,7 +4,7 @@
 
 #include <passive_haptics/core/arithmetic.hpp>
 #include <passive_haptics/core/flatten.hpp>
-#include <passive_haptics/core/linear/packets.hpp>
+#include <passive_haptics/core/linear/lane_products.hpp>
 
 #include <array>
 #include <limits>
@@ -23,7 +23,7 @@ namespace passive_haptics::detail {
 template <class T, int Rows, int MaxColumns>
 class updatable_qr {
  public:
-  using column = packets<T, Rows>;                                           ///< A column of A or V.
+  using column = lanes<T, Rows>;                                             ///< A column of A or V.
   using coefficients = std::array<T, static_cast<std::size_t>(MaxColumns)>;  ///< One for each column.
 
   /// No columns: r = f.
@@ -39,7 +39,7 @@ class updatable_qr {
   T along(int k) const { return c_[at(k)]; }
   /// v_k . b / |v_k|^2
   [[gnu::always_inline]] T along(int k, const column& b) const {
-    return v_[at(k)].dot(b) * inverse_square_[at(k)];
+    return dot(v_[at(k)], b) * inverse_square_[at(k)];
   }
   /// 1 / |v_k|^2
   T inverse_square(int k) const { return inverse_square_[at(k)]; }
@@ -60,15 +60,15 @@ class updatable_qr {
       // All products before the first difference: in turns, as in modified Gram-Schmidt, they wait for each
       // other
       each([&](int k) PASSIVE_HAPTICS_INLINE { h[at(k)] = along_b(k); });
-      each([&](int k) PASSIVE_HAPTICS_INLINE { v.subtract(h[at(k)], v_[at(k)]); });
-      rest = v.dot(v);
+      each([&](int k) PASSIVE_HAPTICS_INLINE { v -= h[at(k)] * v_[at(k)]; });
+      rest = dot(v, v);
       if (rest < cancelled * square) rest = reorthogonalise(v, square, rest);
     }
     if (!(rest > dependent * square + std::numeric_limits<T>::min())) return false;
     v_[at(size_)] = v;
     inverse_square_[at(size_)] = T(1) / rest;
-    c_[at(size_)] = v.dot(r_) / rest;
-    r_.subtract(c_[at(size_)], v);
+    c_[at(size_)] = dot(v, r_) / rest;
+    r_ -= c_[at(size_)] * v;
     ++size_;
     return true;
   }
@@ -79,7 +79,7 @@ class updatable_qr {
     r_ = f;
     for (int k = 0; k < count; ++k) {
       c_[at(k)] = along(k, r_);
-      r_.subtract(c_[at(k)], v_[at(k)]);
+      r_ -= c_[at(k)] * v_[at(k)];
     }
   }
 
@@ -99,7 +99,7 @@ class updatable_qr {
     column r = r_;
     coefficients h{};
     each([&](int k) PASSIVE_HAPTICS_INLINE { h[at(k)] = along(k, r_); });
-    each([&](int k) PASSIVE_HAPTICS_INLINE { r.subtract(h[at(k)], v_[at(k)]); });
+    each([&](int k) PASSIVE_HAPTICS_INLINE { r -= h[at(k)] * v_[at(k)]; });
     return r;
   }
 
@@ -124,10 +124,10 @@ class updatable_qr {
       for (int k = 0; k < size_; ++k) again[at(k)] = along(k, v);
       for (int k = 0; k < size_; ++k) {
         h[at(k)] += again[at(k)];
-        v.subtract(again[at(k)], v_[at(k)]);
+        v -= again[at(k)] * v_[at(k)];
       }
       before = rest;
-      rest = v.dot(v);
+      rest = dot(v, v);
     }
     return rest;
   }

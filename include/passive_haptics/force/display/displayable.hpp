@@ -107,9 +107,12 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   const jacobian_matrix<M> J(jacobian(mechanism, q));
   const orthogonal_decomposition<T, d, joints> moving(J, rounding_tolerance<T>(joints));
   const transmission_matrix<M> transmitted = transposed(transposed_transmission(mechanism, q));
-  found.signs = signs_in_motion<T, m, d>(transmitted * moving.pseudo_inverse(), E, v);
+  const matrix<T, m, d> A = transmitted * moving.pseudo_inverse();
+  found.signs = signs_in_motion<T, m, d>(A, E, v);
   const auto Fc = approximate(E, found.signs, n, T(0));
-  tell(found, n, Fc, least_resistance(E, torques_within(found.signs, limit), n), limit);
+  const torque_box<T, m> box = torques_within(found.signs, limit);
+  const bool one_way = joints == d && moving.rank() == d;  // of the brakes to move along n
+  tell(found, n, Fc, one_way ? most_resistance<T, m>(box, A * n) : least_resistance(E, box, n), limit);
   if (joints > d && found.display == display_class::none && cone_is_zero(E, found.signs))
     found.display = display_class::empty_cone;
 }
@@ -158,8 +161,8 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
 /// moves along the wall the rest of F is drag, never help: F . v = t . w <= 0. A handle that sinks moves in
 /// another direction, in which more can be displayed.
 ///
-/// Never allocates. For looking at a device, not for a control cycle. Cost: a projection (approximate) and,
-/// with as many brakes as joints, 2^m decompositions of d x m.
+/// Never allocates. For looking at a device, not for a control cycle. Cost: a projection (approximate) and
+/// one decomposition; at singular poses and with self-motion 2^m decompositions of d x m.
 template <class M>
 displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
                                  const task_vector<M>& direction, const task_vector<M>& normal,

@@ -2,7 +2,8 @@
 /// Where the joints of a serial chain are in a pose.
 #pragma once
 
-#include <passive_haptics/core/linear/packets.hpp>
+#include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/chains/rigid_body_algebra.hpp>
 
@@ -116,26 +117,26 @@ class chain_frames<T, N, 3> {
   /// All joints and the handle. each(i, A): told the orientation A() of body i.
   template <class Each>
   [[gnu::always_inline]] chain_pose<T, N, 3> follow(const vector<T, N>& q, Each&& each) const {
-    using column = packets<T, 3>;
+    using column = lanes<T, 3>;
     chain_pose<T, N, 3> at;
     column x = column::load(&first_(0, 0)), y = column::load(&first_(0, 1)), z = column::load(&first_(0, 2));
     column p = column::load(start_.data());
     const auto angles = sine_cosine(vector<T, N>(turns_.cwiseProduct(q) + phase_));
-    unrolled<N>([&](int k) {
+    unrolled<N>([&](int k) PASSIVE_HAPTICS_INLINE {
       const auto i = static_cast<std::size_t>(k);
       const body& b = bodies_[i];
       z.store(at.axis[i].data());
       turn(x, y, angles[i]);
-      if (!b.turns) p.add(q[k], z);
+      if (!b.turns) p += q[k] * z;
       p.store(at.point[i].data());
       each(i, [&] {
         matrix<T, 3, 3> A;
         x.store(&A(0, 0)), y.store(&A(0, 1)), z.store(&A(0, 2));
         return A;
       });
-      p.add(b.to_next[0], x);
-      p.add(b.to_next[1], y);
-      p.add(b.to_next[2], z);
+      p += b.to_next[0] * x;
+      p += b.to_next[1] * y;
+      p += b.to_next[2] * z;
       turn(y, z, b.twist);
     });
     p.store(at.handle.data());
@@ -170,13 +171,10 @@ class chain_frames<T, N, 3> {
   }
 
   // u and v turned in the plane that they span.
-  [[gnu::always_inline]] static void turn(packets<T, 3>& u, packets<T, 3>& v,
-                                          const sine_cosine_pair<T>& angle) {
-    const packets<T, 3> before = u;
-    u = u.map([&](auto a) { return angle.cosine * a; });
-    u.add(angle.sine, v);
-    v = v.map([&](auto a) { return angle.cosine * a; });
-    v.subtract(angle.sine, before);
+  [[gnu::always_inline]] static void turn(lanes<T, 3>& u, lanes<T, 3>& v, const sine_cosine_pair<T>& angle) {
+    const lanes<T, 3> before = u;
+    u = angle.cosine * u + angle.sine * v;
+    v = angle.cosine * v - angle.sine * before;
   }
 
   vector<T, 3> start_;          // point of joint 1 [m]

@@ -1,6 +1,5 @@
-// Vectors in packets, of any length: what is beyond the last number stays zero, sums and the largest number
-// are right.
-#include <passive_haptics/core/linear/packets.hpp>
+// Sums, products and the largest of lanes of any length: what is beyond the last number stays zero.
+#include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
@@ -21,12 +20,12 @@ struct numbers {
 };
 
 template <class Size>
-struct packets : ::testing::Test {
+struct lane_reductions : ::testing::Test {
   using number = typename Size::T;
   static constexpr int length = Size::length;
   static constexpr number rounding = number(4 * length) * std::numeric_limits<number>::epsilon();
   using numbers = std::array<number, static_cast<std::size_t>(length)>;
-  using vector = ph::detail::packets<number, length>;
+  using vector = ph::lanes<number, length>;
 
   static numbers draw(ph::testing::random_source& random) {
     numbers x;
@@ -49,9 +48,9 @@ struct packets : ::testing::Test {
 // Shorter than a packet, one packet, several with and without a rest, and a number without packets
 using lengths = ::testing::Types<numbers<double, 3>, numbers<float, 4>, numbers<double, 8>, numbers<float, 7>,
                                  numbers<long double, 2>>;
-TYPED_TEST_SUITE(packets, lengths);
+TYPED_TEST_SUITE(lane_reductions, lengths);
 
-TYPED_TEST(packets, hold_their_numbers_and_zeros) {
+TYPED_TEST(lane_reductions, hold_their_numbers_and_zeros) {
   ph::testing::random_source random(1);
   const auto x = this->draw(random);
   const auto packed = this->load(x);
@@ -62,47 +61,34 @@ TYPED_TEST(packets, hold_their_numbers_and_zeros) {
   }
 }
 
-TYPED_TEST(packets, subtract_multiply_and_sum) {
+TYPED_TEST(lane_reductions, subtract_multiply_and_sum) {
   using T = typename TestFixture::number;
   ph::testing::random_source random(2);
   for (int trial = 0; trial < 20; ++trial) {
     const auto x = this->draw(random), y = this->draw(random);
-    EXPECT_LE(std::abs(this->load(x).dot(this->load(y)) - this->dot(x, y)), TestFixture::rounding);
+    EXPECT_LE(std::abs(dot(this->load(x), this->load(y)) - this->dot(x, y)), TestFixture::rounding);
     auto difference = this->load(x);
-    difference.subtract(T(0.5), this->load(y));
-    const auto opposite = this->stored(difference.map([](auto p) { return -p; }));
+    difference -= T(0.5) * this->load(y);
+    const auto opposite = this->stored(-difference);
     for (std::size_t i = 0; i < x.size(); ++i)
       EXPECT_LE(std::abs(opposite[i] - (y[i] / 2 - x[i])), TestFixture::rounding);
   }
 }
 
-TYPED_TEST(packets, know_where_they_are_positive) {
-  using T = typename TestFixture::number;
-  ph::testing::random_source random(6);
-  for (int trial = 0; trial < 40; ++trial) {
-    auto x = this->draw(random);
-    x[static_cast<std::size_t>(trial % TestFixture::length)] =
-        trial % 3 == 0 ? T(0) : (trial % 3 == 1 ? -T(0) : std::numeric_limits<T>::quiet_NaN());
-    unsigned set = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) set |= (x[i] > 0 ? 1u : 0u) << i;
-    EXPECT_EQ(ph::detail::positive_entries(this->load(x)), set);
-  }
-}
-
-TYPED_TEST(packets, sums_stand_in_order) {
+TYPED_TEST(lane_reductions, sums_stand_in_order) {
   constexpr int N = TestFixture::length;
   using T = typename TestFixture::number;
   ph::testing::random_source random(3);
   std::array<typename TestFixture::numbers, static_cast<std::size_t>(N)> rows;
   for (auto& row : rows) row = this->draw(random);
   const auto x = this->draw(random);
-  const auto product = this->stored(ph::detail::sums<T, N>(
-      [&](int j) { return this->load(rows[static_cast<std::size_t>(j)]).products(this->load(x)); }));
+  const auto product = this->stored(ph::sums<T, N>(
+      [&](int j) { return products(this->load(rows[static_cast<std::size_t>(j)]), this->load(x)); }));
   for (std::size_t j = 0; j < rows.size(); ++j)
     EXPECT_LE(std::abs(product[j] - this->dot(rows[j], x)), TestFixture::rounding) << "sum " << j;
 }
 
-TYPED_TEST(packets, largest_is_found_wherever_it_stands) {
+TYPED_TEST(lane_reductions, largest_is_found_wherever_it_stands) {
   using T = typename TestFixture::number;
   ph::testing::random_source random(4);
   for (int where = 0; where < TestFixture::length; ++where) {
@@ -115,7 +101,7 @@ TYPED_TEST(packets, largest_is_found_wherever_it_stands) {
   }
 }
 
-TYPED_TEST(packets, largest_value_passes_over_what_is_no_number) {
+TYPED_TEST(lane_reductions, largest_value_passes_over_what_is_no_number) {
   using T = typename TestFixture::number;
   ph::testing::random_source random(7);
   for (int where = 0; where < TestFixture::length; ++where) {
@@ -128,7 +114,7 @@ TYPED_TEST(packets, largest_value_passes_over_what_is_no_number) {
   }
 }
 
-TYPED_TEST(packets, largest_of_zeros_is_zero) {
+TYPED_TEST(lane_reductions, largest_of_zeros_is_zero) {
   EXPECT_EQ(ph::detail::largest(typename TestFixture::vector{}).value, 0);
   EXPECT_EQ(ph::detail::largest_value(typename TestFixture::vector{}), 0);
 }
