@@ -177,6 +177,30 @@ TEST(a_child_process, that_is_stopped_ends_when_its_parent_dies) {
   processes::end_of(*child_of_parent);
 }
 
+// Another process that the parent forked, as a user's program may, has the parent's end of the pipe.
+TEST(a_child_process, ends_when_its_parent_dies_beside_others_that_it_forked) {
+  prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
+  ph::shared_memory<std::atomic<pid_t>> other;
+  ph::shared_memory<std::atomic<bool>> ended;
+  const pid_t parent = fork();
+  if (parent == 0) {
+    ph::child_process child;
+    child.start(ready, [&](ph::parent_link link) {
+      until_parent_is_gone(link);
+      *ended = true;
+    });
+    const pid_t forked = fork();
+    if (forked != 0) *other = forked;
+    for (;;) pause();
+  }
+  ASSERT_TRUE(eventually([&] { return *other != 0; }));
+  kill(parent, SIGKILL);
+  processes::end_of(parent);
+  EXPECT_TRUE(eventually([&] { return ended->load(); }));
+  kill(*other, SIGKILL);
+  processes::end_of(*other);
+}
+
 TEST(a_child_process, hears_nothing_that_is_meant_for_its_parent) {
   ph::child_process child;
   ASSERT_EQ(child.start(ready, until_parent_is_gone), "");
@@ -264,7 +288,7 @@ TEST(a_parent_link, that_cannot_be_watched_counts_the_parent_as_gone) {
     std::array<int, 2> ends{};
     const rlimit none{0, 0};  // poll(2) fails
     if (pipe(ends.data()) != 0 || setrlimit(RLIMIT_NOFILE, &none) != 0) return std::string("no pipe");
-    return std::string(ph::parent_link(ends[0]).gone(0) ? "gone" : "there");
+    return std::string(ph::parent_link(ends[0], getppid()).gone(0) ? "gone" : "there");
   };
   EXPECT_EQ(processes::said_by_a_process(look), "gone");
 }
@@ -275,7 +299,7 @@ TEST(a_parent_link, is_not_gone_for_a_signal) {
     const itimerval soon{{0, 0}, {0, 10'000}};
     std::signal(SIGALRM, [](int) {});
     if (pipe(ends.data()) != 0 || setitimer(ITIMER_REAL, &soon, nullptr) != 0) return std::string("no pipe");
-    return std::string(ph::parent_link(ends[0]).gone(5000) ? "gone" : "there");
+    return std::string(ph::parent_link(ends[0], getppid()).gone(5000) ? "gone" : "there");
   };
   EXPECT_EQ(processes::said_by_a_process(look), "there");
 }

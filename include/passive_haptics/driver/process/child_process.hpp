@@ -45,6 +45,7 @@ class child_process {
     std::array<int, 2> down{-1, -1}, up{-1, -1};
     std::string error = open_pipe(down);
     if (error.empty()) error = open_pipe(up);
+    const pid_t parent = getpid();
     if (error.empty() && (pid_ = fork()) < 0)
       error = detail::failed_call("fork", "end processes, or raise `ulimit -u`");
     if (!error.empty()) {
@@ -52,7 +53,7 @@ class child_process {
         if (end >= 0) close(end);
       return error;
     }
-    if (pid_ == 0) be_child(down[0], up[1], prepare, run);
+    if (pid_ == 0) be_child(down[0], up[1], parent, prepare, run);
     close(down[0]);
     close(up[1]);
     pipe_ = down[1];
@@ -126,7 +127,7 @@ class child_process {
   }
 
   template <class Prepare, class Run>
-  [[noreturn]] static void be_child(int down, int up, Prepare& prepare, Run& run) noexcept {
+  [[noreturn]] static void be_child(int down, int up, pid_t parent, Prepare& prepare, Run& run) noexcept {
     std::string error = attempt([&] { return separate(down, up); });
     if (error.empty()) error = attempt([&] { return prepare(); });
     if (error.empty() && write(up, &ready, 1) != 1) error = "the parent is gone";
@@ -136,7 +137,7 @@ class child_process {
     }
     close(up);
     error = attempt([&] {
-      run(parent_link(down));
+      run(parent_link(down, parent));
       return std::string();
     });
     if (!error.empty()) complain(STDERR_FILENO, error.append("\n"));
