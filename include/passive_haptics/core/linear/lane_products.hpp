@@ -17,7 +17,7 @@ T sum(const lanes<T, N>& x) {
 /// x_0 y_0 + ... + x_{N-1} y_{N-1}, as a packet whose sum it is.
 template <class T, int N>
 [[gnu::always_inline]] inline auto products(const lanes<T, N>& x, const lanes<T, N>& y) {
-  if constexpr (x.count == 1) {
+  if constexpr (lanes<T, N>::count == 1) {
     return x.p[0] * y.p[0];
   } else {  // two sums, neither of which waits for the other
     typename lanes<T, N>::packet even = x.p[0] * y.p[0], odd = x.p[1] * y.p[1];
@@ -30,8 +30,8 @@ template <class T, int N>
 template <class T, int N>
 [[gnu::always_inline]] inline T dot(const lanes<T, N>& x, const lanes<T, N>& y) {
   const auto s = products(x, y);
-  if constexpr (x.width == 1) return s;
-  else if constexpr (x.width == 2) return s[0] + s[1];
+  if constexpr (lanes<T, N>::width == 1) return s;
+  else if constexpr (lanes<T, N>::width == 2) return s[0] + s[1];
   else return (s[0] + s[2]) + (s[1] + s[3]);
 }
 

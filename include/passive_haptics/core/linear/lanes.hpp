@@ -85,8 +85,9 @@ struct lanes {
   }
   /// As a vector.
   [[gnu::always_inline]] operator vector<T, N>() const {
-    vector<T, N> x;
-    store(x.data());
+    vector<T, N> x;  // not by store(): g++ then keeps x in memory
+    unrolled<N / width>([&](auto k) { std::memcpy(x.data() + k * width, &p[k], sizeof(packet)); });
+    if constexpr (rest != 0) unrolled<rest>([&](auto i) { x[N - rest + i] = p[count - 1][i]; });
     return x;
   }
   /// Number i.
