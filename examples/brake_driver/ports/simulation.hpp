@@ -41,7 +41,7 @@ class simulation {
         sensor_({.corner = 200, .noise = c.simulation.sensor_noise, .seed = c.simulation.seed}),
         wire_(c.simulation.watchdog, c.simulation.wire) {}
 
-  /// From now on the hand may take the handle, as a user may who was asked to let go before.
+  /// From now on the hand may take the handle, as a user may once taring is done.
   void let_the_hand_in() noexcept { take_hold(1, std::max(time_, p_.hand_start)); }
 
   /// Counts of the encoders, which start anywhere and wrap at 2^counter_bits.

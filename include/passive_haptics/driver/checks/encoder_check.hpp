@@ -83,8 +83,7 @@ class encoder_check {
   const counts& position() const noexcept { return position_; }
 
  private:
-  // Of a counter without or with a sign; of one that never wraps, whether each single count is still told
-  // apart
+  // Of a counter without or with a sign; without a width, as far as a double distinguishes single counts
   bool in_range(double count) const noexcept {
     constexpr double most = 1 / std::numeric_limits<double>::epsilon();
     return turn_ > 0 ? count >= -turn_ / 2 && count < turn_ : std::abs(count) <= most;
