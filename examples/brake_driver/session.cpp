@@ -206,7 +206,7 @@ class session {
     line("compute", report.compute);
     std::cout << "brakes released: " << to_string(reason) << "\n";
     if (faults_ > 0 && reason != first_fault_)
-      std::cout << "released by a fault before, " << faults_ << " times; first: " << to_string(first_fault_)
+      std::cout << "releases by a fault before: " << faults_ << ", first: " << to_string(first_fault_)
                 << "\n";
     if (!port_.applied_is_known()) std::cout << "the device did not confirm 0 A\n";
     if (!report.exception.empty()) std::cout << "the control law threw: " << report.exception << "\n";

@@ -15,6 +15,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <functional>
 #include <new>
 #include <string>
 #include <utility>
@@ -152,33 +153,10 @@ TEST(a_child_process, that_another_one_waited_for_is_not_waited_for) {
   EXPECT_FALSE(child.stop());
 }
 
-TEST(a_child_process, that_is_stopped_ends_when_its_parent_dies) {
+// Whether a child sees its parent die, which did something after the start: `beside` returns a process that
+// is killed at the end.
+bool sees_its_parent_die(const std::function<pid_t(const ph::child_process&)>& beside) {
   // The child comes to this process, in the same session: else the kernel wakes those without a parent there
-  prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
-  ph::shared_memory<std::atomic<pid_t>> child_of_parent;
-  ph::shared_memory<std::atomic<bool>> ended;
-  const pid_t parent = fork();
-  if (parent == 0) {
-    ph::child_process child;
-    child.start(ready, [&](ph::parent_link link) {
-      until_parent_is_gone(link);
-      *ended = true;
-    });
-    kill(child.pid(), SIGSTOP);
-    eventually([&] { return is_stopped(child.pid()); });
-    *child_of_parent = child.pid();
-    for (;;) pause();
-  }
-  ASSERT_TRUE(eventually([&] { return *child_of_parent != 0; }));
-  kill(parent, SIGKILL);
-  processes::end_of(parent);
-  EXPECT_TRUE(eventually([&] { return ended->load(); }));
-  kill(*child_of_parent, SIGKILL);
-  processes::end_of(*child_of_parent);
-}
-
-// Another process that the parent forked, as a user's program may, has the parent's end of the pipe.
-TEST(a_child_process, ends_when_its_parent_dies_beside_others_that_it_forked) {
   prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
   ph::shared_memory<std::atomic<pid_t>> other;
   ph::shared_memory<std::atomic<bool>> ended;
@@ -189,16 +167,33 @@ TEST(a_child_process, ends_when_its_parent_dies_beside_others_that_it_forked) {
       until_parent_is_gone(link);
       *ended = true;
     });
-    const pid_t forked = fork();
-    if (forked != 0) *other = forked;
+    *other = beside(child);
     for (;;) pause();
   }
-  ASSERT_TRUE(eventually([&] { return *other != 0; }));
+  const bool done = eventually([&] { return *other != 0; });
   kill(parent, SIGKILL);
   processes::end_of(parent);
-  EXPECT_TRUE(eventually([&] { return ended->load(); }));
+  const bool seen = eventually([&] { return ended->load(); });
   kill(*other, SIGKILL);
   processes::end_of(*other);
+  return done && seen;
+}
+
+TEST(a_child_process, that_is_stopped_ends_when_its_parent_dies) {
+  EXPECT_TRUE(sees_its_parent_die([](const ph::child_process& child) {
+    kill(child.pid(), SIGSTOP);
+    eventually([&] { return is_stopped(child.pid()); });
+    return child.pid();
+  }));
+}
+
+// Another process that the parent forked, as a user's program may, has the parent's end of the pipe.
+TEST(a_child_process, ends_when_its_parent_dies_beside_others_that_it_forked) {
+  EXPECT_TRUE(sees_its_parent_die([](const ph::child_process&) {
+    const pid_t forked = fork();
+    while (forked == 0) pause();
+    return forked;
+  }));
 }
 
 TEST(a_child_process, hears_nothing_that_is_meant_for_its_parent) {

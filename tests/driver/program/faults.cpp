@@ -88,8 +88,8 @@ TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
   const outcome o = end();
   EXPECT_EQ(o.status, 3) << "it had a fault, though it was rearmed";
   EXPECT_TRUE(has(o.out,
-                  "brakes released: as asked\nreleased by a fault before, 1 times; first: the supervisor "
-                  "is lost, or released the brakes\n"))
+                  "brakes released: as asked\nreleases by a fault before: 1, first: the supervisor is "
+                  "lost, or released the brakes\n"))
       << o.out;
   EXPECT_TRUE(log().is_whole());
 }

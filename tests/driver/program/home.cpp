@@ -194,18 +194,23 @@ struct a_handle : a_driver {
       return false;
     });
   }
+
+  // Started, homed, and pushed into the wall before the sensor is tared.
+  void waits_deep(net_ft_peer& sensor, placed_device& device) {
+    sensor.tremble(true);
+    start(with(sensor));
+    ASSERT_TRUE(is_homed()) << ended();
+    device.put(0.0125);
+    ASSERT_TRUE(eventually([this] { return is_deep(); })) << ended();
+    sensor.tremble(false);
+    ASSERT_TRUE(waits()) << ended();
+  }
 };
 
 TEST_F(a_handle, deep_in_a_wall_gets_no_brakes_and_the_end_says_so) {
   net_ft_peer sensor;
-  sensor.tremble(true);
   placed_device device(directory / "brakes");
-  start(with(sensor));
-  ASSERT_TRUE(is_homed()) << ended();
-  device.put(0.0125);
-  ASSERT_TRUE(eventually([this] { return is_deep(); })) << ended();
-  sensor.tremble(false);
-  ASSERT_TRUE(waits()) << ended();
+  ASSERT_NO_FATAL_FAILURE(waits_deep(sensor, device));
   ASSERT_TRUE(eventually([this] {
     return has(text_of(directory / "driver.out"), " s  ready, not activated: the handle is 1");
   }));
@@ -220,14 +225,8 @@ TEST_F(a_handle, deep_in_a_wall_gets_no_brakes_and_the_end_says_so) {
 
 TEST_F(a_handle, gets_brakes_once_it_is_out_and_after_a_rearm_too) {
   net_ft_peer sensor;
-  sensor.tremble(true);
   placed_device device(directory / "brakes");
-  start(with(sensor));
-  ASSERT_TRUE(is_homed()) << ended();
-  device.put(0.0125);
-  ASSERT_TRUE(eventually([this] { return is_deep(); })) << ended();
-  sensor.tremble(false);
-  ASSERT_TRUE(waits()) << ended();
+  ASSERT_NO_FATAL_FAILURE(waits_deep(sensor, device));
   device.put(0);
   std::size_t row = 0;
   ASSERT_TRUE(reaches("active", 0, &row)) << ended();
