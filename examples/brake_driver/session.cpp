@@ -101,26 +101,35 @@ class session {
                          "reach\n");
   }
 
-  // Whatever ended the loop released the brakes: what may flow on is given each cycle, to its end
+  // Whatever ended the loop released the brakes: what may flow on is given each cycle, to its end. Then 0 A:
+  // a port with a thread of its own tells later whether the device took it
   void see_the_release_through(ph::control_loop<>& loop, ph::loop_report& report) {
     const double end = ph::monotonic_seconds() + configuration_.safety.at_release.longest();
-    const std::int64_t before = number_;
-    const auto flows = [&](double now) { return now < end && port_.applied() != ph::brake_currents<axes>{}; };
-    if (flows(ph::monotonic_seconds())) {
-      const ph::loop_report rest = loop.run(
-          [&](const ph::loop_cycle& now) {
-            record r;
-            port_.read(now.time);
-            device_->cycle(last_samples(now.time), phase::homing, r);  // where it is, without the law
-            beat(now.time);
-            port_.write({});
-            log({before + now.number, now.time, now.late}, r);
-            return flows(now.time);
-          },
-          [] { return false; }, [](ph::fault) {});
-      report.cycles += rest.cycles;
-    }
+    go_on_while(loop, report,
+                [&](double now) { return now < end && port_.applied() != ph::brake_currents<axes>{}; });
     port_.let_go();
+    const double latest = ph::monotonic_seconds() + configuration_.safety.hold_over;
+    go_on_while(loop, report,
+                [&](double now) { return now < latest && !port_.applied_is_known() && !port_.is_lost(); });
+  }
+
+  // Cycles without the law
+  template <class Condition>
+  void go_on_while(ph::control_loop<>& loop, ph::loop_report& report, const Condition& condition) {
+    if (!condition(ph::monotonic_seconds())) return;
+    const std::int64_t before = number_;
+    const ph::loop_report rest = loop.run(
+        [&](const ph::loop_cycle& now) {
+          record r;
+          port_.read(now.time);
+          device_->cycle(last_samples(now.time), phase::homing, r);  // where it is
+          beat(now.time);
+          port_.write({});
+          log({before + now.number, now.time, now.late}, r);
+          return condition(now.time);
+        },
+        [] { return false; }, [](ph::fault) {});
+    report.cycles += rest.cycles;
   }
 
   void beat(double now) {

@@ -1012,6 +1012,7 @@ TEST(the_currents, that_a_device_refuses_are_not_said_to_flow) {
   r.cycle(refuse);
   EXPECT_EQ(r.port.applied(), r.device.currents);
   EXPECT_FALSE(r.port.applied_is_known());
+  EXPECT_FALSE(r.port.is_lost());
   EXPECT_EQ(r.port.held_over(), (ph::fault_record{ph::fault::write_refused, brakes}));
   r.cycle();
   EXPECT_EQ(r.port.applied(), r.wanted);
@@ -1081,6 +1082,7 @@ TEST(a_lost_device, has_no_current_that_anybody_knows) {
         EXPECT_GT(r.device.releases, released);
         EXPECT_EQ(r.port.applied(), last) << "the last that it is known to have taken, for hold_over";
         EXPECT_FALSE(r.port.applied_is_known());
+        EXPECT_TRUE(r.port.is_lost());
         EXPECT_TRUE(r.port.needs_homing());
         r.cycle();
       }

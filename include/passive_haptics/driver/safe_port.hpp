@@ -168,6 +168,8 @@ class safe_port {
   }
   /// Whether they are on the brakes, as far as the device tells: false while it is lost or refuses.
   bool applied_is_known() const noexcept { return !lost_ && bad_write_.what == fault::none; }
+  /// Whether the device is lost: nothing can be read or written any more, and no call tries to.
+  bool is_lost() const noexcept { return lost_; }
   /// The port, to ask it for what only it knows.
   const Port& port() const noexcept { return port_; }
 
