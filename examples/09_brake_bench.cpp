@@ -5,15 +5,15 @@
 #include <output.hpp>
 #include <simulated_bench.hpp>
 
-#include <passive_haptics/brake/models/coulomb_brake.hpp>
-#include <passive_haptics/brake/models/delayed_brake.hpp>
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
-#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
-#include <passive_haptics/brake/models/stribeck_brake.hpp>
+#include <passive_haptics/bench/bench_run.hpp>
+#include <passive_haptics/bench/magnetorheological_loop.hpp>
+#include <passive_haptics/bench/rate_sweep.hpp>
 #include <passive_haptics/core/parameter_text.hpp>
-#include <passive_haptics/driver/identification/bench_run.hpp>
-#include <passive_haptics/driver/identification/magnetorheological_loop.hpp>
-#include <passive_haptics/driver/identification/rate_sweep.hpp>
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
+#include <passive_haptics/plant/brakes/delayed_brake.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// A file that is there whole or not at all.
 #pragma once
 
-#include <passive_haptics/interop/files/file_kind.hpp>
+#include <passive_haptics/scene/files/file_kind.hpp>
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -3,12 +3,12 @@
 #include "batch.hpp"
 #include "planar_run.hpp"
 
-#include <passive_haptics/brake/models/any_brake.hpp>
-#include <passive_haptics/brake/models/compensated_brake.hpp>
-#include <passive_haptics/brake/models/delayed_brake.hpp>
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
-#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
-#include <passive_haptics/brake/models/stribeck_brake.hpp>
+#include <passive_haptics/plant/brakes/any_brake.hpp>
+#include <passive_haptics/plant/brakes/compensated_brake.hpp>
+#include <passive_haptics/plant/brakes/delayed_brake.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 
 #include <algorithm>
 #include <cstdio>

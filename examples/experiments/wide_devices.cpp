@@ -4,7 +4,7 @@
 #include "markdown.hpp"
 #include "planar_run.hpp"
 
-#include <passive_haptics/force/display/undisplayable_share.hpp>
+#include <passive_haptics/design/undisplayable_share.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/plant/random_device.hpp>
 

@@ -4,8 +4,8 @@
 
 #include <log/replay.hpp>
 
-#include <passive_haptics/control/extensions/plausibility.hpp>
 #include <passive_haptics/core/parameter_text.hpp>
+#include <passive_haptics/design/plausibility.hpp>
 
 #include <algorithm>
 #include <concepts>

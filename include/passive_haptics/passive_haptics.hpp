@@ -15,8 +15,8 @@
 #include <passive_haptics/mechanism/models/two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 
-#include <passive_haptics/brake/drawing/fme_boundary.hpp>
-#include <passive_haptics/brake/measurement/encoder_axes.hpp>
+#include <passive_haptics/brake/models/encoder_axes.hpp>
+#include <passive_haptics/brake/models/rate_limited_brakes.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
 
 #include <passive_haptics/scene/held_scene.hpp>
@@ -32,12 +32,11 @@
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/scene/shapes/moving.hpp>
 #include <passive_haptics/scene/shapes/offset.hpp>
-#include <passive_haptics/scene/shapes/room.hpp>
 #include <passive_haptics/scene/shapes/virtual_fixtures.hpp>
+#include <passive_haptics/scene/shapes/walls_of.hpp>
 #include <passive_haptics/scene/world/scene_exchange.hpp>
 #include <passive_haptics/scene/world/world.hpp>
 
-#include <passive_haptics/force/display/undisplayable_share.hpp>
 #include <passive_haptics/force/effects/detents.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>
@@ -47,19 +46,21 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/effects/with_effects.hpp>
-#include <passive_haptics/control/extensions/generator_form.hpp>
-#include <passive_haptics/control/extensions/plausibility.hpp>
-#include <passive_haptics/control/extensions/rate_limited_brakes.hpp>
-#include <passive_haptics/control/extensions/several_contacts.hpp>
-#include <passive_haptics/control/laws/bang_bang_control.hpp>
-#include <passive_haptics/control/laws/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
+#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
+#include <passive_haptics/control/laws/rivals/velocity_ratio_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
-#include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/laws/velocity_direct_control.hpp>
-#include <passive_haptics/control/laws/velocity_ratio_control.hpp>
-#include <passive_haptics/control/normal_force/braked_wall_at.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
+#include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/ways/with_effects.hpp>
+
+#include <passive_haptics/design/braked_wall_at.hpp>
+#include <passive_haptics/design/fme_boundary.hpp>
+#include <passive_haptics/design/plausibility.hpp>
+#include <passive_haptics/design/undisplayable_share.hpp>
 
 #include <passive_haptics/plant/simulated_device_declaration.hpp>

@@ -74,9 +74,9 @@ row poses() {
       .handle = ph::point<3>(0.6, 0, 0.1)});
   return [arm, states = random_states(arm)] {
     for (const auto& s : states) {
-      const auto here = ph::pose(arm, s.q);
-      use(arm.position(here));
-      use(ph::jacobian(arm, here));
+      const ph::mechanism_pose here(arm, s.q);
+      use(here.position());
+      use(here.jacobian());
     }
   };
 }

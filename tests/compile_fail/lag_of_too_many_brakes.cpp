@@ -1,5 +1,5 @@
 // expect: passive_haptics: brake_lag_model is for at most 12 brakes.
-#include <passive_haptics/control/laws/brake_lag.hpp>
+#include <passive_haptics/control/laws/velocity/brake_lag.hpp>
 
 namespace ph = passive_haptics;
 

@@ -1,7 +1,7 @@
 // Exact samples of one formula: a fit finds its constants, in any unit, from any clock and in any order.
-#include <passive_haptics/driver/identification/current_ramp.hpp>
-#include <passive_haptics/driver/identification/rate_sweep.hpp>
-#include <passive_haptics/driver/identification/step_response.hpp>
+#include <passive_haptics/bench/current_ramp.hpp>
+#include <passive_haptics/bench/rate_sweep.hpp>
+#include <passive_haptics/bench/step_response.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,17 +1,17 @@
 // Constants of simulated brakes, found again on a simulated bench within the errors that are told.
 #include <simulated_bench.hpp>
 
-#include <passive_haptics/brake/models/coulomb_brake.hpp>
-#include <passive_haptics/brake/models/delayed_brake.hpp>
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
-#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
-#include <passive_haptics/brake/models/stribeck_brake.hpp>
+#include <passive_haptics/bench/bench_run.hpp>
+#include <passive_haptics/bench/current_ramp.hpp>
+#include <passive_haptics/bench/magnetorheological_loop.hpp>
+#include <passive_haptics/bench/rate_sweep.hpp>
+#include <passive_haptics/bench/step_response.hpp>
 #include <passive_haptics/driver/calibration/brake_calibration.hpp>
-#include <passive_haptics/driver/identification/bench_run.hpp>
-#include <passive_haptics/driver/identification/current_ramp.hpp>
-#include <passive_haptics/driver/identification/magnetorheological_loop.hpp>
-#include <passive_haptics/driver/identification/rate_sweep.hpp>
-#include <passive_haptics/driver/identification/step_response.hpp>
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
+#include <passive_haptics/plant/brakes/delayed_brake.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <passive_haptics/brake/measurement/encoder_axes.hpp>
+#include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/driver/calibration/encoder_calibration.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>

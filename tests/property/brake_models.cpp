@@ -1,11 +1,11 @@
 // Every brake model under the suite; and models that are wrong, which must not pass it.
-#include <passive_haptics/brake/models/any_brake.hpp>
-#include <passive_haptics/brake/models/compensated_brake.hpp>
-#include <passive_haptics/brake/models/coulomb_brake.hpp>
-#include <passive_haptics/brake/models/delayed_brake.hpp>
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
-#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
-#include <passive_haptics/brake/models/stribeck_brake.hpp>
+#include <passive_haptics/plant/brakes/any_brake.hpp>
+#include <passive_haptics/plant/brakes/compensated_brake.hpp>
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
+#include <passive_haptics/plant/brakes/delayed_brake.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/testing/brake_model_properties.hpp>
 
 using namespace passive_haptics::testing;

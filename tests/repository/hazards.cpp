@@ -1,4 +1,5 @@
 // docs/guide/driver.md has the table of hazards as it is in the code, and a test of each.
+#include <passive_haptics/bench/bench_run.hpp>
 #include <passive_haptics/driver/hazards.hpp>
 
 #include <gtest/gtest.h>
@@ -87,6 +88,11 @@ std::string table() {
     all.append("|\n");
   }
   return all;
+}
+
+TEST(hazards, of_a_bench_are_those_of_its_parameters) {
+  EXPECT_EQ(ph::driver_timing().bench_hold_over, ph::bench_parameters().hold_over);
+  EXPECT_EQ(ph::driver_timing().bench_overtime, ph::longest_bench_overtime);
 }
 
 TEST(hazards, have_a_test_each) {

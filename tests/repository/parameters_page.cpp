@@ -1,17 +1,17 @@
 // docs/guide/parameters.md has the tables of all structs of parameters as they are in the code.
-#include <passive_haptics/brake/models/delayed_brake.hpp>
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
-#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
-#include <passive_haptics/brake/models/stribeck_brake.hpp>
+#include <passive_haptics/bench/bench_run.hpp>
 #include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/driver/calibration/device_calibration.hpp>
 #include <passive_haptics/driver/control_loop.hpp>
-#include <passive_haptics/driver/identification/bench_run.hpp>
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/real_time.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
 #include <passive_haptics/driver/thread/polling_thread.hpp>
 #include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/plant/brakes/delayed_brake.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
 #include <gtest/gtest.h>
@@ -158,20 +158,21 @@ std::string tables() {
   p.table<ph::direct_control>("direct_control", "control/direct_control.hpp");
   const std::string laws = "control/laws/", sensorless = "control/sensorless/";
   p.table<ph::velocity_direct_control_parameters>("velocity_direct_control_parameters",
-                                                  laws + "velocity_direct_control.hpp");
-  p.table<ph::braked_wall>("braked_wall", "control/normal_force/wall_limits.hpp");
-  p.table<ph::on_off_parameters>("on_off_parameters", laws + "on_off_control.hpp");
-  p.table<ph::bang_bang_parameters>("bang_bang_parameters", laws + "bang_bang_control.hpp");
+                                                  laws + "velocity/velocity_direct_control.hpp");
+  p.table<ph::braked_wall>("braked_wall", "design/wall_limits.hpp");
+  p.table<ph::on_off_parameters>("on_off_parameters", laws + "rivals/on_off_control.hpp");
+  p.table<ph::bang_bang_parameters>("bang_bang_parameters", laws + "rivals/bang_bang_control.hpp");
   p.table<ph::single_degree_of_freedom_parameters>("single_degree_of_freedom_parameters",
-                                                   laws + "single_degree_of_freedom_control.hpp");
-  p.table<ph::velocity_ratio_parameters>("velocity_ratio_parameters", laws + "velocity_ratio_control.hpp");
+                                                   laws + "rivals/single_degree_of_freedom_control.hpp");
+  p.table<ph::velocity_ratio_parameters>("velocity_ratio_parameters",
+                                         laws + "rivals/velocity_ratio_control.hpp");
   p.table<ph::momentum_observer_parameters>("momentum_observer_parameters",
                                             sensorless + "momentum_observer.hpp");
   p.table<ph::release_probe_parameters>("release_probe_parameters", sensorless + "release_probe.hpp");
   p.table<ph::sensorless_parameters>("sensorless_parameters", sensorless + "sensorless_controller.hpp");
   p.stage("Simulation");
   p.table<ph::brake_resistance<T>>("brake_resistance", "brake/models/brake_model.hpp");
-  const std::string models = "brake/models/";
+  const std::string models = "plant/brakes/";
   p.table<ph::coulomb_brake<T>>("coulomb_brake", models + "coulomb_brake.hpp");
   p.table<ph::stribeck_brake<T>>("stribeck_brake", models + "stribeck_brake.hpp");
   p.table<ph::magnetorheological_brake<T>>("magnetorheological_brake",
@@ -203,7 +204,7 @@ std::string tables() {
   p.table<ph::device_calibration_parameters<ph::two_link<T>>>("device_calibration_parameters",
                                                               calibration + "device_calibration.hpp");
   p.table<ph::steady_parameters>("steady_parameters", calibration + "steady_mean.hpp");
-  p.table<ph::bench_parameters>("bench_parameters", "driver/identification/bench_run.hpp");
+  p.table<ph::bench_parameters>("bench_parameters", "bench/bench_run.hpp");
   return p.text();
 }
 

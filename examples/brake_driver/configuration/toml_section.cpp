@@ -1,6 +1,6 @@
 #include <configuration/toml_section.hpp>
 
-#include <passive_haptics/interop/files/file_bytes.hpp>
+#include <passive_haptics/scene/files/file_bytes.hpp>
 
 // One of toml++ 3.3 ends the program at a header like [.a], which the next line would tell as a mistake
 #define TOML_ASSERT(expression) static_assert(true)

@@ -5,12 +5,12 @@
 #include <configuration/configuration.hpp>
 #include <ports/simulated_wire.hpp>
 
-#include <passive_haptics/brake/models/any_brake.hpp>
-#include <passive_haptics/brake/models/compensated_brake.hpp>
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
-#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
-#include <passive_haptics/brake/models/stribeck_brake.hpp>
 #include <passive_haptics/driver/clock.hpp>
+#include <passive_haptics/plant/brakes/any_brake.hpp>
+#include <passive_haptics/plant/brakes/compensated_brake.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
 #include <passive_haptics/plant/force_sensor.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>

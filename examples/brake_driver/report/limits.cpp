@@ -1,6 +1,6 @@
 #include <report/limits.hpp>
 
-#include <passive_haptics/control/normal_force/braked_wall_at.hpp>
+#include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/driver/calibration/encoder_calibration.hpp>
 
 #include <cstdio>

@@ -10,6 +10,34 @@
 
 namespace passive_haptics {
 
+template <class M>
+class brake_jacobian_evaluator;
+
+/// E = J T^+ (d x m, base frame), T^+ = T^-1 for square T: v = E w and, by virtual work, t = E^T F balances
+/// F. Needs no inverse of J, which may be singular. For redundant brakes T^+ = (T^T T)^-1 T^T, so t = E^T F
+/// has the least norm of all torques that balance F.
+///
+/// A diagonal_matrix where J and T are; J itself where the mechanism names no transmission. Not finite where
+/// J is undefined or T singular. Cost: T^+ and a product; a loop keeps a brake_jacobian_evaluator instead.
+template <class M>
+auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
+  return brake_jacobian_evaluator<M>(mechanism)(mechanism_pose<M>(mechanism, q));
+}
+
+/// Brake torques t = E^T F [N m] that balance the force F [N] at the end effector.
+///
+/// @equation{2}
+template <class T, int D, int Brakes>
+vector<T, Brakes> brake_torque(const matrix<T, D, Brakes>& E, const vector<T, D>& F) {
+  return transposed_times(E, F);
+}
+
+/// The same for a diagonal E.
+template <class T, int D>
+vector<T, D> brake_torque(const diagonal_matrix<T, D>& E, const vector<T, D>& F) {
+  return E * F;
+}
+
 /// T^+ (n x m) of a transmission T (m x n): T^-1 for square T, else (T^T T)^-1 T^T. NaN where T has not full
 /// column rank. Cost: one orthogonal decomposition of n x m.
 template <class T, int Brakes, int Dof>
@@ -32,12 +60,11 @@ class brake_jacobian_evaluator {
   /// Of the mechanism.
   explicit brake_jacobian_evaluator(const M& mechanism) : inverse_(inverse_of_constant(mechanism)) {}
 
-  /// E = J T^+ in pose q. A diagonal_matrix where J and T are; J itself where there is no transmission.
-  template <class JMatrix>
-  auto operator()(const JMatrix& J, const M& mechanism, const joint_vector<M>& q) const {
-    if constexpr (!detail::has_exact_transmission<M>) return J;
-    else if constexpr (is_constant) return times(J, inverse_);
-    else return times(J, pseudo_inverse(mechanism.transmission(q)));
+  /// E = J T^+. A diagonal_matrix where J and T are; J itself where there is no transmission.
+  auto operator()(const mechanism_pose<M>& pose) const {
+    if constexpr (!detail::has_exact_transmission<M>) return pose.jacobian();
+    else if constexpr (is_constant) return times(pose.jacobian(), inverse_);
+    else return times(pose.jacobian(), pseudo_inverse(pose.transmission()));
   }
 
  private:
@@ -61,30 +88,5 @@ class brake_jacobian_evaluator {
   }
   [[no_unique_address]] decltype(inverse_of_constant(std::declval<const M&>())) inverse_;
 };
-
-/// E = J T^+ (d x m, base frame), T^+ = T^-1 for square T: v = E w and, by virtual work, t = E^T F balances
-/// F. Needs no inverse of J, which may be singular. For redundant brakes T^+ = (T^T T)^-1 T^T, so t = E^T F
-/// has the least norm of all torques that balance F.
-///
-/// A diagonal_matrix where J and T are; J itself where the mechanism names no transmission. Not finite where
-/// J is undefined or T singular. Cost: T^+ and a product; a loop keeps a brake_jacobian_evaluator instead.
-template <class M>
-auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
-  return brake_jacobian_evaluator<M>(mechanism)(jacobian(mechanism, q), mechanism, q);
-}
-
-/// Brake torques t = E^T F [N m] that balance the force F [N] at the end effector.
-///
-/// @equation{2}
-template <class T, int D, int Brakes>
-vector<T, Brakes> brake_torque(const matrix<T, D, Brakes>& E, const vector<T, D>& F) {
-  return transposed_times(E, F);
-}
-
-/// The same for a diagonal E.
-template <class T, int D>
-vector<T, D> brake_torque(const diagonal_matrix<T, D>& E, const vector<T, D>& F) {
-  return E * F;
-}
 
 }  // namespace passive_haptics

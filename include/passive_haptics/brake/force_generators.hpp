@@ -31,20 +31,27 @@ concept has_inverse_transposed_jacobian = requires(const M mechanism, const join
 /// has one. Not finite at a singular J. Cost: one orthogonal decomposition of d x d.
 template <class M>
   requires(M::dof == M::task_dimension)
-brake_matrix<M> force_generators(const M& mechanism, const joint_vector<M>& q) {
+brake_matrix<M> force_generators(const mechanism_pose<M>& pose) {
   using T = typename M::scalar;
-  using generators = brake_matrix<M>;
-  const matrix<T, M::dof, M::brake_count> Tt = transposed_transmission(mechanism, q);
+  const M& mechanism = pose.mechanism();
+  const matrix<T, M::dof, M::brake_count> Tt = pose.transposed_transmission();
   if constexpr (detail::has_inverse_transposed_jacobian<M>) {
-    return mechanism.inverse_transposed_jacobian(q) * Tt;
+    return mechanism.inverse_transposed_jacobian(pose.q()) * Tt;
   } else if constexpr (detail::has_inverse_jacobian<M>) {
-    return transposed(mechanism.inverse_jacobian(q)) * Tt;
+    return transposed(mechanism.inverse_jacobian(pose.q())) * Tt;
   } else {
-    const auto Jt = transposed(matrix<T, M::dof, M::dof>(jacobian(mechanism, q)));
+    const auto Jt = transposed(matrix<T, M::dof, M::dof>(pose.jacobian()));
     const orthogonal_decomposition<T, M::dof, M::dof> decomposition(Jt, T(0));
     if (decomposition.rank() == M::dof) return decomposition.solve(Tt);
-    return generators::Constant(std::numeric_limits<T>::quiet_NaN());
+    return brake_matrix<M>::Constant(std::numeric_limits<T>::quiet_NaN());
   }
+}
+
+/// G (4) in pose q.
+template <class M>
+  requires(M::dof == M::task_dimension)
+brake_matrix<M> force_generators(const M& mechanism, const joint_vector<M>& q) {
+  return passive_haptics::force_generators(mechanism_pose<M>(mechanism, q));
 }
 
 /// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d): the force at the end
@@ -53,11 +60,25 @@ brake_matrix<M> force_generators(const M& mechanism, const joint_vector<M>& q) {
 /// never positive. Not finite at a singular J. Cost: a dynamically_consistent_inverse.
 template <class M>
   requires(M::dof > M::task_dimension && Dynamics<M>)
-brake_matrix<M> inertial_force_generators(const M& mechanism, const joint_vector<M>& q) {
+brake_matrix<M> inertial_force_generators(const mechanism_pose<M>& pose) {
   using T = typename M::scalar;
-  const jacobian_matrix<M> J(jacobian(mechanism, q));
-  return dynamically_consistent_inverse<T, M::dof, M::task_dimension>(J, mechanism.mass_matrix(q))
-      .forces(transposed_transmission(mechanism, q));
+  const jacobian_matrix<M> J(pose.jacobian());
+  return dynamically_consistent_inverse<T, M::dof, M::task_dimension>(J, pose.mass_matrix())
+      .forces(pose.transposed_transmission());
+}
+
+/// G = Lambda J M^-1 T^T in pose q.
+template <class M>
+  requires(M::dof > M::task_dimension && Dynamics<M>)
+brake_matrix<M> inertial_force_generators(const M& mechanism, const joint_vector<M>& q) {
+  return passive_haptics::inertial_force_generators(mechanism_pose<M>(mechanism, q));
+}
+
+/// G in F = G t of a device whose cone has no half-spaces: redundant brakes, and inertial forces.
+template <displays_by_generators M>
+brake_matrix<M> generators_of(const mechanism_pose<M>& pose) {
+  if constexpr (has_inertial_forces<M>) return passive_haptics::inertial_force_generators(pose);
+  else return passive_haptics::force_generators(pose);
 }
 
 }  // namespace passive_haptics

@@ -33,12 +33,12 @@ reference_force_set<M> reference_forces(const M& mechanism, const joint_vector<M
   using T = typename M::scalar;
   constexpr int d = M::task_dimension;
   using square = matrix<T, d, d>;
-  const square E(brake_jacobian(mechanism, q));
+  const square E(passive_haptics::brake_jacobian(mechanism, q));
   const square none = square::Constant(std::numeric_limits<T>::quiet_NaN());
   if (!all_finite(E)) return {none, status::pose_undefined};
   if (orthogonal_decomposition<T, d, d>(transposed(E), rounding_tolerance<T>(d)).rank() < d)
     return {none, status::singular_jacobian};
-  return {force_generators(mechanism, q), status::ok};
+  return {passive_haptics::force_generators(mechanism, q), status::ok};
 }
 
 }  // namespace passive_haptics

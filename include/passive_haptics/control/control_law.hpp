@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/mechanism/self_motion.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
@@ -14,7 +15,10 @@ namespace passive_haptics {
 /// that takes any B also runs on brakes that lack members (brake/brake_concepts.hpp).
 template <class M, class EMatrix, class B = brakes_of<M>>
 struct brake_situation {
+  using mechanism_type = M;  ///< Of the mechanism.
+
   const M& mechanism;                 ///< The mechanism,
+  const mechanism_pose<M>& pose;      ///< what it gives in this pose,
   const B& brakes;                    ///< its brakes.
   double time;                        ///< Now [s],
   const joint_vector<M>& q;           ///< joint positions [rad or m],
@@ -44,9 +48,7 @@ struct contact_situation {
 ///   - `static constexpr bool saturates_before_scaling`: alpha scales torques that are already cut to the
 ///     brakes' limits. Else they are cut after, as the paper prints it. Of one contact only;
 ///   - `static constexpr bool gives_way`: the force of a contact being left is scaled so that nothing remains
-///     normal to the wall. Of several contacts these are then met before the others;
-///   - `static constexpr bool asked_always`: asked also where nothing can be displayed. A law of a few
-///     instructions costs less than the branch around it, which nobody can predict.
+///     normal to the wall. Of several contacts these are then met before the others.
 template <class L>
 concept ScalingLaw = requires(const L law, const contact_situation<double, 2> situation) {
   { law.scale(situation) } noexcept -> std::same_as<double>;
@@ -74,7 +76,7 @@ using law_memory = typename detail::memory_of<L>::type;
 ///     template over mechanisms: the torques [N m] that the brakes shall make, at least one wall being
 ///     touched. The cycle cuts them to the limits; a torque that does not oppose its brake releases it.
 ///
-/// Its header includes control/laws/torque_law.hpp. Optional:
+/// Its header includes control/ways/torque_law.hpp. Optional:
 ///   - `struct memory`, default-constructible: what it remembers from cycle to cycle. torque() then takes a
 ///     `memory&` as well. What a cycle leaves in it is kept only if the cycle ends well;
 ///   - `void released(memory&, double time) const noexcept`, called in each cycle that commands nothing (free
@@ -91,9 +93,6 @@ concept ControlLaw = ScalingLaw<L> || TorqueLaw<L>;
 /// Whether a law gives way to a hand that leaves a wall.
 template <class L>
 inline constexpr bool gives_way = requires { requires L::gives_way; };
-/// Whether a law is asked also where nothing can be displayed.
-template <class L>
-inline constexpr bool asked_always = requires { requires L::asked_always; };
 /// Whether alpha of a law scales what the brakes can make of Fc, not Fc itself.
 template <class L>
 inline constexpr bool saturates_before_scaling = requires { requires L::saturates_before_scaling; };

@@ -1,74 +1,82 @@
 /// @file
-/// The control cycle: section 4 of the paper, for any device, law and walls.
+/// The control cycle, for any device, law and walls. Section 4 itself stands in control/ways/, one file for
+/// each way through it; control/ways/one_wall.hpp is the paper's.
 #pragma once
 
 #include <passive_haptics/brake/passive_constraint.hpp>
-#include <passive_haptics/control/account.hpp>
-#include <passive_haptics/control/stages.hpp>
+#include <passive_haptics/control/cycle_result.hpp>
+#include <passive_haptics/control/ways/one_wall.hpp>
 #include <passive_haptics/core/flatten.hpp>
 
 #include <type_traits>
 
 namespace passive_haptics {
 
-/// What the brakes are told about the walls that are touched: section 4. at: the pose; x: the end effector
-/// [m]. Answer: what is wanted to know of the cycle; what that lacks is not computed.
-template <class Answer, class M, class B, class L, class State, class Pose, class Walls>
-PASSIVE_HAPTICS_PART Answer respond(const cycle_parts<M, B, L>& with, const State& state, const Pose& at,
-                                    const point<M::task_dimension>& x, const Walls& touched,
-                                    step_memory<L>& memory) {
-  const M& mechanism = with.mechanism;
+/// The brakes at rates w [rad/s or m/s]: those whose limits depend on them (rate_limited_brakes), or as they
+/// are.
+template <class B, class Rates>
+decltype(auto) brakes_at(const B& brakes, const Rates& w) {
+  if constexpr (requires { brakes.at(w); }) return brakes.at(w);
+  else return (brakes);
+}
 
-  // The force that the walls ask for
-  const auto Fd = desired(with, touched);
-  if (!asks(Fd)) return released<Answer>(with, state.time, reason<M>(x, touched), memory);
+/// What the brakes do about the walls that are touched. pose: of the mechanism; x: the end effector [m]. What
+/// Result has no member for is not computed.
+template <class Result, class Setup, class Pose, class State, int D, class Walls, class Memory>
+PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, const State& state,
+                                          const point<D>& x, const Walls& touched, Memory& memory) {
+  namespace ph = passive_haptics;  // No function of a user's namespace is meant
+  using M = typename Setup::mechanism_type;
+
+  // What the walls demand
+  const way_of<Result, Setup, Walls> way{setup, touched};
+  if (!way.demands_force())
+    return ph::released<Result>(setup, state.time, ph::status_without_force<M>(x, touched), memory);
 
   // What the brakes can do: v = E w, t = E^T F, and the sign of each
-  const auto E = with.brake_jacobian(jacobian(mechanism, at), mechanism, state.q);
-  const brake_vector<M> w = brake_rates(mechanism, state.q, state.qd);
-  const task_vector<M> v = times(E, w), Fh = hand_force<M>(state);
-  const brake_vector<M> th = hand_torque<M, B>(state, E);
-  const brake_vector<M> s = brake_signs(w, th, with.brakes);
-  const brake_situation<M, decltype(E), B> now{mechanism, with.brakes, state.time, state.q, state.qd, x,
-                                               E,         w,           v,          s,       Fh};
+  const auto E = setup.brake_jacobian(pose);
+  const brake_vector<M> w = pose.brake_rates(state.qd);
+  const auto& brakes = ph::brakes_at(setup.brakes, w);
+  const task_vector<M> v = times(E, w), Fh = ph::hand_force<M>(state);
+  const brake_vector<M> th = ph::hand_torque<M>(state, E, brakes);
+  const brake_vector<M> s = ph::brake_signs(w, th, brakes);
+  const brake_situation now{setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh};
 
-  // Direct control, steps 1 to 4
-  const auto Fc = displayed(with, now, Fd, touched, memory);
-  const auto alpha = scale(with, now, Fd, Fc);
-  const auto Fc_scaled = alpha * Fc;
-  const auto td = add_effects(with, now, touched, commanded(with, alpha, Fc, Fc_scaled));
-
-  // What the mechanism will feel
-  const brake_vector<M> t = passive_torque(td.torque, w, th, s, with.brakes);
-  return account<Answer>(with, now, touched, Fd, Fc, alpha, Fc_scaled, td, t, memory);
+  // Section 4, and what the mechanism will feel of it
+  const auto steps = way.command(now, memory);
+  const brake_vector<M> t = ph::passive_torque(steps.td.torque, w, th, s, brakes);
+  return way.result(now, steps, t, memory);
 }
 
-/// One control cycle: where the device is, what it touches, what its brakes are told. scene: of a controller,
-/// or the walls touched.
-template <class Answer, class M, class B, class L, class State, class S>
-PASSIVE_HAPTICS_PART Answer cycle(const cycle_parts<M, B, L>& with, S& scene, const State& state,
-                                  step_memory<L>& memory) {
-  const auto at = pose(with.mechanism, state.q);
-  const auto x = as<double>(with.mechanism.position(at));
-  if (!may_be_shown<M>(scene, x)) return released<Answer>(with, state.time, status::pose_undefined, memory);
+/// One control cycle: where the device is, what it touches, what its brakes do. scene: of a controller, or
+/// the walls touched.
+template <class Result, class Setup, class S, class State, class Memory>
+PASSIVE_HAPTICS_PART Result cycle(const Setup& setup, S& scene, const State& state, Memory& memory) {
+  namespace ph = passive_haptics;
+  using M = typename Setup::mechanism_type;
+  const mechanism_pose<M> pose(setup.mechanism, state.q);
+  const auto x = as<double>(pose.position());
+  if (!ph::is_usable_position<M>(scene, x))
+    return ph::released<Result>(setup, state.time, status::pose_undefined, memory);
 
-  const auto& touched = walls_at(scene, x, state.time);
-  if (const status s = status_of(scene); s != status::ok)
-    return released<Answer>(with, state.time, s, memory);
-  if constexpr (ScalingLaw<L> && std::remove_cvref_t<decltype(touched)>::capacity > 1)
-    if (touched.size() == 1) return respond<Answer>(with, state, at, x, alone(touched), memory);
-  return respond<Answer>(with, state, at, x, touched, memory);
+  const auto& touched = ph::walls_at(scene, x, state.time);
+  if (const status s = ph::status_of(scene); s != status::ok)
+    return ph::released<Result>(setup, state.time, s, memory);
+  if constexpr (ScalingLaw<typename Setup::law_type> && std::remove_cvref_t<decltype(touched)>::capacity > 1)
+    if (touched.size() == 1) return ph::display_walls<Result>(setup, pose, state, x, alone(touched), memory);
+  return ph::display_walls<Result>(setup, pose, state, x, touched, memory);
 }
 
-/// What step() and a controller call: the cycle, but for a state or parameters that are not valid.
-/// parameters: of brakes and options, from check_parameters.
-template <class Answer, class M, class B, class L, class State, class S>
-PASSIVE_HAPTICS_PART Answer run_cycle(const cycle_parts<M, B, L>& with, status parameters, S& scene,
-                                      const State& state, step_memory<L>& memory) {
-  status given = check_state<M>(state);
+/// Checks state and parameters, then runs the cycle: what step() and a controller call. parameters: of brakes
+/// and options, from check_parameters.
+template <class Result, class Setup, class S, class State, class Memory>
+PASSIVE_HAPTICS_PART Result run_cycle(const Setup& setup, status parameters, S& scene, const State& state,
+                                      Memory& memory) {
+  namespace ph = passive_haptics;
+  status given = ph::check_state<typename Setup::mechanism_type>(state);
   if (given == status::ok) given = parameters;
-  return given == status::ok ? cycle<Answer>(with, scene, state, memory)
-                             : released<Answer>(with, state.time, given, memory);
+  return given == status::ok ? ph::cycle<Result>(setup, scene, state, memory)
+                             : ph::released<Result>(setup, state.time, given, memory);
 }
 
 }  // namespace passive_haptics

@@ -48,7 +48,6 @@ struct no_direct_control {
 struct direct_control {
   static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
   static constexpr bool gives_way = true;         ///< Leaves nothing normal where the handle moves out.
-  static constexpr bool asked_always = true;      ///< Costs less than a branch.
 
   double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is the law as printed.
 

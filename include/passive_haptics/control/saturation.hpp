@@ -2,6 +2,7 @@
 /// Torque limits.
 #pragma once
 
+#include <passive_haptics/brake/brake_concepts.hpp>
 #include <passive_haptics/core/linear/lane_products.hpp>
 
 namespace passive_haptics {
@@ -35,6 +36,13 @@ saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<T,
   lanes<T, Brakes> within = wanted;
   if (policy == saturation::keep_direction) within = within * least(choose(is_over, most / size, T(1)));
   return {max(min(within, most), -most), any(is_over)};
+}
+
+/// Torques t [N m] within the limits of the brakes, where they have some.
+template <class B, class T, int Brakes>
+saturated_torque<T, Brakes> within_limits(const vector<T, Brakes>& t, const B& brakes, saturation policy) {
+  if constexpr (LimitedBrakes<B, T, Brakes>) return saturate(t, brakes.torque_limit, policy);
+  else return {t, false};
 }
 
 }  // namespace passive_haptics

@@ -2,7 +2,7 @@
 /// What must hold of the types of a control cycle.
 #pragma once
 
-#include <passive_haptics/control/stages.hpp>
+#include <passive_haptics/control/cycle_inputs.hpp>
 
 namespace passive_haptics {
 namespace detail {
@@ -23,14 +23,9 @@ struct scene_requirements {
   static constexpr bool met = true;
 };
 
-// Whether step 1 of a cycle is there, or is not by generators. A concept, as that asks for the last part only
-// where the others do not hold.
-template <class M, class B, class L>
-concept has_generator_form =
-    !displays_by_generators<M> || !ScalingLaw<L> ||
-    requires(const cycle_parts<M, B, L>& with, const brake_situation<M, brake_matrix<M>, B>& now,
-             const desired_force<typename M::scalar, M::task_dimension>& Fd,
-             step_memory<L>& memory) { displayed(with, now, Fd, Fd, memory); };
+// Whether the header that defines this type is included.
+template <class X>
+concept is_included = requires { sizeof(X); };
 
 // What must hold of the brakes of a step under this law, one short message for each.
 template <class M, class L, class B>
@@ -39,13 +34,13 @@ struct law_brake_requirements {
                 "passive_haptics: the law must model ControlLaw: give it `template <class T, int D> T "
                 "scale(const contact_situation<T, D>&) const noexcept` (control/control_law.hpp).");
   static_assert(
-      !TorqueLaw<L> || requires(const cycle_parts<M, B, L>& with, const brake_vector<M>& t) {
-        limited(with, t);
-      }, "passive_haptics: a TorqueLaw needs <passive_haptics/control/laws/torque_law.hpp>.");
+      !TorqueLaw<L> ||
+          is_included<torques_of_law<brake_command<M>, cycle_setup<M, B, L>, contacts<M::task_dimension, 1>>>,
+      "passive_haptics: a TorqueLaw needs <passive_haptics/control/ways/torque_law.hpp>.");
   static_assert(self_motion_requirements<M>::met);
-  static_assert(has_generator_form<M, B, L>,
+  static_assert(!displays_by_generators<M> || is_included<approximation_for<M>>,
                 "passive_haptics: redundant brakes and inertial forces need "
-                "<passive_haptics/control/extensions/generator_form.hpp>.");
+                "<passive_haptics/control/ways/generator_form.hpp>.");
   static_assert(brake_requirements<B, M>::met);
   static_assert(!needs_brake_lag<L> || names_time_constant<B>,
                 "passive_haptics: this law needs the brakes' lag: give the brakes a time_constant "
@@ -70,10 +65,9 @@ struct step_requirements {
   static_assert(Contacts::dimension == M::task_dimension,
                 "passive_haptics: the scene's dimension must be the mechanism's task_dimension.");
   static_assert(
-      requires(const cycle_parts<M, B, L>& with, const Contacts& touched) { desired(with, touched); } ||
-          !ControlLaw<L> || Contacts::dimension != M::task_dimension,
-      "passive_haptics: scenes of several walls need "
-      "<passive_haptics/control/extensions/several_contacts.hpp>.");
+      is_included<way_of<brake_command<M>, cycle_setup<M, B, L>, Contacts>> || !ControlLaw<L> ||
+          Contacts::dimension != M::task_dimension,
+      "passive_haptics: scenes of several walls need <passive_haptics/control/ways/several_walls.hpp>.");
   static constexpr bool met = true;
 };
 

@@ -90,14 +90,14 @@ template <class M, class Contacts>
 using step_result_for = typename detail::result_of<M, Contacts>::type;
 
 /// All brakes released, and why: in free space (ok), or for a fault. A step_result or a brake_command.
-template <class Answer>
-Answer released(status outcome) {
-  Answer answer;
-  answer.capacity.setZero();
-  answer.outcome = outcome;
-  if constexpr (requires { answer.display; })
-    if (outcome != status::ok) answer.display = display_class::none;
-  return answer;
+template <class Result>
+Result released(status outcome) {
+  Result result;
+  result.capacity.setZero();
+  result.outcome = outcome;
+  if constexpr (requires { result.display; })
+    if (outcome != status::ok) result.display = display_class::none;
+  return result;
 }
 
 }  // namespace passive_haptics

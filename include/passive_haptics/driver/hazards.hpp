@@ -3,7 +3,6 @@
 #pragma once
 
 #include <passive_haptics/driver/control_loop.hpp>
-#include <passive_haptics/driver/identification/bench_run.hpp>
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
 #include <passive_haptics/driver/thread/polling_thread.hpp>
@@ -21,7 +20,8 @@ struct driver_timing {
   release_parameters at_release;                              ///< Of the safe_port and the supervisor.
   supervisor_parameters supervisor;                           ///< Its timeout.
   polling_parameters thread;                                  ///< Of the threaded_port.
-  bench_parameters bench;                                     ///< Of record_on_bench().
+  double bench_hold_over = 0.1;                               ///< Of record_on_bench() [s],
+  double bench_overtime = 1;                                  ///< and how long it waits for the end [s].
   double watchdog = 0;                                        ///< Of the device [s]; 0 for none.
 };
 
@@ -82,9 +82,9 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
       {"Loop and supervisor die or are stopped", "the device's watchdog", p.watchdog > 0 ? p.watchdog : never,
        "start the program again"},
       {"On a bench: a bad sample, a refused current, a clock that stands still or jumps", "record_on_bench",
-       p.bench.hold_over + cycle, "start the test again"},
+       p.bench_hold_over + cycle, "start the test again"},
       {"On a bench: the test does not end by its samples", "record_on_bench: this machine's clock",
-       longest_bench_overtime, "start the test again"},
+       p.bench_overtime, "start the test again"},
       {"Standard input, output or error is closed when the program starts",
        "the program, before it opens any", 0, "no brake is driven before"},
       {"The handle is deeper in a wall than `largest_start_depth`", "brake_driver, before `activate()`", 0,

@@ -2,9 +2,9 @@
 /// Meshes from STL, OBJ, PLY and whatever else Assimp reads (https://assimp.org, Debian: libassimp-dev).
 #pragma once
 
-#include <passive_haptics/interop/files/obj.hpp>
-#include <passive_haptics/interop/files/ply.hpp>
-#include <passive_haptics/interop/files/stl.hpp>
+#include <passive_haptics/scene/files/obj.hpp>
+#include <passive_haptics/scene/files/ply.hpp>
+#include <passive_haptics/scene/files/stl.hpp>
 
 #include <assimp/BaseImporter.h>
 #include <assimp/postprocess.h>

@@ -6,6 +6,8 @@
 #include <passive_haptics/core/scalar/dual_number.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 
+#include <utility>
+
 namespace passive_haptics {
 namespace detail {
 
@@ -38,62 +40,120 @@ jacobian_matrix<M> automatic_jacobian(const M& mechanism, const joint_vector<M>&
   return J;
 }
 
-/// J in v = J qd, d x n, base frame [m/rad or 1]: a matrix, or a diagonal_matrix where the mechanism says so.
+/// A mechanism in one pose: what it gives there. What its members share, such as sines and cosines, is
+/// computed once, by the mechanism's pose(q) where it has one. Lives no longer than the mechanism and q.
+template <class M>
+class mechanism_pose {
+  using T = typename M::scalar;
+
+  static decltype(auto) pose_of(const M& mechanism, const joint_vector<M>& q) {
+    if constexpr (detail::has_pose<M>) return mechanism.pose(q);
+    else return (q);
+  }
+
+ public:
+  /// In pose q.
+  mechanism_pose(const M& mechanism, const joint_vector<M>& q)
+      : mechanism_(mechanism), q_(q), pose_(pose_of(mechanism, q)) {}
+
+  /// x [m], base frame.
+  task_vector<M> position() const { return mechanism_.position(pose_); }
+
+  /// J in v = J qd, d x n, base frame [m/rad or 1]: a matrix, or a diagonal_matrix where the mechanism's is.
+  auto jacobian() const {
+    static_assert(mechanism_requirements<M>::met);
+    static_assert(DifferentiableMechanism<M>,
+                  "passive_haptics: the mechanism needs jacobian(q), or position(q) templated on the scalar "
+                  "(`template <class S> vector<S, d> position(const vector<S, n>& q) const`).");
+    if constexpr (detail::jacobian_is_constant<M>) return mechanism_.jacobian();
+    else if constexpr (detail::jacobian_depends_on_pose<M>) return mechanism_.jacobian(pose_);
+    else return passive_haptics::automatic_jacobian(mechanism_, q_);
+  }
+
+  /// T in w = T qd, m x n: a matrix or a diagonal_matrix. Only for mechanisms that name a transmission.
+  auto transmission() const {
+    if constexpr (detail::transmission_is_constant<M>) return mechanism_.transmission();
+    else if constexpr (requires { mechanism_.transmission(pose_); }) return mechanism_.transmission(pose_);
+    else return mechanism_.transmission(q_);
+  }
+
+  /// T^T (n x m), which makes joint torques of brake torques; the identity for a mechanism that names no
+  /// transmission.
+  matrix<T, M::dof, M::brake_count> transposed_transmission() const {
+    if constexpr (detail::has_exact_transmission<M>)
+      return transposed(transmission_matrix<M>(transmission()));
+    else return matrix<T, M::dof, M::brake_count>::Identity();
+  }
+
+  /// Velocity of the end effector, v = J qd [m/s], base frame.
+  task_vector<M> velocity(const joint_vector<M>& qd) const { return times(jacobian(), qd); }
+
+  /// Rates of the brakes' axes, w = T qd [rad/s or m/s].
+  brake_vector<M> brake_rates(const joint_vector<M>& qd) const {
+    if constexpr (detail::has_exact_transmission<M>) return times(transmission(), qd);
+    else return as<T>(qd);  // entry by entry: a packet would go through memory
+  }
+
+  /// M [kg m^2, kg m or kg], of a mechanism with Dynamics (mechanism/dynamics.hpp).
+  matrix<T, M::dof, M::dof> mass_matrix() const {
+    if constexpr (requires { mechanism_.mass_matrix(pose_); }) return mechanism_.mass_matrix(pose_);
+    else return mechanism_.mass_matrix(q_);
+  }
+
+  /// c [N m or N].
+  joint_vector<M> bias_torque(const joint_vector<M>& qd) const {
+    if constexpr (requires { mechanism_.bias_torque(pose_, qd); }) return mechanism_.bias_torque(pose_, qd);
+    else return mechanism_.bias_torque(q_, qd);
+  }
+
+  /// Jd qd [m/s^2].
+  task_vector<M> bias_acceleration(const joint_vector<M>& qd) const {
+    if constexpr (requires { mechanism_.bias_acceleration(pose_, qd); })
+      return mechanism_.bias_acceleration(pose_, qd);
+    else return mechanism_.bias_acceleration(q_, qd);
+  }
+
+  /// The mechanism.
+  const M& mechanism() const { return mechanism_; }
+  /// q [rad or m].
+  const joint_vector<M>& q() const { return q_; }
+
+ private:
+  const M& mechanism_;
+  const joint_vector<M>& q_;
+  decltype(pose_of(std::declval<const M&>(), std::declval<const joint_vector<M>&>())) pose_;
+};
+
+/// J of one pose (mechanism_pose).
 template <class M>
 auto jacobian(const M& mechanism, const joint_vector<M>& q) {
-  static_assert(mechanism_requirements<M>::met);
-  static_assert(DifferentiableMechanism<M>,
-                "passive_haptics: the mechanism needs jacobian(q), or position(q) templated on the scalar "
-                "(`template <class S> vector<S, d> position(const vector<S, n>& q) const`).");
-  if constexpr (detail::jacobian_is_constant<M>) return mechanism.jacobian();
-  else if constexpr (detail::jacobian_depends_on_pose<M>) return mechanism.jacobian(q);
-  else return automatic_jacobian(mechanism, q);
+  return mechanism_pose<M>(mechanism, q).jacobian();
 }
 
-/// What position and Jacobian have in common: mechanism.pose(q), or q itself where there is none.
-template <class M>
-auto pose(const M& mechanism, const joint_vector<M>& q) {
-  if constexpr (detail::has_pose<M>) return mechanism.pose(q);
-  else return q;
-}
-
-/// J in a pose from pose(mechanism, q).
-template <class M, class Pose>
-  requires(!std::same_as<Pose, joint_vector<M>>)
-auto jacobian(const M& mechanism, const Pose& at) {
-  return mechanism.jacobian(at);
-}
-
-/// T in w = T qd, m x n: a matrix or a diagonal_matrix. Only for mechanisms that name a transmission.
+/// T of one pose (mechanism_pose).
 template <class M>
   requires detail::has_exact_transmission<M>
 auto transmission(const M& mechanism, const joint_vector<M>& q) {
-  if constexpr (detail::transmission_is_constant<M>) return mechanism.transmission();
-  else return mechanism.transmission(q);
+  return mechanism_pose<M>(mechanism, q).transmission();
 }
 
-/// T^T (n x m), which makes joint torques of brake torques; the identity for a mechanism that names no
-/// transmission.
+/// T^T of one pose (mechanism_pose).
 template <class M>
 matrix<typename M::scalar, M::dof, M::brake_count> transposed_transmission(const M& mechanism,
                                                                            const joint_vector<M>& q) {
-  using T = typename M::scalar;
-  if constexpr (detail::has_exact_transmission<M>)
-    return transposed(transmission_matrix<M>(transmission(mechanism, q)));
-  else return matrix<T, M::dof, M::brake_count>::Identity();
+  return mechanism_pose<M>(mechanism, q).transposed_transmission();
 }
 
-/// Velocity of the end effector, v = J qd [m/s], base frame.
+/// v = J qd [m/s] in one pose.
 template <class M>
 task_vector<M> velocity(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
-  return times(jacobian(mechanism, q), qd);
+  return mechanism_pose<M>(mechanism, q).velocity(qd);
 }
 
-/// Rates of the brakes' axes, w = T qd [rad/s or m/s].
+/// w = T qd [rad/s or m/s] in one pose.
 template <class M>
 brake_vector<M> brake_rates(const M& mechanism, const joint_vector<M>& q, const joint_vector<M>& qd) {
-  if constexpr (detail::has_exact_transmission<M>) return times(transmission(mechanism, q), qd);
-  else return as<typename M::scalar>(qd);  // entry by entry: a packet would go through memory
+  return mechanism_pose<M>(mechanism, q).brake_rates(qd);
 }
 
 }  // namespace passive_haptics

@@ -2,9 +2,9 @@
 /// Encoders: positions in whole counts, rates by differences.
 #pragma once
 
-#include <passive_haptics/brake/measurement/encoder_axes.hpp>
-#include <passive_haptics/brake/models/first_order_lag.hpp>
+#include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/core/parameters.hpp>
+#include <passive_haptics/core/scalar/first_order_lag.hpp>
 
 #include <numbers>
 

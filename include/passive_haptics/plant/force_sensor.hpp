@@ -2,8 +2,8 @@
 /// A force sensor at the handle: a low-pass, a scale and noise.
 #pragma once
 
-#include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/core/parameters.hpp>
+#include <passive_haptics/core/scalar/first_order_lag.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 
 #include <cstdint>

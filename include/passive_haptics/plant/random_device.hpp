@@ -2,7 +2,7 @@
 /// Random devices, hands and planes: what a law meets that nobody tuned it for.
 #pragma once
 
-#include <passive_haptics/brake/models/coulomb_brake.hpp>
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 #include <passive_haptics/plant/random_plane.hpp>
 #include <passive_haptics/plant/wall_following.hpp>

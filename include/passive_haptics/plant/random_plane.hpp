@@ -42,7 +42,7 @@ template <class M>
 bool reach(const M& mechanism, const workspace<M>& where, const task_vector<M>& x, joint_vector<M>& q) {
   using square = matrix<typename M::scalar, M::dof, M::dof>;
   for (int k = 0; k < 8; ++k) {
-    const square J(jacobian(mechanism, q)), inverse = J.inverse();
+    const square J(passive_haptics::jacobian(mechanism, q)), inverse = J.inverse();
     if (!(J.norm() * inverse.norm() <= where.most_condition)) return false;
     const task_vector<M> off = x - mechanism.position(q);
     if (off.norm() < 1e-9) return true;
@@ -56,7 +56,7 @@ bool reach(const M& mechanism, const workspace<M>& where, const task_vector<M>& 
 template <class M>
 double best_cosine(const M& mechanism, const joint_vector<M>& q, const task_vector<M>& v,
                    const task_vector<M>& normal) {
-  const brake_matrix<M> F = force_generators(mechanism, q);
+  const brake_matrix<M> F = passive_haptics::force_generators(mechanism, q);
   const brake_vector<M> w = F.transpose() * v;  // F . v = t . w
   double best = -1;
   for (int i = 0; i < M::brake_count; ++i) {
@@ -100,7 +100,7 @@ random_plane<M> draw_plane(const M& mechanism, const workspace<M>& where, double
     }
     if (!can_be_gone) continue;
     if (!(best_cosine(mechanism, plane.q, plane.direction, plane.normal) >= where.least_cosine)) continue;
-    const matrix<T, d, d> J(jacobian(mechanism, plane.q));
+    const matrix<T, d, d> J(passive_haptics::jacobian(mechanism, plane.q));
     plane.qd =
         J.inverse() * (static_cast<T>(speed) * plane.direction - static_cast<T>(approach) * plane.normal);
     return plane;

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <passive_haptics/brake/force_generators.hpp>
-#include <passive_haptics/brake/models/coulomb_brake.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/plant/box_friction.hpp>
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
 #include <passive_haptics/plant/energy_balance.hpp>
 #include <passive_haptics/plant/simulated_device_declaration.hpp>
 
@@ -69,7 +69,8 @@ class simulated_device {
     const task_vector<M> drift = mechanism_.bias_acceleration(q_, qd_);
     const task_vector<M> handle_force = muscle_force - hand_mass_ * drift;
     const joint_vector<M> drive = J_.transpose() * handle_force - mechanism_.bias_torque(q_, qd_);
-    const matrix<scalar, M::dof, M::brake_count> Tt = transposed_transmission(mechanism_, q_);
+    const matrix<scalar, M::dof, M::brake_count> Tt =
+        passive_haptics::transposed_transmission(mechanism_, q_);
     const transmission_matrix<M> T = transposed(Tt);
     const resistances now = resist(dt, capacity, T * qd_);
     const transmission_matrix<M> drag = (dt * (now.commanded_drag + now.residual_drag)).asDiagonal() * T;
@@ -117,7 +118,7 @@ class simulated_device {
   /// Velocity of the handle [m/s].
   task_vector<M> velocity() const { return J_ * qd_; }
   /// Rates of the brakes' axes [rad/s or m/s].
-  brake_vector<M> rates() const { return brake_rates(mechanism_, q_, qd_); }
+  brake_vector<M> rates() const { return passive_haptics::brake_rates(mechanism_, q_, qd_); }
   /// Force of the hand on the handle in the last step [N]: muscle force less what moved the hand's own mass.
   const task_vector<M>& sensed_force() const { return sensed_force_; }
   /// Mean torque of the brakes in the last step [N m]: friction, commanded and residual, and commanded drag.
@@ -135,11 +136,12 @@ class simulated_device {
   /// n > d by the dynamically consistent inverse. Not finite where J has not full row rank.
   task_vector<M> brake_force() const {
     if constexpr (M::dof == M::task_dimension) {
-      return force_generators(mechanism_, q_) * brake_torque_;
+      return passive_haptics::force_generators(mechanism_, q_) * brake_torque_;
     } else {
       // The hand's mass changes nothing, so it may stay in M
       const dynamically_consistent_inverse<scalar, M::dof, M::task_dimension> inverse(J_, mass_);
-      return inverse.forces(joint_vector<M>(transposed_transmission(mechanism_, q_) * brake_torque_));
+      return inverse.forces(
+          joint_vector<M>(passive_haptics::transposed_transmission(mechanism_, q_) * brake_torque_));
     }
   }
 
@@ -170,10 +172,10 @@ class simulated_device {
   }
 
   void measure_pose() {
-    const auto at = pose(mechanism_, q_);
-    x_ = mechanism_.position(at);
-    J_ = task_matrix(jacobian(mechanism_, at));
-    mass_ = mechanism_.mass_matrix(q_) + hand_mass_ * J_.transpose() * J_;
+    const mechanism_pose<M> pose(mechanism_, q_);
+    x_ = pose.position();
+    J_ = task_matrix(pose.jacobian());
+    mass_ = pose.mass_matrix() + hand_mass_ * J_.transpose() * J_;
   }
 
   double kinetic_energy() const { return as_double(qd_.dot(mass_ * qd_)) / 2; }

@@ -63,7 +63,7 @@ class dynamics_properties : public ::testing::Test {
 
   /// J as a dense matrix.
   jacobian_matrix<model> dense_jacobian(const joint_vector<model>& q) const {
-    return jacobian_matrix<model>(jacobian(mechanism, q));
+    return jacobian_matrix<model>(passive_haptics::jacobian(mechanism, q));
   }
 
   /// qd . M qd.

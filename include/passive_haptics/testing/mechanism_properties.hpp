@@ -79,7 +79,7 @@ class mechanism_properties : public ::testing::Test {
   /// |T| |T^+|, at least the condition of the transmission; 1 without one, NaN if rank is lost.
   number transmission_condition(const joint_vector<model>& q) const {
     if constexpr (passive_haptics::detail::has_exact_transmission<model>) {
-      const transmission_matrix<model> A(transmission(mechanism, q));
+      const transmission_matrix<model> A(passive_haptics::transmission(mechanism, q));
       return A.norm() * pseudo_inverse(A).norm();
     } else {
       return number(1);
@@ -99,7 +99,7 @@ class mechanism_properties : public ::testing::Test {
 
   /// J as a dense matrix.
   jacobian_matrix<model> dense_jacobian(const joint_vector<model>& q) const {
-    return jacobian_matrix<model>(jacobian(mechanism, q));
+    return jacobian_matrix<model>(passive_haptics::jacobian(mechanism, q));
   }
 
   /// Largest entry of position and of J over all poses: what rounding errors are relative to.

@@ -44,7 +44,7 @@ class projection_properties : public ::testing::Test {
       for (int k = 0; k < each; ++k) {
         if (::testing::Test::HasFatalFailure()) return;
         const joint_vector<model> q = random.between<number, model::dof>(Case::lower(), Case::upper());
-        const half_spaces B = dense_brake_jacobian(mechanism, q) * s.asDiagonal();
+        const half_spaces B = passive_haptics::dense_brake_jacobian(mechanism, q) * s.asDiagonal();
         const force F = random.direction<number, model::task_dimension>();
         SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose()
                                           << ", s = " << s.transpose() << ", F = " << F.transpose());
@@ -123,13 +123,13 @@ TYPED_TEST_P(projection_properties, nearest_force_is_the_projection) {
   const M mechanism = TypeParam::make();
   for_each_sample<TypeParam>(mechanism, this->seed, 20, [&](const step_sample<M>& sample) {
     if (this->HasFatalFailure()) return;
-    const auto E = brake_jacobian(mechanism, sample.state.q);
-    const brake_vector<M> w = brake_rates(mechanism, sample.state.q, sample.state.qd);
+    const auto E = passive_haptics::brake_jacobian(mechanism, sample.state.q);
+    const brake_vector<M> w = passive_haptics::brake_rates(mechanism, sample.state.q, sample.state.qd);
     const brake_vector<M> s = brake_signs(w, brake_vector<M>(brake_vector<M>::Zero()), sample.brakes);
     const task_vector<M> F = sample.wall().normal.template cast<T>();
     const auto nearest = nearest_force(E, s, F);
     const typename TestFixture::half_spaces B =
-        dense_brake_jacobian(mechanism, sample.state.q) * s.asDiagonal();
+        passive_haptics::dense_brake_jacobian(mechanism, sample.state.q) * s.asDiagonal();
     const auto p = project_onto_half_spaces(B, F);
     ASSERT_LE((nearest.force - p.point).norm(), this->tolerance * (1 + this->terms(B, p.coefficients)));
     for (int i = 0; i < M::brake_count; ++i) {

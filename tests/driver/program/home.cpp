@@ -4,7 +4,7 @@
 
 #include <firmware/brake_controller.hpp>
 #include <firmware/host_board.hpp>
-#include <passive_haptics/brake/measurement/encoder_axes.hpp>
+#include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 
 #include <cmath>

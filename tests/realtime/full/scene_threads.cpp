@@ -4,8 +4,8 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/extensions/generator_form.hpp>
-#include <passive_haptics/control/extensions/several_contacts.hpp>
+#include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>

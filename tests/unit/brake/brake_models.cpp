@@ -1,13 +1,13 @@
 // Each brake model against its closed form. What all models owe: tests/property/brake_models.cpp.
 #include "../support.hpp"
 
-#include <passive_haptics/brake/models/any_brake.hpp>
-#include <passive_haptics/brake/models/compensated_brake.hpp>
-#include <passive_haptics/brake/models/coulomb_brake.hpp>
-#include <passive_haptics/brake/models/delayed_brake.hpp>
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
-#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
-#include <passive_haptics/brake/models/stribeck_brake.hpp>
+#include <passive_haptics/plant/brakes/any_brake.hpp>
+#include <passive_haptics/plant/brakes/compensated_brake.hpp>
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
+#include <passive_haptics/plant/brakes/delayed_brake.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 
 #include <cmath>
 #include <numbers>

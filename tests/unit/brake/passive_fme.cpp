@@ -1,8 +1,8 @@
 // Passive FMEs: the sign regions and what lies in them.
 #include "../support.hpp"
 
-#include <passive_haptics/brake/drawing/fme_boundary.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
+#include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/testing/support/random.hpp>

@@ -2,12 +2,12 @@
 #include "../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws/bang_bang_control.hpp>
-#include <passive_haptics/control/laws/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
+#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
+#include <passive_haptics/control/laws/rivals/velocity_ratio_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
-#include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/laws/velocity_ratio_control.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>

@@ -2,7 +2,7 @@
 #include "../../property/custom_mechanisms.hpp"
 
 #include <passive_haptics/brake/brake_parameters.hpp>
-#include <passive_haptics/control/extensions/plausibility.hpp>
+#include <passive_haptics/design/plausibility.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

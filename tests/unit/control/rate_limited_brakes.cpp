@@ -1,13 +1,13 @@
 // A cycle whose brakes give less at some rates.
 #include "../support.hpp"
 
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
+#include <passive_haptics/brake/models/rate_limited_brakes.hpp>
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/extensions/rate_limited_brakes.hpp>
-#include <passive_haptics/control/laws/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/laws/velocity_direct_control.hpp>
+#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 

@@ -1,9 +1,9 @@
 // Arms with more joints than task dimensions keep their wall: random states that move into one.
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/effects/with_effects.hpp>
-#include <passive_haptics/control/extensions/generator_form.hpp>
-#include <passive_haptics/control/laws/on_off_control.hpp>
+#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

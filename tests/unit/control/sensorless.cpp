@@ -1,7 +1,7 @@
 // Without a force sensor: the probe on paper, and simulated hands that want to leave a wall.
 #include "../support.hpp"
 
-#include <passive_haptics/control/laws/velocity_direct_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>

@@ -1,7 +1,7 @@
 // Several walls at once in a whole step: what the law wants of each, and what is reported of it.
 #include "../support.hpp"
 
-#include <passive_haptics/control/laws/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/testing/support/random.hpp>

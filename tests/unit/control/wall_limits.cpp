@@ -1,5 +1,5 @@
 // The wall calculator against the closed form of its equation of motion, and by hand on an XY table.
-#include <passive_haptics/control/normal_force/braked_wall_at.hpp>
+#include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 

@@ -1,7 +1,7 @@
 // Least squares with priorities and bounds in closed form: small cases, by hand.
 #include "../support.hpp"
 
-#include <passive_haptics/core/priorities/least_squares_by_priority.hpp>
+#include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 
 #include <cmath>
 #include <limits>

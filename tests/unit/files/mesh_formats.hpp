@@ -3,9 +3,9 @@
 
 #include "../../property/sample_meshes.hpp"
 
-#include <passive_haptics/interop/files/obj.hpp>
-#include <passive_haptics/interop/files/ply.hpp>
-#include <passive_haptics/interop/files/stl.hpp>
+#include <passive_haptics/scene/files/obj.hpp>
+#include <passive_haptics/scene/files/ply.hpp>
+#include <passive_haptics/scene/files/stl.hpp>
 
 #include <algorithm>
 #include <bit>

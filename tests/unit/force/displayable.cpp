@@ -1,5 +1,5 @@
 // What can be displayed at all: on paper, at singular poses, without an answer, along paths.
-#include <passive_haptics/force/display/undisplayable_share.hpp>
+#include <passive_haptics/design/undisplayable_share.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>

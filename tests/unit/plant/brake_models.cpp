@@ -1,12 +1,12 @@
 // A simulated device with brakes of each model: first order, passive, and a wall to follow.
 #include "../support.hpp"
 
-#include <passive_haptics/brake/models/compensated_brake.hpp>
-#include <passive_haptics/brake/models/delayed_brake.hpp>
-#include <passive_haptics/brake/models/eddy_current_brake.hpp>
-#include <passive_haptics/brake/models/magnetorheological_brake.hpp>
-#include <passive_haptics/brake/models/stribeck_brake.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/plant/brakes/compensated_brake.hpp>
+#include <passive_haptics/plant/brakes/delayed_brake.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 
 #include <cmath>

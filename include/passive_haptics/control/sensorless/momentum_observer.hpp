@@ -4,7 +4,7 @@
 
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/control/device_state.hpp>
-#include <passive_haptics/control/laws/brake_lag.hpp>
+#include <passive_haptics/control/laws/velocity/brake_lag.hpp>
 #include <passive_haptics/control/sensorless/hand_force_estimate.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
@@ -82,7 +82,7 @@ class momentum_observer {
     }
     const double h = state.time - before_.time;
     const bool follows = started_ && h > 0 && h <= p_.longest_period;
-    const auto Tt = transposed_transmission(mechanism_, state.q);
+    const auto Tt = passive_haptics::transposed_transmission(mechanism_, state.q);
     if (follows) {
       brake_vector<M> known = brake_vector<M>::Zero(), unknown = strength;
       unrolled<M::brake_count>([&](auto i) {
@@ -143,7 +143,7 @@ class momentum_observer {
   template <class State>
   motion motion_of(const State& state) const {
     return {state.time, state.qd, mechanism_.bias_torque(state.q, state.qd),
-            brake_rates(mechanism_, state.q, state.qd), mechanism_.mass_matrix(state.q)};
+            passive_haptics::brake_rates(mechanism_, state.q, state.qd), mechanism_.mass_matrix(state.q)};
   }
 
   template <class State>
@@ -179,8 +179,9 @@ class momentum_observer {
   status to_force(const joint_vector<M>& q, const motion& now, const matrix<scalar, n, m>& Tt) {
     estimate_.force.setZero();
     estimate_.generators.setZero();
-    const dynamically_consistent_inverse<scalar, n, d> inverse(matrix<scalar, d, n>(jacobian(mechanism_, q)),
-                                                               now.mass, rounding_tolerance<scalar>(n));
+    const dynamically_consistent_inverse<scalar, n, d> inverse(
+        matrix<scalar, d, n>(passive_haptics::jacobian(mechanism_, q)), now.mass,
+        rounding_tolerance<scalar>(n));
     if (!inverse.defined()) return status::pose_undefined;
     if (!inverse.exists()) return status::singular_jacobian;
     estimate_.force = inverse.forces(residual_.twice);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws/brake_lag.hpp>
+#include <passive_haptics/control/laws/velocity/brake_lag.hpp>
 #include <passive_haptics/control/sensorless/momentum_observer.hpp>
 #include <passive_haptics/control/sensorless/release_probe.hpp>
 
@@ -106,7 +106,7 @@ class sensorless_controller {
       believed_.setZero();
       return hand.force;
     }
-    const brake_vector<M> seen = brake_torque(brake_jacobian(mechanism(), q), hand.force);
+    const brake_vector<M> seen = brake_torque(passive_haptics::brake_jacobian(mechanism(), q), hand.force);
     const brake_vector<M> hidden =
         (believed_ - seen).cwiseMin(hand.unknown_torque).cwiseMax(-hand.unknown_torque);
     believed_ = seen + hidden;
@@ -136,7 +136,7 @@ class sensorless_controller {
 
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {
     constexpr int m = M::brake_count;
-    const brake_vector<M> w = brake_rates(mechanism(), q, qd);
+    const brake_vector<M> w = passive_haptics::brake_rates(mechanism(), q, qd);
     double rest = 0;
     unrolled<m>([&](auto i) {
       // Whatever it is told now: a law that switches at rest holds by the mean of its commands

@@ -2,7 +2,7 @@
 /// All calibrations of a device: counts and readings to its state, capacities to currents.
 #pragma once
 
-#include <passive_haptics/brake/measurement/encoder_axes.hpp>
+#include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/driver/calibration/brake_calibration.hpp>
 #include <passive_haptics/driver/calibration/encoder_calibration.hpp>

@@ -2,7 +2,7 @@
 /// One set of brake torques for several contacts.
 #pragma once
 
-#include <passive_haptics/core/priorities/least_squares_by_priority.hpp>
+#include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 #include <passive_haptics/core/scalar/difference_of_products.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 
@@ -49,7 +49,7 @@ force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
 
 /// Torques in the box that leave the self-motion alone, whose force G t comes nearest to Fd, of the least
 /// norm: the nearest force within limits of a device with n > d. For the force that signs alone allow see
-/// nearest_force. Cost: core/priorities/least_squares_by_priority.hpp, three levels.
+/// nearest_force. Cost: core/linear/least_squares_by_priority.hpp, three levels.
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const force_map<T, D, Brakes>& map,
                                                    const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {
@@ -70,7 +70,7 @@ struct contact_forces_result {
 /// Torques t in the box whose force F = G t gives, in this order of priority: n_j . F = a_j for every demand
 /// that is first; as near as possible for the others, in the sum of squares; the least |F| (least drag); the
 /// least |t|. One demand that is first gives F = alpha Fc of (12). Opposed walls do not cancel, and a demand
-/// of 5e4 N does not drown one of 2 N that is first. Cost: core/priorities/least_squares_by_priority.hpp,
+/// of 5e4 N does not drown one of 2 N that is first. Cost: core/linear/least_squares_by_priority.hpp,
 /// five levels.
 ///
 /// drag: what shall be least, |drag t|, where that is not |F|.

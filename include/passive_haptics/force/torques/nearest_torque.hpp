@@ -2,8 +2,8 @@
 /// Brake torques whose force comes nearest to a desired one: the generator form.
 #pragma once
 
-#include <passive_haptics/core/generators/generated_cone.hpp>
-#include <passive_haptics/core/priorities/prioritised_least_squares.hpp>
+#include <passive_haptics/core/linear/generated_cone.hpp>
+#include <passive_haptics/core/linear/prioritised_least_squares.hpp>
 
 #include <cmath>
 #include <limits>
@@ -94,7 +94,7 @@ nearest_torque_result<T, D, Brakes> nearest_of_generators(const matrix<T, D, Bra
 /// without limits, s_i t_i <= 0, by the torques of least norm: they are unique, so that neighbouring states
 /// get neighbouring torques. G (d x m) from force_generators, Fd of moderate norm. F is the projection of Fd
 /// on the cone of displayable forces (generator form); 0 where G is not finite. Cost:
-/// core/generators/generated_cone.hpp for d <= 3, else core/priorities/prioritised_least_squares.hpp.
+/// core/linear/generated_cone.hpp for d <= 3, else core/linear/prioritised_least_squares.hpp.
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G, const vector<T, Brakes>& s,
                                                    const vector<T, D>& Fd) {
@@ -106,7 +106,7 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
 }
 
 /// The same over torques t in a box. Where its bounds are 0 and infinite that is the cone above. Cost:
-/// core/priorities/prioritised_least_squares.hpp, two levels.
+/// core/linear/prioritised_least_squares.hpp, two levels.
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G,
                                                    const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {

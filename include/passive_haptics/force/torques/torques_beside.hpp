@@ -21,7 +21,7 @@ struct effect_demand {
 ///
 /// normals: n_j in rows, 0 beyond the walls. t in the box. Solved for the change of t, so that a wall of 5e4
 /// N leaves none of its rounding on an effect of 2 N, nor an effect any on the wall. Cost:
-/// core/priorities/least_squares_by_priority.hpp, five levels.
+/// core/linear/least_squares_by_priority.hpp, five levels.
 template <class T, int D, int Brakes, int Walls, int Joints>
 vector<T, Brakes> torques_beside(const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
                                  const vector<T, Brakes>& t, const matrix<T, Walls, D>& normals,

@@ -2,7 +2,7 @@
 /// The contacts of a handle whose proxy rests on facets of a mesh.
 #pragma once
 
-#include <passive_haptics/core/generators/least_distance.hpp>
+#include <passive_haptics/core/linear/least_distance.hpp>
 #include <passive_haptics/scene/mesh/proxy.hpp>
 
 #include <algorithm>

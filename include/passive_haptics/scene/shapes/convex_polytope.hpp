@@ -2,7 +2,7 @@
 /// A convex polytope by the half-spaces that bound it.
 #pragma once
 
-#include <passive_haptics/core/generators/least_distance.hpp>
+#include <passive_haptics/core/linear/least_distance.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/shape.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

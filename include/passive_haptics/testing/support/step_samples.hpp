@@ -2,9 +2,9 @@
 /// Random control cycles in contact, for the property suites.
 #pragma once
 
-#include <passive_haptics/control/extensions/generator_form.hpp>
-#include <passive_haptics/control/extensions/several_contacts.hpp>
 #include <passive_haptics/control/step.hpp>
+#include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -28,7 +28,7 @@ struct step_sample {
 /// E as a dense matrix, whatever the mechanism makes of it.
 template <class M>
 brake_matrix<M> dense_brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
-  return brake_matrix<M>(brake_jacobian(mechanism, q));
+  return brake_matrix<M>(passive_haptics::brake_jacobian(mechanism, q));
 }
 
 /// Calls visit(signs) for each of the 3^m patterns of -1, 0, 1.
@@ -70,7 +70,7 @@ step_sample<typename Case::mechanism> random_sample(
   sample.state.time = random.uniform(0.0, 100.0);
   sample.state.q = random.between<T, M::dof>(Case::lower(), Case::upper());
   if constexpr (!passive_haptics::detail::has_exact_transmission<M>) sample.state.qd = w;
-  else sample.state.qd = pseudo_inverse(transmission(mechanism, sample.state.q)) * w;
+  else sample.state.qd = pseudo_inverse(passive_haptics::transmission(mechanism, sample.state.q)) * w;
   if (random.coin() || random.coin())
     sample.state.hand_force = random.positive(T(1e-3), T(1e2)) * random.direction<T, d>();
   sample.touched.push_back({.normal = random.direction<double, d>(),

@@ -2,8 +2,8 @@
 #include "../../../property/custom_mechanisms.hpp"
 #include "../../support.hpp"
 
-#include <passive_haptics/control/effects/with_effects.hpp>
-#include <passive_haptics/control/extensions/generator_form.hpp>
+#include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>
 #include <passive_haptics/force/effects/rough_walls.hpp>

@@ -3,9 +3,9 @@
 #include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/on_off_control.hpp>
-#include <passive_haptics/control/laws/velocity_direct_control.hpp>
+#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/held_scene.hpp>

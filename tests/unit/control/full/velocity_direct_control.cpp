@@ -2,11 +2,11 @@
 #include "../../../property/chain_cases.hpp"
 #include "../../support.hpp"
 
-#include <passive_haptics/brake/models/first_order_lag.hpp>
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/extensions/generator_form.hpp>
-#include <passive_haptics/control/extensions/several_contacts.hpp>
-#include <passive_haptics/control/laws/velocity_direct_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
+#include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/core/scalar/first_order_lag.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
@@ -503,7 +503,7 @@ TEST(velocity_direct_control, takes_the_brake_that_pushes_with_the_least_power_o
     const pair q(random.uniform(-3.0, 3.0), random.uniform(0.5, 2.6)), qd = random.normal_vector<double, 2>(),
                                                                        n = random.direction<double, 2>();
     const double depth = random.uniform(0.0, 6e-3);
-    const ph::pose_dynamics<M> device(arm, q, qd, p.hand_mass);
+    const ph::pose_dynamics<M> device({arm, q}, qd, p.hand_mass);
     const auto along = ph::response_along(n, device, pair(0, 0));
     const double sinking = -n.dot(device.velocity);
     const double v_ref =
@@ -572,7 +572,7 @@ TEST(normal_response, is_that_of_the_mechanism) {
               0.4 + random.uniform(-0.3, 0.3));
     const V qd = random.normal_vector<double, 3>(), n = random.direction<double, 3>(),
             Fh = random.normal_vector<double, 3>(), t = random.normal_vector<double, 3>();
-    const ph::pose_dynamics<M> device(delta, q, qd);
+    const ph::pose_dynamics<M> device({delta, q}, qd);
     const auto along = ph::response_along(n, device, Fh);
     const ph::matrix<double, 3, 3> J = delta.jacobian(q), inverse_mass = delta.mass_matrix(q).inverse();
     const V xdd = J * inverse_mass * (J.transpose() * Fh + t - delta.bias_torque(q, qd)) +
@@ -711,7 +711,7 @@ TEST(holding_torques, hold) {
   using M = ph::tendon_two_link<double>;
   const M arm;
   const pair q = arm.inverse({0.1, 0.2}, ph::elbow::left).q, Fh(1, 2);
-  const ph::pose_dynamics<M> device(arm, q, {1, -2});
+  const ph::pose_dynamics<M> device({arm, q}, {1, -2});
   const pair strong(100, 100), weak(0.05, 0.05), none(0, 0), drive = device.J.transpose() * Fh - device.bias;
   pair t = none;
   ph::brake_inertia<M> A;

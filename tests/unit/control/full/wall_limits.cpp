@@ -1,8 +1,8 @@
 // The wall calculator against the simulation, on random devices that know nothing of it.
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/laws/velocity_direct_control.hpp>
-#include <passive_haptics/control/normal_force/braked_wall_at.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
+#include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/plant/random_device.hpp>
 #include <passive_haptics/scene/held_scene.hpp>

@@ -1,7 +1,7 @@
 // Least squares with priorities and bounds in closed form, against every face of the box in 50 digits.
 #include "../../force/priorities_oracle.hpp"
 
-#include <passive_haptics/core/priorities/least_squares_by_priority.hpp>
+#include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // What can be displayed at all, against brute force over torques, forces and signs.
-#include <passive_haptics/force/display/displayable.hpp>
+#include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>

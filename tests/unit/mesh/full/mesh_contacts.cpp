@@ -1,7 +1,7 @@
 // A delta in corners, wedges and slots made of triangles: the same contacts as from half-spaces, the same
 // torques, and the laws of brakes.
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/extensions/several_contacts.hpp>
+#include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>

@@ -1,5 +1,5 @@
 // Friction of several brakes at once, against every combination of stick and slip.
-#include <passive_haptics/brake/models/first_order_lag.hpp>
+#include <passive_haptics/core/scalar/first_order_lag.hpp>
 #include <passive_haptics/plant/box_friction.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 

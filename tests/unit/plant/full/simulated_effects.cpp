@@ -2,7 +2,7 @@
 #include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/effects/with_effects.hpp>
+#include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/detents.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>

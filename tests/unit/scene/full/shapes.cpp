@@ -480,8 +480,8 @@ TEST(a_scene, takes_a_user_shape) {
 }
 
 TEST(a_room, is_touched_at_all_faces_of_a_corner_at_once) {
-  const auto walls = ph::room(ph::box<3>({0, 0, 0}, {1, 2, 3}), 5e3);
-  EXPECT_EQ(ph::sense(ph::room(ph::box<2>({0, 0}, {1, 2})), {0, 3})[0].stiffness, 1e7) << "of section 5.1";
+  const auto walls = ph::walls_of(ph::box<3>({0, 0, 0}, {1, 2, 3}), 5e3);
+  EXPECT_EQ(ph::sense(ph::walls_of(ph::box<2>({0, 0}, {1, 2})), {0, 3})[0].stiffness, 1e7) << "of section 5.1";
   EXPECT_TRUE(ph::sense(walls, {0.9, -1.9, 2.9}).empty());
   const auto touched = ph::sense(walls, {1.25, -2.5, 3.125});
   ASSERT_EQ(touched.size(), 3);
@@ -502,8 +502,8 @@ TEST(a_room, of_a_polygon_or_polytope_has_the_walls_of_its_faces) {
   random_source random(seed);
   const ph::convex_polygon polygon({{-0.9, -0.5}, {0.2, -0.8}, {0.9, 0.1}, {0.3, 0.9}, {-0.7, 0.6}});
   const auto f = polygon.faces();
-  const auto one = ph::room(polygon);
-  const auto other = ph::room(ph::convex_polytope(f[0], f[1], f[2], f[3], f[4]));
+  const auto one = ph::walls_of(polygon);
+  const auto other = ph::walls_of(ph::convex_polytope(f[0], f[1], f[2], f[3], f[4]));
   for (int k = 0; k < 1000; ++k) {
     const auto x = anywhere<2>(random, 1);
     const auto touched = ph::sense(one, x);

@@ -1,0 +1,170 @@
+/// @file
+/// Torque of a current, hysteresis and residual torque, from a slow ramp of the current up and down.
+#pragma once
+
+#include <passive_haptics/bench/curve_fit.hpp>
+#include <passive_haptics/driver/calibration/brake_curve.hpp>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace passive_haptics {
+
+/// How late the torque follows the current: T + t_d of fit_step_response, of a step up and of one down [s].
+struct ramp_delay {
+  double rising = 0;   ///< While the current rises.
+  double falling = 0;  ///< While it falls.
+};
+
+/// A sample on a branch, with the current that had its effect then.
+struct branch_sample {
+  double current = 0;    ///< [A]
+  double torque = 0;     ///< [N m]
+  bool falling = false;  ///< On the way down.
+};
+
+/// What a ramp told.
+struct current_ramp {
+  static constexpr int points = 11;  ///< Of each branch, at 0, 1, ..., 10 tenths of the greatest current.
+  /// One value at each point.
+  using branch = std::array<estimate, static_cast<std::size_t>(points)>;
+
+  double greatest_current = 0;  ///< [A]
+  estimate residual_torque;     ///< Before the ramp, of a brake that was not energised before [N m].
+  branch rising;                ///< Torque at each point on the way up [N m],
+  branch falling;               ///< and on the way down.
+  /// Largest distance of the branches over the points [N m], with the standard error there.
+  estimate hysteresis;
+  std::vector<branch_sample> samples;  ///< Both branches.
+
+  /// For a brake_calibration: a table of the rising branch, without the points that do not rise.
+  brake_curve curve() const {
+    brake_curve p;
+    p.residual_torque = residual_torque.value;
+    p.current_limit = greatest_current;
+    p.hysteresis = std::max(hysteresis.value, 0.0);
+    p.table[0] = {0, residual_torque.value};
+    p.points = 1;
+    for (std::size_t i = 1; i < rising.size(); ++i) {
+      const double torque = rising[i].value, least = p.table[static_cast<std::size_t>(p.points - 1)].torque;
+      const bool last = i + 1 == rising.size();
+      if (torque > least + (last ? 0 : 3 * rising[i].standard_error))
+        p.table[static_cast<std::size_t>(p.points++)] = {
+            greatest_current * static_cast<double>(i) / (points - 1), torque};
+    }
+    return p;
+  }
+};
+
+namespace detail {
+
+// The parabola through the samples within this width of a current, read there
+inline estimate torque_near(std::span<const branch_sample> all, bool falling, double current, double width) {
+  std::vector<branch_sample> near;
+  for (const auto& s : all)
+    if (s.falling == falling && std::abs(s.current - current) <= width) near.push_back(s);
+  if (near.size() < 8)
+    require_no_error(error_text(indexed("samples near ", current, " A"), near.size(),
+                                "at least 8: ramp more slowly, and up to the same current and down to 0"));
+  const auto parabola = fit_curve<3>(near, vector<double, 3>::Zero(),
+                                     [&]<class S>(const branch_sample& s, const vector<S, 3>& p) -> S {
+                                       const double x = (s.current - current) / width;
+                                       return p[0] + x * (p[1] + x * p[2]) - s.torque;
+                                     });
+  return parabola[0];
+}
+
+// Where the current begins to rise, is greatest first and last, and is 0 again
+struct ramp_corners {
+  std::size_t start = 0, top = 0, leave = 0, end = 0;
+};
+
+inline ramp_corners corners_of_ramp(std::span<const bench_sample> samples) {
+  ramp_corners at;
+  while (at.start + 1 < samples.size() && samples[at.start + 1].current == 0) ++at.start;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (samples[k].current > samples[at.top].current) at.top = k;
+    if (samples[k].current == samples[at.top].current) at.leave = k;
+  }
+  at.end = at.leave;
+  while (at.end + 1 < samples.size() && samples[at.end].current > 0) ++at.end;
+  const std::size_t pause = samples[0].current == 0 ? at.start + 1 : 0;
+  require_no_error(first_error(
+      samples[at.top].current > 0
+          ? std::string()
+          : error_text("greatest current [A]", samples[at.top].current, "> 0: ramp up"),
+      pause >= 8
+          ? std::string()
+          : error_text("samples at 0 A before the ramp", pause, "at least 8: begin with a pause at 0 A")));
+  return at;
+}
+
+// The samples of both branches, each with the current a delay ago
+inline std::vector<branch_sample> branches_of_ramp(std::span<const bench_sample> samples,
+                                                   const ramp_corners& at, const ramp_delay& delay) {
+  // A current is held for the period before its sample
+  const double half_period =
+      (samples.back().time - samples.front().time) / (2 * static_cast<double>(samples.size() - 1));
+  std::vector<branch_sample> all;
+  for (std::size_t k = at.start + 1, j = 0; k < samples.size(); ++k) {
+    const double now = samples[k].time;
+    const bool down = now > samples[at.leave].time + delay.falling;
+    const double late = down ? delay.falling : delay.rising, then = now + half_period - late;
+    while (j > 0 && samples[j].time > then) --j;
+    while (j + 1 < samples.size() && samples[j + 1].time <= then) ++j;
+    // A lag follows a ramp in parallel only some time after each of its corners
+    const auto after = [&](std::size_t corner) {
+      return now > samples[corner].time && now < samples[corner].time + 6 * late;
+    };
+    if (j + 1 == samples.size() || after(at.start) || after(at.top) || after(at.leave) || after(at.end))
+      continue;
+    const double part = (then - samples[j].time) / (samples[j + 1].time - samples[j].time);
+    all.push_back({std::lerp(samples[j].current, samples[j + 1].current, part), samples[k].torque, down});
+  }
+  return all;
+}
+
+}  // namespace detail
+
+/// From samples of a ramp of the current, from a pause at 0 A up to the greatest, where it pauses again, and
+/// down to 0 at a constant rate, while the axis turns steadily. Each current is taken for that a delay ago,
+/// so that a lag is no hysteresis; what is left of it is at most the error of the delay times the slope of
+/// the ramp.
+///
+/// Throws std::invalid_argument with name, value and what to do: samples that cannot be, an axis that stands
+/// still, no pause, no ramp, one that is too quick for its delay or for its samples.
+inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, const ramp_delay& delay = {}) {
+  require_samples(samples, 100);
+  require_turning(samples, 20);
+  require_no_error(detail::first_error(check_value("rising", delay.rising, "s", range::not_negative),
+                                       check_value("falling", delay.falling, "s", range::not_negative)));
+  const detail::ramp_corners at = detail::corners_of_ramp(samples);
+  const double share =
+      std::max(delay.rising, delay.falling) / (samples[at.top].time - samples[at.start].time);
+  if (!(share < 0.02))
+    require_no_error(
+        detail::error_text("delay over the time of the ramp", share, "less than 0.02: ramp more slowly"));
+
+  current_ramp found;
+  found.greatest_current = samples[at.top].current;
+  found.residual_torque = fit_curve<1>(
+      samples.first(at.start + 1), vector<double, 1>::Zero(),
+      []<class S>(const bench_sample& s, const vector<S, 1>& p) -> S { return p[0] - s.torque; })[0];
+  found.samples = detail::branches_of_ramp(samples, at, delay);
+
+  constexpr int last = current_ramp::points - 1;
+  const double width = found.greatest_current / (2 * last);
+  for (std::size_t i = 0; i < found.rising.size(); ++i) {
+    const double current = found.greatest_current * static_cast<double>(i) / last;
+    found.rising[i] =
+        i == 0 ? found.residual_torque : detail::torque_near(found.samples, false, current, width);
+    found.falling[i] = i == last ? found.rising[i] : detail::torque_near(found.samples, true, current, width);
+    const double apart = found.falling[i].value - found.rising[i].value;
+    if (i == 0 || apart > found.hysteresis.value)
+      found.hysteresis = {apart, std::hypot(found.falling[i].standard_error, found.rising[i].standard_error)};
+  }
+  return found;
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,102 @@
+/// @file
+/// The constants of a formula that fit samples best, each with its standard error.
+#pragma once
+
+#include <passive_haptics/bench/bench_sample.hpp>
+#include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/core/scalar/dual_number.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace passive_haptics {
+
+/// N constants of a formula.
+template <int N>
+struct curve_fit {
+  vector<double, N> value = vector<double, N>::Zero();  ///< p
+  /// s^2 (J^T J)^-1 with s the deviation and J the derivatives by p; infinite where the samples do not tell
+  /// the constants apart.
+  matrix<double, N, N> covariance = matrix<double, N, N>::Zero();
+  double deviation = 0;  ///< s, of the samples from the formula, in their unit.
+
+  /// Constant i.
+  estimate operator[](int i) const { return {value[i], std::sqrt(covariance(i, i))}; }
+  /// f(value) with the derivatives of f there: the standard error that follows to first order.
+  template <class F>
+  estimate of(F&& f) const {
+    vector<dual_number<double, N>, N> p;
+    for (int i = 0; i < N; ++i) p[i] = dual_number<double, N>::variable(value[i], i);
+    const dual_number<double, N> y = f(p);
+    const double variance = y.derivatives().dot(covariance * y.derivatives());
+    return {y.value(),
+            std::isfinite(variance) ? std::sqrt(variance) : std::numeric_limits<double>::infinity()};
+  }
+};
+
+/// argmin_p sum_k residual(sample_k, p)^2 from `start` on, by Levenberg and Marquardt: (A + lambda diag A) dp
+/// = -J^T r with A = J^T J. `residual(sample, p)` is a template over the scalar of p; J by automatic
+/// differentiation. Where it is not finite, p is out of its range and is not gone to. More samples than
+/// constants, with independent errors of one size. Cost: some tens of passes over the samples.
+template <int N, class Samples, class Residual>
+curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, const Residual& residual) {
+  using variable = dual_number<double, N>;
+  constexpr int most_steps = 100;
+  constexpr double no_gain = 1e-12;
+  const auto cost = [&](const vector<double, N>& p) {
+    double sum = 0;
+    for (const auto& s : samples) {
+      const double r = residual(s, p);
+      sum += r * r;
+    }
+    return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+  };
+
+  curve_fit<N> fit{.value = start};
+  matrix<double, N, N> A;
+  vector<double, N> g;
+  double least = cost(start), lambda = 1e-3;
+  const auto linearise = [&] {
+    vector<variable, N> p;
+    for (int i = 0; i < N; ++i) p[i] = variable::variable(fit.value[i], i);
+    A.setZero();
+    g.setZero();
+    for (const auto& s : samples) {
+      const variable r = residual(s, p);
+      A += r.derivatives() * r.derivatives().transpose();
+      g += r.value() * r.derivatives();
+    }
+  };
+  linearise();
+  for (int step = 0; step < most_steps && lambda < 1e12; ++step) {
+    matrix<double, N, N> damped = A;
+    damped.diagonal() *= 1 + lambda;
+    const vector<double, N> next = fit.value - vector<double, N>(cholesky<double, N>(damped).solve(g));
+    const double there = cost(next);
+    if (!(there <= least)) {
+      lambda *= 10;
+      continue;
+    }
+    const bool settled = least - there <= no_gain * least;
+    fit.value = next;
+    least = there;
+    lambda /= 10;
+    linearise();
+    if (settled) break;
+  }
+
+  const auto freedom = static_cast<double>(std::ssize(samples)) - N;
+  fit.deviation = std::sqrt(least / freedom);
+  // Of unit columns: whether it is singular does not depend on units
+  const vector<double, N> size = A.diagonal().cwiseSqrt();
+  const matrix<double, N, N> scale = size.cwiseInverse().asDiagonal();
+  const cholesky<double, N> scaled(matrix<double, N, N>(scale * A * scale));
+  const matrix<double, N, N> inverse = scaled.solve(matrix<double, N, N>(matrix<double, N, N>::Identity()));
+  constexpr double most = 1e12;  // variance inflation beyond which rounding decides
+  if (scaled.is_positive_definite() && inverse.diagonal().maxCoeff() < most)
+    fit.covariance = fit.deviation * fit.deviation * scale * inverse * scale;
+  else fit.covariance.setConstant(std::numeric_limits<double>::infinity());
+  return fit;
+}
+
+}  // namespace passive_haptics

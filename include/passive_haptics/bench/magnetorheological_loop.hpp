@@ -1,0 +1,110 @@
+/// @file
+/// Constants of a magnetorheological_brake (brake/models), from a ramp of the current and a step of it.
+#pragma once
+
+#include <passive_haptics/bench/current_ramp.hpp>
+#include <passive_haptics/bench/step_response.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+
+namespace passive_haptics {
+
+/// The loop, for the greatest current of the ramp.
+struct magnetorheological_loop {
+  double greatest_current = 0;  ///< [A]
+  estimate torque_limit;        ///< Of the calibrated curve, without the residual torque [N m].
+  estimate saturation;          ///< k [1].
+  estimate coercive_current;    ///< c [1].
+  estimate residual_torque;     ///< [N m]
+  double deviation = 0;         ///< Of the samples from the formula [N m].
+};
+
+namespace detail {
+
+// p: torque_limit, k, c, residual_torque
+template <class S, class M>
+auto magnetorheological_torque(const vector<S, 4>& p, const M& m) {
+  return p[3] + saturating_torque(p[0], p[1], m);
+}
+
+}  // namespace detail
+
+/// Least squares of torque = residual_torque + torque_limit tanh(k m) / tanh(k) to a ramp, with j the current
+/// for the greatest one, m = max(j - c, 0) on the way up and m = min(j + c, 1 - c) on the way down.
+inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& ramp) {
+  const double greatest = ramp.greatest_current, residual = ramp.residual_torque.value;
+  const auto fit = fit_curve<4>(ramp.samples, {ramp.rising.back().value - residual, 1.0, 0.02, residual},
+                                [greatest]<class S>(const branch_sample& s, const vector<S, 4>& p) -> S {
+                                  if (!(p[1] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
+                                  const double j = s.current / greatest;
+                                  const S up = j - p[2], down = j + p[2], most = S(1) - p[2];
+                                  const S m =
+                                      s.falling ? (down < most ? down : most) : (up > S(0) ? up : S(0));
+                                  return detail::magnetorheological_torque(p, m) - s.torque;
+                                });
+  return {greatest, fit[0], fit[1], fit[2], fit[3], fit.deviation};
+}
+
+/// What a step of the current through the coil of such a brake told.
+struct magnetorheological_step {
+  estimate time_constant;  ///< T of the coil [s].
+  estimate dead_time;      ///< t_d [s].
+  double deviation = 0;    ///< Of the samples from the formula [N m].
+};
+
+/// Least squares of T and t_d of the current j behind the loop's torque, as in fit_step_response: m = j - c
+/// in a step up from 0 A, of a brake that was not energised before; m = min(j + c, J - c) in a step down from
+/// J to 0 A. The torque itself is no first-order lag: it begins late and ends early. Throws as
+/// fit_step_response.
+inline magnetorheological_step fit_magnetorheological_step(std::span<const bench_sample> samples,
+                                                           const magnetorheological_loop& loop) {
+  const auto torque = fit_step_response(samples);
+  const std::size_t step = detail::step_of_current(samples);
+  const bench_sample &last_before = samples[step - 1], &first_after = samples[step];
+  const bool down = first_after.current < last_before.current;
+  const double J = std::max(last_before.current, first_after.current) / loop.greatest_current;
+  const vector<double, 4> constants(loop.torque_limit.value, loop.saturation.value,
+                                    loop.coercive_current.value, loop.residual_torque.value);
+  const double c = constants[2];
+  const auto fit = fit_curve<2>(samples, {torque.time_constant.value, torque.dead_time.value},
+                                [&]<class S>(const bench_sample& s, const vector<S, 2>& p) -> S {
+                                  using std::exp;
+                                  if (!(p[0] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
+                                  const S since = s.time - last_before.time - p[1];
+                                  const S left = since > S(0) ? S(exp(-since / p[0])) : S(1);
+                                  const S up = J * (S(1) - left) - c, fallen = J * left + c, most = S(J - c);
+                                  const S m =
+                                      down ? (fallen < most ? fallen : most) : (up > S(0) ? up : S(0));
+                                  return detail::magnetorheological_torque<double>(constants, m) - s.torque;
+                                });
+  return {fit[0], fit[1], fit.deviation};
+}
+
+/// What three records told of such a brake.
+struct magnetorheological_identification {
+  magnetorheological_loop loop;     ///< Its constants.
+  magnetorheological_step rising;   ///< Lag and dead time of its current on the way up,
+  magnetorheological_step falling;  ///< and on the way down.
+  current_ramp ramp;                ///< With those delays.
+};
+
+/// From a step up of a brake that was not energised before, a step down to 0 A and a ramp: the lag of the
+/// torque, with it the loop, with that the lag of the current, and so on until they fit each other. Throws as
+/// fit_step_response and fit_current_ramp.
+inline magnetorheological_identification fit_magnetorheological_brake(std::span<const bench_sample> up,
+                                                                      std::span<const bench_sample> down,
+                                                                      std::span<const bench_sample> ramp) {
+  const auto late = [](const auto& step) { return step.time_constant.value + step.dead_time.value; };
+  magnetorheological_identification found;
+  ramp_delay delay{late(fit_step_response(up)), late(fit_step_response(down))};
+  constexpr int rounds = 3;  // the third changes the loop by less than its standard errors
+  for (int k = 0; k < rounds; ++k) {
+    found.ramp = fit_current_ramp(ramp, delay);
+    found.loop = fit_magnetorheological_loop(found.ramp);
+    found.rising = fit_magnetorheological_step(up, found.loop);
+    found.falling = fit_magnetorheological_step(down, found.loop);
+    delay = {late(found.rising), late(found.falling)};
+  }
+  return found;
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,150 @@
+/// @file
+/// What a brake's torque depends on beside its current: drag, Stribeck effect, eddy currents.
+#pragma once
+
+#include <passive_haptics/bench/curve_fit.hpp>
+
+#include <vector>
+
+namespace passive_haptics {
+
+/// Mean of a window of samples.
+struct rate_and_torque {
+  double rate = 0;    ///< [rad/s]
+  double torque = 0;  ///< [N m]
+};
+
+/// Means over windows of about `duration` [s] of samples at one current, in which the rate varies slowly. An
+/// encoder that is a count late makes the rate of a window wrong by at most a count over the duration: take
+/// windows that are long enough for the slowest rate. Throws std::invalid_argument as require_samples does,
+/// or where the current varies or there are fewer than 8 windows.
+inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_sample> samples,
+                                                      double duration) {
+  require_no_error(check_value("duration", duration, "s", range::positive));
+  require_samples(samples, 2);
+  std::vector<rate_and_torque> all;
+  for (std::size_t first = 0, k = 0; k < samples.size(); ++k) {
+    if (samples[k].current != samples[0].current)
+      require_no_error(detail::error_text(detail::indexed("samples[", k, "].current [A]"), samples[k].current,
+                                          "that of the first: a sweep of the rate is at one current"));
+    const double elapsed = samples[k].time - samples[first].time;
+    if (elapsed < duration) continue;
+    double sum = 0;
+    for (std::size_t i = first; i < k; ++i) sum += samples[i].torque;
+    all.push_back(
+        {(samples[k].position - samples[first].position) / elapsed, sum / static_cast<double>(k - first)});
+    first = k;
+  }
+  if (all.size() < 8)
+    require_no_error(
+        detail::error_text("windows", all.size(), "at least 8: record longer, or shorter windows"));
+  return all;
+}
+
+namespace detail {
+
+// The formula for w > 0 holds against the turn at any w
+template <int N, class Formula>
+curve_fit<N> fit_against_rate(std::span<const rate_and_torque> means, const vector<double, N>& start,
+                              const Formula& formula) {
+  return fit_curve<N>(means, start, [&]<class S>(const rate_and_torque& s, const vector<S, N>& p) -> S {
+    return formula(std::abs(s.rate), p) - (s.rate < 0 ? -s.torque : s.torque);
+  });
+}
+
+inline double fastest(std::span<const rate_and_torque> means) {
+  double most = 0;
+  for (const auto& s : means) most = std::max(most, std::abs(s.rate));
+  if (!(most > 0))
+    require_no_error(error_text("fastest rate [rad/s]", most, "> 0: turn the axis, slowly and fast"));
+  return most;
+}
+
+}  // namespace detail
+
+/// Friction and drag.
+struct viscous_friction {
+  estimate strength;     ///< At any rate, Coulomb friction [N m].
+  estimate drag;         ///< Viscous [N m s].
+  double deviation = 0;  ///< Of the means [N m].
+};
+
+/// Least squares of torque = strength + drag w. Throws std::invalid_argument where nothing turns.
+inline viscous_friction fit_viscous_friction(std::span<const rate_and_torque> means) {
+  detail::fastest(means);
+  const auto fit = detail::fit_against_rate<2>(
+      means, {0, 0}, []<class S>(double w, const vector<S, 2>& p) -> S { return p[0] + p[1] * w; });
+  return {fit[0], fit[1], fit.deviation};
+}
+
+/// Friction that falls from rest to slip.
+struct stribeck_friction {
+  estimate strength;       ///< In fast slip [N m].
+  estimate static_ratio;   ///< Strength at rest for that [1].
+  estimate stribeck_rate;  ///< At which 1/e of the difference is left [rad/s].
+  estimate drag;           ///< Viscous [N m s].
+  double deviation = 0;    ///< Of the means [N m].
+};
+
+/// Least squares of torque = strength (1 + (static_ratio - 1) exp(-(w / stribeck_rate)^2)) + drag w. Throws
+/// std::invalid_argument where nothing turns.
+inline stribeck_friction fit_stribeck_friction(std::span<const rate_and_torque> means) {
+  const double fast = detail::fastest(means), strength = fit_viscous_friction(means).strength.value;
+  curve_fit<4> best;
+  best.deviation = std::numeric_limits<double>::infinity();
+  for (const double share : {0.003, 0.01, 0.03, 0.1, 0.3}) {
+    const auto fit = detail::fit_against_rate<4>(
+        means, {strength, 1.2, share * fast, 0}, []<class S>(double w, const vector<S, 4>& p) -> S {
+          using std::exp;
+          if (!(p[2] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
+          const S ratio = w / p[2];
+          return p[0] * (S(1) + (p[1] - S(1)) * exp(-ratio * ratio)) + p[3] * w;
+        });
+    if (fit.deviation < best.deviation) best = fit;
+  }
+  return {best[0], best[1], best[2], best[3], best.deviation};
+}
+
+/// A torque of eddy currents, and friction; no viscous drag beside them.
+struct eddy_current_torque {
+  estimate strength;       ///< Friction, at any rate [N m].
+  estimate drag;           ///< 2 peak_torque / critical_rate, of low rates [N m s].
+  estimate critical_rate;  ///< Of the greatest torque [rad/s]; infinite where all rates are too low to tell.
+  estimate peak_torque;    ///< There, at this current [N m]; infinite where that is.
+  double deviation = 0;    ///< Of the means [N m].
+};
+
+/// Least squares of torque = strength + drag w / (1 + (w / critical_rate)^2). Throws std::invalid_argument
+/// where nothing turns.
+inline eddy_current_torque fit_eddy_current_torque(std::span<const rate_and_torque> means) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const double fast = detail::fastest(means);
+  // In 1 / critical_rate^2, in which the formula is almost linear, also at 0
+  curve_fit<3> fit;
+  fit.deviation = infinite;
+  for (const double share : {0.3, 1.0, 3.0, 10.0}) {
+    const double bend = share / fast;
+    const auto found = detail::fit_against_rate<3>(means, bend * bend * vector<double, 3>::UnitZ(),
+                                                   []<class S>(double w, const vector<S, 3>& p) -> S {
+                                                     const S weakened = S(1) + p[2] * w * w;
+                                                     if (!(weakened > S(0)))
+                                                       return S(std::numeric_limits<double>::quiet_NaN());
+                                                     return p[0] + p[1] * w / weakened;
+                                                   });
+    if (found.deviation < fit.deviation) fit = found;
+  }
+  eddy_current_torque told{fit[0], fit[1], {infinite, infinite}, {infinite, infinite}, fit.deviation};
+  constexpr double sure = 4;  // standard errors from 0
+  if (!(fit[2].value > sure * fit[2].standard_error)) return told;
+  told.critical_rate = fit.of([](const auto& p) {
+    using std::sqrt;
+    return 1.0 / sqrt(p[2]);
+  });
+  told.peak_torque = fit.of([](const auto& p) {
+    using std::sqrt;
+    return p[1] / (2.0 * sqrt(p[2]));
+  });
+  return told;
+}
+
+}  // namespace passive_haptics

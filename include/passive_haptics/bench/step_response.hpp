@@ -1,0 +1,90 @@
+/// @file
+/// Dead time and time constant of a brake, from its torque after a step of the current.
+#pragma once
+
+#include <passive_haptics/bench/curve_fit.hpp>
+
+namespace passive_haptics {
+
+/// What a step of the current told.
+struct step_response {
+  estimate before;         ///< Torque before the step [N m],
+  estimate change;         ///< and what the step added in the end, < 0 for a step down [N m].
+  estimate time_constant;  ///< T [s].
+  estimate dead_time;      ///< t_d, from the command to the first effect [s].
+  double deviation = 0;    ///< Of the samples from the formula [N m].
+};
+
+namespace detail {
+
+// The first sample with the current after the only step
+inline std::size_t step_of_current(std::span<const bench_sample> samples) {
+  require_samples(samples, 20);
+  require_turning(samples, 10);
+  std::size_t step = 0;
+  int steps = 0;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    if (samples[k].current == samples[k - 1].current) continue;
+    step = k;
+    ++steps;
+  }
+  if (steps != 1)
+    require_no_error(error_text("steps of the current", steps, "1: record one up and one down, apart"));
+  return step;
+}
+
+inline void require_end_of_response(double recorded, double time_constant, double dead_time) {
+  const double needed = dead_time + 5 * time_constant;
+  if (!(recorded >= needed))
+    require_no_error(error_text("record after the step [s]", recorded,
+                                indexed("at least t_d + 5 T = ", needed, ": record longer")));
+}
+
+}  // namespace detail
+
+/// Least squares of
+///
+///     torque = before                                            until t_d after the step,
+///     torque = before + change (1 - exp(-(t - t_step - t_d) / T))   from then on
+///
+/// to samples with one step of the current, up or down, while the axis turns steadily; t_step is the time of
+/// the last sample with the current before. The dead time holds the delays of bus and power stage, and of the
+/// torque sensor. Of a brake that is no first-order lag the deviation is more than that of the sensor.
+///
+/// Throws std::invalid_argument with name, value and what to do: samples that cannot be, an axis that stands
+/// still, no step or two, a change within the noise, a record that ends before five time constants.
+inline step_response fit_step_response(std::span<const bench_sample> samples) {
+  const std::size_t step = detail::step_of_current(samples);
+  const auto mean = [&](std::size_t from, std::size_t to) {
+    double sum = 0;
+    for (std::size_t k = from; k < to; ++k) sum += samples[k].torque;
+    return sum / static_cast<double>(to - from);
+  };
+  const std::size_t end = samples.size(), tail = step + (end - step) * 4 / 5;
+  const double t_step = samples[step - 1].time, before = mean(0, step), change = mean(tail, end) - before;
+
+  const auto residual = [t_step]<class S>(const bench_sample& s, const vector<S, 4>& p) -> S {
+    using std::exp;
+    const S since = s.time - t_step - p[3];
+    if (!(p[2] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
+    if (!(since > S(0))) return p[0] - s.torque;
+    return p[0] + p[1] * (S(1) - exp(-since / p[2])) - s.torque;
+  };
+  // The dead time has a kink in the formula: the best of several starts within the first sample
+  const double late = samples[step].time - t_step;
+  curve_fit<4> best;
+  best.deviation = std::numeric_limits<double>::infinity();
+  for (const double share : {0.02, 0.1, 0.3, 0.6, 0.9}) {
+    const auto fit = fit_curve<4>(samples, {before, change, (1 - share) * late, share * late}, residual);
+    if (fit.deviation < best.deviation) best = fit;
+  }
+
+  constexpr double sure = 5;  // standard errors
+  if (!(std::abs(best.value[1]) > sure * best.deviation / std::sqrt(static_cast<double>(end - tail))))
+    require_no_error(detail::error_text("change of the torque [N m]", best.value[1],
+                                        "a step beyond the noise: step to a larger current"));
+  detail::require_end_of_response(samples.back().time - t_step, best.value[2], best.value[3]);
+  return {best[0], best[1], best[2], best[3], best.deviation};
+}
+
+}  // namespace passive_haptics

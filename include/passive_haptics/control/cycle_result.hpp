@@ -1,0 +1,100 @@
+/// @file
+/// How a control cycle ends: with a command, or with all brakes released and the reason.
+#pragma once
+
+#include <passive_haptics/control/cycle_inputs.hpp>
+#include <passive_haptics/control/saturation.hpp>
+#include <passive_haptics/control/step_result.hpp>
+#include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/force/approximation.hpp>
+#include <passive_haptics/force/desired_force.hpp>
+
+namespace passive_haptics {
+
+/// The status of a cycle in which no wall demands a force: ok in free space, else what is wrong with the
+/// position or a contact.
+template <class M, int D, class Walls>
+status status_without_force(const point<D>& x, const Walls& touched) {
+  if (touched.empty()) return status::ok;
+  return all_finite(x) ? check_contacts<typename M::scalar>(touched) : status::pose_undefined;
+}
+
+/// Calls released() of a law that has it: this cycle commands nothing.
+template <class L>
+void tell_released(const L& law, double time, step_memory<L>& memory) {
+  if constexpr (requires { law.released(memory.law, time); }) law.released(memory.law, time);
+}
+
+/// All brakes released: in free space, or for a fault.
+template <class Result, class Setup, class Memory>
+Result released(const Setup& setup, double time, status outcome, Memory& memory) {
+  passive_haptics::tell_released(setup.law, time, memory);
+  return released<Result>(outcome);
+}
+
+/// ok, or why these numbers are no command. All that went into a cycle has left its NaN in one of them.
+/// is_share: whether the law's scale is in [0, 1].
+template <class T, class Contacts, class Outward, class... Numbers>
+status check_command(const Contacts& touched, const Outward& outward, bool is_share,
+                     const Numbers&... command) {
+  if (is_share && all_finite(outward, command...)) return status::ok;
+  if (check_contacts<T>(touched) != status::ok) return status::contact_not_finite;
+  if (!all_finite(outward)) return status::pose_undefined;
+  return is_share ? status::result_not_finite : status::scale_out_of_range;
+}
+
+/// How Fd is displayed: where it is not, whether any force could be. That is a question of self-motion.
+template <class M, class Now, class Force>
+display_class display_of(const Now& now, const Force& Fc) {
+  if constexpr (M::dof > M::task_dimension && !has_inertial_forces<M>)
+    if (Fc.display == display_class::none && cone_is_zero(now.E, now.s)) return display_class::empty_cone;
+  return Fc.display;
+}
+
+/// Steps 1 to 4 of section 4 for one desired force.
+template <class T, int D, int Brakes>
+struct display_steps {
+  using force = approximated_force<T, D, Brakes>;  ///< With the torques that make it.
+
+  force Fc = {};                                                        ///< 1: before alpha and limits.
+  T alpha = T(1);                                                       ///< 2
+  force Fc_scaled = {};                                                 ///< 3: Fc' = alpha Fc.
+  saturated_torque<T, Brakes> td = {vector<T, Brakes>::Zero(), false};  ///< 4
+};
+
+/// The result of these steps for Fd, which wall `wall` demands. t: what the mechanism will feel [N m]. What
+/// Result has no member for is not computed.
+template <class Result, class Now, class Walls, class T, int D, int Brakes>
+PASSIVE_HAPTICS_PART Result result_of(const Now& now, const Walls& touched, int wall,
+                                      const desired_force<T, D>& Fd, const display_steps<T, D, Brakes>& steps,
+                                      const vector<T, Brakes>& t) {
+  using M = typename Now::mechanism_type;
+  const auto& [Fc, alpha, Fc_scaled, td] = steps;
+  const bool is_share = alpha >= T(0) && alpha <= T(1);
+  const T leaving = outward(Fd, now.v);
+  status outcome;
+  if constexpr (requires(Result result) { result.control_force; })  // not smaller than Fc_scaled
+    outcome = check_command<T>(touched, leaving, is_share, Fc.force, Fc.torque);
+  else outcome = check_command<T>(touched, leaving, is_share, Fc_scaled.torque);
+  if (outcome != status::ok) return released<Result>(outcome);
+
+  Result result;
+  result.outcome = status::ok;
+  result.capacity = td.torque.cwiseAbs();
+  if constexpr (requires { result.torque; }) {
+    result.torque = t;
+    result.power = classify_power(Fd.direction.dot(now.v), Fc.display == display_class::exact);
+    result.display = passive_haptics::display_of<M>(now, Fc);
+    result.saturated = td.limited;
+    result.wall = wall;
+    result.alpha = alpha;
+    result.approximation_cosine = Fc.cosine();
+    result.desired_force = Fd.magnitude * Fd.direction;
+    result.control_force = Fc.force;
+    result.cone_coefficients = Fc.torque;
+    result.signs = now.s;
+  }
+  return result;
+}
+
+}  // namespace passive_haptics

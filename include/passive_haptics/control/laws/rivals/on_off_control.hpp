@@ -1,0 +1,110 @@
+/// @file
+/// On-off control: the whole approximated force or none, by a relay with hysteresis.
+#pragma once
+
+#include <passive_haptics/control/laws/contact_memory.hpp>
+#include <passive_haptics/control/ways/torque_law.hpp>
+#include <passive_haptics/core/parameters.hpp>
+
+#include <array>
+
+namespace passive_haptics {
+
+/// Constants of on_off_control.
+struct on_off_parameters {
+  double reference_depth = 1.5e-3;  ///< In the wall, about which the relay switches [m].
+  double hysteresis = 0.1e-3;       ///< h, half width of the relay's hysteresis [m].
+  double lead = 0.02;  ///< tau [s]: the depth is judged as it will be then; about the brakes' lag.
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = on_off_parameters;
+    return member_table(
+        member("reference_depth", &p::reference_depth, "m", range::finite, plausible(0, 0.02)),
+        member("hysteresis", &p::hysteresis, "m", range::not_negative, plausible(0, 0.02)),
+        member("lead", &p::lead, "s", range::not_negative, plausible(0, 0.5)));
+  }
+};
+
+/// For each wall a relay of the depth to come,
+///
+///     sigma = depth - reference_depth - tau n . (v - v_wall):   on if sigma > h, off if sigma < -h, else as
+///     before (off at first),
+///
+/// so a handle that sinks is braked before it is too deep, and one that leaves is let go before it is out. On
+/// displays the approximated force whole, as no_direct_control does: one contact by force approximation,
+/// several by priorities. Brakes can only lead a handle back to the reference depth where the approximation
+/// pulls; a hand that leaves is free.
+///
+/// For any mechanism. Needs nothing but the state; cost: that of the approximation.
+///
+/// Reference: the switching line in the plane of error and rate, Tsypkin, Relay control systems, Cambridge
+/// University Press, 1984. Brakes that are on or off, with a hysteresis and without a force sensor, lead a
+/// walker along a path in Andreetto, Divan, Fontanelli, Palopoli, 2016 (bang_bang_control is that law): for
+/// small angles sigma / (tau |v|) is the error of its slope, with an approach length of tau |v|. Assumed:
+/// here the depth is judged a time ahead and not a length, so that the brakes' lag is met at any speed; a
+/// wall lets a hand leave, so there is no turn into it; the approximated force for a locked brake.
+struct on_off_control {
+  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
+
+  /// Of one wall.
+  struct relay {
+    bool on = false;  ///< Its force is displayed.
+  };
+  /// What it remembers.
+  struct memory {
+    contact_memory<relay> walls;  ///< The relay of each.
+  };
+
+  on_off_parameters parameters = {};  ///< The constants.
+
+  /// Brake torques [N m].
+  template <class M, class EMatrix, int D, int Capacity, class B>
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
+                         memory& remembered) const noexcept {
+    using T = typename M::scalar;
+    std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)> demands;
+    int count = 0;
+    remembered.walls.begin_cycle();
+    for (const auto& c : touched) {
+      const auto Fd = force_of<T>(c);
+      relay& wall = remembered.walls.of(c.wall);
+      wall.on = switched(wall.on, c.depth, static_cast<double>(outward(Fd, now.v)));
+      if (wall.on) demands[static_cast<std::size_t>(count++)] = {Fd.direction, Fd.magnitude, false};
+    }
+    if (count == 0) return brake_vector<M>::Zero();
+    const auto limits = torque_limits_of<T, M::brake_count>(now.brakes);
+    if (count > 1) {
+      const auto map = passive_haptics::force_map_of(now.pose, now.E);
+      return contact_forces<T, D, M::brake_count, Capacity>(map, torques_within(now.s, limits), demands,
+                                                            count)
+          .torque;
+    }
+    return saturate(approximated(now, demands[0]), limits, saturation::keep_direction).torque;
+  }
+
+  /// Free space or a fault: all relays are off.
+  void released(memory& remembered, double) const noexcept { remembered.walls.clear(); }
+
+ private:
+  // Torques [N m] of the nearest force
+  template <class M, class EMatrix, class B, class T, int D>
+  static brake_vector<M> approximated(const brake_situation<M, EMatrix, B>& now,
+                                      const contact_demand<T, D>& wanted) {
+    const T min_cosine = step_options<T>().min_cosine;
+    if constexpr (displays_by_generators<M>) {
+      const auto G = passive_haptics::generators_of(now.pose);
+      return wanted.force * approximate_by_generators(G, now.s, wanted.normal, min_cosine).torque;
+    } else {
+      return wanted.force * approximate(now.E, now.s, wanted.normal, min_cosine).torque;
+    }
+  }
+
+  bool switched(bool on, double depth, double outward) const {
+    const double sigma = depth - parameters.reference_depth - parameters.lead * outward;
+    if (sigma > parameters.hysteresis) return true;
+    return sigma < -parameters.hysteresis ? false : on;
+  }
+};
+
+}  // namespace passive_haptics

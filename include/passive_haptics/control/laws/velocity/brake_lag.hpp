@@ -1,0 +1,55 @@
+/// @file
+/// A model of the brakes' first-order lag, and its inversion over a short horizon.
+#pragma once
+
+#include <passive_haptics/core/scalar/first_order_lag.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace passive_haptics {
+
+/// What brakes of time constant T_b make of their commands, T_b dtau/dt + tau = u, as far as the commands are
+/// known. In double, for up to `most` brakes, so that a law's memory needs no mechanism.
+class brake_lag_model {
+ public:
+  static constexpr std::size_t most = 12;  ///< Brakes.
+
+  /// Brings the torques [N m] from the last command to `time` [s]; time running backwards changes nothing.
+  template <class T, int Brakes>
+  void advance(double time, const vector<T, Brakes>& time_constant) {
+    static_assert(Brakes <= static_cast<int>(most),
+                  "passive_haptics: brake_lag_model is for at most 12 brakes.");
+    const double dt = time < time_ ? 0.0 : time - time_;
+    time_ = time;
+    unrolled<Brakes>([&](auto i) {
+      const auto k = static_cast<std::size_t>(i);
+      torque_[k] = lagged(torque_[k], command_[k], dt, static_cast<double>(time_constant[i]));
+    });
+  }
+
+  /// The capacity [N m] to command now, so that the brake has `wanted` >= 0 a horizon [s] later, by when it
+  /// covers share = lag_share(horizon, T_b) of its way: u = tau + (wanted - tau) / share, within [0, limit];
+  /// `wanted` itself where the share is 1. It is taken for commanded from now on.
+  template <class T>
+  T command(int brake, T wanted, T limit, T share = T(1)) {
+    const auto k = static_cast<std::size_t>(brake);
+    double u = static_cast<double>(wanted);
+    if (share < T(1)) u = torque_[k] + (u - torque_[k]) / static_cast<double>(share);
+    command_[k] = std::clamp(u, 0.0, static_cast<double>(limit));
+    return static_cast<T>(command_[k]);
+  }
+
+  /// What a brake makes [N m], as of the last advance().
+  double torque(int brake) const { return torque_[static_cast<std::size_t>(brake)]; }
+
+  /// All brakes are told 0, as if since the last advance(): their time constants are not known here.
+  void release() { command_.fill(0); }
+
+ private:
+  std::array<double, most> torque_{}, command_{};
+  double time_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace passive_haptics

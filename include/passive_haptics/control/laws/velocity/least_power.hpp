@@ -1,0 +1,81 @@
+/// @file
+/// Brake torques of least power that give walls the normal forces they want.
+#pragma once
+
+#include <passive_haptics/control/laws/velocity/brake_reach.hpp>
+#include <passive_haptics/core/linear/least_squares_by_priority.hpp>
+
+#include <cmath>
+
+namespace passive_haptics {
+
+/// Adds to magnitudes t what brakes that turn can do beside a brake that is held at rest: torques t_j then
+/// accelerate the device with brake i held, n . xdd = (g_j - g_i A_ij / A_ii) t_j.
+template <class T, int Brakes>
+void beside_held(const vector<T, Brakes>& g, T missing, const brake_reach<T, Brakes>& reach,
+                 vector<T, Brakes>& t) {
+  if (!reach.any_at_rest) return;
+  for (int i = 0; i < Brakes; ++i) {
+    if (!reach.at_rest[i] || !(reach.sign[i] * g[i] > T(0)) || !(t[i] > T(0))) continue;
+    for (int j = 0; j < Brakes; ++j) {
+      const T gain = reach.sign[j] * (g[j] - g[i] * reach.A(i, j) / reach.A(i, i));
+      if (reach.at_rest[j] || !(gain > T(0)) || !(missing > T(0))) continue;
+      const T added = std::min(missing / gain, reach.most[j] - t[j]);
+      t[j] += added;
+      missing -= gain * added;
+    }
+    return;
+  }
+}
+
+/// Magnitudes [N m] of brake torques for one wall: at least `wanted` [m/s^2] of g . t, or all that there is,
+/// with the least dissipated power sum |w_i| |t_i|, which is the least drag along the wall: |w_i| / |v| is
+/// the drag of 1 N m. Brakes are filled in the order of power for each acceleration (the fractional knapsack
+/// problem of Dantzig 1957), those that help only while the handle lands last.
+template <class T, int Brakes>
+vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
+                                      const brake_reach<T, Brakes>& reach, const vector<T, Brakes>& w) {
+  vector<T, Brakes> t = reach.least;
+  const vector<T, Brakes> gain = reach.sign.cwiseProduct(g);
+  T missing = wanted - gain.dot(t);
+  const auto comes_before = [&](int i, int j) {
+    if (reach.lasts[i] != reach.lasts[j]) return reach.lasts[i];
+    return std::abs(w[i]) * gain[j] < std::abs(w[j]) * gain[i];
+  };
+  for (int round = 0; round < Brakes && missing > T(0); ++round) {
+    int best = -1;
+    for (int i = 0; i < Brakes; ++i) {
+      if (gain[i] > T(0) && t[i] < reach.most[i] && (best < 0 || comes_before(i, best))) best = i;
+    }
+    if (best < 0) {
+      beside_held(g, missing, reach, t);
+      break;
+    }
+    const T room = reach.most[best] - t[best], needed = missing / gain[best];
+    if (needed <= room) {
+      t[best] += needed;
+      break;
+    }
+    t[best] = reach.most[best];
+    missing -= room * gain[best];
+  }
+  return t;
+}
+
+/// The same for `count` walls together: forces [N] as near to the wanted ones as may be, sum of squares, of
+/// these the least power. A wall that wants nothing is not left to the others' forces: coupled forces are met
+/// together. rows: Lambda_j g_j. Cost: core/linear/least_squares_by_priority.hpp, two
+/// levels.
+template <class T, int Brakes, int Walls>
+vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, const vector<T, Walls>& wanted,
+                                      const brake_reach<T, Brakes>& reach, const vector<T, Brakes>& w) {
+  const vector<T, Brakes> one = reach.sign.cwiseProduct(reach.least),
+                          other = reach.sign.cwiseProduct(reach.most);
+  matrix<T, Brakes, Brakes> power = w.cwiseAbs().asDiagonal();
+  power.diagonal().array() += T(1e-3) * w.cwiseAbs().maxCoeff() + rounding_tolerance<T>(Brakes);
+  return reach.sign.cwiseProduct(least_squares_by_priority(
+      vector<T, Brakes>(one.cwiseMin(other)), vector<T, Brakes>(one.cwiseMax(other)),
+      least_squares_level{rows, wanted}, least_squares_level{power}));
+}
+
+}  // namespace passive_haptics

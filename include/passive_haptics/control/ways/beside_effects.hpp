@@ -1,0 +1,152 @@
+/// @file
+/// Section 4 with effects: the walls as without them, then the effects with what the brakes can do besides.
+#pragma once
+
+#include <passive_haptics/control/cycle_result.hpp>
+#include <passive_haptics/control/way.hpp>
+#include <passive_haptics/control/ways/one_wall.hpp>
+#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/ways/walls_and_effects.hpp>
+#include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/force/torques/torques_beside.hpp>
+
+#include <concepts>
+
+namespace passive_haptics {
+
+/// The one wall that is touched, and the effects.
+template <class Walls, class... Effects>
+auto alone(const walls_and_effects<Walls, Effects...>& touched) {
+  return walls_and_effects<decltype(alone(touched.walls)), Effects...>{alone(touched.walls), touched.effects};
+}
+
+/// Walls, then effects. Touched: walls_and_effects.
+template <class Result, class Setup, class Touched>
+struct beside_effects {
+  using M = typename Setup::mechanism_type;                                  ///< Mechanism.
+  using L = typename Setup::law_type;                                        ///< Law.
+  using T = typename M::scalar;                                              ///< Scalar.
+  using way_of_walls = way_of<Result, Setup, typename Touched::walls_type>;  ///< Without effects.
+  static constexpr int d = M::task_dimension, m = M::brake_count;            ///< Sizes.
+  static_assert(ScalingLaw<L>,
+                "passive_haptics: with_effects needs a ScalingLaw, such as direct_control: a TorqueLaw "
+                "commands the brakes itself.");
+
+  /// What effects demand.
+  struct demands {
+    task_vector<M> force = task_vector<M>::Zero();     ///< Fe [N].
+    joint_vector<M> torque = joint_vector<M>::Zero();  ///< Of effects on joints [N m].
+  };
+  /// From Fd to td.
+  struct steps {
+    typename way_of_walls::steps walls = {};     ///< Of the walls.
+    demands effects = {};                        ///< Of the effects.
+    saturated_torque<T, m> td = walls.td;        ///< For both.
+    status outcome = status::result_not_finite;  ///< ok, or why effects could not be added.
+  };
+
+  const Setup& setup;                              ///< Of the cycle.
+  const Touched& touched;                          ///< The walls, and the effects.
+  const way_of_walls walls{setup, touched.walls};  ///< As without effects.
+
+  /// Effects always may demand something.
+  static bool demands_force() { return true; }
+
+  /// Section 4 for the walls, and beside their torques those of the effects (torques_beside).
+  template <class Now>
+  PASSIVE_HAPTICS_PART steps command(const Now& now, step_memory<L>& memory) const {
+    steps done;
+    if (walls.demands_force()) done.walls = walls.command(now, memory);
+    done.td = done.walls.td;
+    done.effects = demanded_by_effects(now);
+    if (!all_finite(done.td.torque, done.effects.force, done.effects.torque)) return done;
+    done.outcome = status::ok;
+    // Nothing to add, and the least drag already, but where each brake was cut alone
+    const bool least_drag = !done.td.limited || setup.options.limits == saturation::keep_direction;
+    if (least_drag && done.effects.force.isZero(T(0)) && done.effects.torque.isZero(T(0))) return done;
+
+    const auto map = passive_haptics::force_map_of(now.pose, now.E);
+    if (!all_finite(map.G)) {
+      done.outcome = status::pose_undefined;
+      return done;
+    }
+    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(now.brakes);
+    done.td.torque = torques_beside(map, torques_within(now.s, limit), done.td.torque, normals(),
+                                    demand_of(now, done.effects));
+    done.td.limited = done.td.limited || (done.td.torque.array().abs() >= limit.array()).any();
+    return done;
+  }
+
+  /// The result of a cycle: of the walls as without effects, and what the effects demand.
+  template <class Now>
+  PASSIVE_HAPTICS_PART Result result(const Now& now, const steps& done, const brake_vector<M>& t,
+                                     step_memory<L>& memory) const {
+    Result result;
+    if (walls.demands_force()) {
+      auto of_walls = done.walls;
+      of_walls.td = done.td;
+      result = walls.result(now, of_walls, t, memory);
+    } else {
+      result = released<Result>(passive_haptics::status_without_force<M>(now.x, touched.walls));
+      result.capacity = done.td.torque.cwiseAbs();
+      if constexpr (requires { result.torque; }) {
+        result.torque = t;
+        result.saturated = done.td.limited;
+        result.signs = now.s;
+      }
+    }
+    if (result.outcome == status::ok)
+      result.outcome = all_finite(now.v) ? done.outcome : status::pose_undefined;
+    if (result.outcome != status::ok)
+      return passive_haptics::released<Result>(setup, now.time, result.outcome, memory);
+    if constexpr (requires { result.effect_force; }) {
+      result.effect_force = done.effects.force;
+      result.effect_torque = done.effects.torque;
+    }
+    return result;
+  }
+
+ private:
+  // The forces of effects, and the torques of joints
+  template <class Now>
+  demands demanded_by_effects(const Now& now) const {
+    demands all;
+    detail::for_each(touched.effects, [&]<class E>(const E& effect) {
+      static_assert(std::same_as<typename E::scalar, T>,
+                    "passive_haptics: an effect's scalar must be the mechanism's.");
+      if constexpr (Effect<E>) {
+        all.force += effect.force(as<T>(now.x), now.v, now.hand_force);
+      } else if constexpr (WallEffect<E>) {
+        all.force += effect.force_at(touched.walls, now.v, now.hand_force);
+      } else {
+        static_assert(E::dof == M::dof,
+                      "passive_haptics: an effect on joints must be of as many as the mechanism has.");
+        const joint_vector<M> hand = now.pose.transposed_transmission() * brake_torque(now.E, now.hand_force);
+        all.torque += effect.torque(now.q, now.qd, hand);
+      }
+    });
+    return all;
+  }
+
+  // What joints with a torque of their own shall have more: that, and what forces of effects want of them
+  template <class Now>
+  auto demand_of(const Now& now, const demands& wanted) const {
+    effect_demand<T, d, m, M::dof> demand{wanted.force, now.pose.transposed_transmission(), wanted.torque};
+    for (int i = 0; i < M::dof; ++i)
+      if (wanted.torque[i] == 0) demand.joint_rows.row(i).setZero();
+    demand.joint_torque += demand.joint_rows * brake_torque(now.E, wanted.force);
+    return demand;
+  }
+
+  // n_j of the walls that demand a force, in rows
+  auto normals() const {
+    matrix<T, Touched::capacity, d> rows = matrix<T, Touched::capacity, d>::Zero();
+    for (int j = 0; j < touched.walls.size(); ++j) {
+      const auto Fd = force_of<T>(touched.walls[j]);
+      if (asks(Fd)) rows.row(j) = Fd.direction.transpose();
+    }
+    return rows;
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,21 @@
+/// @file
+/// Step 1 of section 4 for devices whose forces are those of generators: redundant brakes, inertial forces.
+#pragma once
+
+#include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/control/ways/one_wall.hpp>
+#include <passive_haptics/force/torques/generator_form.hpp>
+
+namespace passive_haptics {
+
+/// Fc for a unit desired force n by generators, with torques of least norm.
+template <displays_by_generators M>
+struct approximation_for<M> {
+  /// Needs no start.
+  template <class Now>
+  static auto of(const Now& now, const task_vector<M>& n, typename M::scalar min_cosine, half_space_start&) {
+    return approximate_by_generators(passive_haptics::generators_of(now.pose), now.s, n, min_cosine);
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,77 @@
+/// @file
+/// Section 4 of the paper: direct control of one wall.
+#pragma once
+
+#include <passive_haptics/control/cycle_result.hpp>
+#include <passive_haptics/control/way.hpp>
+#include <passive_haptics/core/flatten.hpp>
+
+namespace passive_haptics {
+
+/// Fc for a unit desired force n: n itself, or the nearest force that the brakes can make with Fc . n = 1.
+/// Here by half-spaces; control/ways/generator_form.hpp has that of redundant brakes and inertial forces.
+template <class M>
+struct approximation_for {
+  /// start: where the search begins, left for the next cycle.
+  template <class Now>
+  static auto of(const Now& now, const task_vector<M>& n, typename M::scalar min_cosine,
+                 half_space_start& start) {
+    return approximate(now.E, now.s, n, min_cosine, start);
+  }
+};
+template <displays_by_generators M>
+struct approximation_for<M>;
+
+/// One wall, or none.
+template <class Result, class Setup, class Walls>
+struct one_wall {
+  using M = typename Setup::mechanism_type;                        ///< Mechanism.
+  using L = typename Setup::law_type;                              ///< Law.
+  using T = typename M::scalar;                                    ///< Scalar.
+  static constexpr int d = M::task_dimension, m = M::brake_count;  ///< Sizes.
+  using steps = display_steps<T, d, m>;                            ///< Fc, alpha, Fc', td.
+
+  const Setup& setup;                                 ///< Of the cycle.
+  const Walls& touched;                               ///< The wall.
+  const desired_force<T, d> Fd = force_of_touched();  ///< What it demands.
+
+  /// Whether there is a force to display.
+  bool demands_force() const { return asks(Fd); }
+
+  /// Section 4.
+  template <class Now>
+  PASSIVE_HAPTICS_PART steps command(const Now& now, step_memory<L>& memory) const {
+    // 1. Fc: Fd itself, or the nearest force that the brakes can make with Fc . n = |Fd|
+    const auto Fc =
+        Fd.magnitude * approximation_for<M>::of(now, Fd.direction, setup.options.min_cosine, memory.start);
+    // 2. alpha: how much of it is displayed (12)
+    const T alpha = setup.law.scale(
+        contact_situation<T, d>{Fd.direction, Fd.magnitude, outward(Fd, now.v), now.hand_force});
+    // 3. Fc': what leaves nothing of the resultant force normal to the wall
+    const auto Fc_scaled = alpha * Fc;
+    // 4. td: the torques that make it, within the brakes' limits, which a law may want before alpha
+    if constexpr (saturates_before_scaling<L>) return {Fc, alpha, Fc_scaled, alpha * limited(Fc.torque, now)};
+    else return {Fc, alpha, Fc_scaled, limited(Fc_scaled.torque, now)};
+  }
+
+  /// The result of a cycle.
+  template <class Now>
+  PASSIVE_HAPTICS_PART Result result(const Now& now, const steps& done, const brake_vector<M>& t,
+                                     step_memory<L>&) const {
+    return passive_haptics::result_of<Result>(now, touched, touched[0].wall, Fd, done, t);
+  }
+
+ private:
+  // No force in free space
+  desired_force<T, d> force_of_touched() const {
+    if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
+    return force_of<T>(touched[0]);
+  }
+
+  template <class Now>
+  saturated_torque<T, m> limited(const vector<T, m>& t, const Now& now) const {
+    return passive_haptics::within_limits(t, now.brakes, setup.options.limits);
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,199 @@
+/// @file
+/// Section 4 for several touched walls: each keeps its own Fd and alpha, and one set of torques meets them in
+/// order of priority (force/torques/contact_forces.hpp).
+#pragma once
+
+#include <passive_haptics/control/cycle_result.hpp>
+#include <passive_haptics/control/way.hpp>
+#include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/force/torques/force_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace passive_haptics {
+
+/// Several walls. Steps 1 and 3 are one: what can be displayed of several forces depends on each one's alpha.
+template <class Result, class Setup, class Walls>
+struct several_walls {
+  using M = typename Setup::mechanism_type;                        ///< Mechanism.
+  using L = typename Setup::law_type;                              ///< Law.
+  using T = typename M::scalar;                                    ///< Scalar.
+  static constexpr int d = M::task_dimension, m = M::brake_count;  ///< Sizes.
+  static constexpr int capacity = Walls::capacity;                 ///< Walls at most.
+  using force = approximated_force<T, d, m>;                       ///< With the torques that make it.
+  static_assert(!saturates_before_scaling<L>,
+                "passive_haptics: a law that saturates before scaling knows one wall at a time; give this "
+                "scene a law without saturates_before_scaling (control/control_law.hpp).");
+
+  /// alpha of each wall, and which are met before the others.
+  struct scales {
+    vector<T, capacity> alpha = vector<T, capacity>::Ones();          ///< Of wall j.
+    std::array<bool, static_cast<std::size_t>(capacity)> first = {};  ///< It is left, and the law gives way.
+  };
+  /// From Fd_j to td.
+  struct steps {
+    scales scale;            ///< 2
+    force_map<T, d, m> map;  ///< F = G t.
+    torque_box<T, m> box;    ///< Torques that the brakes can make.
+    force Fc_scaled;         ///< 1 and 3: the force that meets all alpha_j Fd_j.
+    saturated_torque<T, m> td = {vector<T, m>::Zero(), false};  ///< 4
+  };
+
+  const Setup& setup;                                ///< Of the cycle.
+  const Walls& touched;                              ///< The walls.
+  const int governing = governing_contact(touched);  ///< The one that demands most; -1 if there is none.
+
+  /// What wall j demands.
+  desired_force<T, d> Fd(int j) const { return force_of<T>(touched[j]); }
+
+  /// Whether one of them demands a force.
+  bool demands_force() const { return governing >= 0 && asks(Fd(governing)); }
+
+  /// Section 4.
+  template <class Now>
+  PASSIVE_HAPTICS_PART steps command(const Now& now, step_memory<L>&) const {
+    // 2. alpha_j: how much of what each wall demands is displayed (12), and which walls come first
+    const scales scale = scales_of(now);
+    // 1. and 3. Fc': the force nearest to all alpha_j Fd_j that the brakes can make within their limits
+    const auto map = passive_haptics::force_map_of(now.pose, now.E);
+    const auto box = torques_within(now.s, passive_haptics::torque_limits_of<T, m>(now.brakes));
+    const force Fc_scaled = force_for(scale, map, box);
+    // 4. td: its torques, which are within the limits but for the rounding of a product
+    return {scale, map, box, Fc_scaled,
+            passive_haptics::within_limits(Fc_scaled.torque, now.brakes, setup.options.limits)};
+  }
+
+  /// The result of a cycle. Its classes and alpha are those of the wall that demands most, display is
+  /// exact where each wall gets all that it demands, and each has a report.
+  template <class Now>
+  PASSIVE_HAPTICS_PART Result result(const Now& now, const steps& done, const brake_vector<M>& t,
+                                     step_memory<L>&) const {
+    const status outcome = check(now, done);
+    if (outcome != status::ok) return released<Result>(outcome);
+    const auto of_governing = [&](const force& Fc) PASSIVE_HAPTICS_INLINE {
+      const display_steps<T, d, m> one{Fc, done.scale.alpha[governing], done.Fc_scaled, done.td};
+      return passive_haptics::result_of<Result>(now, touched, touched[governing].wall, Fd(governing), one, t);
+    };
+    if constexpr (!has_reports) {
+      return of_governing(done.Fc_scaled);
+    } else {
+      if (!all_finite(done.Fc_scaled.torque)) return released<Result>(status::result_not_finite);
+      Result result = of_governing(unscaled_force(now, done));
+      if (result.outcome == status::ok) add_reports(result, now, done);
+      return result;
+    }
+  }
+
+ private:
+  static constexpr bool has_reports = requires(Result result) { result.contacts; };
+
+  template <class Now>
+  scales scales_of(const Now& now) const {
+    scales all;
+    for (int j = 0; j < touched.size(); ++j) {
+      const auto wanted = Fd(j);
+      const T leaving = outward(wanted, now.v);
+      all.first[static_cast<std::size_t>(j)] = gives_way<L> && leaving > T(0);
+      if (asks(wanted))
+        all.alpha[j] = setup.law.scale(
+            contact_situation<T, d>{wanted.direction, wanted.magnitude, leaving, now.hand_force});
+    }
+    return all;
+  }
+
+  // The force that gives each wall alpha_j |Fd_j|, in order of priority
+  force force_for(const scales& scale, const force_map<T, d, m>& map, const torque_box<T, m>& box) const {
+    std::array<contact_demand<T, d>, static_cast<std::size_t>(capacity)> demands;
+    int count = 0;
+    for (int j = 0; j < touched.size(); ++j) {
+      const auto wanted = Fd(j);
+      if (!asks(wanted)) continue;
+      demands[static_cast<std::size_t>(count++)] = {wanted.direction, scale.alpha[j] * wanted.magnitude,
+                                                    scale.first[static_cast<std::size_t>(j)]};
+    }
+    const auto met = contact_forces<T, d, m, capacity>(map, box, demands, count);
+    return {display_class::approximate, met.force, met.torque};
+  }
+
+  // ok, or why this is no command
+  template <class Now>
+  status check(const Now& now, const steps& done) const {
+    vector<T, capacity> leaving = vector<T, capacity>::Zero(), magnitude = vector<T, capacity>::Zero();
+    for (int j = 0; j < touched.size(); ++j) {
+      leaving[j] = outward(Fd(j), now.v);
+      magnitude[j] = Fd(j).magnitude;
+    }
+    const auto alpha = done.scale.alpha.array();
+    const bool are_shares = (alpha >= T(0) && alpha <= T(1)).all();
+    const status outcome = check_command<T>(touched, leaving, are_shares, magnitude);
+    if (outcome != status::ok) return outcome;
+    return all_finite(done.map.G) ? status::ok : status::pose_undefined;
+  }
+
+  template <class Now>
+  void add_reports(Result& result, const Now& now, const steps& done) const {
+    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(now.brakes);
+    result.saturated = (done.td.torque.array().abs() >= limit.array()).any();
+    result.contact_count = touched.size();
+    for (int j = 0; j < touched.size(); ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      const auto wanted = Fd(j);
+      result.contacts[k] = {touched[j].wall, asks(wanted) ? done.scale.alpha[j] * wanted.magnitude : T(0),
+                            wanted.direction.dot(done.Fc_scaled.force), done.scale.first[k]};
+    }
+  }
+
+  // Fc before alpha and limits, exact where each wall gets all that it demands. Near a singular pose rounding
+  // decides what brakes without limits could do: then it is what is commanded
+  template <class Now>
+  force unscaled_force(const Now& now, const steps& done) const {
+    const vector<T, d> n = Fd(governing).direction;
+    force F = done.Fc_scaled;
+    if (!is_whole(done)) {
+      const vector<T, m> unlimited = vector<T, m>::Constant(std::numeric_limits<T>::infinity());
+      F = force_for({}, done.map, torques_within(now.s, unlimited));
+    }
+    if (!displays_by_generators<M> && !is_in_cone(now, F.force)) {
+      F = done.Fc_scaled;
+    } else {
+      const T size = F.force.norm(), tolerance = rounding_tolerance<T>(m + capacity) * size;
+      bool met = true;
+      for (int j = 0; j < touched.size(); ++j) {
+        const auto wanted = Fd(j);
+        if (asks(wanted))
+          met = met && std::abs(wanted.magnitude - wanted.direction.dot(F.force)) <= tolerance;
+      }
+      if (met) F.display = display_class::exact;
+      else if (!(size > T(0))) F.display = display_class::none;
+    }
+    F.cosine_squared = cosine_squared(F.force, n);
+    return F;
+  }
+
+  // Whether Fc' is Fc: no wall's force is scaled or comes first, no limit is met
+  bool is_whole(const steps& done) const {
+    bool whole = true;
+    for (int j = 0; j < touched.size(); ++j)
+      whole = whole && done.scale.alpha[j] == T(1) && !done.scale.first[static_cast<std::size_t>(j)];
+    const vector<T, m>& t = done.Fc_scaled.torque;
+    for (int i = 0; i < m; ++i)
+      whole = whole && (t[i] == T(0) || (t[i] > done.box.lower[i] && t[i] < done.box.upper[i]));
+    return whole;
+  }
+
+  // Whether brakes of these signs can make the force, to rounding: s_i t_i <= 0 for t = E^T F
+  template <class Now>
+  static bool is_in_cone(const Now& now, const vector<T, d>& F) {
+    const matrix<T, d, m> E(now.E);
+    const vector<T, m> t = E.transpose() * F;
+    const T tolerance = rounding_tolerance<T>(1) * F.norm();
+    bool all = true;
+    for (int i = 0; i < m; ++i) all = all && now.s[i] * t[i] <= tolerance * E.col(i).norm();
+    return all;
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,114 @@
+/// @file
+/// Section 4 under a TorqueLaw: the torques that the law demands, made what the brakes can do.
+#pragma once
+
+#include <passive_haptics/control/cycle_result.hpp>
+#include <passive_haptics/control/way.hpp>
+#include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/force/torques/force_map.hpp>
+#include <passive_haptics/mechanism/dynamics.hpp>
+
+namespace passive_haptics {
+
+/// Torques of a law, which sees all walls by itself.
+template <class Result, class Setup, class Walls>
+struct torques_of_law {
+  using M = typename Setup::mechanism_type;                        ///< Mechanism.
+  using L = typename Setup::law_type;                              ///< Law.
+  using T = typename M::scalar;                                    ///< Scalar.
+  static constexpr int d = M::task_dimension, m = M::brake_count;  ///< Sizes.
+  static_assert(!needs_dynamics<L> || Dynamics<M>,
+                "passive_haptics: this law needs a mechanism that models Dynamics: give it mass_matrix, "
+                "bias_torque and bias_acceleration (mechanism/dynamics.hpp), or take direct_control.");
+
+  /// From walls to td.
+  struct steps {
+    vector<T, m> wanted;                         ///< By the law; 0 for a brake that would have to drive.
+    saturated_torque<T, m> td;                   ///< Each within its limit.
+    [[no_unique_address]] law_memory<L> memory;  ///< What the law will remember if the cycle ends well.
+  };
+
+  const Setup& setup;                                   ///< Of the cycle.
+  const Walls& touched;                                 ///< The walls.
+  const int governing = governing_contact(touched);     ///< The one that demands most; -1 if there is none.
+  const desired_force<T, d> Fd = force_of_governing();  ///< What it demands.
+
+  /// Whether there is a force to display.
+  bool demands_force() const { return asks(Fd); }
+
+  /// The law in place of steps 1 to 3. Then 4, where each torque is cut alone, as the law has chosen each.
+  template <class Now>
+  PASSIVE_HAPTICS_PART steps command(const Now& now, step_memory<L>& memory) const {
+    steps done{{}, {}, memory.law};
+    done.wanted = torques_wanted(now, done.memory);
+    if (all_finite(done.wanted))  // else a fault of the law, also where it would be released
+      done.wanted = (now.s.array() * done.wanted.array() > T(0)).select(T(0), done.wanted);
+    done.td = passive_haptics::within_limits(done.wanted, now.brakes, saturation::clamp_each);
+    return done;
+  }
+
+  /// The result of a cycle: of the force that the law's torques make before the limits.
+  template <class Now>
+  PASSIVE_HAPTICS_PART Result result(const Now& now, const steps& done, const brake_vector<M>& t,
+                                     step_memory<L>& memory) const {
+    if (check_contacts<T>(touched) != status::ok)
+      return passive_haptics::released<Result>(setup, now.time, status::contact_not_finite, memory);
+    constexpr bool is_account = requires(Result result) { result.torque; };
+    display_steps<T, d, m> as_force{.td = done.td};
+    as_force.Fc.display = display_class::exact;
+    as_force.Fc.torque = as_force.Fc_scaled.torque = done.wanted;
+    if constexpr (is_account) find_force(as_force.Fc, now);
+    Result result =
+        passive_haptics::result_of<Result>(now, touched, touched[governing].wall, Fd, as_force, t);
+    if (result.outcome != status::ok) {
+      passive_haptics::tell_released(setup.law, now.time, memory);
+      return result;
+    }
+    memory.law = done.memory;
+    if constexpr (is_account) result.power = classify_power(Fd.direction.dot(now.v), can_be_displayed(now));
+    return result;
+  }
+
+ private:
+  // No force in free space
+  desired_force<T, d> force_of_governing() const {
+    if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
+    return force_of<T>(touched[governing]);
+  }
+
+  template <class Now>
+  vector<T, m> torques_wanted(const Now& now, law_memory<L>& memory) const {
+    if constexpr (requires { typename L::memory; }) {
+      static_assert(
+          requires { setup.law.torque(now, touched, memory); },
+          "passive_haptics: torque() of this law takes brakes_of<M> alone; let it take a brake_situation<M, "
+          "E, B> of any brakes B, or give the step brakes_of<M>.");
+      return setup.law.torque(now, touched, memory);
+    } else {
+      return setup.law.torque(now, touched);
+    }
+  }
+
+  // F = G t of the law's torques. At a singular pose that is the part of it that the pose can tell. Exact
+  // where it is Fd, approximate where it has a component along Fd
+  template <class Now>
+  void find_force(approximated_force<T, d, m>& F, const Now& now) const {
+    F.force = passive_haptics::force_map_of(now.pose, now.E).G * F.torque;
+    F.cosine_squared = cosine_squared(F.force, Fd.direction);
+    const T off = (F.force - Fd.magnitude * Fd.direction).norm();
+    F.display = off <= rounding_tolerance<T>(d + m) * Fd.magnitude ? display_class::exact
+                : F.cosine_squared > T(0)                          ? display_class::approximate
+                                                                   : display_class::none;
+  }
+
+  // Whether the brakes could display Fd
+  template <class Now>
+  bool can_be_displayed(const Now& now) const {
+    half_space_start start;
+    const T min_cosine = setup.options.min_cosine;
+    return approximation_for<M>::of(now, Fd.direction, min_cosine, start).display == display_class::exact;
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,142 @@
+/// @file
+/// The shortest non-negative solution of linear equations.
+#pragma once
+
+#include <passive_haptics/core/linear/column_subset.hpp>
+#include <passive_haptics/core/linear/plane_cone.hpp>
+
+#include <bit>
+#include <limits>
+
+namespace passive_haptics::detail {
+
+/// The x >= 0 of least |x| with V x = f, found from a basic solution.
+///
+/// Its dual is x_i = max(0, v_i . l): piecewise linear in the D unknowns l, a piece for each set of columns
+/// that are used. A primal active set over the pieces: x moves to the shortest solution on its set, without
+/// the sign; a column that blocks the way leaves, all columns with v_i . l > 0 enter. V x = f at any time
+/// and |x| falls, so their number is finite. Reference: Nocedal, Wright, Numerical Optimization (2006),
+/// ch. 16.5.
+template <class T, int D, int M>
+class least_norm {
+ public:
+  /// V (D x M) and f.
+  [[gnu::always_inline]] least_norm(const matrix<T, D, M>& V, const vector<T, D>& f) : v_(V), f_(f) {
+    const matrix<T, M, D> by_rows = transposed(V);
+    unrolled<D>([&](auto k) { rows_[k] = row::load(by_rows.data() + k * M); });
+  }
+
+  /// x, of the columns in `usable` only. basis: independent columns that make f with x >= 0; they need not
+  /// be D. False, and x of no use, where rounding leaves f out of what the basis makes. Cost: a column_subset
+  /// for each piece, 2 to 4 as a rule.
+  [[gnu::always_inline]] bool solve(half_space_set basis, half_space_set usable, vector<T, M>& x) {
+    if (std::popcount(basis) < D) basis = completed(basis, usable);
+    const int rank = std::popcount(basis);
+    row in_set = weights(basis);
+    const row allowed = weights(usable);
+    for (int piece = 0; piece < 6 * M; ++piece) {
+      const subset_type subset(rows_, f_, in_set);
+      if (!subset.reaches(rounding_tolerance<T>(D * M))) return false;
+      const auto solution = subset.solution();
+      const row &u = solution.first, &size = solution.second;
+      const row noise = T(4 * D) * std::numeric_limits<T>::epsilon() * size;
+      const row entering = choose(u > noise, allowed - in_set, T(0));
+      const row leaving = choose(u < -noise, in_set, T(0));
+      const bool any_leaves = count(leaving) > T(0);
+      // A basis has one solution: what is negative in it is rounding
+      if (any_leaves && count(in_set) > T(rank)) {
+        step_towards(u, leaving, in_set, x);
+        continue;
+      }
+      take(u, in_set, x);
+      if (count(entering) == T(0)) {
+        if (any_leaves) take_without(leaving, in_set, x);
+        else refine(subset, in_set, x);
+        return true;
+      }
+      in_set += entering;
+    }
+    return true;
+  }
+
+ private:
+  using subset_type = column_subset<T, D, M>;
+  using row = typename subset_type::row;
+
+  [[gnu::always_inline]] static row weights(half_space_set set) {
+    vector<T, M> w;
+    unrolled<M>([&](auto i) { w[i] = static_cast<T>(set >> i & 1u); });
+    return row::load(w.data());
+  }
+
+  [[gnu::always_inline]] static T count(const row& set) { return dot(set, row(T(1))); }
+
+  // x = u on the set, without rounding below 0
+  [[gnu::always_inline]] static void take(const row& u, const row& in_set, vector<T, M>& x) {
+    choose(u > T(0), in_set * u, T(0)).store(x.data());
+  }
+
+  // x and the solution for what it leaves of f: V x = f to rounding of its terms, whatever the subset lost
+  [[gnu::always_inline]] void refine(const subset_type& subset, const row& in_set, vector<T, M>& x) const {
+    const row made = row::load(x.data());
+    vector<T, D> left;
+    unrolled<D>([&](auto k) { left[k] = f_[k] - dot(rows_[k], made); });
+    take(subset.solution_of(left) + made, in_set, x);
+  }
+
+  // x on the set without some that are 0 to rounding, so that the others make all of f.
+  [[gnu::noinline]] void take_without(const row& leaving, row in_set, vector<T, M>& x) const {
+    in_set -= leaving;
+    take(subset_type(rows_, f_, in_set).solution().first, in_set, x);
+  }
+
+  // From x towards u until the first of those that become negative is 0: it leaves the set.
+  static void step_towards(const row& to, const row& leaving, row& in_set, vector<T, M>& x) {
+    vector<T, M> u, leaves, member;
+    to.store(u.data());
+    leaving.store(leaves.data());
+    in_set.store(member.data());
+    T step = T(1);
+    int blocking = -1;
+    for (int i = 0; i < M; ++i) {
+      if (leaves[i] == T(0)) continue;
+      const T until_zero = x[i] / (x[i] - u[i]);
+      if (blocking < 0 || until_zero < step) {
+        step = until_zero;
+        blocking = i;
+      }
+    }
+    for (int i = 0; i < M; ++i) x[i] = std::max(T(0), x[i] + member[i] * step * (u[i] - x[i]));
+    x[blocking] = member[blocking] = T(0);
+    in_set = row::load(member.data());
+  }
+
+  // The basis and, until it spans what the usable columns span, the column that depends on it least.
+  [[gnu::noinline]] half_space_set completed(half_space_set basis, half_space_set usable) const {
+    matrix<T, D, M> rest = v_;
+    half_space_set next = basis;
+    for (int k = 0; k < D; ++k) {
+      int most = -1;
+      T largest = rounding_tolerance<T>(D) * rounding_tolerance<T>(D);
+      for (int i = 0; i < M; ++i) {
+        const half_space_set candidates = next != 0 ? next : usable;
+        const T square = rest.col(i).squaredNorm(), whole = v_.col(i).squaredNorm();
+        if ((candidates >> i & 1u) == 0 || !(square > largest * whole)) continue;
+        largest = square / whole;
+        most = i;
+      }
+      if (most < 0) break;
+      next &= ~(1u << most);
+      basis |= 1u << most;
+      const vector<T, D> axis = rest.col(most).normalized();
+      for (int pass = 0; pass < 2; ++pass) rest -= axis * (axis.transpose() * rest);
+    }
+    return basis;
+  }
+
+  const matrix<T, D, M>& v_;
+  const vector<T, D>& f_;
+  row rows_[std::size_t(D)];  // V by rows
+};
+
+}  // namespace passive_haptics::detail

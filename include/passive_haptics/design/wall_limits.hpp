@@ -1,0 +1,134 @@
+/// @file
+/// The wall calculator: how stiff, how shallow and how still a wall made of brakes can be.
+#pragma once
+
+#include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
+#include <passive_haptics/core/parameters.hpp>
+#include <passive_haptics/core/scalar/first_order_lag.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace passive_haptics {
+
+/// A wall at one place of a device, the hand that comes, and the control, along the wall's normal.
+/// braked_wall_at() takes the first six from a mechanism.
+struct braked_wall {
+  double force = 10;               ///< F, the most that the brakes make out of the wall [N].
+  double approximated_force = 8;   ///< The most that force approximation makes of it, strongest_nearest [N].
+  double residual_force = 0;       ///< R, what the residual torques add [N]; < 0 pulls the hand in.
+  double inertia = 0.7;            ///< Lambda_n of the device with the hand [kg].
+  double depth_resolution = 1e-4;  ///< What the depth changes by at a count of an encoder, at most [m].
+  double approach_speed = 0.1;     ///< v at the surface, into the wall [m/s].
+
+  double time_constant = 0.020;  ///< T_b of the slowest brake's rise [s].
+  double push = 2;               ///< P of the hand at the surface [N].
+  double hand_stiffness = 0;     ///< By which the push falls with the depth [N/m],
+  double hand_damping = 20;      ///< and with the speed [N s/m]; 20 is that of following_hand.
+
+  double control_period = 1e-3;  ///< [s]
+  double scene_period = 1e-3;    ///< Between two samples of the scene [s].
+  /// How late the law acts beyond these [s]: velocity_direct_control by its low-pass of the rates.
+  double reaction_time = velocity_direct_control_parameters().rate_lag;
+  /// Over which rates are averaged [s]: the window of a difference, or twice the time constant of a low-pass.
+  /// Here that of encoder_parameters, 50 Hz, and of velocity_direct_control.
+  double averaging_time = 2 * (low_pass_time_constant(50.0) + velocity_direct_control_parameters().rate_lag);
+  double rest_depth = velocity_direct_control_parameters().rest_depth;  ///< d_0 of the law [m].
+
+  static constexpr const char* owner = "a braked_wall";  ///< In errors.
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = braked_wall;
+    return member_table(
+        member("force", &p::force, "N", range::not_negative, plausible(0, 1000)),
+        member("approximated_force", &p::approximated_force, "N", range::not_negative, plausible(0, 1000)),
+        member("residual_force", &p::residual_force, "N", range::finite, plausible(-100, 100)),
+        member("inertia", &p::inertia, "kg", range::positive, plausible(0.01, 100)),
+        member("depth_resolution", &p::depth_resolution, "m", range::not_negative, plausible(0, 0.01)),
+        member("approach_speed", &p::approach_speed, "m/s", range::not_negative, plausible(0, 2)),
+        member("time_constant", &p::time_constant, "s", range::not_negative, plausible(0, 1)),
+        member("push", &p::push, "N", range::finite, plausible(-100, 100)),
+        member("hand_stiffness", &p::hand_stiffness, "N/m", range::not_negative, plausible(0, 1e4)),
+        member("hand_damping", &p::hand_damping, "N s/m", range::not_negative, plausible(0, 1000)),
+        member("control_period", &p::control_period, "s", range::positive, plausible(1e-5, 0.1)),
+        member("scene_period", &p::scene_period, "s", range::not_negative, plausible(0, 1)),
+        member("reaction_time", &p::reaction_time, "s", range::not_negative, plausible(0, 0.1)),
+        member("averaging_time", &p::averaging_time, "s", range::positive, plausible(1e-4, 1)),
+        member("rest_depth", &p::rest_depth, "m", range::not_negative, plausible(0, 0.02)));
+  }
+};
+
+/// What a wall made of brakes can be.
+struct wall_limits {
+  /// Smallest depth that can be held, under velocity_direct_control that sees the wall once it is touched
+  /// [m]: how deep the hand gets. Infinite where the brakes do not stop it within a second
+  /// and deepest_landing.
+  double depth;
+  double rigid_depth;  ///< The same under force approximation and a wall of any stiffness [m].
+  /// Largest useful stiffness under force approximation [N/m]: the hand gets half as deep again as into a
+  /// rigid wall. 0 where the brakes cannot hold it.
+  double stiffness;
+  /// Least noticeable drift off the wall or into it [m/s]: the ripple of its measured rate is as large as
+  /// itself.
+  double drift;
+
+  /// The brakes stop the hand.
+  bool holds() const { return depth < std::numeric_limits<double>::infinity(); }
+};
+
+/// The deepest hand that still counts as held [m].
+inline constexpr double deepest_landing = 0.05;
+
+namespace detail {
+
+// How deep the hand gets [m] where all of the force rises from `delay` [s] after the touch; infinite where it
+// does not stop:  Lambda_n x'' = P - K x - B x' - R - f,  T_b f' + f = F
+inline double landing_depth(const braked_wall& wall, double force, double delay) {
+  constexpr double dt = 1e-5, longest = 1;  // [s]
+  double x = 0, v = wall.approach_speed, f = 0;
+  for (double t = 0; t < longest && x < deepest_landing; t += dt) {
+    if (t >= delay) f = lagged(f, force, dt, wall.time_constant);
+    const double into = wall.push - wall.hand_stiffness * x - wall.residual_force - f;
+    // The damping at the end of the step, so that none is too strong
+    const double next = (wall.inertia * v + dt * into) / (wall.inertia + dt * wall.hand_damping);
+    x += dt * (v + next) / 2;
+    v = next;
+    if (!(v > 0)) return std::max(x, 0.0);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace detail
+
+/// What this wall can be. Bands over random devices, and what is left out: docs/guide/wall_limits.md.
+///
+/// **Depth.** A stiff wall saturates at once: from T after the touch the brakes are told all that they have.
+/// The depth is where the hand then comes to rest,
+///
+///     Lambda_n x'' = P - K_h x - B_h x' - R - f,    T_b f' + f = F,    f = 0 until T,
+///
+/// but under velocity_direct_control not less than its rest_depth. T is half a period of the control, or of a
+/// slower scene, and the law's reaction_time. With a hand that brings no force, and brakes that are quick
+/// (T_b -> 0) or slow beside the landing, it is
+///
+///     v T + Lambda_n v^2 / (2 F)    or    v T + 2/3 v sqrt(2 Lambda_n v T_b / F).
+///
+/// **Stiffness.** A wall of stiffness k asks for F at the depth F / k. Where that is less than the
+/// rigid_depth, the brakes are told all before the hand is as deep as it gets anyway: k = F / rigid_depth.
+///
+/// **Drift.** A drift v makes a count c every c / v seconds. While such pulses, averaged over T_a, stand
+/// apart, their mean square is v c / T_a (Campbell's theorem), their variance v c / T_a - v^2. That is v^2 at
+/// v = c / (2 T_a).
+///
+/// Throws std::invalid_argument with the text of validate(wall). Depths are those of the
+/// equation to 0.1 % and 1 um. Cost: twice up to 100 000 steps of ten operations and an exponential.
+inline wall_limits limits_of(const braked_wall& wall) {
+  require_valid(wall);
+  const double late = std::max(wall.control_period, wall.scene_period) / 2;
+  const double held = detail::landing_depth(wall, wall.force, late + wall.reaction_time);
+  const double rigid = detail::landing_depth(wall, wall.approximated_force, late);
+  return {std::max(held, wall.rest_depth), rigid, wall.approximated_force / rigid,
+          wall.depth_resolution / (2 * wall.averaging_time)};
+}
+
+}  // namespace passive_haptics

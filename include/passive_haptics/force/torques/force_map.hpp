@@ -1,0 +1,28 @@
+/// @file
+/// The forces that torques make, in the form that fits the mechanism.
+#pragma once
+
+#include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/force/torques/contact_forces.hpp>
+
+namespace passive_haptics {
+
+/// F = G t in the form that fits the mechanism, E from brake_jacobian.
+template <class M, class EMatrix>
+auto force_map_of(const mechanism_pose<M>& pose, const EMatrix& E) {
+  if constexpr (displays_by_generators<M>)
+    return force_map<typename M::scalar, M::task_dimension, M::brake_count>{
+        passive_haptics::generators_of(pose)};
+  else return invert_brake_jacobian(brake_matrix<M>(E));
+}
+
+/// F = G t in pose q.
+template <class M>
+auto force_map_of(const M& mechanism, const joint_vector<M>& q) {
+  static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
+  return passive_haptics::force_map_of(mechanism_pose<M>(mechanism, q),
+                                       passive_haptics::brake_jacobian(mechanism, q));
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,90 @@
+/// @file
+/// Coulomb friction that follows its command with a first-order lag: the brakes of the paper's section 5.1.
+#pragma once
+
+#include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/brake/models/brake_model.hpp>
+#include <passive_haptics/core/scalar/first_order_lag.hpp>
+
+#include <array>
+
+namespace passive_haptics {
+
+/// Coulomb friction of strength tau,
+///
+///     T_b dtau/dt + tau = min(gain u, torque_limit),
+///
+/// under the command u [N m]; T_b = time_constant where tau rises, fall_ratio time_constant where it falls.
+/// Exact for a command that is constant over a step. The default is a small magnetic-particle brake with the
+/// lag of the paper's section 5.1.
+template <class T>
+struct coulomb_brake {
+  using scalar = T;  ///< Scalar.
+
+  /// Largest torque [N m].
+  T torque_limit = brake_parameters<T, 1>().torque_limit[0];
+  /// Time constant of the first-order response [s].
+  T time_constant = brake_parameters<T, 1>().time_constant[0];
+  /// Time constant of a falling strength for that of a rising one [1]; remanence makes it more than 1.
+  T fall_ratio = T(1);
+  /// Real torque for each commanded one [1]; 1 is a brake calibrated without error.
+  T gain = T(1);
+  /// Friction of seals, drag of bearings or the brake's fluid.
+  brake_resistance<T> residual = {};
+
+  /// What it remembers.
+  struct state {
+    T strength = T(0);  ///< [N m]
+  };
+
+  /// See BrakeModel.
+  brake_resistance<T> advance(T dt, T command, T /*rate*/, state& now) const noexcept {
+    const T target = valid_command(gain * command, torque_limit);
+    const T lag = target < now.strength ? fall_ratio * time_constant : time_constant;
+    now.strength = lagged(now.strength, target, dt, lag);
+    return {now.strength, T(0)};
+  }
+
+  /// The same at any rate.
+  T torque_limit_at(T /*rate*/) const noexcept { return torque_limit; }
+
+  /// Exact within the limit.
+  T command_for(T torque, T /*rate*/, const state&) const noexcept {
+    return valid_command(torque, torque_limit) / gain;
+  }
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = coulomb_brake;
+    return member_table(
+        member("torque_limit", &p::torque_limit, "N m", range::not_negative, plausible(0.01, 1000)),
+        member("time_constant", &p::time_constant, "s", range::not_negative, plausible(0, 1)),
+        member("fall_ratio", &p::fall_ratio, "1", range::positive, plausible(0.1, 10)),
+        member("gain", &p::gain, "1", range::positive, plausible(0.1, 10)), member("residual", &p::residual));
+  }
+};
+
+/// A magnetic-particle brake of 7.5 N m: MAGPOWR GBA, Maxcess Designer's Notebook 2015, page 119 (rated
+/// torque, time constant of the torque after a step, drag torque without excitation).
+template <class T>
+constexpr coulomb_brake<T> magnetic_particle_brake() {
+  return {.torque_limit = T(7.5), .time_constant = T(0.22), .residual = {.strength = T(0.09)}};
+}
+
+/// The real brakes of mechanism M, a model for each.
+template <class M, class Model = coulomb_brake<typename M::scalar>>
+using brake_models_of = std::array<Model, static_cast<std::size_t>(M::brake_count)>;
+
+/// Brakes that are what their controller believes: its limits and lags, gain 1, nothing residual.
+template <class T, int Brakes>
+std::array<coulomb_brake<T>, static_cast<std::size_t>(Brakes)> ideal_brakes(
+    const brake_parameters<T, Brakes>& believed) {
+  std::array<coulomb_brake<T>, static_cast<std::size_t>(Brakes)> real;
+  for (std::size_t i = 0; i < real.size(); ++i) {
+    real[i].torque_limit = believed.torque_limit[static_cast<int>(i)];
+    real[i].time_constant = believed.time_constant[static_cast<int>(i)];
+  }
+  return real;
+}
+
+}  // namespace passive_haptics

@@ -1,0 +1,57 @@
+/// @file
+/// Dry friction: more at rest than in slip.
+#pragma once
+
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
+
+#include <cmath>
+
+namespace passive_haptics {
+
+/// A coulomb_brake whose strength falls from rest to slip,
+///
+///     tau g(w),  g(w) = 1 + (static_ratio - 1) exp(-(w / stribeck_rate)^2),
+///
+/// with tau its lagged command: the torque in fast slip. The steady curve of Canudas de Wit, Olsson, Astrom
+/// and Lischinsky, A new model for control of systems with friction, IEEE Trans. Automatic Control 40(3),
+/// 1995. Defaults: F_S / F_C = 1.5 N / 1 N and v_s = 0.001 m/s of its simulations, at a radius of 20 mm; not
+/// measured at a brake. What such a brake does in presliding, below micrometres, is left out.
+template <class T>
+struct stribeck_brake : coulomb_brake<T> {
+  using typename coulomb_brake<T>::state;
+
+  T static_ratio = T(1.5);    ///< Strength at rest for that in fast slip [1].
+  T stribeck_rate = T(0.05);  ///< Rate at which 1/e of the difference is left [rad/s].
+
+  /// g(w) [1].
+  T factor(T rate) const noexcept {
+    const T ratio = rate / stribeck_rate;
+    return T(1) + (static_ratio - T(1)) * std::exp(-ratio * ratio);
+  }
+
+  /// See BrakeModel.
+  brake_resistance<T> advance(T dt, T command, T rate, state& now) const noexcept {
+    return {factor(rate) * coulomb_brake<T>::advance(dt, command, rate, now).strength, T(0)};
+  }
+
+  /// torque_limit g(w) [N m].
+  T torque_limit_at(T rate) const noexcept { return factor(rate) * this->torque_limit; }
+
+  /// Exact within the limit, at this rate.
+  T command_for(T torque, T rate, const state& now) const noexcept {
+    return coulomb_brake<T>::command_for(torque / factor(rate), rate, now);
+  }
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    return [](auto&& f) {
+      using p = stribeck_brake;
+      coulomb_brake<T>::members()(f);
+      member_table(
+          member("static_ratio", &p::static_ratio, "1", range::at_least(1), plausible(1, 3)),
+          member("stribeck_rate", &p::stribeck_rate, "rad/s", range::positive, plausible(0.0001, 10)))(f);
+    };
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,34 @@
+/// @file
+/// A whole file in memory, once its kind and its size are known to be right.
+#pragma once
+
+#include <passive_haptics/scene/files/file_kind.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <system_error>
+
+namespace passive_haptics {
+
+/// Reads the file into `bytes`; empty, or what is wrong with it: it is not there, is no regular file, has
+/// more than `most` bytes, or cannot be read. Never waits for a FIFO or a device, allocates no more than the
+/// file's size.
+inline std::string read_file(const std::filesystem::path& path, std::string& bytes,
+                             std::uintmax_t most = std::numeric_limits<std::uintmax_t>::max()) {
+  if (std::string error = check_regular_file(path); !error.empty()) return error;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) return error.message();
+  if (size > most) return std::to_string(size) + " bytes, expected at most " + std::to_string(most);
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return "cannot be read, expected a file that you may read";
+  bytes.resize(static_cast<std::size_t>(size));
+  in.read(bytes.data(), static_cast<std::streamsize>(size));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));  // it may have become shorter
+  return in.bad() ? "cannot be read to its end" : "";
+}
+
+}  // namespace passive_haptics

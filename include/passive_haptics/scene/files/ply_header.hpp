@@ -1,0 +1,161 @@
+/// @file
+/// What the header of a PLY file announces.
+#pragma once
+
+#include <passive_haptics/scene/files/mesh_source.hpp>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace passive_haptics::detail {
+
+/// Types of values, each with its two names.
+enum class ply_type { none, int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+inline ply_type ply_type_of(std::string_view word) {
+  constexpr std::array<std::array<std::string_view, 2>, 9> names{{{"", ""},
+                                                                  {"char", "int8"},
+                                                                  {"uchar", "uint8"},
+                                                                  {"short", "int16"},
+                                                                  {"ushort", "uint16"},
+                                                                  {"int", "int32"},
+                                                                  {"uint", "uint32"},
+                                                                  {"float", "float32"},
+                                                                  {"double", "float64"}}};
+  for (std::size_t i = 1; i < names.size(); ++i)
+    if (word == names[i][0] || word == names[i][1]) return static_cast<ply_type>(i);
+  return ply_type::none;
+}
+
+inline bool is_whole(ply_type t) { return t != ply_type::float32 && t != ply_type::float64; }
+
+inline std::size_t size_of(ply_type t) {
+  constexpr std::array<std::size_t, 9> bytes{0, 1, 1, 2, 2, 4, 4, 4, 8};
+  return bytes[static_cast<std::size_t>(t)];
+}
+
+/// A value, or a list of them behind their number.
+struct ply_property {
+  std::string name;
+  ply_type type = ply_type::none;
+  ply_type count = ply_type::none;  ///< Of a list the type of its length.
+
+  bool is_list() const { return count != ply_type::none; }
+};
+
+/// Rows of the same properties.
+struct ply_element {
+  std::string name;
+  std::size_t rows = 0;
+  std::vector<ply_property> properties;
+
+  const ply_property* find(std::string_view property) const {
+    for (const ply_property& p : properties)
+      if (p.name == property) return &p;
+    return nullptr;
+  }
+  /// The least that its rows can take [bytes].
+  std::size_t least_row(bool is_text) const {
+    std::size_t least = 0;
+    for (const ply_property& p : properties)
+      least +=
+          is_text ? 2 : size_of(p.is_list() ? p.count : p.type);  // a digit and what parts it from the next
+    return least;
+  }
+};
+
+/// The elements in the order of their data.
+struct ply_header {
+  bool is_text = false;
+  std::endian order = std::endian::little;
+  std::vector<ply_element> elements;
+
+  const ply_element* find(std::string_view element) const {
+    for (const ply_element& e : elements)
+      if (e.name == element) return &e;
+    return nullptr;
+  }
+};
+
+inline ply_property read_ply_property(mesh_source& from) {
+  constexpr const char* types = "a type: char, uchar, short, ushort, int, uint, float or double";
+  const auto type_of = [&](std::string_view word) {
+    if (ply_type_of(word) == ply_type::none) from.fail(word, types);
+    return ply_type_of(word);
+  };
+  ply_property p;
+  std::string_view word = from.word_in_line();
+  if (word == "list") {
+    word = from.word_in_line();
+    p.count = type_of(word);
+    if (!is_whole(p.count)) from.fail(word, "a type of whole numbers");
+    word = from.word_in_line();
+  }
+  p.type = type_of(word);
+  p.name = from.word_in_line();
+  if (p.name.empty()) from.fail({}, "the name of a property");
+  return p;
+}
+
+inline ply_element read_ply_element(mesh_source& from) {
+  ply_element e;
+  e.name = from.word_in_line();
+  if (e.name.empty()) from.fail({}, "the name of an element");
+  e.rows = from.number<std::size_t>(from.word_in_line(), "how many rows there are");
+  return e;
+}
+
+inline void read_ply_format(mesh_source& from, ply_header& header) {
+  const std::string_view format = from.word_in_line();
+  header.is_text = format == "ascii";
+  header.order = format == "binary_big_endian" ? std::endian::big : std::endian::little;
+  if (!header.is_text && format != "binary_big_endian" && format != "binary_little_endian")
+    from.fail(format, "ascii, binary_little_endian or binary_big_endian");
+  if (const auto version = from.word_in_line(); version != "1.0") from.fail(version, "version 1.0");
+}
+
+/// From "ply" to "end_header" and the end of its line.
+inline ply_header read_ply_header(mesh_source& from) {
+  ply_header header;
+  const auto end_line = [&] {
+    if (const auto word = from.word_in_line(); !word.empty()) from.fail(word, "the end of the line");
+    if (from.left() == 0) from.fail({}, "'end_header' and the data; the file was cut off");
+    from.next_line();
+  };
+  const auto expect = [&](std::string_view expected) {
+    if (const auto word = from.word_in_line(); word != expected)
+      from.fail(word, std::string("'").append(expected).append("'"));
+  };
+  expect("ply");
+  end_line();
+  expect("format");
+  read_ply_format(from, header);
+  end_line();
+  for (std::string_view word = from.word_in_line(); word != "end_header"; word = from.word_in_line()) {
+    if (word == "element") {
+      ply_element e = read_ply_element(from);
+      if (header.find(e.name) != nullptr) from.fail(e.name, "an element of another name");
+      header.elements.push_back(std::move(e));
+    } else if (word == "property" && !header.elements.empty()) {
+      ply_property p = read_ply_property(from);
+      ply_element& of = header.elements.back();
+      if (of.find(p.name) != nullptr) from.fail(p.name, "a property of another name");
+      of.properties.push_back(std::move(p));
+    } else if (word == "comment" || word == "obj_info") {
+      while (!from.word_in_line().empty()) {
+      }
+    } else {
+      from.fail(word, "element, property, comment, obj_info or end_header");
+    }
+    end_line();
+  }
+  end_line();
+  return header;
+}
+
+}  // namespace passive_haptics::detail
