@@ -40,7 +40,8 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
   const task_vector<M> v = times(E, w), Fh = ph::hand_force<M>(state);
   const brake_vector<M> th = ph::hand_torque<M>(state, E, brakes);
   const brake_vector<M> s = ph::brake_signs(w, th, brakes);
-  const brake_situation now{setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh};
+  const brake_situation<M, decltype(E), std::remove_cvref_t<decltype(brakes)>> now{
+      setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh};
 
   // Section 4, and what the mechanism will feel of it
   const auto steps = way.command(now, memory);

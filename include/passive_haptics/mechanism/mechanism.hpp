@@ -116,7 +116,8 @@ concept has_exact_transmission = requires(const M mechanism, const joint_vector<
 ///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of rank n, with
 ///     w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n);
 ///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines.
-///     Both then take it in place of q as well, and a control cycle computes it once.
+///     Both then take it in place of q as well; transmission and the members of Dynamics may. A control cycle
+///     computes it once.
 ///
 /// Laws: position and jacobian of pose(q) are those of q. jacobian is the derivative of position. Both are
 /// pure. Finite q gives a finite position. testing/mechanism_properties.hpp checks them for any model.

@@ -140,8 +140,23 @@ TYPED_TEST_P(dynamics_properties, bias_torque_follows_from_the_mass_matrix) {
   });
 }
 
+/// M, c and Jd qd of pose(q) are those of q, to rounding.
+TYPED_TEST_P(dynamics_properties, pose_has_the_dynamics_of_q) {
+  using M = typename TestFixture::model;
+  const auto tolerance = this->accuracy();
+  this->for_each_motion([&](const joint_vector<M>& q, const joint_vector<M>& qd) {
+    const mechanism_pose<M> pose(this->mechanism, q);
+    const auto mass = this->mechanism.mass_matrix(q);
+    ASSERT_LE((pose.mass_matrix() - mass).norm(), tolerance * mass.norm());
+    ASSERT_LE((pose.bias_torque(qd) - this->mechanism.bias_torque(q, qd)).norm(), tolerance * mass.norm());
+    ASSERT_LE((pose.bias_acceleration(qd) - this->mechanism.bias_acceleration(q, qd)).norm(),
+              tolerance * this->dense_jacobian(q).norm());
+  });
+}
+
 REGISTER_TYPED_TEST_SUITE_P(dynamics_properties, mass_matrix_is_symmetric_positive_definite,
                             bias_acceleration_is_the_change_of_the_jacobian,
-                            bias_torque_keeps_the_kinetic_energy, bias_torque_follows_from_the_mass_matrix);
+                            bias_torque_keeps_the_kinetic_energy, bias_torque_follows_from_the_mass_matrix,
+                            pose_has_the_dynamics_of_q);
 
 }  // namespace passive_haptics::testing

@@ -177,11 +177,11 @@ TYPED_TEST_P(mechanism_properties, pose_has_the_position_and_jacobian_of_q) {
   using dense = matrix<typename TestFixture::number, M::task_dimension, M::dof>;
   const auto size = this->size();
   this->for_each_pose([&](const joint_vector<M>& q) {
-    const auto at = pose(this->mechanism, q);
+    const mechanism_pose<M> pose(this->mechanism, q);
     const auto tolerance = this->rounding_at(q, size);
-    const task_vector<M> x = this->mechanism.position(at), expected = this->mechanism.position(q);
+    const task_vector<M> x = pose.position(), expected = this->mechanism.position(q);
     ASSERT_LE(this->largest_entry(x - expected), tolerance);
-    ASSERT_LE(this->largest_entry(dense(jacobian(this->mechanism, at)) - this->dense_jacobian(q)), tolerance);
+    ASSERT_LE(this->largest_entry(dense(pose.jacobian()) - this->dense_jacobian(q)), tolerance);
   });
 }
 

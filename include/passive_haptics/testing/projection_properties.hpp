@@ -44,7 +44,7 @@ class projection_properties : public ::testing::Test {
       for (int k = 0; k < each; ++k) {
         if (::testing::Test::HasFatalFailure()) return;
         const joint_vector<model> q = random.between<number, model::dof>(Case::lower(), Case::upper());
-        const half_spaces B = passive_haptics::dense_brake_jacobian(mechanism, q) * s.asDiagonal();
+        const half_spaces B = dense_brake_jacobian(mechanism, q) * s.asDiagonal();
         const force F = random.direction<number, model::task_dimension>();
         SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose()
                                           << ", s = " << s.transpose() << ", F = " << F.transpose());
@@ -129,7 +129,7 @@ TYPED_TEST_P(projection_properties, nearest_force_is_the_projection) {
     const task_vector<M> F = sample.wall().normal.template cast<T>();
     const auto nearest = nearest_force(E, s, F);
     const typename TestFixture::half_spaces B =
-        passive_haptics::dense_brake_jacobian(mechanism, sample.state.q) * s.asDiagonal();
+        dense_brake_jacobian(mechanism, sample.state.q) * s.asDiagonal();
     const auto p = project_onto_half_spaces(B, F);
     ASSERT_LE((nearest.force - p.point).norm(), this->tolerance * (1 + this->terms(B, p.coefficients)));
     for (int i = 0; i < M::brake_count; ++i) {

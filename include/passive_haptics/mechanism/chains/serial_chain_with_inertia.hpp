@@ -31,9 +31,11 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
   /// The inertia as given.
   const serial_chain_inertia<T, N, D>& inertia() const { return inertia_; }
 
-  /// M(q) [kg m^2, kg m or kg], rotors included.
-  matrix<T, N, N> mass_matrix(const vector<T, N>& q) const {
-    const auto at = this->bodies(q);
+  /// All joints, the handle and the bodies.
+  chain_bodies<T, N, D> pose(const vector<T, N>& q) const { return this->bodies(q); }
+
+  /// M [kg m^2, kg m or kg], rotors included.
+  matrix<T, N, N> mass_matrix(const chain_bodies<T, N, D>& at) const {
     matrix<T, N, N> M;
     link_inertia<T, D> outer;  // all bodies from j outwards, as one
     for (std::size_t j = size; j-- > 0;) {
@@ -51,9 +53,11 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
     return M;
   }
 
-  /// c(q, qd) [N m or N]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
-  vector<T, N> bias_torque(const vector<T, N>& q, const vector<T, N>& qd) const {
-    const auto at = this->bodies(q);
+  /// M(q)
+  matrix<T, N, N> mass_matrix(const vector<T, N>& q) const { return mass_matrix(pose(q)); }
+
+  /// c [N m or N]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
+  vector<T, N> bias_torque(const chain_bodies<T, N, D>& at, const vector<T, N>& qd) const {
     const motion moves(at, qd);
     vector<T, N> c;
     vector<T, D> force = vector<T, D>::Zero();  // that the bodies from i outwards need [N]
@@ -72,10 +76,18 @@ class serial_chain_with_inertia : public serial_chain<T, N, D> {
     return c;
   }
 
+  /// c(q, qd)
+  vector<T, N> bias_torque(const vector<T, N>& q, const vector<T, N>& qd) const {
+    return bias_torque(pose(q), qd);
+  }
+
   /// Jd qd [m/s^2], the handle's acceleration where all joints keep their rates.
-  vector<T, D> bias_acceleration(const vector<T, N>& q, const vector<T, N>& qd) const {
-    const auto at = this->bodies(q);
+  vector<T, D> bias_acceleration(const chain_bodies<T, N, D>& at, const vector<T, N>& qd) const {
     return motion(at, qd).acceleration_at(last, at.handle - at.point[last]);
+  }
+  /// Jd qd in pose q.
+  vector<T, D> bias_acceleration(const vector<T, N>& q, const vector<T, N>& qd) const {
+    return bias_acceleration(pose(q), qd);
   }
 
  private:

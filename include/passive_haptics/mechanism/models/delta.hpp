@@ -85,22 +85,27 @@ class delta : public leg_chain<delta<T>, T, 3> {
     return solution;
   }
 
-  /// M(q) [kg m^2], rotors included.
-  matrix<T, 3, 3> mass_matrix(const vector<T, 3>& q) const {
-    const matrix<T, 3, 3> J = this->jacobian(q);
+  /// M [kg m^2], rotors included.
+  matrix<T, 3, 3> mass_matrix(const distal_links<T, 3>& at) const {
+    const matrix<T, 3, 3> J = at.jacobian();
     const T arm = (p_.upper_arm_mass / T(3) + p_.forearm_mass / T(2)) * p_.upper_arm * p_.upper_arm;
     matrix<T, 3, 3> M = moved_mass() * J.transpose() * J;
     M.diagonal() += p_.rotor_inertia + vector<T, 3>::Constant(arm);
     return M.template selfadjointView<Eigen::Lower>();
   }
+  /// M(q)
+  matrix<T, 3, 3> mass_matrix(const vector<T, 3>& q) const { return mass_matrix(legs(q)); }
 
-  /// c(q, qd) [N m]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
-  vector<T, 3> bias_torque(const vector<T, 3>& q, const vector<T, 3>& qd) const {
-    const auto at = legs(q);
+  /// c [N m]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
+  vector<T, 3> bias_torque(const distal_links<T, 3>& at, const vector<T, 3>& qd) const {
     const matrix<T, 3, 3> J = at.jacobian();
     const T arm = (p_.upper_arm_mass + p_.forearm_mass) / T(2);  // as if at the elbow
     return moved_mass() * J.transpose() * (at.bias_acceleration(J, qd) - p_.gravity) -
            arm * at.tangent.transpose() * p_.gravity;
+  }
+  /// c(q, qd)
+  vector<T, 3> bias_torque(const vector<T, 3>& q, const vector<T, 3>& qd) const {
+    return bias_torque(legs(q), qd);
   }
 
  private:

@@ -74,9 +74,8 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
     return {q, other_side ? status::out_of_reach : status::ok};
   }
 
-  /// M(q) [kg m^2], rotors on the brakes' axes included.
-  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const {
-    const auto at = legs(q);
+  /// M [kg m^2], rotors on the brakes' axes included.
+  matrix<T, 2, 2> mass_matrix(const distal_links<T, 2>& at) const {
     const matrix<T, 2, 2> J = at.jacobian();
     matrix<T, 2, 2> M = rotor_mass_matrix() + p_.handle_mass * J.transpose() * J;
     for (int i = 0; i < 2; ++i) {
@@ -88,10 +87,11 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
     M(1, 0) = M(0, 1);
     return M;
   }
+  /// M(q)
+  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(legs(q)); }
 
-  /// c(q, qd) [N m]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
-  vector<T, 2> bias_torque(const vector<T, 2>& q, const vector<T, 2>& qd) const {
-    const auto at = legs(q);
+  /// c [N m]: Coriolis, centrifugal and, where a gravity is given, gravity torque.
+  vector<T, 2> bias_torque(const distal_links<T, 2>& at, const vector<T, 2>& qd) const {
     const matrix<T, 2, 2> J = at.jacobian();
     const vector<T, 2> handle = at.bias_acceleration(J, qd) - p_.gravity;
     vector<T, 2> c = p_.handle_mass * J.transpose() * handle;
@@ -103,6 +103,10 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
             J.transpose() * (handle + elbow / T(2)));
     }
     return c;
+  }
+  /// c(q, qd)
+  vector<T, 2> bias_torque(const vector<T, 2>& q, const vector<T, 2>& qd) const {
+    return bias_torque(legs(q), qd);
   }
 
  private:

@@ -34,9 +34,12 @@ class leg_chain {
   chain_conditioning<T> conditioning(const vector<T, N>& q) const { return pose(q).conditioning(); }
 
   /// Jd qd [m/s^2].
-  vector<T, N> bias_acceleration(const vector<T, N>& q, const vector<T, N>& qd) const {
-    const auto at = pose(q);
+  vector<T, N> bias_acceleration(const distal_links<T, N>& at, const vector<T, N>& qd) const {
     return at.bias_acceleration(at.jacobian(), qd);
+  }
+  /// Jd qd in pose q.
+  vector<T, N> bias_acceleration(const vector<T, N>& q, const vector<T, N>& qd) const {
+    return bias_acceleration(pose(q), qd);
   }
 };
 

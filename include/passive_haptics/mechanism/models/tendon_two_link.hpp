@@ -37,13 +37,15 @@ class tendon_two_link : public two_link<T> {
   /// T, constant.
   matrix<T, 2, 2> transmission() const { return matrix_of<2, 2>(T(1), T(0), T(1), per_joint_2_); }
 
-  /// M(q) [kg m^2] with the rotors on the brake axes: links + T^T diag(I_B) T.
-  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const {
+  /// M [kg m^2] with the rotors on the brake axes: links + T^T diag(I_B) T.
+  matrix<T, 2, 2> mass_matrix(const two_link_pose<T>& at) const {
     const auto& p = this->parameters();
     const matrix<T, 2, 2> t = transmission();
-    return this->link_mass_matrix(q) +
+    return this->link_mass_matrix(at) +
            t.transpose() * vector<T, 2>(p.rotor_inertia_1, p.rotor_inertia_2).asDiagonal() * t;
   }
+  /// M(q)
+  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(this->pose(q)); }
 
  private:
   T per_joint_2_;  // 1 / k2

@@ -112,40 +112,49 @@ class two_link {
     return two_link_inverse(p_.length_1, p_.length_2, x, branch);
   }
 
-  /// M(q) [kg m^2], rotors on the joint axes included.
-  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const {
-    matrix<T, 2, 2> M = link_mass_matrix(q);
+  /// M [kg m^2], rotors on the joint axes included.
+  matrix<T, 2, 2> mass_matrix(const two_link_pose<T>& at) const {
+    matrix<T, 2, 2> M = link_mass_matrix(at);
     M(0, 0) += p_.rotor_inertia_1;
     M(1, 1) += p_.rotor_inertia_2;
     return M;
   }
+  /// M(q)
+  matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(pose(q)); }
 
-  /// c(q, qd) [N m]: Coriolis and centrifugal; the plane is horizontal, so no gravity.
-  vector<T, 2> bias_torque(const vector<T, 2>& q, const vector<T, 2>& qd) const {
-    const T h = coupling() * sine_cosine(q[1]).sine;
+  /// c [N m]: Coriolis and centrifugal; the plane is horizontal, so no gravity.
+  vector<T, 2> bias_torque(const two_link_pose<T>& at, const vector<T, 2>& qd) const {
+    const T h = outer_mass() * cross_in_plane(at.link_1, at.link_2);
     return {-h * (T(2) * qd[0] * qd[1] + qd[1] * qd[1]), h * qd[0] * qd[0]};
+  }
+  /// c(q, qd)
+  vector<T, 2> bias_torque(const vector<T, 2>& q, const vector<T, 2>& qd) const {
+    return bias_torque(pose(q), qd);
   }
 
   /// Jd qd [m/s^2]: each link's centripetal acceleration.
-  vector<T, 2> bias_acceleration(const vector<T, 2>& q, const vector<T, 2>& qd) const {
+  vector<T, 2> bias_acceleration(const two_link_pose<T>& at, const vector<T, 2>& qd) const {
     const T w12 = qd[0] + qd[1];
-    const auto [link_1, link_2] = pose(q);
-    return -qd[0] * qd[0] * link_1 - w12 * w12 * link_2;
+    return -qd[0] * qd[0] * at.link_1 - w12 * w12 * at.link_2;
+  }
+  /// Jd qd in pose q.
+  vector<T, 2> bias_acceleration(const vector<T, 2>& q, const vector<T, 2>& qd) const {
+    return bias_acceleration(pose(q), qd);
   }
 
  protected:
-  /// M(q) [kg m^2] without rotors.
-  matrix<T, 2, 2> link_mass_matrix(const vector<T, 2>& q) const {
+  /// M [kg m^2] without rotors.
+  matrix<T, 2, 2> link_mass_matrix(const two_link_pose<T>& at) const {
     const T l1 = p_.length_1, l2 = p_.length_2, m1 = p_.mass_1, m2 = p_.mass_2, mh = p_.handle_mass;
     const T third = T(1) / T(3);  // a uniform rod about its end: m l^2 / 3
     const T outer = (third * m2 + mh) * l2 * l2;
-    const T cross = coupling() * sine_cosine(q[1]).cosine;
+    const T cross = outer_mass() * at.link_1.dot(at.link_2);
     const T M11 = (third * m1 + m2 + mh) * l1 * l1 + outer + T(2) * cross;
     return matrix<T, 2, 2>{{M11, outer + cross}, {outer + cross, outer}};
   }
 
  private:
-  T coupling() const { return (p_.mass_2 / T(2) + p_.handle_mass) * p_.length_1 * p_.length_2; }
+  T outer_mass() const { return p_.mass_2 / T(2) + p_.handle_mass; }  // as if at the handle [kg]
 
   two_link_parameters<T> p_;
 };

@@ -78,7 +78,8 @@ brake_reach<typename M::scalar, M::brake_count> reach_of_brakes(
   });
   brake_vector<M> holding = brake_vector<M>::Zero();
   if (reach.any_at_rest)
-    holding = holding_torques(device, now.hand_force, reach.at_rest, made, strength, reach.A);
+    holding =
+        passive_haptics::holding_torques(device, now.hand_force, reach.at_rest, made, strength, reach.A);
   unrolled<m>([&](auto i) {
     const T band = rate_dead_band_of<T>(now.brakes, i);
     const bool turns = g == nullptr && !reach.at_rest[i];
@@ -92,7 +93,7 @@ brake_reach<typename M::scalar, M::brake_count> reach_of_brakes(
     const T lag = now.brakes.time_constant[i];
     reach.share[i] = horizon > 0 ? lag_share(static_cast<T>(horizon), lag) : T(1);
     reach.least[i] = strength[i] * (T(1) - reach.share[i]);
-    reach.most[i] = torque_limit_of<T>(now.brakes, i);
+    reach.most[i] = passive_haptics::torque_limit_of<T>(now.brakes, i);
     if (reach.at_rest[i])
       reach.most[i] = holding[i] * reach.sign[i] > T(0)
                           ? std::min(reach.most[i], most_held * std::abs(holding[i]))

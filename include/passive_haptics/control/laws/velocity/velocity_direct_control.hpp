@@ -101,15 +101,16 @@ class velocity_direct_control {
 
     const brake_vector<M> w = rates_with(walls, touched.size(), device);
     const bool alone = touched.size() == 1;
-    const auto brakes =
-        reach_of_brakes(now, device, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
+    const auto brakes = passive_haptics::reach_of_brakes(now, device, w, alone ? &walls[0].along.g : nullptr,
+                                                         remembered.brakes, p_.horizon);
     brake_vector<M> t = alone ? least_power_torques<T, m>(walls[0].along.g,
                                                           walls[0].force / walls[0].along.inertia, brakes, w)
                               : for_several(walls, touched.size(), brakes, w);
     for (int j = 0; j < touched.size(); ++j) learn(walls[std::size_t(j)], brakes, t, dt);
 
     unrolled<m>([&](auto i) {
-      const T u = remembered.brakes.command(i, t[i], torque_limit_of<T>(now.brakes, i), brakes.share[i]);
+      const T u = remembered.brakes.command(i, t[i], passive_haptics::torque_limit_of<T>(now.brakes, i),
+                                            brakes.share[i]);
       t[i] = now.s[i] > T(0) ? -u : u;
     });
     return t;
@@ -166,7 +167,7 @@ class velocity_direct_control {
     const double d_ref = std::max(p_.rest_depth, std::min(p_.depth_per_jump * state.jump, deepest_rest));
     const double v_ref = std::clamp(p_.depth_gain * (depth - d_ref), -p_.velocity_limit, p_.velocity_limit);
 
-    const auto along = response_along(as<T>(n), device, Fh);
+    const auto along = passive_haptics::response_along(as<T>(n), device, Fh);
     const T slow = static_cast<T>(v_ref - outward);
     const T forward = -along.inertia * (static_cast<T>(curving) + along.free);
     const T force = forward + static_cast<T>(state.bias) + stiffness(along.inertia) * slow;
