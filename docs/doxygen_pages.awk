@@ -1,7 +1,7 @@
 # Doxygen's input filter for pages: links between them, and to a heading of one, lead to the same place on the
 # site as on a file host. A page is known by its path, docs/guide/scene.md as guide_scene, a heading by its page
 # and its words. The guide's list of pages becomes the tree of the site. What is no page is opened where it
-# stands, as seen from build/docs/html.
+# stands, as seen from build/docs/html. A comment that names a file of build/docs stands for its text.
 BEGIN { guide = "docs/guide/README.md" }
 function id_of(path) {
   sub(/^docs\//, "", path)
@@ -41,6 +41,10 @@ FNR == 1 {
   sub(/^\/.*\//, "", page)
   folder = page
   sub(/[^\/]*$/, "", folder)
+}
+/^<!-- build\/docs\/.* -->$/ {
+  while ((getline text < $2) > 0) print text
+  next
 }
 /^```/ { code = !code }
 code || /^```/ { print; next }
