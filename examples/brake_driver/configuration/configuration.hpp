@@ -41,9 +41,9 @@ struct start_parameters {
   /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
     using p = start_parameters;
-    return ph::member_table(ph::member("largest_start_depth", &p::largest_start_depth, "m",
-                                       ph::range::not_negative, ph::plausible(0, 0.02))
-                                .large_over(0.1));
+    return ph::member_table(
+        ph::member("largest_start_depth", &p::largest_start_depth, "m", ph::range::not_negative)
+            .large_over(0.1));
   }
 };
 

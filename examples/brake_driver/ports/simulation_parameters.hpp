@@ -35,20 +35,17 @@ struct simulation_parameters {
   /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
     using p = simulation_parameters;
-    using ph::member, ph::range, ph::plausible;
+    using ph::member, ph::range;
     return ph::member_table(
-        member("hand_start", &p::hand_start, "s", range::not_negative, plausible(0, 60)),
+        member("hand_start", &p::hand_start, "s", range::not_negative),
         member("direction", &p::direction, "1", range::direction),
-        member("path", &p::path, "m", range::positive, plausible(0.001, 10)),
-        member("speed", &p::speed, "m/s", range::positive, plausible(0.001, 2)),
-        member("push", &p::push, "N", range::not_negative, plausible(0, 100)),
-        member("hand_mass", &p::hand_mass, "kg", range::positive, plausible(0.01, 10)),
+        member("path", &p::path, "m", range::positive), member("speed", &p::speed, "m/s", range::positive),
+        member("push", &p::push, "N", range::not_negative),
+        member("hand_mass", &p::hand_mass, "kg", range::positive),
         ph::choice("brake", &p::brake, "coulomb, stribeck, magnetorheological, eddy_current"),
-        member("brake_lag", &p::brake_lag, "s", range::positive, plausible(0.001, 1)),
-        member("sensor_noise", &p::sensor_noise, "N", range::not_negative, plausible(0, 10)),
-        member("seed", &p::seed),
-        member("watchdog", &p::watchdog, "s", range::positive, plausible(0.005, 60)),
-        member("wire", &p::wire));
+        member("brake_lag", &p::brake_lag, "s", range::positive),
+        member("sensor_noise", &p::sensor_noise, "N", range::not_negative), member("seed", &p::seed),
+        member("watchdog", &p::watchdog, "s", range::positive), member("wire", &p::wire));
   }
 };
 using ph::validate;

@@ -34,15 +34,15 @@ struct bench_parameters {
     using p = bench_parameters;
     return member_table(
         member("brake", &p::brake), member("encoder", &p::encoder), member("channel", &p::channel),
-        member("radians_per_count", &p::radians_per_count, "rad", range::finite, plausible(-0.1, 0.1)),
-        member("torque_per_unit", &p::torque_per_unit, "N m", range::finite, plausible(-100, 100)),
-        member("torque_at_zero", &p::torque_at_zero, "N m", range::finite, plausible(-1, 1)),
-        member("current_limit", &p::current_limit, "A", range::positive, plausible(0.001, 100)),
-        member("settling_time", &p::settling_time, "s", range::not_negative, plausible(0, 60)),
-        member("largest_rate", &p::largest_rate, "counts/s", range::positive, plausible(1000, 1e9)),
+        member("radians_per_count", &p::radians_per_count, "rad", range::finite),
+        member("torque_per_unit", &p::torque_per_unit, "N m", range::finite),
+        member("torque_at_zero", &p::torque_at_zero, "N m", range::finite),
+        member("current_limit", &p::current_limit, "A", range::positive),
+        member("settling_time", &p::settling_time, "s", range::not_negative),
+        member("largest_rate", &p::largest_rate, "counts/s", range::positive),
         member("largest_reading", &p::largest_reading, "",
                passive_haptics::range{.lower = 0, .open_above = false}),
-        member("hold_over", &p::hold_over, "s", range::positive, plausible(0.001, 1)),
+        member("hold_over", &p::hold_over, "s", range::positive),
         member("most_missed", &p::most_missed, "", range::between(1, 100000).as("1 to 100000")));
   }
   /// The limits of a safe_port to this brake, encoder and channel.

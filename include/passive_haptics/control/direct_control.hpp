@@ -54,8 +54,7 @@ struct direct_control {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = direct_control;
-    return member_table(
-        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::not_negative, plausible(0, 0.1)));
+    return member_table(member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::not_negative));
   }
 
   /// alpha = -Fh . Fd / (Fc . Fd) in [0, 1] if n . v > -v_dead, else 1 (step 2 of section 4).

@@ -5,6 +5,7 @@
 #include <passive_haptics/core/parameters.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -24,7 +25,24 @@ inline std::vector<std::string_view> choices_of(const member_description& member
   return all;
 }
 
+/// Where a value in this unit usually lies with a device on a desk, and what the writer else may have meant.
+constexpr range usual_range(std::string_view unit) {
+  constexpr double far = 5, two_turns = 4 * std::numbers::pi;  // [m], [rad]
+  if (unit == "m") return range::between(-far, far).as("within 5 m: millimetres?");
+  if (unit == "N/m") return range::between(100, 1e9).as("100 to 1e9: N/mm?");
+  if (unit == "rad") return range::between(-two_turns, two_turns).as("within two turns: degrees?");
+  return range::anything;
+}
+
 namespace detail {
+
+// A line about an unusual value; 0 is right or wrong in every unit.
+template <class T>
+std::string remark_on(std::string what, std::string_view unit, T x) {
+  const range usual = usual_range(unit);
+  if (x == T(0) || !range::finite.contains(x) || usual.contains(x)) return "";
+  return what.append(" = ").append(value_text(x)).append(", usually ").append(to_text(usual)).append("\n");
+}
 
 template <class T>
 std::string text_of(const member_description& about, const T& value) {
@@ -47,11 +65,7 @@ struct remarker : visitor {
 
   template <class T>
   void value(const member_description& about, const place& at, const T& x) {
-    if constexpr (std::is_arithmetic_v<T>) {
-      if (!range::finite.contains(x) || about.plausible.contains(x)) return;
-      text.append(at.text(about.unit)).append(" = ").append(value_text(x));
-      text.append(", usually ").append(to_text(about.plausible)).append("\n");
-    }
+    if constexpr (std::is_arithmetic_v<T>) text.append(remark_on(at.text(about.unit), about.unit, x));
   }
 };
 
@@ -87,8 +101,8 @@ std::string to_text(const P& p) {
   return list.text;
 }
 
-/// A line for each finite number outside of its plausible range, "length_1 [m] = 15, usually 0.01 to 2";
-/// empty if there is none. What is plausible is a device on a desk; nothing is refused for it.
+/// A line for each number that looks as if it was meant in another unit, "length_1 [m] = 150, usually within
+/// 5 m: millimetres?"; empty if there is none. See usual_range(); nothing is refused for it.
 template <Parameters P>
 std::string remarks(const P& p) {
   detail::remarker remark;

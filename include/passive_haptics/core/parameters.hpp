@@ -18,7 +18,6 @@ struct member_description {
   const char* name;          ///< As in the code.
   const char* unit;          ///< "m", "1" for a ratio, "" where there is none.
   range hard;                ///< Outside of it the value is an error.
-  range plausible;           ///< Outside of it the value is worth a remark.
   const char* choices = "";  ///< The names of an enumeration's values, which count from 0: "left, right".
   /// A greater magnitude is taken for a mistake, unless its name is allowed: for_each_large().
   double large = range::infinity;
@@ -31,8 +30,8 @@ struct member : member_description {
 
   /// No unit or range: nothing is said of it.
   constexpr member(const char* called, V P::* where, const char* in = "",
-                   const range& within = range::anything, const range& usually = range::anything)
-      : member_description{called, in, within, usually}, pointer(where) {}
+                   const range& within = range::anything)
+      : member_description{called, in, within}, pointer(where) {}
 
   /// The same, large over this magnitude: of what keeps people and devices safe.
   constexpr member large_over(double magnitude) const {
@@ -223,8 +222,8 @@ template <class V>
 error_message check_value(const char* name, const V& value, const char* unit, const range& hard,
                           const char* owner = "") {
   detail::checker check;
-  detail::visit_member(member_description{name, unit, hard, range::anything},
-                       detail::place{.name = name, .owner = owner}, value, check);
+  detail::visit_member(member_description{name, unit, hard}, detail::place{.name = name, .owner = owner},
+                       value, check);
   return check.error;
 }
 

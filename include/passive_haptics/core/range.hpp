@@ -57,9 +57,6 @@ inline constexpr range range::positive{.lower = 0};
 inline constexpr range range::not_negative{.lower = 0, .open_below = false};
 inline constexpr range range::direction{.lower = 0, .is_direction = true, .words = "a direction"};
 
-/// Where a value usually lies, both ends inside.
-constexpr range plausible(double lower, double upper) { return range::between(lower, upper); }
-
 /// What is expected: "a finite number > 0", "a whole number >= 1", "0.004 to 10".
 inline std::string to_text(const range& r, bool whole_numbers = false) {
   using detail::number_text;

@@ -6,8 +6,6 @@
 #include <passive_haptics/mechanism/mechanism.hpp>
 #include <passive_haptics/scene/scene.hpp>
 
-#include <cmath>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -32,11 +30,11 @@ std::string remarks_on(const std::string& part, const X& x) {
 
 }  // namespace detail
 
-/// A line for each value that is allowed, but not usual for a device on a desk: "mechanism: length_1 [m] =
-/// 150, usually 0.01 to 2", a wall of 1 N/m. Empty if there is none.
+/// A line for each value that is allowed, but looks as if it was meant in another unit: "mechanism: length_1
+/// [m] = 150, usually within 5 m: millimetres?", a wall of 1 N/m. Empty if there is none.
 ///
 /// Of the mechanism, the brakes and the walls of a static_scene, as far as they have parameters with a table
-/// (core/parameters.hpp); the ranges are the tables'. For a program to print as it starts, not for the loop.
+/// (core/parameters.hpp); see usual_range(). For a program to print as it starts, not for the loop.
 template <class M, class B, class Scene>
 std::string plausibility(const M& mechanism, const B& brakes, const Scene& scene) {
   std::string all = detail::remarks_on("mechanism", mechanism) + detail::remarks_on("brakes", brakes);
@@ -52,15 +50,11 @@ std::string plausibility(const M& mechanism, const B& brakes, const Scene& scene
 /// Knows nothing but the mechanism's position, so it also is for one without a table.
 template <class M, class B, class Scene>
 std::string plausibility(const M& mechanism, const B& brakes, const Scene& scene, const joint_vector<M>& q) {
-  constexpr double two_turns = 4 * std::numbers::pi, far = 5;  // [rad], [m]
   std::string all = plausibility(mechanism, brakes, scene);
   for (int i = 0; i < M::dof; ++i)
-    if (std::abs(q[i]) > two_turns)
-      all += "q[" + std::to_string(i) + "] [rad or m] = " + detail::number_text(q[i]) +
-             ", more than two turns: degrees?\n";
-  if (const auto reach = as<double>(mechanism.position(q)).norm(); reach > far)
-    all += "mechanism: end effector " + detail::number_text(reach) + " m from the base: millimetres?\n";
-  return all;
+    all += detail::remark_on("q[" + std::to_string(i) + "] [rad or m]", "rad", q[i]);
+  const double reach = as<double>(mechanism.position(q)).norm();
+  return all + detail::remark_on("mechanism: distance of the end effector from the base [m]", "m", reach);
 }
 
 }  // namespace passive_haptics

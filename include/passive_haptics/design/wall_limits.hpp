@@ -39,22 +39,21 @@ struct braked_wall {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = braked_wall;
-    return member_table(
-        member("force", &p::force, "N", range::not_negative, plausible(0, 1000)),
-        member("approximated_force", &p::approximated_force, "N", range::not_negative, plausible(0, 1000)),
-        member("residual_force", &p::residual_force, "N", range::finite, plausible(-100, 100)),
-        member("inertia", &p::inertia, "kg", range::positive, plausible(0.01, 100)),
-        member("depth_resolution", &p::depth_resolution, "m", range::not_negative, plausible(0, 0.01)),
-        member("approach_speed", &p::approach_speed, "m/s", range::not_negative, plausible(0, 2)),
-        member("time_constant", &p::time_constant, "s", range::not_negative, plausible(0, 1)),
-        member("push", &p::push, "N", range::finite, plausible(-100, 100)),
-        member("hand_stiffness", &p::hand_stiffness, "N/m", range::not_negative, plausible(0, 1e4)),
-        member("hand_damping", &p::hand_damping, "N s/m", range::not_negative, plausible(0, 1000)),
-        member("control_period", &p::control_period, "s", range::positive, plausible(1e-5, 0.1)),
-        member("scene_period", &p::scene_period, "s", range::not_negative, plausible(0, 1)),
-        member("reaction_time", &p::reaction_time, "s", range::not_negative, plausible(0, 0.1)),
-        member("averaging_time", &p::averaging_time, "s", range::positive, plausible(1e-4, 1)),
-        member("rest_depth", &p::rest_depth, "m", range::not_negative, plausible(0, 0.02)));
+    return member_table(member("force", &p::force, "N", range::not_negative),
+                        member("approximated_force", &p::approximated_force, "N", range::not_negative),
+                        member("residual_force", &p::residual_force, "N", range::finite),
+                        member("inertia", &p::inertia, "kg", range::positive),
+                        member("depth_resolution", &p::depth_resolution, "m", range::not_negative),
+                        member("approach_speed", &p::approach_speed, "m/s", range::not_negative),
+                        member("time_constant", &p::time_constant, "s", range::not_negative),
+                        member("push", &p::push, "N", range::finite),
+                        member("hand_stiffness", &p::hand_stiffness, "N/m", range::not_negative),
+                        member("hand_damping", &p::hand_damping, "N s/m", range::not_negative),
+                        member("control_period", &p::control_period, "s", range::positive),
+                        member("scene_period", &p::scene_period, "s", range::not_negative),
+                        member("reaction_time", &p::reaction_time, "s", range::not_negative),
+                        member("averaging_time", &p::averaging_time, "s", range::positive),
+                        member("rest_depth", &p::rest_depth, "m", range::not_negative));
   }
 };
 

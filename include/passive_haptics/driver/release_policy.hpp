@@ -27,10 +27,9 @@ struct release_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = release_parameters;
-    return member_table(
-        choice("policy", &p::policy, "zero, ramp, hold"),
-        member("ramp_time", &p::ramp_time, "s", range::positive, plausible(0.001, 10)).large_over(60),
-        member("hold_time", &p::hold_time, "s", range::positive, plausible(0.1, 60)).large_over(600));
+    return member_table(choice("policy", &p::policy, "zero, ramp, hold"),
+                        member("ramp_time", &p::ramp_time, "s", range::positive).large_over(60),
+                        member("hold_time", &p::hold_time, "s", range::positive).large_over(600));
   }
 
   /// How long current may flow once nobody can rearm any more [s].

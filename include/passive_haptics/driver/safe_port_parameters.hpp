@@ -22,10 +22,9 @@ struct safe_port_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = safe_port_parameters;
-    return member_table(
-        member("encoders", &p::encoders), member("sensor", &p::sensor), member("currents", &p::currents),
-        member("at_release", &p::at_release),
-        member("hold_over", &p::hold_over, "s", range::positive, plausible(0.001, 1)).large_over(10));
+    return member_table(member("encoders", &p::encoders), member("sensor", &p::sensor),
+                        member("currents", &p::currents), member("at_release", &p::at_release),
+                        member("hold_over", &p::hold_over, "s", range::positive).large_over(10));
   }
 };
 

@@ -25,8 +25,7 @@ struct approximation_parameters {
   static constexpr auto members() {
     using p = approximation_parameters;
     return member_table(member("max_approximation_angle", &p::max_approximation_angle, "rad",
-                               range{0, std::numbers::pi / 2, true, false}.as("an angle > 0 and <= pi/2"),
-                               plausible(radians(60.0), radians(89.9))));
+                               range{0, std::numbers::pi / 2, true, false}.as("an angle > 0 and <= pi/2")));
   }
 };
 

@@ -20,9 +20,8 @@ struct encoder_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = encoder_parameters;
-    return member_table(
-        member("resolution", &p::resolution, "rad or m", range::not_negative, plausible(0, 0.1)),
-        member("rate_corner", &p::rate_corner, "Hz", range::not_negative, plausible(0, 10000)));
+    return member_table(member("resolution", &p::resolution, "rad or m", range::not_negative),
+                        member("rate_corner", &p::rate_corner, "Hz", range::not_negative));
   }
 };
 

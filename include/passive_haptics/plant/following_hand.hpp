@@ -25,15 +25,14 @@ struct following_hand_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = following_hand_parameters;
-    return member_table(
-        member("speed", &p::speed, "m/s", range::finite, plausible(-2, 2)),
-        member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(0, 1e4)),
-        member("damping", &p::damping, "N s/m", range::not_negative, plausible(0, 1000)),
-        member("push", &p::push, "N", range::finite, plausible(-100, 100)),
-        member("normal_stiffness", &p::normal_stiffness, "N/m", range::not_negative, plausible(0, 1e4)),
-        member("target_depth", &p::target_depth, "m", range::finite, plausible(-0.1, 0.1)),
-        member("normal_damping", &p::normal_damping, "N s/m", range::not_negative, plausible(0, 1000)),
-        member("mass", &p::mass, "kg", range::not_negative, plausible(0, 10)));
+    return member_table(member("speed", &p::speed, "m/s", range::finite),
+                        member("stiffness", &p::stiffness, "N/m", range::not_negative),
+                        member("damping", &p::damping, "N s/m", range::not_negative),
+                        member("push", &p::push, "N", range::finite),
+                        member("normal_stiffness", &p::normal_stiffness, "N/m", range::not_negative),
+                        member("target_depth", &p::target_depth, "m", range::finite),
+                        member("normal_damping", &p::normal_damping, "N s/m", range::not_negative),
+                        member("mass", &p::mass, "kg", range::not_negative));
   }
 };
 

@@ -21,10 +21,9 @@ struct force_sensor_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = force_sensor_parameters;
-    return member_table(member("corner", &p::corner, "Hz", range::not_negative, plausible(0, 1e5)),
-                        member("noise", &p::noise, "N", range::not_negative, plausible(0, 10)),
-                        member("seed", &p::seed),
-                        member("scale", &p::scale, "1", range::positive, plausible(0.1, 10)));
+    return member_table(member("corner", &p::corner, "Hz", range::not_negative),
+                        member("noise", &p::noise, "N", range::not_negative), member("seed", &p::seed),
+                        member("scale", &p::scale, "1", range::positive));
   }
 };
 

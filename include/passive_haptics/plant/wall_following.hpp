@@ -39,20 +39,18 @@ struct wall_following_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = wall_following_parameters;
-    return member_table(
-        member("time_step", &p::time_step, "s", range::positive, plausible(1e-7, 0.01)),
-        member("control_period", &p::control_period, "s", range::positive, plausible(1e-5, 0.1)),
-        member("sensor_corner", &p::sensor_corner, "Hz", range::not_negative, plausible(0, 1e5)),
-        member("sensor_scale", &p::sensor_scale, "1", range::positive, plausible(0.1, 10)),
-        member("sensor_noise", &p::sensor_noise, "N", range::not_negative, plausible(0, 10)),
-        member("noise_seed", &p::noise_seed),
-        member("encoder_resolution", &p::encoder_resolution, "rad or m", range::not_negative,
-               plausible(0, 0.1)),
-        member("rate_corner", &p::rate_corner, "Hz", range::not_negative, plausible(0, 10000)),
-        member("path_end", &p::path_end, "m", range::finite, plausible(-10, 10)),
-        member("longest", &p::longest, "s", range::positive, plausible(0.01, 1000)),
-        member("deepest", &p::deepest, "m", range::positive, plausible(0.001, 10)),
-        member("watched_brake", &p::watched_brake));
+    return member_table(member("time_step", &p::time_step, "s", range::positive),
+                        member("control_period", &p::control_period, "s", range::positive),
+                        member("sensor_corner", &p::sensor_corner, "Hz", range::not_negative),
+                        member("sensor_scale", &p::sensor_scale, "1", range::positive),
+                        member("sensor_noise", &p::sensor_noise, "N", range::not_negative),
+                        member("noise_seed", &p::noise_seed),
+                        member("encoder_resolution", &p::encoder_resolution, "rad or m", range::not_negative),
+                        member("rate_corner", &p::rate_corner, "Hz", range::not_negative),
+                        member("path_end", &p::path_end, "m", range::finite),
+                        member("longest", &p::longest, "s", range::positive),
+                        member("deepest", &p::deepest, "m", range::positive),
+                        member("watched_brake", &p::watched_brake));
   }
   /// A cycle is one time step or more.
   std::string rules() const {

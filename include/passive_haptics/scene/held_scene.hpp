@@ -17,7 +17,7 @@ struct hold_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = hold_parameters;
-    return member_table(member("period", &p::period, "s", range::not_negative, plausible(0, 1)));
+    return member_table(member("period", &p::period, "s", range::not_negative));
   }
 };
 

@@ -29,7 +29,7 @@ struct wall {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = wall;
-    return member_table(member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(100, 1e9)));
+    return member_table(member("stiffness", &p::stiffness, "N/m", range::not_negative));
   }
 };
 

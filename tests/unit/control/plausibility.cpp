@@ -20,16 +20,14 @@ TEST(plausibility, has_nothing_to_say_of_a_device_on_a_desk) {
 
 TEST(plausibility, names_each_part_and_value) {
   const device arm({.length_1 = 150});
-  ph::brakes_of<device> brakes;
-  brakes.torque_limit[1] = 1e6;
   const auto walls = ph::scene(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1})),
                                ph::wall(ph::half_space<2>({0, 0.2}, {0, -1}), 1));
-  EXPECT_EQ(ph::plausibility(arm, brakes, walls, {90, 0.1}),
-            "mechanism: length_1 [m] = 150, usually 0.01 to 2\n"
-            "brakes: torque_limit[1] [N m] = 1e6, usually 0.01 to 1000\n"
-            "wall 1: stiffness of a wall [N/m] = 1, usually 100 to 1e9\n"
-            "q[0] [rad or m] = 90, more than two turns: degrees?\n"
-            "mechanism: end effector 150.149 m from the base: millimetres?\n");
+  EXPECT_EQ(ph::plausibility(arm, ph::brakes_of<device>(), walls, {90, 0.1}),
+            "mechanism: length_1 [m] = 150, usually within 5 m: millimetres?\n"
+            "wall 1: stiffness of a wall [N/m] = 1, usually 100 to 1e9: N/mm?\n"
+            "q[0] [rad or m] = 90, usually within two turns: degrees?\n"
+            "mechanism: distance of the end effector from the base [m] = 150.149, usually within 5 m: "
+            "millimetres?\n");
 }
 
 // 4 pi = 12.566
@@ -37,15 +35,16 @@ TEST(plausibility, asks_beyond_two_turns_and_five_metres) {
   using arm = custom::planar_arm<double>;
   EXPECT_EQ(ph::plausibility(arm(), ph::unlimited_brakes(), 0, {12.56, -12.56, 0}), "");
   EXPECT_EQ(ph::plausibility(arm(), ph::unlimited_brakes(), 0, {0, -12.57, 0}),
-            "q[1] [rad or m] = -12.57, more than two turns: degrees?\n");
+            "q[1] [rad or m] = -12.57, usually within two turns: degrees?\n");
   const ph::xy_table<double> table;
   EXPECT_EQ(ph::plausibility(table, ph::unlimited_brakes(), 0, {3, -3.99}), "");
   EXPECT_EQ(ph::plausibility(table, ph::unlimited_brakes(), 0, {3, -4.01}),
-            "mechanism: end effector 5.008 m from the base: millimetres?\n");
+            "mechanism: distance of the end effector from the base [m] = 5.008, usually within 5 m: "
+            "millimetres?\n");
 }
 
 TEST(plausibility, asks_no_table_of_a_mechanism) {
   using arm = custom::planar_arm<double>;
   EXPECT_EQ(ph::plausibility(arm(), ph::unlimited_brakes(), 0, {0, 45, 0}),
-            "q[1] [rad or m] = 45, more than two turns: degrees?\n");
+            "q[1] [rad or m] = 45, usually within two turns: degrees?\n");
 }

@@ -18,8 +18,8 @@ struct brake_resistance {
   /// The table of core/parameters.hpp, of a resistance that is a parameter.
   static constexpr auto members() {
     using p = brake_resistance;
-    return member_table(member("strength", &p::strength, "N m", range::not_negative, plausible(0, 10)),
-                        member("drag", &p::drag, "N m s", range::not_negative, plausible(0, 10)));
+    return member_table(member("strength", &p::strength, "N m", range::not_negative),
+                        member("drag", &p::drag, "N m s", range::not_negative));
   }
 };
 

@@ -24,9 +24,8 @@ struct momentum_observer_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = momentum_observer_parameters;
-    return member_table(
-        member("gain", &p::gain, "1/s", range::positive, plausible(1, 1000)),
-        member("longest_period", &p::longest_period, "s", range::positive, plausible(0.001, 1)));
+    return member_table(member("gain", &p::gain, "1/s", range::positive),
+                        member("longest_period", &p::longest_period, "s", range::positive));
   }
 };
 

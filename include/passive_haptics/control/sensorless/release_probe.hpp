@@ -17,10 +17,9 @@ struct release_probe_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = release_probe_parameters;
-    return member_table(
-        member("probe_period", &p::probe_period, "s", range::not_negative, plausible(0, 10)),
-        member("probe_time", &p::probe_time, "s", range::positive, plausible(0.001, 1)),
-        member("motion_threshold", &p::motion_threshold, "m", range::positive, plausible(1e-7, 0.01)));
+    return member_table(member("probe_period", &p::probe_period, "s", range::not_negative),
+                        member("probe_time", &p::probe_time, "s", range::positive),
+                        member("motion_threshold", &p::motion_threshold, "m", range::positive));
   }
 };
 

@@ -44,21 +44,15 @@ struct brake_curve {
   static constexpr auto members() {
     using p = brake_curve;
     return member_table(
-        member("residual_torque", &p::residual_torque, "N m", range::not_negative, plausible(0, 100))
-            .large_over(1e4),
-        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive, plausible(0.001, 1000))
-            .large_over(1e4),
-        member("current_limit", &p::current_limit, "A", range::positive, plausible(0.001, 100))
-            .large_over(1000),
+        member("residual_torque", &p::residual_torque, "N m", range::not_negative).large_over(1e4),
+        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive).large_over(1e4),
+        member("current_limit", &p::current_limit, "A", range::positive).large_over(1000),
         member("points", &p::points, "",
                range::between(0, most_points).as("0 for a straight line, or 2 to 16")),
-        member("hysteresis", &p::hysteresis, "N m", range::not_negative, plausible(0, 100)).large_over(1e4),
-        member("loss_per_kelvin", &p::loss_per_kelvin, "1/K", range::not_negative, plausible(0, 0.02))
-            .large_over(0.1),
-        member("reference_temperature", &p::reference_temperature, "K", range::positive, plausible(250, 350))
-            .large_over(1000),
-        member("highest_temperature", &p::highest_temperature, "K", range::positive, plausible(250, 500))
-            .large_over(1000));
+        member("hysteresis", &p::hysteresis, "N m", range::not_negative).large_over(1e4),
+        member("loss_per_kelvin", &p::loss_per_kelvin, "1/K", range::not_negative).large_over(0.1),
+        member("reference_temperature", &p::reference_temperature, "K", range::positive).large_over(1000),
+        member("highest_temperature", &p::highest_temperature, "K", range::positive).large_over(1000));
   }
   /// The table's values rise, all that is given of it is read, and heat leaves some torque.
   std::string rules() const;

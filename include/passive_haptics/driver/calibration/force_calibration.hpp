@@ -74,11 +74,10 @@ struct force_calibration_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = force_calibration_parameters;
-    return member_table(
-        member("newtons_per_unit", &p::newtons_per_unit, "N", range::finite).large_over(1e6),
-        member("tare", &p::tare, "N", range::finite, plausible(-1000, 1000)),
-        member("handle_mass", &p::handle_mass, "kg", range::not_negative, plausible(0, 20)).large_over(1000),
-        member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)).large_over(100));
+    return member_table(member("newtons_per_unit", &p::newtons_per_unit, "N", range::finite).large_over(1e6),
+                        member("tare", &p::tare, "N", range::finite),
+                        member("handle_mass", &p::handle_mass, "kg", range::not_negative).large_over(1000),
+                        member("gravity", &p::gravity, "m/s^2", range::finite).large_over(100));
   }
   /// The channels tell each direction apart, and gravity has a mass to pull at.
   std::string rules() const {

@@ -19,10 +19,9 @@ struct steady_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = steady_parameters;
-    return member_table(
-        member("duration", &p::duration, "s", range::positive, plausible(0.01, 60)).large_over(600),
-        member("tolerance", &p::tolerance, "counts", range::not_negative, plausible(0, 1e6)).large_over(1e6),
-        member("longest_gap", &p::longest_gap, "s", range::positive, plausible(0.001, 1)).large_over(10));
+    return member_table(member("duration", &p::duration, "s", range::positive).large_over(600),
+                        member("tolerance", &p::tolerance, "counts", range::not_negative).large_over(1e6),
+                        member("longest_gap", &p::longest_gap, "s", range::positive).large_over(10));
   }
 };
 

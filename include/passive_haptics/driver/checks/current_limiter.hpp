@@ -21,12 +21,10 @@ struct current_limits {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = current_limits;
-    return member_table(
-        member("largest", &p::largest, "A", range::positive, plausible(0.001, 100)).large_over(1000),
-        member("continuous", &p::continuous, "A", range::positive, plausible(0.001, 100)).large_over(1000),
-        member("heat", &p::heat, "A^2 s", range::positive, plausible(1e-4, 1e5)).large_over(1e6),
-        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative, plausible(0, 1e5))
-            .large_over(1e6));
+    return member_table(member("largest", &p::largest, "A", range::positive).large_over(1000),
+                        member("continuous", &p::continuous, "A", range::positive).large_over(1000),
+                        member("heat", &p::heat, "A^2 s", range::positive).large_over(1e6),
+                        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative).large_over(1e6));
   }
 };
 

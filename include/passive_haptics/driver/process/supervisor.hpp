@@ -42,7 +42,7 @@ struct supervisor_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = supervisor_parameters;
-    return member_table(member("timeout", &p::timeout, "s", range::between(0.004, 10), plausible(0.004, 1)),
+    return member_table(member("timeout", &p::timeout, "s", range::between(0.004, 10)),
                         member("priority", &p::priority, "", range::between(0, 99).as("0 (none) to 99")));
   }
 };

@@ -25,8 +25,7 @@ struct polling_parameters {
   static constexpr const char* owner = "a polling thread";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
-    return member_table(
-        member("pause", &polling_parameters::pause, "s", range::between(1e-6, 1), plausible(1e-5, 0.01)));
+    return member_table(member("pause", &polling_parameters::pause, "s", range::between(1e-6, 1)));
   }
 };
 

@@ -24,12 +24,11 @@ struct detents_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = detents_parameters;
-    return member_table(
-        member("origin", &p::origin, "m", range::finite, plausible(-10, 10)),
-        member("direction", &p::direction, "1", range::direction),
-        member("spacing", &p::spacing, "m", range::positive, plausible(1e-4, 1)),
-        member("strength", &p::strength, "N", range::not_negative, plausible(0, 100)),
-        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::positive, plausible(1e-5, 0.1)));
+    return member_table(member("origin", &p::origin, "m", range::finite),
+                        member("direction", &p::direction, "1", range::direction),
+                        member("spacing", &p::spacing, "m", range::positive),
+                        member("strength", &p::strength, "N", range::not_negative),
+                        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::positive));
   }
 };
 

@@ -26,10 +26,9 @@ struct end_stops_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = end_stops_parameters;
-    return member_table(
-        member("lower", &p::lower, "rad"), member("upper", &p::upper, "rad"),
-        member("stiffness", &p::stiffness, "N m/rad", range::not_negative, plausible(0, 1e6)),
-        member("rate_dead_band", &p::rate_dead_band, "rad/s", range::positive, plausible(1e-4, 1)));
+    return member_table(member("lower", &p::lower, "rad"), member("upper", &p::upper, "rad"),
+                        member("stiffness", &p::stiffness, "N m/rad", range::not_negative),
+                        member("rate_dead_band", &p::rate_dead_band, "rad/s", range::positive));
   }
   /// Each lower limit is below the upper one.
   std::string rules() const {

@@ -29,14 +29,13 @@ struct guide_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = guide_parameters;
-    return member_table(
-        choice("along", &p::along, "line, plane"),
-        member("point", &p::point, "m", range::finite, plausible(-10, 10)),
-        member("direction", &p::direction, "1", range::direction),
-        member("stiffness", &p::stiffness, "N/m", range::not_negative, plausible(0, 1e9)),
-        member("tolerance", &p::tolerance, "m", range::not_negative, plausible(0, 1)),
-        member("viscosity", &p::viscosity, "N s/m", range::not_negative, plausible(0, 1e4)),
-        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::positive, plausible(1e-5, 0.1)));
+    return member_table(choice("along", &p::along, "line, plane"),
+                        member("point", &p::point, "m", range::finite),
+                        member("direction", &p::direction, "1", range::direction),
+                        member("stiffness", &p::stiffness, "N/m", range::not_negative),
+                        member("tolerance", &p::tolerance, "m", range::not_negative),
+                        member("viscosity", &p::viscosity, "N s/m", range::not_negative),
+                        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::positive));
   }
 };
 

@@ -17,7 +17,7 @@ struct viscous_field_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = viscous_field_parameters;
-    return member_table(member("viscosity", &p::viscosity, "N s/m", range::finite, plausible(-1e4, 1e4)));
+    return member_table(member("viscosity", &p::viscosity, "N s/m", range::finite));
   }
   /// It drives no motion. Eigenvalues down to -rounding |B| count as zero.
   error_message rules() const {

@@ -20,10 +20,9 @@ struct wall_friction_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = wall_friction_parameters;
-    return member_table(
-        member("coefficient", &p::coefficient, "", range::not_negative, plausible(0, 5)),
-        member("viscosity", &p::viscosity, "N s/m", range::not_negative, plausible(0, 1e4)),
-        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::positive, plausible(1e-5, 0.1)));
+    return member_table(member("coefficient", &p::coefficient, "", range::not_negative),
+                        member("viscosity", &p::viscosity, "N s/m", range::not_negative),
+                        member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::positive));
   }
 };
 

@@ -44,8 +44,8 @@ struct link_inertia {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = link_inertia;
-    return member_table(member("mass", &p::mass, "kg", range::positive, plausible(0.005, 20)),
-                        member("centre", &p::centre, "m", range::finite, plausible(-5, 5)),
+    return member_table(member("mass", &p::mass, "kg", range::positive),
+                        member("centre", &p::centre, "m", range::finite),
                         member("about_centre", &p::about_centre, "kg m^2"));
   }
   /// It is that of a rigid body.
@@ -82,11 +82,10 @@ struct serial_chain_inertia {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = serial_chain_inertia;
-    return member_table(
-        member("links", &p::links),
-        member("rotor_inertia", &p::rotor_inertia, "kg m^2 or kg", range::not_negative, plausible(0, 10)),
-        member("handle_mass", &p::handle_mass, "kg", range::not_negative, plausible(0, 20)),
-        member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)));
+    return member_table(member("links", &p::links),
+                        member("rotor_inertia", &p::rotor_inertia, "kg m^2 or kg", range::not_negative),
+                        member("handle_mass", &p::handle_mass, "kg", range::not_negative),
+                        member("gravity", &p::gravity, "m/s^2", range::finite));
   }
 };
 

@@ -30,7 +30,7 @@ struct chain_joint {
   static constexpr auto members() {
     using p = chain_joint;
     return member_table(choice("kind", &p::kind, "revolute, prismatic"), member("axis", &p::axis, "1"),
-                        member("point", &p::point, "m", range::anything, plausible(-5, 5)));
+                        member("point", &p::point, "m", range::anything));
   }
   /// Of what is read.
   error_message rules() const {
@@ -69,8 +69,7 @@ struct serial_chain_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = serial_chain_parameters;
-    return member_table(member("joints", &p::joints),
-                        member("handle", &p::handle, "m", range::finite, plausible(-5, 5)));
+    return member_table(member("joints", &p::joints), member("handle", &p::handle, "m", range::finite));
   }
 };
 

@@ -34,17 +34,16 @@ struct delta_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = delta_parameters;
-    return member_table(
-        member("base_radius", &p::base_radius, "m", range::not_negative, plausible(0, 2)),
-        member("platform_radius", &p::platform_radius, "m", range::not_negative, plausible(0, 2)),
-        member("upper_arm", &p::upper_arm, "m", range::positive, plausible(0.01, 2)),
-        member("forearm", &p::forearm, "m", range::positive, plausible(0.01, 2)),
-        choice("assembly", &p::assembly, "lower, upper"),
-        member("upper_arm_mass", &p::upper_arm_mass, "kg", range::positive, plausible(0.005, 20)),
-        member("forearm_mass", &p::forearm_mass, "kg", range::not_negative, plausible(0, 20)),
-        member("platform_mass", &p::platform_mass, "kg", range::not_negative, plausible(0, 20)),
-        member("rotor_inertia", &p::rotor_inertia, "kg m^2", range::not_negative, plausible(0, 0.1)),
-        member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)));
+    return member_table(member("base_radius", &p::base_radius, "m", range::not_negative),
+                        member("platform_radius", &p::platform_radius, "m", range::not_negative),
+                        member("upper_arm", &p::upper_arm, "m", range::positive),
+                        member("forearm", &p::forearm, "m", range::positive),
+                        choice("assembly", &p::assembly, "lower, upper"),
+                        member("upper_arm_mass", &p::upper_arm_mass, "kg", range::positive),
+                        member("forearm_mass", &p::forearm_mass, "kg", range::not_negative),
+                        member("platform_mass", &p::platform_mass, "kg", range::not_negative),
+                        member("rotor_inertia", &p::rotor_inertia, "kg m^2", range::not_negative),
+                        member("gravity", &p::gravity, "m/s^2", range::finite));
   }
   /// The loops close.
   error_message rules() const {

@@ -34,18 +34,17 @@ struct five_bar_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = five_bar_parameters;
-    return member_table(
-        member("base_distance", &p::base_distance, "m", range::not_negative, plausible(0, 2)),
-        member("proximal_1", &p::proximal_1, "m", range::positive, plausible(0.01, 2)),
-        member("proximal_2", &p::proximal_2, "m", range::positive, plausible(0.01, 2)),
-        member("distal_1", &p::distal_1, "m", range::positive, plausible(0.01, 2)),
-        member("distal_2", &p::distal_2, "m", range::positive, plausible(0.01, 2)),
-        choice("assembly", &p::assembly, "left, right"),
-        member("proximal_mass", &p::proximal_mass, "kg", range::positive, plausible(0.005, 20)),
-        member("distal_mass", &p::distal_mass, "kg", range::not_negative, plausible(0, 20)),
-        member("handle_mass", &p::handle_mass, "kg", range::not_negative, plausible(0, 20)),
-        member("rotor_inertia", &p::rotor_inertia, "kg m^2", range::not_negative, plausible(0, 0.1)),
-        member("gravity", &p::gravity, "m/s^2", range::finite, plausible(-10, 10)));
+    return member_table(member("base_distance", &p::base_distance, "m", range::not_negative),
+                        member("proximal_1", &p::proximal_1, "m", range::positive),
+                        member("proximal_2", &p::proximal_2, "m", range::positive),
+                        member("distal_1", &p::distal_1, "m", range::positive),
+                        member("distal_2", &p::distal_2, "m", range::positive),
+                        choice("assembly", &p::assembly, "left, right"),
+                        member("proximal_mass", &p::proximal_mass, "kg", range::positive),
+                        member("distal_mass", &p::distal_mass, "kg", range::not_negative),
+                        member("handle_mass", &p::handle_mass, "kg", range::not_negative),
+                        member("rotor_inertia", &p::rotor_inertia, "kg m^2", range::not_negative),
+                        member("gravity", &p::gravity, "m/s^2", range::finite));
   }
   /// The loop closes.
   error_message rules() const {

@@ -15,8 +15,7 @@ struct tendon_two_link_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = tendon_two_link_parameters;
-    return member_table(member("arm", &p::arm),
-                        member("reduction_2", &p::reduction_2, "1", range::positive, plausible(0.02, 50)));
+    return member_table(member("arm", &p::arm), member("reduction_2", &p::reduction_2, "1", range::positive));
   }
 };
 

@@ -26,14 +26,13 @@ struct two_link_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = two_link_parameters;
-    return member_table(
-        member("length_1", &p::length_1, "m", range::positive, plausible(0.01, 2)),
-        member("length_2", &p::length_2, "m", range::positive, plausible(0.01, 2)),
-        member("mass_1", &p::mass_1, "kg", range::positive, plausible(0.005, 20)),
-        member("mass_2", &p::mass_2, "kg", range::positive, plausible(0.005, 20)),
-        member("handle_mass", &p::handle_mass, "kg", range::not_negative, plausible(0, 20)),
-        member("rotor_inertia_1", &p::rotor_inertia_1, "kg m^2", range::not_negative, plausible(0, 0.1)),
-        member("rotor_inertia_2", &p::rotor_inertia_2, "kg m^2", range::not_negative, plausible(0, 0.1)));
+    return member_table(member("length_1", &p::length_1, "m", range::positive),
+                        member("length_2", &p::length_2, "m", range::positive),
+                        member("mass_1", &p::mass_1, "kg", range::positive),
+                        member("mass_2", &p::mass_2, "kg", range::positive),
+                        member("handle_mass", &p::handle_mass, "kg", range::not_negative),
+                        member("rotor_inertia_1", &p::rotor_inertia_1, "kg m^2", range::not_negative),
+                        member("rotor_inertia_2", &p::rotor_inertia_2, "kg m^2", range::not_negative));
   }
 };
 

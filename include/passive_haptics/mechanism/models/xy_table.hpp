@@ -17,8 +17,8 @@ struct xy_table_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = xy_table_parameters;
-    return member_table(member("mass_x", &p::mass_x, "kg", range::positive, plausible(0.01, 100)),
-                        member("mass_y", &p::mass_y, "kg", range::positive, plausible(0.01, 100)));
+    return member_table(member("mass_x", &p::mass_x, "kg", range::positive),
+                        member("mass_y", &p::mass_y, "kg", range::positive));
   }
 };
 

@@ -56,11 +56,10 @@ struct coulomb_brake {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = coulomb_brake;
-    return member_table(
-        member("torque_limit", &p::torque_limit, "N m", range::not_negative, plausible(0.01, 1000)),
-        member("time_constant", &p::time_constant, "s", range::not_negative, plausible(0, 1)),
-        member("fall_ratio", &p::fall_ratio, "1", range::positive, plausible(0.1, 10)),
-        member("gain", &p::gain, "1", range::positive, plausible(0.1, 10)), member("residual", &p::residual));
+    return member_table(member("torque_limit", &p::torque_limit, "N m", range::not_negative),
+                        member("time_constant", &p::time_constant, "s", range::not_negative),
+                        member("fall_ratio", &p::fall_ratio, "1", range::positive),
+                        member("gain", &p::gain, "1", range::positive), member("residual", &p::residual));
   }
 };
 

@@ -52,8 +52,7 @@ struct delayed_brake : Model {
   {
     return [](auto&& f) {
       Model::members()(f);
-      member_table(
-          member("dead_time", &delayed_brake::dead_time, "s", range::not_negative, plausible(0, 0.05)))(f);
+      member_table(member("dead_time", &delayed_brake::dead_time, "s", range::not_negative))(f);
     };
   }
 

@@ -64,11 +64,10 @@ struct eddy_current_brake {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = eddy_current_brake;
-    return member_table(
-        member("peak_torque", &p::peak_torque, "N m", range::not_negative, plausible(0.001, 1000)),
-        member("critical_rate", &p::critical_rate, "rad/s", range::positive, plausible(1, 10000)),
-        member("time_constant", &p::time_constant, "s", range::not_negative, plausible(0, 1)),
-        member("residual", &p::residual));
+    return member_table(member("peak_torque", &p::peak_torque, "N m", range::not_negative),
+                        member("critical_rate", &p::critical_rate, "rad/s", range::positive),
+                        member("time_constant", &p::time_constant, "s", range::not_negative),
+                        member("residual", &p::residual));
   }
 };
 

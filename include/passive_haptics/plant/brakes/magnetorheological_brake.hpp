@@ -83,12 +83,11 @@ struct magnetorheological_brake {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = magnetorheological_brake;
-    return member_table(
-        member("torque_limit", &p::torque_limit, "N m", range::not_negative, plausible(0.01, 1000)),
-        member("saturation", &p::saturation, "1", range::positive, plausible(0.1, 5)),
-        member("coercive_current", &p::coercive_current, "1", range::not_negative, plausible(0, 0.3)),
-        member("time_constant", &p::time_constant, "s", range::not_negative, plausible(0, 1)),
-        member("residual", &p::residual));
+    return member_table(member("torque_limit", &p::torque_limit, "N m", range::not_negative),
+                        member("saturation", &p::saturation, "1", range::positive),
+                        member("coercive_current", &p::coercive_current, "1", range::not_negative),
+                        member("time_constant", &p::time_constant, "s", range::not_negative),
+                        member("residual", &p::residual));
   }
 };
 

@@ -47,9 +47,8 @@ struct stribeck_brake : coulomb_brake<T> {
     return [](auto&& f) {
       using p = stribeck_brake;
       coulomb_brake<T>::members()(f);
-      member_table(
-          member("static_ratio", &p::static_ratio, "1", range::at_least(1), plausible(1, 3)),
-          member("stribeck_rate", &p::stribeck_rate, "rad/s", range::positive, plausible(0.0001, 10)))(f);
+      member_table(member("static_ratio", &p::static_ratio, "1", range::at_least(1)),
+                   member("stribeck_rate", &p::stribeck_rate, "rad/s", range::positive))(f);
     };
   }
 };

@@ -29,9 +29,9 @@ struct height_field_parameters {
     using p = height_field_parameters;
     return member_table(member("columns", &p::columns, "", range::at_least(2).as(grid)),
                         member("rows", &p::rows, "", range::at_least(2).as(grid)),
-                        member("spacing_x", &p::spacing_x, "m", range::positive, plausible(1e-4, 1)),
-                        member("spacing_y", &p::spacing_y, "m", range::positive, plausible(1e-4, 1)),
-                        member("origin", &p::origin, "m", range::finite, plausible(-10, 10)));
+                        member("spacing_x", &p::spacing_x, "m", range::positive),
+                        member("spacing_y", &p::spacing_y, "m", range::positive),
+                        member("origin", &p::origin, "m", range::finite));
   }
   /// As many finite heights as there are points, and no more than a mesh can have.
   std::string rules() const {

@@ -26,8 +26,8 @@ struct ball_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = ball_parameters;
-    return member_table(member("centre", &p::centre, "m", range::finite, plausible(-10, 10)),
-                        member("radius", &p::radius, "m", range::positive, plausible(1e-4, 10)),
+    return member_table(member("centre", &p::centre, "m", range::finite),
+                        member("radius", &p::radius, "m", range::positive),
                         choice("inside", &p::inside, "solid, hollow"));
   }
 };

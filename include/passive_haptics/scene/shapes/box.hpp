@@ -29,8 +29,8 @@ struct box_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = box_parameters;
-    return member_table(member("centre", &p::centre, "m", range::finite, plausible(-10, 10)),
-                        member("half_extents", &p::half_extents, "m", range::not_negative, plausible(0, 10)),
+    return member_table(member("centre", &p::centre, "m", range::finite),
+                        member("half_extents", &p::half_extents, "m", range::not_negative),
                         member("axes", &p::axes, "1", range::finite));
   }
   /// The axes are orthonormal within box_axes_tolerance.

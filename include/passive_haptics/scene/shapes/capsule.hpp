@@ -21,9 +21,9 @@ struct capsule_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = capsule_parameters;
-    return member_table(member("from", &p::from, "m", range::finite, plausible(-10, 10)),
-                        member("to", &p::to, "m", range::finite, plausible(-10, 10)),
-                        member("radius", &p::radius, "m", range::not_negative, plausible(0, 10)));
+    return member_table(member("from", &p::from, "m", range::finite),
+                        member("to", &p::to, "m", range::finite),
+                        member("radius", &p::radius, "m", range::not_negative));
   }
   /// The length does not overflow.
   error_message rules() const {

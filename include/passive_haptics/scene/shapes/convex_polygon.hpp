@@ -42,7 +42,7 @@ struct convex_polygon_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = convex_polygon_parameters;
-    return member_table(member("corners", &p::corners, "m", range::finite, plausible(-10, 10)));
+    return member_table(member("corners", &p::corners, "m", range::finite));
   }
   /// The polygon is convex and has an area. K^2 operations.
   std::string rules() const {

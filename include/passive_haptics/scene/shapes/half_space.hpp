@@ -17,7 +17,7 @@ struct half_space_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = half_space_parameters;
-    return member_table(member("surface_point", &p::surface_point, "m", range::finite, plausible(-10, 10)),
+    return member_table(member("surface_point", &p::surface_point, "m", range::finite),
                         member("normal", &p::normal, "1", range::direction));
   }
 };

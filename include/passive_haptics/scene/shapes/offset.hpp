@@ -18,7 +18,7 @@ struct offset_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = offset_parameters;
-    return member_table(member("growth", &p::growth, "m", range::finite, plausible(-1, 1)));
+    return member_table(member("growth", &p::growth, "m", range::finite));
   }
 };
 

@@ -73,7 +73,7 @@ struct latest_scene_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = latest_scene_parameters;
-    return member_table(member("stale_after", &p::stale_after, "s", range::positive, plausible(0.001, 1)),
+    return member_table(member("stale_after", &p::stale_after, "s", range::positive),
                         member("extrapolate", &p::extrapolate));
   }
 };

@@ -26,12 +26,11 @@ struct bang_bang_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = bang_bang_parameters;
-    return member_table(
-        member("reference_depth", &p::reference_depth, "m", range::finite, plausible(0, 0.02)),
-        member("approach_length", &p::approach_length, "m", range::positive, plausible(1e-4, 1)),
-        member("approach_slope", &p::approach_slope, "1", range::not_negative, plausible(0, 1)),
-        member("approach_hysteresis", &p::approach_hysteresis, "1", range::not_negative, plausible(0, 2)),
-        member("following_hysteresis", &p::following_hysteresis, "1", range::not_negative, plausible(0, 2)));
+    return member_table(member("reference_depth", &p::reference_depth, "m", range::finite),
+                        member("approach_length", &p::approach_length, "m", range::positive),
+                        member("approach_slope", &p::approach_slope, "1", range::not_negative),
+                        member("approach_hysteresis", &p::approach_hysteresis, "1", range::not_negative),
+                        member("following_hysteresis", &p::following_hysteresis, "1", range::not_negative));
   }
 };
 

@@ -19,10 +19,9 @@ struct on_off_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = on_off_parameters;
-    return member_table(
-        member("reference_depth", &p::reference_depth, "m", range::finite, plausible(0, 0.02)),
-        member("hysteresis", &p::hysteresis, "m", range::not_negative, plausible(0, 0.02)),
-        member("lead", &p::lead, "s", range::not_negative, plausible(0, 0.5)));
+    return member_table(member("reference_depth", &p::reference_depth, "m", range::finite),
+                        member("hysteresis", &p::hysteresis, "m", range::not_negative),
+                        member("lead", &p::lead, "s", range::not_negative));
   }
 };
 

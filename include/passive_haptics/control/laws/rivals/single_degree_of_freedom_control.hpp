@@ -22,9 +22,8 @@ struct single_degree_of_freedom_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = single_degree_of_freedom_parameters;
-    return member_table(
-        member("reference_depth", &p::reference_depth, "m", range::finite, plausible(0, 0.02)),
-        member("band", &p::band, "m", range::not_negative, plausible(0, 0.02)));
+    return member_table(member("reference_depth", &p::reference_depth, "m", range::finite),
+                        member("band", &p::band, "m", range::not_negative));
   }
 };
 

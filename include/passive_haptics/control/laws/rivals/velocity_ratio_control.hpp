@@ -25,11 +25,10 @@ struct velocity_ratio_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = velocity_ratio_parameters;
-    return member_table(
-        member("reference_depth", &p::reference_depth, "m", range::finite, plausible(0, 0.02)),
-        member("approach_length", &p::approach_length, "m", range::positive, plausible(1e-4, 1)),
-        member("steepest_slope", &p::steepest_slope, "1", range::not_negative, plausible(0, 2)),
-        member("gain", &p::gain, "1", range::not_negative, plausible(0, 100)));
+    return member_table(member("reference_depth", &p::reference_depth, "m", range::finite),
+                        member("approach_length", &p::approach_length, "m", range::positive),
+                        member("steepest_slope", &p::steepest_slope, "1", range::not_negative),
+                        member("gain", &p::gain, "1", range::not_negative));
   }
 };
 

@@ -25,19 +25,18 @@ struct velocity_direct_control_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = velocity_direct_control_parameters;
-    return member_table(
-        member("depth_gain", &p::depth_gain, "1/s", range::positive, plausible(1, 1000)),
-        member("velocity_limit", &p::velocity_limit, "m/s", range::positive, plausible(0.001, 1)),
-        member("velocity_lag", &p::velocity_lag, "s", range::positive, plausible(0.001, 0.5)),
-        member("integral_time", &p::integral_time, "s", range::positive, plausible(0.01, 10)),
-        member("release_length", &p::release_length, "m", range::positive, plausible(1e-6, 0.01)),
-        member("hand_mass", &p::hand_mass, "kg", range::not_negative, plausible(0, 10)),
-        member("force_share", &p::force_share, "1", range::between(0, 1), plausible(0, 1)),
-        member("rate_lag", &p::rate_lag, "s", range::not_negative, plausible(0, 0.1)),
-        member("horizon", &p::horizon, "s", range::not_negative, plausible(0, 0.1)),
-        member("rest_depth", &p::rest_depth, "m", range::not_negative, plausible(0, 0.02)),
-        member("depth_per_jump", &p::depth_per_jump, "1", range::not_negative, plausible(0, 20)),
-        member("margin", &p::margin, "m", range::not_negative, plausible(0, 0.02)));
+    return member_table(member("depth_gain", &p::depth_gain, "1/s", range::positive),
+                        member("velocity_limit", &p::velocity_limit, "m/s", range::positive),
+                        member("velocity_lag", &p::velocity_lag, "s", range::positive),
+                        member("integral_time", &p::integral_time, "s", range::positive),
+                        member("release_length", &p::release_length, "m", range::positive),
+                        member("hand_mass", &p::hand_mass, "kg", range::not_negative),
+                        member("force_share", &p::force_share, "1", range::between(0, 1)),
+                        member("rate_lag", &p::rate_lag, "s", range::not_negative),
+                        member("horizon", &p::horizon, "s", range::not_negative),
+                        member("rest_depth", &p::rest_depth, "m", range::not_negative),
+                        member("depth_per_jump", &p::depth_per_jump, "1", range::not_negative),
+                        member("margin", &p::margin, "m", range::not_negative));
   }
 };
 
