@@ -38,6 +38,18 @@ class textless_error {
 /// What is wrong, empty if nothing: a std::string, but where a microcontroller has no exceptions.
 using error_message = std::conditional_t<errors_have_text, std::string, textless_error>;
 
+namespace detail {
+
+/// The error whose text this function returns; where errors have no text, the name alone, and no code of the
+/// function.
+template <class Name, class Text>
+error_message error_of(const Name& name, const Text& text) {
+  if constexpr (errors_have_text) return text();
+  else return name;
+}
+
+}  // namespace detail
+
 /// Throws std::invalid_argument with this error unless it is empty; under -fno-exceptions prints it and ends
 /// the program, on a microcontroller by a trap. For constructors, never for a control cycle.
 inline void require_no_error(const error_message& error) {

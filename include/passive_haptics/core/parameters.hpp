@@ -165,22 +165,6 @@ void visit(const P& p, const place* at, Visitor& to) {
   to.whole(at, p);
 }
 
-// Of a value outside of its range, where it stands.
-template <class T>
-error_message range_error(const place& at, const member_description& about, const T& x) {
-  if constexpr (!errors_have_text) return about.name;
-  else return error_text(at.text(about.unit), x, to_text(about.hard, std::is_integral_v<T>));
-}
-template <class T>
-error_message length_error(const place& at, const member_description& about, const T& x) {
-  if constexpr (!errors_have_text) return about.name;
-  else return error_text(at.text("", "|"), x, to_text(about.hard));
-}
-inline std::string error_at(const place& at, const std::string& error) {
-  return at.text().append(".").append(error);
-}
-inline textless_error error_at(const place&, const textless_error& error) { return error; }
-
 // The first error.
 struct checker : visitor {
   error_message error = {};
@@ -189,20 +173,23 @@ struct checker : visitor {
   void value(const member_description& about, const place& at, const T& x) {
     if constexpr (std::is_arithmetic_v<T>) {
       if (!error.empty() || about.hard.is_direction || about.hard.contains(x)) return;
-      error = range_error(at, about, x);
+      error = error_of(about.name, [&] {
+        return error_text(at.text(about.unit), x, to_text(about.hard, std::is_integral_v<T>));
+      });
     }
   }
   template <class T>
   void length(const member_description& about, const place& at, const T& x) {
     if (!error.empty() || about.hard.contains(x)) return;
-    error = length_error(at, about, x);
+    error = error_of(about.name, [&] { return error_text(at.text("", "|"), x, to_text(about.hard)); });
   }
   template <class P>
   void whole(const place* at, const P& p) {
     if constexpr (requires { p.rules(); }) {
       if (!error.empty()) return;
       error = p.rules();
-      if (!error.empty() && at != nullptr) error = error_at(*at, error);
+      if (!error.empty() && at != nullptr)
+        error = error_of(error, [&] { return at->text().append(".").append(error); });
     }
   }
 };

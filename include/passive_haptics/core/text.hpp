@@ -56,9 +56,9 @@ std::string value_text(const T& value) {
 
 template <class T>
 error_message error_text(std::string_view name, T value, std::string_view expected) {
-  if constexpr (!errors_have_text) return "a parameter";
-  else
+  return error_of("a parameter", [&] {
     return std::string(name).append(" = ").append(value_text(value)).append(", expected ").append(expected);
+  });
 }
 
 /// "before i after". (A literal + std::string makes g++ 12 warn of overlapping memory at -O3.)
