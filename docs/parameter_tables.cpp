@@ -1,19 +1,19 @@
 // parameter_tables INCLUDE: prints the table of every struct of parameters, as docs/guide/parameters.md shows
 // them on the site. Fails if a header in the folder INCLUDE has a struct with a table that is not listed in
 // main().
-#include <passive_haptics/plant/brakes/delayed_brake.hpp>
-#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
-#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
-#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
+#include <passive_haptics/bench/bench_run.hpp>
 #include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/driver/calibration/device_calibration.hpp>
 #include <passive_haptics/driver/control_loop.hpp>
-#include <passive_haptics/bench/bench_run.hpp>
 #include <passive_haptics/driver/process/supervisor.hpp>
 #include <passive_haptics/driver/real_time.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
 #include <passive_haptics/driver/thread/polling_thread.hpp>
 #include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/plant/brakes/delayed_brake.hpp>
+#include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
 #include <cxxabi.h>

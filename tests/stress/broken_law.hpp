@@ -2,11 +2,11 @@
 // test.
 #pragma once
 
-#include <passive_haptics/force/torques/force_map.hpp>
+#include <passive_haptics/control/step.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/control/step.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/force/torques/force_map.hpp>
 
 #include <cmath>
 #include <limits>

@@ -2,9 +2,9 @@
 // from denormal to nearly overflowing, coincident and opposed walls.
 #pragma once
 
+#include <passive_haptics/control/step.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/control/step.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 

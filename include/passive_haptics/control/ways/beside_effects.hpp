@@ -27,7 +27,8 @@ struct beside_effects {
   using L = typename Setup::law_type;                                        ///< Law.
   using T = typename M::scalar;                                              ///< Scalar.
   using way_of_walls = way_of<Result, Setup, typename Touched::walls_type>;  ///< Without effects.
-  static constexpr int d = M::task_dimension, m = M::brake_count;            ///< Sizes.
+  static constexpr int d = M::task_dimension;                                ///< Task dimensions,
+  static constexpr int m = M::brake_count;                                   ///< brakes.
   static_assert(ScalingLaw<L>,
                 "passive_haptics: with_effects needs a ScalingLaw, such as direct_control: a TorqueLaw "
                 "commands the brakes itself.");

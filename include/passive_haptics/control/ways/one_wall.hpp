@@ -25,11 +25,12 @@ struct approximation_for<M>;
 /// One wall, or none.
 template <class Result, class Setup, class Walls>
 struct one_wall {
-  using M = typename Setup::mechanism_type;                        ///< Mechanism.
-  using L = typename Setup::law_type;                              ///< Law.
-  using T = typename M::scalar;                                    ///< Scalar.
-  static constexpr int d = M::task_dimension, m = M::brake_count;  ///< Sizes.
-  using steps = display_steps<T, d, m>;                            ///< Fc, alpha, Fc', td.
+  using M = typename Setup::mechanism_type;    ///< Mechanism.
+  using L = typename Setup::law_type;          ///< Law.
+  using T = typename M::scalar;                ///< Scalar.
+  static constexpr int d = M::task_dimension;  ///< Task dimensions,
+  static constexpr int m = M::brake_count;     ///< brakes.
+  using steps = display_steps<T, d, m>;        ///< Fc, alpha, Fc', td.
 
   const Setup& setup;                                 ///< Of the cycle.
   const Walls& touched;                               ///< The wall.

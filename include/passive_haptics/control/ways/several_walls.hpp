@@ -18,12 +18,13 @@ namespace passive_haptics {
 /// Several walls. Steps 1 and 3 are one: what can be displayed of several forces depends on each one's alpha.
 template <class Result, class Setup, class Walls>
 struct several_walls {
-  using M = typename Setup::mechanism_type;                        ///< Mechanism.
-  using L = typename Setup::law_type;                              ///< Law.
-  using T = typename M::scalar;                                    ///< Scalar.
-  static constexpr int d = M::task_dimension, m = M::brake_count;  ///< Sizes.
-  static constexpr int capacity = Walls::capacity;                 ///< Walls at most.
-  using force = approximated_force<T, d, m>;                       ///< With the torques that make it.
+  using M = typename Setup::mechanism_type;         ///< Mechanism.
+  using L = typename Setup::law_type;               ///< Law.
+  using T = typename M::scalar;                     ///< Scalar.
+  static constexpr int d = M::task_dimension;       ///< Task dimensions,
+  static constexpr int m = M::brake_count;          ///< brakes.
+  static constexpr int capacity = Walls::capacity;  ///< Walls at most.
+  using force = approximated_force<T, d, m>;        ///< With the torques that make it.
   static_assert(!saturates_before_scaling<L>,
                 "passive_haptics: a law that saturates before scaling knows one wall at a time; give this "
                 "scene a law without saturates_before_scaling (control/control_law.hpp).");

@@ -14,10 +14,11 @@ namespace passive_haptics {
 /// Torques of a law, which sees all walls by itself.
 template <class Result, class Setup, class Walls>
 struct torques_of_law {
-  using M = typename Setup::mechanism_type;                        ///< Mechanism.
-  using L = typename Setup::law_type;                              ///< Law.
-  using T = typename M::scalar;                                    ///< Scalar.
-  static constexpr int d = M::task_dimension, m = M::brake_count;  ///< Sizes.
+  using M = typename Setup::mechanism_type;    ///< Mechanism.
+  using L = typename Setup::law_type;          ///< Law.
+  using T = typename M::scalar;                ///< Scalar.
+  static constexpr int d = M::task_dimension;  ///< Task dimensions,
+  static constexpr int m = M::brake_count;     ///< brakes.
   static_assert(!needs_dynamics<L> || Dynamics<M>,
                 "passive_haptics: this law needs a mechanism that models Dynamics: give it mass_matrix, "
                 "bias_torque and bias_acceleration (mechanism/dynamics.hpp), or take direct_control.");

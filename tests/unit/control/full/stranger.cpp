@@ -70,7 +70,8 @@ std::vector<double> capacities(const M& mechanism, const B& brakes, const Scene&
       touched().push_back({.normal = random.direction<double, 2>(), .depth = 1e-4, .stiffness = 1e4});
     for (const double c : control(state).capacity) all.push_back(c);
     for (const double c : control.command(state).capacity) all.push_back(c);
-    for (const double c : ph::step(mechanism, brakes, touched(), law, state, memory).capacity) all.push_back(c);
+    for (const double c : ph::step(mechanism, brakes, touched(), law, state, memory).capacity)
+      all.push_back(c);
   }
   return all;
 }

@@ -481,7 +481,8 @@ TEST(a_scene, takes_a_user_shape) {
 
 TEST(a_room, is_touched_at_all_faces_of_a_corner_at_once) {
   const auto walls = ph::walls_of(ph::box<3>({0, 0, 0}, {1, 2, 3}), 5e3);
-  EXPECT_EQ(ph::sense(ph::walls_of(ph::box<2>({0, 0}, {1, 2})), {0, 3})[0].stiffness, 1e7) << "of section 5.1";
+  EXPECT_EQ(ph::sense(ph::walls_of(ph::box<2>({0, 0}, {1, 2})), {0, 3})[0].stiffness, 1e7)
+      << "of section 5.1";
   EXPECT_TRUE(ph::sense(walls, {0.9, -1.9, 2.9}).empty());
   const auto touched = ph::sense(walls, {1.25, -2.5, 3.125});
   ASSERT_EQ(touched.size(), 3);
