@@ -6,12 +6,13 @@ if(NOT text MATCHES "^// expect: ([^\n]+)")
 endif()
 set(expected "${CMAKE_MATCH_1}")
 
+separate_arguments(flags UNIX_COMMAND "${flags}")
 list(TRANSFORM includes PREPEND -I)
 # Not for what defines something first, or is wrong by what it does not include
-if(prelude AND NOT text MATCHES "#define" AND text MATCHES "#include <passive_haptics/passive_haptics.hpp>")
+if(NOT text MATCHES "#define" AND text MATCHES "#include <passive_haptics/passive_haptics.hpp>")
   list(APPEND includes -include ${prelude})
 endif()
-execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${one_error} ${includes} ${source}
+execute_process(COMMAND ${compiler} ${flags} -std=c++20 -fsyntax-only -Wfatal-errors ${includes} ${source}
   RESULT_VARIABLE status ERROR_VARIABLE errors)
 if(status EQUAL 0)
   message(FATAL_ERROR "${source} compiles; expected an error matching '${expected}'")
