@@ -1,6 +1,6 @@
 /// @file
 /// Everything that a device's control cycle is made of; needs no more than Eigen, Boost.Hana and the standard
-/// library. The simulated device of plant/ and the models of its brakes, brake/models/, are included by
+/// library. The simulated device of plant/ and the models of its brakes, plant/brakes/, are included by
 /// themselves: passive_haptics/plant/wall_following.hpp.
 #pragma once
 
@@ -43,6 +43,7 @@
 #include <passive_haptics/force/effects/rough_walls.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/force/effects/wall_friction.hpp>
+#include <passive_haptics/force/nearest_force.hpp>
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>

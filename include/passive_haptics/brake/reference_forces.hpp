@@ -4,6 +4,7 @@
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/status.hpp>
 
 #include <limits>

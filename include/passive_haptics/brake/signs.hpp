@@ -1,5 +1,11 @@
 /// @file
 /// Which way each brake can pull: the sign rule with Karnopp's dead band.
+///
+///     s_i = sgn(w_i)    where the brake slips, |w_i| > its rate dead band,
+///     s_i = sgn(th_i)   where it sticks and the hand's torque on it is over its torque dead band,
+///     s_i = 0           else: it may hold either way.
+///
+/// A brake produces only torques with s_i t_i <= 0 (3).
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>

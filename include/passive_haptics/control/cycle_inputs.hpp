@@ -6,6 +6,7 @@
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/control/step_options.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/status.hpp>
 
 #include <type_traits>

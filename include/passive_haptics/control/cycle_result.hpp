@@ -5,9 +5,11 @@
 #include <passive_haptics/control/cycle_inputs.hpp>
 #include <passive_haptics/control/saturation.hpp>
 #include <passive_haptics/control/step_result.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/desired_force.hpp>
+#include <passive_haptics/force/nearest_force.hpp>
 
 namespace passive_haptics {
 

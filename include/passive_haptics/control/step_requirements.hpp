@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/cycle_inputs.hpp>
+#include <passive_haptics/control/ways/one_wall.hpp>
 
 namespace passive_haptics {
 namespace detail {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/core/status.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>

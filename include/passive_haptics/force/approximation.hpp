@@ -3,10 +3,10 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/classification.hpp>
-#include <passive_haptics/force/nearest_force.hpp>
 
 #include <algorithm>
 #include <cmath>

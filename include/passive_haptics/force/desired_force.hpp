@@ -2,6 +2,7 @@
 /// The force a wall asks for.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/status.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 

@@ -2,6 +2,7 @@
 /// The dynamically consistent inverse: which force at the end effector does what joint torques do.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 

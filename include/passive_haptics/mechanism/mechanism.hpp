@@ -1,5 +1,22 @@
 /// @file
-/// The Mechanism concept: what the library has to know about a device's geometry.
+/// The Mechanism concept: joint positions in, end effector out (section 2).
+///
+/// Minimal complete definition (n = dof, d = task_dimension, m = brake_count):
+///   - `using scalar`: float, double or long double;
+///   - `static constexpr int dof, task_dimension, brake_count`: m = n >= d, or redundant brakes, m > n = d;
+///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`: end effector [m], base frame.
+///     Where it is a template over the scalar, its derivative is the Jacobian (jacobian.hpp).
+///
+/// Optional. One that takes no q is constant; a matrix may be a diagonal_matrix. Both save work:
+///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
+///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of rank n, with
+///     w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n);
+///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines.
+///     Both then take it in place of q as well; transmission and the members of Dynamics may. A control cycle
+///     computes it once.
+///
+/// Laws: position and jacobian of pose(q) are those of q. jacobian is the derivative of position. Both are
+/// pure. Finite q gives a finite position. testing/mechanism_properties.hpp checks them for any model.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -103,24 +120,7 @@ concept has_exact_transmission = requires(const M mechanism, const joint_vector<
 
 }  // namespace detail
 
-/// A mechanism: joint positions in, end effector out (section 2).
-///
-/// Minimal complete definition (n = dof, d = task_dimension, m = brake_count):
-///   - `using scalar`: float, double or long double;
-///   - `static constexpr int dof, task_dimension, brake_count`: m = n >= d, or redundant brakes, m > n = d;
-///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`: end effector [m], base frame.
-///     Where it is a template over the scalar, its derivative is the Jacobian (jacobian.hpp).
-///
-/// Optional. One that takes no q is constant; a matrix may be a diagonal_matrix. Both save work:
-///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
-///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of rank n, with
-///     w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n);
-///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines.
-///     Both then take it in place of q as well; transmission and the members of Dynamics may. A control cycle
-///     computes it once.
-///
-/// Laws: position and jacobian of pose(q) are those of q. jacobian is the derivative of position. Both are
-/// pure. Finite q gives a finite position. testing/mechanism_properties.hpp checks them for any model.
+/// A mechanism as this file's description defines it: joint positions in, end effector out.
 template <class M>
 concept Mechanism = detail::has_supported_sizes<M> && detail::has_position<M> &&
                     (!detail::names_jacobian<M> || detail::has_exact_jacobian<M>) &&

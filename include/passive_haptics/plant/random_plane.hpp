@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>

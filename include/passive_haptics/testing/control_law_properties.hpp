@@ -7,6 +7,7 @@
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/testing/support/print.hpp>
 #include <passive_haptics/testing/support/step_samples.hpp>
 

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/testing/support/derivative.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 

@@ -6,6 +6,7 @@
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/control/laws/velocity/brake_lag.hpp>
 #include <passive_haptics/control/sensorless/hand_force_estimate.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>

@@ -7,6 +7,7 @@
 #include <passive_haptics/control/ways/one_wall.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/control/ways/walls_and_effects.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/force/torques/torques_beside.hpp>
 

@@ -5,6 +5,7 @@
 
 #include <passive_haptics/control/cycle_result.hpp>
 #include <passive_haptics/control/way.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/force/torques/force_map.hpp>
 

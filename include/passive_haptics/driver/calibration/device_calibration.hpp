@@ -4,6 +4,7 @@
 
 #include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/driver/calibration/brake_calibration.hpp>
 #include <passive_haptics/driver/calibration/encoder_calibration.hpp>
 #include <passive_haptics/driver/calibration/force_calibration.hpp>

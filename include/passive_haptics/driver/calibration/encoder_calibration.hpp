@@ -2,6 +2,7 @@
 /// From an encoder's counts to the position of its axis, and back.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/driver/calibration/steady_mean.hpp>
 
 #include <array>

@@ -2,6 +2,7 @@
 /// The mean of readings while nothing moves, for homing and taring.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/matrix.hpp>
 #include <passive_haptics/core/parameters.hpp>
 

@@ -2,6 +2,7 @@
 /// Brake torques whose force comes nearest to a desired one: the generator form.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/linear/generated_cone.hpp>
 #include <passive_haptics/core/linear/prioritised_least_squares.hpp>
 

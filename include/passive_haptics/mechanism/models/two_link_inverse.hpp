@@ -2,6 +2,7 @@
 /// Inverse kinematics of two links in a plane, the building block of mechanisms with two-link legs.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/mechanism/models/joint_solution.hpp>
 
 #include <algorithm>

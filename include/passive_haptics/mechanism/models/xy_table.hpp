@@ -2,6 +2,7 @@
 /// An XY table: two orthogonal slides, a brake on each (Figs. 4 and 5).
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/joint_solution.hpp>

@@ -2,6 +2,7 @@
 /// Polygons as files have them, and the triangles that they are cut into.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/scene/mesh/mesh_topology.hpp>
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 /// A surface of facets as it is given: corners and which of them each facet has.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/mesh/mesh_facet.hpp>
 

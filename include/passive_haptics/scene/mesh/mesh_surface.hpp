@@ -2,6 +2,7 @@
 /// A mesh as a wall with memory: thin, open or closed, with corners that are touched at several facets.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/scene/mesh/mesh.hpp>
 #include <passive_haptics/scene/mesh/proxy_contacts.hpp>
 #include <passive_haptics/scene/world/tracked_shape.hpp>

@@ -2,6 +2,7 @@
 /// A scene of many walls, made at run time.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/scene/world/neighbour_list.hpp>
 #include <passive_haptics/scene/world/strongest_contacts.hpp>
 #include <passive_haptics/scene/world/world_walls.hpp>
