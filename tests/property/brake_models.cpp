@@ -1,4 +1,6 @@
 // Every brake model under the suite; and models that are wrong, which must not pass it.
+#include "../tested_types.hpp"
+
 #include <passive_haptics/plant/brakes/any_brake.hpp>
 #include <passive_haptics/plant/brakes/compensated_brake.hpp>
 #include <passive_haptics/plant/brakes/coulomb_brake.hpp>
@@ -53,15 +55,15 @@ struct chosen : case_of<some_brake> {
 template <class T>
 using compensated = ph::compensated_brake<ph::magnetorheological_brake<T>>;
 
-using models = ::testing::Types<
-    case_of<ph::coulomb_brake<double>>, wrong_and_slow<float>, wrong_and_slow<double>,
-    case_of<ph::stribeck_brake<float>>, case_of<ph::stribeck_brake<double>>,
-    case_of<ph::eddy_current_brake<float>>, case_of<ph::eddy_current_brake<double>>,
-    case_of<ph::magnetorheological_brake<float>>, case_of<ph::magnetorheological_brake<double>>,
-    without_lag<double>, late<ph::coulomb_brake<float>>, late<ph::coulomb_brake<double>>,
-    late<ph::eddy_current_brake<double>>, case_of<compensated<double>>,
-    case_of<ph::compensated_brake<ph::eddy_current_brake<double>>>, late<compensated<double>>,
-    chosen<ph::coulomb_brake<double>>, chosen<ph::eddy_current_brake<double>>>;
+using models =
+    tested_types<case_of<ph::coulomb_brake<double>>, wrong_and_slow<float>, wrong_and_slow<double>,
+                 case_of<ph::stribeck_brake<float>>, case_of<ph::stribeck_brake<double>>,
+                 case_of<ph::eddy_current_brake<float>>, case_of<ph::eddy_current_brake<double>>,
+                 case_of<ph::magnetorheological_brake<float>>, case_of<ph::magnetorheological_brake<double>>,
+                 without_lag<double>, late<ph::coulomb_brake<float>>, late<ph::coulomb_brake<double>>,
+                 late<ph::eddy_current_brake<double>>, case_of<compensated<double>>,
+                 case_of<ph::compensated_brake<ph::eddy_current_brake<double>>>, late<compensated<double>>,
+                 chosen<ph::coulomb_brake<double>>, chosen<ph::eddy_current_brake<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(models, brake_model_properties, models);
 
 // ---- what the suite must find

@@ -1,3 +1,5 @@
+#include "../tested_types.hpp"
+
 #include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/shape_properties.hpp>
@@ -48,6 +50,5 @@ struct kinked : in_a_box<strip> {
 
 }  // namespace
 
-using shapes =
-    ::testing::Types<plane, floor_in_space, solid_disc, hollow_disc, solid_ball, hollow_ball, kinked>;
+using shapes = tested_types<plane, floor_in_space, solid_disc, hollow_disc, solid_ball, hollow_ball, kinked>;
 INSTANTIATE_TYPED_TEST_SUITE_P(scene, shape_properties, shapes);

@@ -1,6 +1,8 @@
 // What several unit tests share.
 #pragma once
 
+#include "../tested_types.hpp"
+
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
@@ -15,7 +17,7 @@
 
 namespace ph = passive_haptics;
 
-using scalars = ::testing::Types<float, double>;
+using scalars = tested_types<double, float>;
 
 // The state of a mechanism, written out.
 template <class M>

@@ -95,7 +95,7 @@ TEST(a_law, is_told_by_a_controller_that_it_commands_nothing) {
 // Whatever the form of E.
 template <class Mechanism>
 struct the_nearest_force : ::testing::Test {};
-using mechanisms = ::testing::Types<ph::xy_table<double>, ph::tendon_two_link<double>, ph::delta<double>>;
+using mechanisms = tested_types<ph::xy_table<double>, ph::tendon_two_link<double>, ph::delta<double>>;
 TYPED_TEST_SUITE(the_nearest_force, mechanisms);
 
 // Before law and limits: its part along Fd is Fd, and gamma is the angle between the two.

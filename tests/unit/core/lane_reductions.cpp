@@ -1,4 +1,6 @@
 // Sums, products and the largest of lanes of any length: what is beyond the last number stays zero.
+#include "../../tested_types.hpp"
+
 #include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -46,8 +48,8 @@ struct lane_reductions : ::testing::Test {
 };
 
 // Shorter than a packet, one packet, several with and without a rest, and a number without packets
-using lengths = ::testing::Types<numbers<double, 3>, numbers<float, 4>, numbers<double, 8>, numbers<float, 7>,
-                                 numbers<long double, 2>>;
+using lengths = tested_types<numbers<double, 3>, numbers<float, 4>, numbers<double, 8>, numbers<float, 7>,
+                             numbers<long double, 2>>;
 TYPED_TEST_SUITE(lane_reductions, lengths);
 
 TYPED_TEST(lane_reductions, hold_their_numbers_and_zeros) {

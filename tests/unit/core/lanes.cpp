@@ -1,5 +1,7 @@
 // Lanes: each operation is that of the single numbers, bit by bit; a choice takes either as it is, NaN and
 // the sign of zero included.
+#include "../../tested_types.hpp"
+
 #include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -44,8 +46,8 @@ struct lanes : ::testing::Test {
 };
 
 // One packet, more, with and without a rest, and a number without packets
-using sizes = ::testing::Types<size<double, 1>, size<double, 2>, size<double, 3>, size<double, 4>,
-                               size<float, 2>, size<float, 3>, size<float, 7>, size<long double, 2>>;
+using sizes = tested_types<size<double, 3>, size<double, 1>, size<double, 2>, size<double, 4>, size<float, 2>,
+                           size<float, 3>, size<float, 7>, size<long double, 2>>;
 TYPED_TEST_SUITE(lanes, sizes);
 
 TYPED_TEST(lanes, compute_what_single_numbers_do) {
@@ -123,7 +125,7 @@ TYPED_TEST(lanes, multiply_matrices) {
 
 template <class T>
 class pairs : public ::testing::Test {};
-using all_scalars = ::testing::Types<float, double, long double>;
+using all_scalars = tested_types<double, float, long double>;
 TYPED_TEST_SUITE(pairs, all_scalars);
 
 TYPED_TEST(pairs, are_swapped_and_told_apart) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../../property/sample_meshes.hpp"
+#include "../../tested_types.hpp"
 #include "tracked_handle.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace {
 
 constexpr unsigned seed = 20040627;
 constexpr double skin = 1e-7, lip = 1e-10;
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 static_assert(ph::TrackedShape<ph::mesh_surface<2>> && ph::TrackedShape<ph::mesh_surface<3>>);
@@ -32,7 +33,7 @@ template <class Dimension>
 struct a_mesh_surface : ::testing::Test {
   static constexpr int dimension = Dimension::value;
 };
-using dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using dimensions = tested_types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(a_mesh_surface, dimensions);
 
 template <int D>
@@ -578,7 +579,7 @@ TYPED_TEST(a_mesh_surface, gives_no_number_for_no_number_and_remembers_what_it_k
   h.go(1.5 * ph::point<D>::UnitX());
   h.go(0.5 * ph::point<D>::UnitX());
   const auto before = h.memory;
-  for (const double bad : {no_number, infinity, -infinity}) {
+  for (const double bad : {not_a_number, infinity, -infinity}) {
     ph::point<D> x = h.x;
     x[D - 1] = bad;
     EXPECT_EQ(h.shape.follow(h.x, x, h.memory, h.adder()), 0);
@@ -595,7 +596,7 @@ TYPED_TEST(a_mesh_surface, gives_no_number_for_no_number_and_remembers_what_it_k
     const ph::point<D> e = side * ph::point<D>::UnitX();
     handle<D> lost(h.shape);
     lost.go(2 * e);
-    lost.x = ph::point<D>::Constant(no_number);
+    lost.x = ph::point<D>::Constant(not_a_number);
     lost.go(3 * e);
     EXPECT_TRUE(lost.felt.empty());
     lost.go(-1e300 * e);
@@ -651,7 +652,7 @@ TEST(mesh_surface, says_what_is_wrong_with_its_parameters) {
       ", expected a finite number > 0 and at least 2e-9, 1e-9 of the largest coordinate";
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, 1e-9}),
             "skin of a mesh_surface [m] = 1e-9" + skin_text);
-  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, no_number}),
+  EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, not_a_number}),
             "skin of a mesh_surface [m] = nan" + skin_text);
   EXPECT_EQ(validate(ph::mesh_surface_parameters<3>{m, infinity}),
             "skin of a mesh_surface [m] = inf" + skin_text);

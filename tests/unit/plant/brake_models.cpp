@@ -33,10 +33,10 @@ struct simulated_model : ::testing::Test {
   }
 };
 
-using models = ::testing::Types<ph::coulomb_brake<double>, ph::stribeck_brake<double>,
-                                ph::eddy_current_brake<double>, ph::magnetorheological_brake<double>,
-                                ph::compensated_brake<ph::magnetorheological_brake<double>>,
-                                ph::delayed_brake<ph::coulomb_brake<double>>>;
+using models = tested_types<ph::coulomb_brake<double>, ph::stribeck_brake<double>,
+                            ph::eddy_current_brake<double>, ph::magnetorheological_brake<double>,
+                            ph::compensated_brake<ph::magnetorheological_brake<double>>,
+                            ph::delayed_brake<ph::coulomb_brake<double>>>;
 TYPED_TEST_SUITE(simulated_model, models);
 
 TYPED_TEST(simulated_model, is_of_first_order_in_the_time_step) {

@@ -1,4 +1,6 @@
 // The figures of a run, on depths made by hand.
+#include "../../tested_types.hpp"
+
 #include <passive_haptics/plant/contact_metrics.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
 
@@ -132,7 +134,7 @@ TEST(contact_metrics, say_what_went_wrong) {
 
 template <class T>
 struct following_hand : ::testing::Test {};
-using hand_scalars = ::testing::Types<float, double>;
+using hand_scalars = tested_types<double, float>;
 TYPED_TEST_SUITE(following_hand, hand_scalars);
 
 // speed 0.05, stiffness 200, damping 20, push 2, normal damping 20

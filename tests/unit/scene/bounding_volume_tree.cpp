@@ -1,4 +1,6 @@
 // A tree of boxes finds what a scan over all boxes finds, all at once or a little at a time.
+#include "../../tested_types.hpp"
+
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -13,7 +15,7 @@ namespace ph = passive_haptics;
 
 namespace {
 
-constexpr unsigned seed = 20040627;
+constexpr unsigned tree_seed = 20040627;
 constexpr double everything = std::numeric_limits<double>::infinity();
 
 template <int D>
@@ -35,12 +37,12 @@ template <class Dimension>
 struct tree : ::testing::Test {
   static constexpr int dimension = Dimension::value;
 };
-using dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using dimensions = tested_types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(tree, dimensions);
 
 TYPED_TEST(tree, finds_every_box_within_a_radius_once_and_few_others) {
   constexpr int D = TestFixture::dimension;
-  ph::testing::random_source random(seed);
+  ph::testing::random_source random(tree_seed);
   long visited = 0, wanted = 0;
   for (const int count : {0, 1, 2, 3, 100, 1000}) {
     const auto boxes = random_boxes<D>(count, random);
@@ -54,12 +56,12 @@ TYPED_TEST(tree, finds_every_box_within_a_radius_once_and_few_others) {
         const int item = all.item(place);
         ++found[static_cast<std::size_t>(item)];
         ASSERT_LE(bound, squared_distance<D>(boxes[static_cast<std::size_t>(item)], x))
-            << "seed " << seed << ", box " << item;
+            << "seed " << tree_seed << ", box " << item;
       });
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         const bool within = squared_distance<D>(boxes[i], x) <= radius * radius;
         ASSERT_LE(found[i], 1);
-        ASSERT_GE(found[i], within ? 1 : 0) << "seed " << seed << ", box " << i;
+        ASSERT_GE(found[i], within ? 1 : 0) << "seed " << tree_seed << ", box " << i;
         visited += found[i];
         wanted += within ? 1 : 0;
       }
@@ -70,7 +72,7 @@ TYPED_TEST(tree, finds_every_box_within_a_radius_once_and_few_others) {
 
 TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
   constexpr int D = TestFixture::dimension;
-  ph::testing::random_source random(seed);
+  ph::testing::random_source random(tree_seed);
   const auto boxes = random_boxes<D>(1000, random);
   const ph::bounding_volume_tree<D> all(boxes);
   int all_looks = 0;
@@ -90,7 +92,7 @@ TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
           1);
     double nearest = everything;
     for (const auto& b : boxes) nearest = std::min(nearest, squared_distance<D>(b, x));
-    EXPECT_EQ(limit, nearest) << "seed " << seed << ", point " << k;
+    EXPECT_EQ(limit, nearest) << "seed " << tree_seed << ", point " << k;
     EXPECT_LE(looks, 120) << "most nodes are not looked at";
     all_looks += looks;
   }
@@ -100,7 +102,7 @@ TYPED_TEST(tree, finds_the_nearest_box_a_node_at_a_time) {
 // Wherever it has got to, a copy goes on to the same items.
 TYPED_TEST(tree, a_search_is_copied_with_what_is_left_of_it) {
   constexpr int D = TestFixture::dimension;
-  ph::testing::random_source random(seed);
+  ph::testing::random_source random(tree_seed);
   const ph::bounding_volume_tree<D> all(random_boxes<D>(300, random));
   const auto bound = ph::squared_distance_from<D>(ph::point<D>::Zero());
   auto search = all.start();
@@ -165,7 +167,7 @@ TYPED_TEST(tree, opens_no_more_nodes_than_it_may) {
 
 TYPED_TEST(tree, visits_each_of_a_few_once) {
   constexpr int D = TestFixture::dimension;
-  ph::testing::random_source random(seed);
+  ph::testing::random_source random(tree_seed);
   for (int count = 0; count <= 9; ++count) {
     std::vector<int> places;
     ph::bounding_volume_tree<D>(random_boxes<D>(count, random))
@@ -179,14 +181,14 @@ TYPED_TEST(tree, visits_each_of_a_few_once) {
 
 TYPED_TEST(tree, finds_a_box_at_its_very_distance) {
   constexpr int D = TestFixture::dimension;
-  ph::testing::random_source random(seed);
+  ph::testing::random_source random(tree_seed);
   for (int k = 0; k < 5000; ++k) {
     const auto boxes = random_boxes<D>(1, random);
     const ph::point<D> x = 3 * random.normal_vector<double, D>();
     int found = 0;
     ph::bounding_volume_tree<D>(boxes).visit_within(
         ph::squared_distance_from<D>(x), squared_distance<D>(boxes[0], x), [&](int, double) { ++found; });
-    EXPECT_EQ(found, 1) << "seed " << seed << ", box " << k;
+    EXPECT_EQ(found, 1) << "seed " << tree_seed << ", box " << k;
   }
 }
 
@@ -194,7 +196,7 @@ TYPED_TEST(tree, finds_a_box_at_its_very_distance) {
 TYPED_TEST(tree, opens_no_node_that_is_further_than_the_limit) {
   constexpr int D = TestFixture::dimension;
   const ph::bounding_volume_tree<D> all(ever_closer<D>(0, true));
-  ph::testing::random_source random(seed);
+  ph::testing::random_source random(tree_seed);
   for (int k = 0; k < 1000; ++k) {
     const ph::point<D> x = random.uniform(-1.0, 2.0) * ph::point<D>::UnitX();
     const auto distance = ph::squared_distance_from<D>(x);
@@ -204,7 +206,7 @@ TYPED_TEST(tree, opens_no_node_that_is_further_than_the_limit) {
       const auto squared = distance(boxes);
       double nearest = everything;
       for (int i = 0; i < 4; ++i) nearest = std::min(nearest, double(squared[i]));
-      EXPECT_TRUE(root || nearest <= (1 + 1e-5) * limit) << "seed " << seed << ", limit " << limit;
+      EXPECT_TRUE(root || nearest <= (1 + 1e-5) * limit) << "seed " << tree_seed << ", limit " << limit;
       root = false;
       return squared;
     };
@@ -260,7 +262,7 @@ TEST(a_bounding_box, grows) {
 
 TYPED_TEST(tree, a_box_in_float_holds_the_box) {
   constexpr int D = TestFixture::dimension;
-  ph::testing::random_source random(seed);
+  ph::testing::random_source random(tree_seed);
   for (int k = 0; k < 1000; ++k) {
     const ph::point<D> corner = random.positive(1e-20, 1e20) * random.normal_vector<double, D>();
     const ph::bounding_volume_tree<D> all({{corner, corner}});

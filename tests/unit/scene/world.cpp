@@ -1,4 +1,5 @@
 // A world of many walls is touched where a look at each of them says so, however few it looks at.
+#include "../../tested_types.hpp"
 #include "many_shapes.hpp"
 
 #include <passive_haptics/control/controller.hpp>
@@ -49,7 +50,7 @@ template <class Dimension>
 struct world : ::testing::Test {
   static constexpr int dimension = Dimension::value;
 };
-using dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using dimensions = tested_types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(world, dimensions);
 
 TYPED_TEST(world, is_touched_as_a_scan_over_everything_says) {

@@ -1,5 +1,5 @@
 // Which hand force a law is told of where no sensor tells it, and what is forgotten with the motion.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/control/laws/rivals/on_off_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>

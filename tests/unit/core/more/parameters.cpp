@@ -1,5 +1,5 @@
 // What is said about wrong parameters.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>

@@ -1,5 +1,5 @@
 // Real brakes against closed forms: gain, residual torque, drag, saturation.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>

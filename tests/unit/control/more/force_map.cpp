@@ -1,5 +1,5 @@
 // The forces that torques make, without assembling the map by hand; the nearest one within limits.
-#include "../../property/custom_mechanisms.hpp"
+#include "../../../property/custom_mechanisms.hpp"
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>

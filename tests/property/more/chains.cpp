@@ -1,4 +1,4 @@
-#include "chain_cases.hpp"
+#include "../chain_cases.hpp"
 
 #include <passive_haptics/testing/dynamics_properties.hpp>
 #include <passive_haptics/testing/mechanism_properties.hpp>

@@ -1,5 +1,5 @@
 // Derivatives of dual numbers against a central difference in 50 digits.
-#include "../high_precision.hpp"
+#include "../../high_precision.hpp"
 
 #include <passive_haptics/core/scalar/dual_number.hpp>
 

@@ -1,4 +1,4 @@
-#include "mesh_cases.hpp"
+#include "../mesh_cases.hpp"
 
 using namespace passive_haptics::testing;
 

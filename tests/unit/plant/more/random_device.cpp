@@ -1,5 +1,5 @@
 // Random devices: within their ranges, the same for the same seed, on planes that can be followed.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>

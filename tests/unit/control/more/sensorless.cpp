@@ -1,5 +1,5 @@
 // Without a force sensor: the probe on paper, and simulated hands that want to leave a wall.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
@@ -249,7 +249,7 @@ escape press_and_pull(Control& control, double press, double pull, double along,
 
 template <class L>
 struct sensorless_escape : ::testing::Test {};
-using laws = ::testing::Types<ph::no_direct_control, ph::direct_control, ph::velocity_direct_control>;
+using laws = tested_types<ph::no_direct_control, ph::direct_control, ph::velocity_direct_control>;
 TYPED_TEST_SUITE(sensorless_escape, laws);
 
 TYPED_TEST(sensorless_escape, is_within_the_stated_time) {

@@ -1,4 +1,4 @@
-#include "../realtime/allocations.hpp"
+#include "../../realtime/allocations.hpp"
 
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/calibration/device_calibration.hpp>

@@ -1,5 +1,5 @@
 // What each law commands, by hand on the XY table, where E = I and forces are torques.
-#include "../support.hpp"
+#include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
@@ -507,8 +507,8 @@ TEST(control_law_parameters, are_checked_by_a_controller) {
 
 template <class L>
 struct along_the_wall : ::testing::Test {};
-using rivals = ::testing::Types<ph::coercive_force_approximation, ph::single_degree_of_freedom_control,
-                                ph::velocity_ratio_control, ph::on_off_control, ph::bang_bang_control>;
+using rivals = tested_types<ph::coercive_force_approximation, ph::single_degree_of_freedom_control,
+                            ph::velocity_ratio_control, ph::on_off_control, ph::bang_bang_control>;
 TYPED_TEST_SUITE(along_the_wall, rivals);
 
 TYPED_TEST(along_the_wall, the_hand_arrives_near_its_surface) {
