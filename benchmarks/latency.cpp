@@ -38,7 +38,8 @@ auto controller_of(const M& mechanism, contact_kind kind) {
 
 template <class Result>
 bool is_of(contact_kind kind, const Result& result) {
-  if (result.outcome != ph::status::ok || (result.wall < 0) != (kind == contact_kind::free)) return false;
+  if (result.outcome != ph::status::ok || (result.wall_number < 0) != (kind == contact_kind::free))
+    return false;
   if (kind == contact_kind::any_contact) return true;
   return (result.display == ph::display_class::approximate) == (kind == contact_kind::approximate) &&
          ph::is_displayed(result.display);

@@ -25,7 +25,7 @@ s#\bcontrol/laws/brake_lag\.hpp#control/laws/velocity/brake_lag.hpp#g
 s#\bcontrol/laws/velocity_direct_control\.hpp#control/laws/velocity/velocity_direct_control.hpp#g
 s#\bcontrol/laws/velocity_direct_control_parameters\.hpp#control/laws/velocity/velocity_direct_control_parameters.hpp#g
 s#\bcontrol/normal_force/acceleration_display\.hpp#control/laws/velocity/acceleration_display.hpp#g
-s#\bcontrol/normal_force/brake_reach\.hpp#control/laws/velocity/brake_reach.hpp#g
+s#\bcontrol/normal_force/brake_reach\.hpp#control/laws/velocity/torque_range.hpp#g
 s#\bcontrol/normal_force/least_power\.hpp#control/laws/velocity/least_power.hpp#g
 s#\bcontrol/normal_force/braked_wall_at\.hpp#design/braked_wall_at.hpp#g
 s#\bcontrol/normal_force/wall_limits\.hpp#design/wall_limits.hpp#g
@@ -79,6 +79,7 @@ s/\blarge_over\(/suspicious_above(/g
 s/\bgives_way\b/nulls_normal_force/g
 s/\bmost_overruns\b/max_overruns/g
 s/\bmost_missed\b/max_missed/g
+s/const char\* owner\b/const char* type_name/g
 # A contact's wall, its position and a report's first are words that other types have, too; the compiler finds them:
 # contact::wall, contact_report::wall, step_result::wall -> wall_number, contact::position -> sensed_at,
 # contact_report::first -> has_priority

@@ -39,7 +39,7 @@ class tree_of_walls {
     touched_.clear();
     walls_[i].look(x, x, nullptr, touched_);
     for (ph::contact<3>& c : touched_) {
-      c.wall = static_cast<int>(i);
+      c.wall_number = static_cast<int>(i);
       c.position = x;
       found_.add(c);
     }

@@ -12,7 +12,7 @@ using truths [[gnu::vector_size(16)]] = long long;  // all bits set where true
 
 inline constexpr truths sign_bit{-0x7fffffffffffffff - 1, -0x7fffffffffffffff - 1};
 
-[[gnu::always_inline]] inline pair choose(truths where, pair a, pair b) {
+[[gnu::always_inline]] inline pair select(truths where, pair a, pair b) {
   return pair((truths(a) & where) | (truths(b) & ~where));
 }
 [[gnu::always_inline]] inline pair size(pair x) { return pair(truths(x) & ~sign_bit); }
@@ -37,27 +37,27 @@ template <class Two>
   const pair ex{-y - e2x, e2x}, ey{x - e2y, e2y};  // E = J T^-1
   const pair w{at.qd1, at.qd1 + at.qd2 * d.per_reduction_2};
   const pair t = ex * wall.nx + ey * wall.ny, th = ex * at.fx + ey * at.fy;  // t for 1 N along n
-  const pair felt = choose(size(th) > d.torque_dead_band, th, zero);
-  const pair way = choose(size(w) > d.rate_dead_band, w, felt);
+  const pair felt = select(size(th) > d.torque_dead_band, th, zero);
+  const pair way = select(size(w) > d.rate_dead_band, w, felt);
 
   // Each brake alone, the other released: at right angles to the other's column
   const pair ox = swapped(ex), oy = swapped(ey), square = ox * ox + oy * oy;
   const pair cross = ex * oy - ey * ox, along = wall.nx * oy - wall.ny * ox;
-  const pair area = choose(cross * cross > d.rounding * d.rounding * square * swapped(square), cross, zero);
+  const pair area = select(cross * cross > d.rounding * d.rounding * square * swapped(square), cross, zero);
   const pair alone = area / along;
   const truths drives = way * t > zero, some = drives | swapped(drives);
   const truths taken =
       swapped(drives) & (way * alone <= zero) & (along * along >= d.least_cosine * d.least_cosine * square);
-  const pair command = choose(some, choose(taken, alone, zero), t);
+  const pair command = select(some, select(taken, alone, zero), t);
 
   const pair power = t * w;
   const double pressing = -(at.fx * wall.nx + at.fy * wall.ny);
   const double wanted = std::min(std::max(pressing, 0.0), Fd);  // alpha Fd, (12)
   const double leaving = power[0] + power[1];
-  const pair scaled = size(command) * choose(pair{leaving, leaving} > zero, one * wanted, one * Fd);
+  const pair scaled = size(command) * select(pair{leaving, leaving} > zero, one * wanted, one * Fd);
   const truths defined = scaled * zero == zero;
   if ((defined[0] & defined[1]) == 0) return {0, 0, region::fault};
-  const pair limit = one * d.torque_limit, capacity = choose(scaled > limit, limit, scaled);
+  const pair limit = one * d.torque_limit, capacity = select(scaled > limit, limit, scaled);
   const auto where = 1 + 2 * (some[0] & 1) - (some[0] & (taken[0] | taken[1]) & 1);  // no branch
   return {capacity[0], capacity[1], static_cast<region>(where)};
 }

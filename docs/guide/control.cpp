@@ -8,7 +8,7 @@ using device = ph::tendon_two_link<double>;
 
 // A law of one's own: direct control that also eases the brakes while the handle moves in slowly.
 struct soft_landing {
-  static constexpr bool needs_hand_force = true, gives_way = true;
+  static constexpr bool needs_hand_force = true, nulls_normal_force = true;
   template <class T, int D>
   T scale(const ph::contact_situation<T, D>& c) const noexcept {
     const T full = c.normal_velocity < T(-0.02) ? T(1) : T(0.5);  // faster than 2 cm/s
@@ -30,7 +30,7 @@ int main() {
   const auto result = control(state);
   for (int j = 0; j < result.contact_count; ++j) {
     const auto& report = result.contacts[static_cast<std::size_t>(j)];
-    std::cout << "wall " << report.wall << ": wanted " << report.wanted << " N, displayed "
+    std::cout << "wall " << report.wall_number << ": wanted " << report.wanted << " N, displayed "
               << report.displayed << " N\n";
   }
 

@@ -49,10 +49,10 @@ int main() {
   ph::controller control(device(), ph::brakes_of<device>(), ph::with_effects(floor, honey),
                          ph::direct_control());
   const auto result = control(ph::device_state<device>{0, {0, 1}, {0.04, 0}, {0, 0}});
-  std::cout << "wall " << result.wall << ", wanted " << result.effect_force.transpose() << " N, made "
+  std::cout << "wall " << result.wall_number << ", wanted " << result.effect_force.transpose() << " N, made "
             << result.torque.transpose() << " N\n";
 
   const bool holds = std::abs(held.x()) < 0.01 && guided.y() < 0.01 && guided.x() > 0.1 && stuck.x() < 3e-3;
   const bool slows = slowed.x() < 0.06 && both.x() < 0.06 && stopped.x() < 0.05;
-  return holds && slows && result.wall == -1 && std::abs(result.torque.x() + 0.8) < 1e-9 ? 0 : 1;
+  return holds && slows && result.wall_number == -1 && std::abs(result.torque.x() + 0.8) < 1e-9 ? 0 : 1;
 }

@@ -21,7 +21,8 @@ int main() {
                                ph::wall(ph::disc({0.1, 0.2}, 0.05)), ph::wall(ripple(), 2e4));
   const auto touched = ph::sense(scene, ph::point<2>(0.1, 0.16));
   for (const auto& c : touched) {
-    std::cout << "wall " << c.wall << ": depth " << c.depth << " m, normal " << c.normal.transpose() << "\n";
+    std::cout << "wall " << c.wall_number << ": depth " << c.depth << " m, normal " << c.normal.transpose()
+              << "\n";
   }
   return touched.size() == 1 ? 0 : 1;
 }

@@ -83,7 +83,7 @@ int main() {
   }
 
   double deepest = 0;
-  ph::control_loop loop({.most_overruns = 1000, .longest_sleep = 1});  // on a machine that does much else
+  ph::control_loop loop({.max_overruns = 1000, .longest_sleep = 1});  // on a machine that does much else
   const ph::loop_report report = loop.run(
       [&](const ph::loop_cycle& now) {
         port.read(now.time);

@@ -139,7 +139,7 @@ class session {
   bool cycle(const ph::loop_cycle& now) {
     port_.read(now.time);
     const samples read = last_samples(now.time);
-    const bool good = port_.held_over().what == ph::fault::none;
+    const bool good = port_.pending_fault().what == ph::fault::none;
     if (doing_ != phase::running && port_.state() == ph::port_state::ready && good)
       doing_ = device_->prepare(read);
     const bool released = port_.state() == ph::port_state::released;
@@ -178,7 +178,7 @@ class session {
     if (r.state == ph::port_state::ready && deepest_.is_over(configuration_.start.largest_start_depth))
       r.too_deep = deepest_;
     r.needs_homing = port_.needs_homing();
-    r.held_over = port_.held_over();
+    r.held_over = port_.pending_fault();
     r.current = port_.applied();
     r.current_is_known = port_.applied_is_known();
     r.late = now.late;

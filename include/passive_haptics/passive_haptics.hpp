@@ -43,7 +43,6 @@
 #include <passive_haptics/force/effects/rough_walls.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/force/effects/wall_friction.hpp>
-#include <passive_haptics/force/nearest_force.hpp>
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>

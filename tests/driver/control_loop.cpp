@@ -98,7 +98,7 @@ TEST_F(a_control_loop, that_wakes_late_keeps_the_phase_too) {
 }
 
 TEST_F(a_control_loop, releases_after_so_many_overruns_in_a_row) {
-  parameters.most_overruns = 3;
+  parameters.max_overruns = 3;
   wanted = 100;
   std::vector<int> when;
   ph::control_loop loop(parameters, test_clock{&clock});
@@ -181,7 +181,7 @@ TEST_F(a_control_loop, whose_clock_goes_back_within_a_period_releases) {
 }
 
 TEST_F(a_control_loop, may_overrun_so_often_from_its_first_cycle_on) {
-  parameters.most_overruns = 3;
+  parameters.max_overruns = 3;
   std::vector<std::size_t> released_before;
   const auto report = run([&](const ph::loop_cycle&) {
     released_before.push_back(released.size());
@@ -193,7 +193,7 @@ TEST_F(a_control_loop, may_overrun_so_often_from_its_first_cycle_on) {
 }
 
 TEST_F(a_control_loop, may_take_the_whole_period) {
-  parameters.most_overruns = 0;
+  parameters.max_overruns = 0;
   const auto report = run([](const ph::loop_cycle&) { return ms; });
   EXPECT_EQ(report.overruns + report.missed, 0u);
   EXPECT_EQ(released, std::vector{ph::fault::user});
@@ -230,8 +230,8 @@ TEST(a_loop_cycle, is_none_by_default) {
 TEST(control_loop_parameters, are_checked_by_name) {
   EXPECT_EQ(validate(ph::control_loop_parameters{}), "");
   EXPECT_EQ(validate(ph::control_loop_parameters{.period = 0}), "period [s] = 0, expected 1e-6 to 1");
-  EXPECT_EQ(validate(ph::control_loop_parameters{.most_overruns = -1}),
-            "most_overruns = -1, expected a whole number >= 0");
+  EXPECT_EQ(validate(ph::control_loop_parameters{.max_overruns = -1}),
+            "max_overruns = -1, expected a whole number >= 0");
   EXPECT_EQ(validate(ph::control_loop_parameters{.longest_sleep = 0}),
             "longest_sleep [s] = 0, expected a finite number > 0");
   EXPECT_THROW(ph::control_loop({.period = 2}), std::invalid_argument);

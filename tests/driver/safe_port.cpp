@@ -299,14 +299,14 @@ TEST_P(a_fault, of_one_cycle_is_bridged_where_it_can_be) {
   }
   EXPECT_EQ(r.port.state(), ph::port_state::degraded);
   if (GetParam().expected.source == encoders) {
-    EXPECT_EQ(r.port.held_over(), GetParam().expected);
+    EXPECT_EQ(r.port.pending_fault(), GetParam().expected);
     EXPECT_EQ(r.port.position(), position) << "the last good one stays";
   }
   EXPECT_TRUE(r.device.flows());
   EXPECT_FALSE(r.port.needs_homing());
   r.cycles(2);
   EXPECT_EQ(r.port.state(), ph::port_state::active);
-  EXPECT_EQ(r.port.held_over(), ph::fault_record{});
+  EXPECT_EQ(r.port.pending_fault(), ph::fault_record{});
   EXPECT_EQ(r.device.currents, r.wanted);
 }
 
@@ -374,14 +374,14 @@ TEST(a_safe_port, follows_a_sensor_that_restarted) {
   r.hold();
   r.cycle([](rig& s) { s.device.force.sequence += 5000; });
   EXPECT_EQ(r.port.state(), ph::port_state::degraded);
-  EXPECT_EQ(r.port.held_over(), (ph::fault_record{ph::fault::device_restarted, sensor}));
+  EXPECT_EQ(r.port.pending_fault(), (ph::fault_record{ph::fault::device_restarted, sensor}));
   for (int k = 0; k < 30; ++k) {
     r.cycle();
     ASSERT_EQ(r.port.state(), ph::port_state::active) << "a force has no home to lose";
     ASSERT_EQ(r.port.force(), r.device.force.value);
   }
   r.cycle([](rig& s) { --s.device.force.sequence; });
-  EXPECT_EQ(r.port.held_over().what, ph::fault::sample_repeated) << "its numbers are looked at again";
+  EXPECT_EQ(r.port.pending_fault().what, ph::fault::sample_repeated) << "its numbers are looked at again";
 }
 
 TEST(a_safe_port, is_degraded_from_the_first_bad_sample_to_the_next_good_one) {
@@ -468,7 +468,7 @@ TEST(a_safe_port, follows_counters_past_their_wrap) {
       s.device.sample.value = {std::fmod(65003.0 + 100 * k, 65536),
                                std::fmod(65536 * 8 + 303.0 - 100 * k, 65536)};
     });
-    ASSERT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.held_over());
+    ASSERT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.pending_fault());
     ASSERT_EQ(r.port.position()[0], 65003 + 100 * k);
     ASSERT_EQ(r.port.position()[1], 303 - 100 * k);
   }
@@ -492,7 +492,7 @@ TEST(a_safe_port, holds_over_a_gap_in_the_sequence_and_lets_the_device_go_on_mea
     ASSERT_EQ(r.port.state(), ph::port_state::degraded);
   }
   r.cycle();
-  EXPECT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.held_over());
+  EXPECT_EQ(r.port.state(), ph::port_state::active) << to_string(r.port.pending_fault());
   EXPECT_EQ(r.port.position()[0], before[0] + 15 * 150 + 3);
 }
 
@@ -1013,11 +1013,11 @@ TEST(the_currents, that_a_device_refuses_are_not_said_to_flow) {
   EXPECT_EQ(r.port.applied(), r.device.currents);
   EXPECT_FALSE(r.port.applied_is_known());
   EXPECT_FALSE(r.port.is_lost());
-  EXPECT_EQ(r.port.held_over(), (ph::fault_record{ph::fault::write_refused, brakes}));
+  EXPECT_EQ(r.port.pending_fault(), (ph::fault_record{ph::fault::write_refused, brakes}));
   r.cycle();
   EXPECT_EQ(r.port.applied(), r.wanted);
   EXPECT_TRUE(r.port.applied_is_known());
-  EXPECT_EQ(r.port.held_over(), ph::fault_record{});
+  EXPECT_EQ(r.port.pending_fault(), ph::fault_record{});
 }
 
 // A device that refuses all, a release too.
@@ -1036,7 +1036,7 @@ TEST(rearming, a_device_that_holds_and_refuses_is_told_as_it_is) {
     ASSERT_TRUE(applied == r.device.currents || (k >= 19 && std::isnan(applied[0])))
         << "what is on the brakes, or after hold_over nobody knows";
     ASSERT_FALSE(r.port.applied_is_known());
-    ASSERT_EQ(r.port.held_over(), (ph::fault_record{ph::fault::write_refused, brakes}));
+    ASSERT_EQ(r.port.pending_fault(), (ph::fault_record{ph::fault::write_refused, brakes}));
     ASSERT_FALSE(r.port.activate());
   }
   EXPECT_EQ(r.port.state(), ph::port_state::released) << "not 'ready' while current flows";

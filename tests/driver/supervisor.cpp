@@ -126,7 +126,7 @@ struct a_supervised_loop : ::testing::Test {
     device->supervisor = guard.pid();
     const ph::stop_signals signals;
     ph::control_loop loop_at_1_khz(
-        ph::control_loop_parameters{.most_overruns = 1000000, .longest_sleep = 1e9});
+        ph::control_loop_parameters{.max_overruns = 1000000, .longest_sleep = 1e9});
     int k = 0;
     const auto report = loop_at_1_khz.run(
         [&](const ph::loop_cycle& now) {

@@ -59,7 +59,7 @@ outcome safe_port_is_released() {
                                      sensor(sensor_parameters(configured_by_hand)));
   if (const auto text = device.open(); !text.empty()) return wrong(text);
   device.read(ph::monotonic_seconds());
-  if (!device.activate()) return wrong("not activated: " + to_string(device.held_over()));
+  if (!device.activate()) return wrong("not activated: " + to_string(device.pending_fault()));
   device.write({1, 1});
   configure(false);
   const auto state = device.read(ph::monotonic_seconds());

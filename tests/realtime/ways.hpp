@@ -39,9 +39,9 @@ void run(const M& mechanism, Scene scene, Law law, ways& seen) {
     if (k % 100 == 99) state.q[0] = std::numeric_limits<T>::quiet_NaN();
     ph::step_result<M> result;
     ASSERT_EQ(allocations_in([&] { result = control(state); }), 0) << "cycle " << k;
-    const bool touches = result.outcome == ph::status::ok && result.wall >= 0;
+    const bool touches = result.outcome == ph::status::ok && result.wall_number >= 0;
     seen.fault |= result.outcome != ph::status::ok;
-    seen.free |= result.outcome == ph::status::ok && result.wall < 0;
+    seen.free |= result.outcome == ph::status::ok && result.wall_number < 0;
     seen.exact |= touches && result.display == ph::display_class::exact;
     seen.approximate |= touches && result.display == ph::display_class::approximate;
     seen.none |= touches && result.display == ph::display_class::none;

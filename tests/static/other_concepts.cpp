@@ -138,7 +138,7 @@ struct complete_law {
   template <class T, int D>
   T scale(const ph::contact_situation<T, D>&) const noexcept;
 };
-static_assert(ph::ControlLaw<complete_law> && !ph::gives_way<complete_law>);
+static_assert(ph::ControlLaw<complete_law> && !ph::nulls_normal_force<complete_law>);
 static_assert(!ph::needs_hand_force<complete_law> && !ph::needs_brake_lag<complete_law>);
 struct law_that_may_throw {
   template <class T, int D>

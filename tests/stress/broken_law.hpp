@@ -86,7 +86,8 @@ const char* broken_law(const M& mechanism, const ph::brakes_of<M>& brakes, const
     return capacity.isZero(T(0)) && t.isZero(T(0)) ? nullptr : "a fault releases all brakes";
   if (!ph::all_finite(t) || !ph::all_finite(capacity)) return "torque and capacity are finite";
   if ((capacity.array() < T(0)).any()) return "0 <= capacity";
-  if (result.wall < 0) return capacity.isZero(T(0)) ? nullptr : "where no force is desired no brake works";
+  if (result.wall_number < 0)
+    return capacity.isZero(T(0)) ? nullptr : "where no force is desired no brake works";
   if ((capacity.array() > brakes.torque_limit.array()).any()) return "capacity <= limit";
   if ((t.array().abs() > capacity.array()).any()) return "|torque| <= capacity";
   if ((result.signs.array() * t.array() > T(0)).any()) return "s_i t_i <= 0";

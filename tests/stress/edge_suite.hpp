@@ -20,7 +20,7 @@ struct tally {
   template <class Result>
   void add(const Result& r) {
     ++outcomes[static_cast<std::size_t>(r.outcome)];
-    if (r.outcome == ph::status::ok && r.wall >= 0) ++displays[static_cast<std::size_t>(r.display)];
+    if (r.outcome == ph::status::ok && r.wall_number >= 0) ++displays[static_cast<std::size_t>(r.display)];
   }
   void print() const {
     const auto as = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };

@@ -81,7 +81,7 @@ class hard_cases {
       wall.stiffness = one_in(8) ? 0 : random_.positive(1e-3, 1e12);
       if (one_in(2))
         wall.wall_velocity = random_.positive(1e-6, 1e3) * random_.template direction<double, d>();
-      wall.wall = j;
+      wall.wall_number = j;
       c.touched.push_back(wall);
     }
     return c;

@@ -84,7 +84,7 @@ class wanderer {
     ph::point<d> normal = ph::point<d>::Zero();
     normal[0] = std::cos(angle);
     normal[d - 1] = std::sin(angle);
-    return {.normal = normal, .depth = depth, .stiffness = stiffness_, .wall = number};
+    return {.normal = normal, .depth = depth, .stiffness = stiffness_, .wall_number = number};
   }
 
   ph::joint_vector<M> lower_, upper_, q_, qd_;
@@ -112,7 +112,7 @@ void walk(std::uint64_t cycles) {
       way.walk(state, touched);
       state.time = 1e-3 * static_cast<double>(done);
       const ph::step_result<M> result = control(state);
-      in_contact += result.wall >= 0;
+      in_contact += result.wall_number >= 0;
       working += !result.capacity.isZero(0);
       limited += result.saturated;
       faults += result.outcome != ph::status::ok;

@@ -38,8 +38,8 @@ struct comedi_brake {
         member("range", &p::range, "", detail::card_index),
         member("amperes_per_volt", &p::amperes_per_volt, "A/V",
                ph::range::positive.as("a finite number > 0, the amplifier's gain"))
-            .large_over(1000),
-        member("largest_current", &p::largest_current, "A", ph::range::not_negative).large_over(1000));
+            .suspicious_above(1000),
+        member("largest_current", &p::largest_current, "A", ph::range::not_negative).suspicious_above(1000));
   }
 };
 

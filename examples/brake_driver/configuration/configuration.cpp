@@ -88,9 +88,9 @@ void read_brakes(toml_section from, configuration& c) {
     curve.current_limit = limit[i];
     curve.hysteresis = hysteresis[i];
     curve.loss_per_kelvin = loss[i];
-    std::array<double, 2 * ph::brake_curve::most_points> pairs{};
+    std::array<double, 2 * ph::brake_curve::max_points> pairs{};
     const char* const table = i == 0 ? "table_1" : "table_2";
-    curve.points = static_cast<int>(from.read_pairs(table, pairs.data(), ph::brake_curve::most_points));
+    curve.points = static_cast<int>(from.read_pairs(table, pairs.data(), ph::brake_curve::max_points));
     if (curve.points == 0) {
       from.refuse(table, "2 to 16 pairs of amperes and newton metres; write them down, or remove it");
       curve.torque_per_ampere = slope[i];

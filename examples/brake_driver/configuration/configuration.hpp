@@ -43,7 +43,7 @@ struct start_parameters {
     using p = start_parameters;
     return ph::member_table(
         ph::member("largest_start_depth", &p::largest_start_depth, "m", ph::range::not_negative)
-            .large_over(0.1));
+            .suspicious_above(0.1));
   }
 };
 

@@ -23,8 +23,9 @@ struct serial_port_parameters {
   static constexpr auto members() {
     using p = serial_port_parameters;
     using ph::member, ph::range;
-    return ph::member_table(member("device", &p::device), member("baud", &p::baud, "bit/s"),
-                            member("open_timeout", &p::open_timeout, "s", range::positive).large_over(600));
+    return ph::member_table(
+        member("device", &p::device), member("baud", &p::baud, "bit/s"),
+        member("open_timeout", &p::open_timeout, "s", range::positive).suspicious_above(600));
   }
   /// It has a device, at a rate that serial ports know.
   std::string rules() const {

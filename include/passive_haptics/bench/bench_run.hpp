@@ -27,7 +27,7 @@ struct bench_parameters {
   double largest_rate = 2e5;     ///< Of the encoder: faster is a jump [counts/s].
   double largest_reading = std::numeric_limits<double>::infinity();  ///< There the sensor is saturated.
   double hold_over = 0.1;  ///< Longest time without a new good sample, or while writes are refused [s].
-  int most_missed = 100;   ///< Periods in a row without a new good sample, then the test ends.
+  int max_missed = 100;    ///< Periods in a row without a new good sample, then the test ends.
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -43,7 +43,7 @@ struct bench_parameters {
         member("largest_reading", &p::largest_reading, "",
                passive_haptics::range{.lower = 0, .open_above = false}),
         member("hold_over", &p::hold_over, "s", range::positive),
-        member("most_missed", &p::most_missed, "", range::between(1, 100000).as("1 to 100000")));
+        member("max_missed", &p::max_missed, "", range::between(1, 100000).as("1 to 100000")));
   }
   /// The limits of a safe_port to this brake, encoder and channel.
   safe_port_parameters<1, 1> limits() const {
@@ -119,7 +119,7 @@ inline constexpr double longest_bench_overtime = 1;
 ///
 /// Throws std::invalid_argument with the text of validate(p), or where the port has no such brake, encoder or
 /// channel. Throws std::runtime_error that names the fault where the safe_port released the brake, or no good
-/// sample came for most_missed periods, and at the latest longest_bench_overtime after the test should have
+/// sample came for max_missed periods, and at the latest longest_bench_overtime after the test should have
 /// ended. In any case the brakes are released. A wait, read or write that never returns keeps the current on:
 /// take a threaded_port, and run a supervisor.
 template <BrakePort P, ForceSensor S, class Current, class Wait>
@@ -154,7 +154,7 @@ std::vector<bench_sample> record_on_bench(P& port, S& sensor, const bench_parame
           detail::error_text("time of the test on this machine's clock [s]", lasted,
                              detail::indexed("at most ", longest, ": check the clock of the samples")));
     double wanted = bench.applied()[0];
-    if (bench.held_over().what == fault::none) {
+    if (bench.pending_fault().what == fault::none) {
       missed = 0;
       if (bench.activate()) start = bench.position_time() + p.settling_time;
       const double time = bench.position_time() - start;
@@ -163,8 +163,8 @@ std::vector<bench_sample> record_on_bench(P& port, S& sensor, const bench_parame
                        p.torque_per_unit * bench.force()[0] - p.torque_at_zero});
       if (time >= duration) return all;
       wanted = current_at(std::max(time, 0.0));
-    } else if (++missed > p.most_missed) {
-      fail(bench.held_over());
+    } else if (++missed > p.max_missed) {
+      fail(bench.pending_fault());
     }
     if (bench.write({wanted > 0 ? std::min(wanted, p.current_limit) : 0}) == port_state::released)
       fail(bench.reason());

@@ -41,7 +41,7 @@ struct curve_fit {
 template <int N, class Samples, class Residual>
 curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, const Residual& residual) {
   using variable = dual_number<double, N>;
-  constexpr int most_steps = 100;
+  constexpr int max_steps = 100;
   constexpr double no_gain = 1e-12;
   const auto cost = [&](const vector<double, N>& p) {
     double sum = 0;
@@ -68,7 +68,7 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
     }
   };
   linearise();
-  for (int step = 0; step < most_steps && lambda < 1e12; ++step) {
+  for (int step = 0; step < max_steps && lambda < 1e12; ++step) {
     matrix<double, N, N> damped = A;
     damped.diagonal() *= 1 + lambda;
     const vector<double, N> next = fit.value - vector<double, N>(cholesky<double, N>(damped).solve(g));
@@ -92,8 +92,8 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
   const matrix<double, N, N> scale = size.cwiseInverse().asDiagonal();
   const cholesky<double, N> scaled(matrix<double, N, N>(scale * A * scale));
   const matrix<double, N, N> inverse = scaled.solve(matrix<double, N, N>(matrix<double, N, N>::Identity()));
-  constexpr double most = 1e12;  // variance inflation beyond which rounding decides
-  if (scaled.is_positive_definite() && inverse.diagonal().maxCoeff() < most)
+  constexpr double max_variance = 1e12;  // variance inflation beyond which rounding decides
+  if (scaled.is_positive_definite() && inverse.diagonal().maxCoeff() < max_variance)
     fit.covariance = fit.deviation * fit.deviation * scale * inverse * scale;
   else fit.covariance.setConstant(std::numeric_limits<double>::infinity());
   return fit;

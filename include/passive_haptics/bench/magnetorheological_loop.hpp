@@ -36,9 +36,9 @@ inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& r
                                 [greatest]<class S>(const branch_sample& s, const vector<S, 4>& p) -> S {
                                   if (!(p[1] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
                                   const double j = s.current / greatest;
-                                  const S up = j - p[2], down = j + p[2], most = S(1) - p[2];
+                                  const S up = j - p[2], down = j + p[2], limit = S(1) - p[2];
                                   const S m =
-                                      s.falling ? (down < most ? down : most) : (up > S(0) ? up : S(0));
+                                      s.falling ? (down < limit ? down : limit) : (up > S(0) ? up : S(0));
                                   return detail::magnetorheological_torque(p, m) - s.torque;
                                 });
   return {greatest, fit[0], fit[1], fit[2], fit[3], fit.deviation};
@@ -71,9 +71,9 @@ inline magnetorheological_step fit_magnetorheological_step(std::span<const bench
                                   if (!(p[0] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
                                   const S since = s.time - last_before.time - p[1];
                                   const S left = since > S(0) ? S(exp(-since / p[0])) : S(1);
-                                  const S up = J * (S(1) - left) - c, fallen = J * left + c, most = S(J - c);
+                                  const S up = J * (S(1) - left) - c, fallen = J * left + c, limit = S(J - c);
                                   const S m =
-                                      down ? (fallen < most ? fallen : most) : (up > S(0) ? up : S(0));
+                                      down ? (fallen < limit ? fallen : limit) : (up > S(0) ? up : S(0));
                                   return detail::magnetorheological_torque<double>(constants, m) - s.torque;
                                 });
   return {fit[0], fit[1], fit.deviation};

@@ -53,11 +53,11 @@ curve_fit<N> fit_against_rate(std::span<const rate_and_torque> means, const vect
 }
 
 inline double fastest(std::span<const rate_and_torque> means) {
-  double most = 0;
-  for (const auto& s : means) most = std::max(most, std::abs(s.rate));
-  if (!(most > 0))
-    require_no_error(error_text("fastest rate [rad/s]", most, "> 0: turn the axis, slowly and fast"));
-  return most;
+  double fastest_rate = 0;
+  for (const auto& s : means) fastest_rate = std::max(fastest_rate, std::abs(s.rate));
+  if (!(fastest_rate > 0))
+    require_no_error(error_text("fastest rate [rad/s]", fastest_rate, "> 0: turn the axis, slowly and fast"));
+  return fastest_rate;
 }
 
 }  // namespace detail

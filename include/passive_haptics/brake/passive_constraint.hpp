@@ -20,13 +20,14 @@ namespace passive_haptics {
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,
                                  const vector<T, Brakes>& th, const vector<T, Brakes>& s, const B& brakes) {
-  const lanes told = td, push = th;
-  const auto opposes = lanes(s) * told < T(0);
+  const lanes commanded = td, push = th;
+  const auto opposes = lanes(s) * commanded < T(0);
   if constexpr (StickingBrakes<B, T, Brakes>) {
-    const auto gives_way = slips<lanes<T, Brakes>>(w, brakes.rate_dead_band) | (abs(told) <= abs(push));
-    return choose(opposes, choose(gives_way, told, -push), T(0));
+    const auto slips_or_is_overcome =
+        slips<lanes<T, Brakes>>(w, brakes.rate_dead_band) | (abs(commanded) <= abs(push));
+    return select(opposes, select(slips_or_is_overcome, commanded, -push), T(0));
   } else {
-    return choose(opposes, told, T(0));
+    return select(opposes, commanded, T(0));
   }
 }
 

@@ -28,8 +28,8 @@ auto slips(const T& rate, const T& rate_dead_band) {
 template <class T>
 T brake_sign(const T& w, const T& th, const T& rate_dead_band, const T& torque_dead_band) {
   using std::abs;
-  const T push = choose(abs(th) > torque_dead_band, th, T(0));
-  return sgn(choose(slips(w, rate_dead_band), w, push));
+  const T push = select(abs(th) > torque_dead_band, th, T(0));
+  return sgn(select(slips(w, rate_dead_band), w, push));
 }
 
 /// Signs s (m) of all brakes from their rates w [rad/s] and the hand torques th [N m] on their axes, each

@@ -47,7 +47,8 @@ struct contact_situation {
 ///   - `static constexpr bool needs_hand_force`: the state must have a hand force, so the device a sensor;
 ///   - `static constexpr bool saturates_before_scaling`: alpha scales torques that are already cut to the
 ///     brakes' limits. Else they are cut after, as the paper prints it. Of one contact only;
-///   - `static constexpr bool gives_way`: the force of a contact being left is scaled so that nothing remains
+///   - `static constexpr bool nulls_normal_force`: the force of a contact being left is scaled so that
+///   nothing remains
 ///     normal to the wall. Of several contacts these are then met before the others.
 template <class L>
 concept ScalingLaw = requires(const L law, const contact_situation<double, 2> situation) {
@@ -92,7 +93,7 @@ concept ControlLaw = ScalingLaw<L> || TorqueLaw<L>;
 
 /// Whether a law gives way to a hand that leaves a wall.
 template <class L>
-inline constexpr bool gives_way = requires { requires L::gives_way; };
+inline constexpr bool nulls_normal_force = requires { requires L::nulls_normal_force; };
 /// Whether alpha of a law scales what the brakes can make of Fc, not Fc itself.
 template <class L>
 inline constexpr bool saturates_before_scaling = requires { requires L::saturates_before_scaling; };

@@ -40,13 +40,13 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
   const task_vector<M> v = times(E, w), Fh = ph::hand_force<M>(state);
   const brake_vector<M> th = ph::hand_torque<M>(state, E, brakes);
   const brake_vector<M> s = ph::brake_signs(w, th, brakes);
-  const brake_situation<M, decltype(E), std::remove_cvref_t<decltype(brakes)>> now{
+  const brake_situation<M, decltype(E), std::remove_cvref_t<decltype(brakes)>> device{
       setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh};
 
   // Section 4, and what the mechanism will feel of it
-  const auto steps = way.command(now, memory);
+  const auto steps = way.command(device, memory);
   const brake_vector<M> t = ph::passive_torque(steps.td.torque, w, th, s, brakes);
-  return way.result(now, steps, t, memory);
+  return way.result(device, steps, t, memory);
 }
 
 /// One control cycle: where the device is, what it touches, what its brakes do. scene: of a controller, or
@@ -64,7 +64,8 @@ PASSIVE_HAPTICS_PART Result cycle(const Setup& setup, S& scene, const State& sta
   if (const status s = ph::status_of(scene); s != status::ok)
     return ph::released<Result>(setup, state.time, s, memory);
   if constexpr (ScalingLaw<typename Setup::law_type> && std::remove_cvref_t<decltype(touched)>::capacity > 1)
-    if (touched.size() == 1) return ph::display_walls<Result>(setup, pose, state, x, alone(touched), memory);
+    if (touched.size() == 1)
+      return ph::display_walls<Result>(setup, pose, state, x, as_single(touched), memory);
   return ph::display_walls<Result>(setup, pose, state, x, touched, memory);
 }
 

@@ -8,6 +8,7 @@
 #include <passive_haptics/control/step_options.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/status.hpp>
+#include <passive_haptics/scene/contacts.hpp>
 
 #include <type_traits>
 

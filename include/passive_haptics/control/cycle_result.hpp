@@ -9,7 +9,6 @@
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/desired_force.hpp>
-#include <passive_haptics/force/nearest_force.hpp>
 
 namespace passive_haptics {
 
@@ -46,10 +45,11 @@ status check_command(const Contacts& touched, const Outward& outward, bool is_sh
 }
 
 /// How Fd is displayed: where it is not, whether any force could be. That is a question of self-motion.
-template <class M, class Now, class Force>
-display_class display_of(const Now& now, const Force& Fc) {
+template <class M, class Device, class Force>
+display_class display_of(const Device& device, const Force& Fc) {
   if constexpr (M::dof > M::task_dimension && !has_inertial_forces<M>)
-    if (Fc.display == display_class::none && cone_is_zero(now.E, now.s)) return display_class::empty_cone;
+    if (Fc.display == display_class::none && cone_is_zero(device.E, device.s))
+      return display_class::empty_cone;
   return Fc.display;
 }
 
@@ -66,14 +66,14 @@ struct display_steps {
 
 /// The result of these steps for Fd, which wall `wall` demands. t: what the mechanism will feel [N m]. What
 /// Result has no member for is not computed.
-template <class Result, class Now, class Walls, class T, int D, int Brakes>
-PASSIVE_HAPTICS_PART Result result_of(const Now& now, const Walls& touched, int wall,
+template <class Result, class Device, class Walls, class T, int D, int Brakes>
+PASSIVE_HAPTICS_PART Result result_of(const Device& device, const Walls& touched, int wall,
                                       const desired_force<T, D>& Fd, const display_steps<T, D, Brakes>& steps,
                                       const vector<T, Brakes>& t) {
-  using M = typename Now::mechanism_type;
+  using M = typename Device::mechanism_type;
   const auto& [Fc, alpha, Fc_scaled, td] = steps;
   const bool is_share = alpha >= T(0) && alpha <= T(1);
-  const T leaving = outward(Fd, now.v);
+  const T leaving = outward(Fd, device.v);
   status outcome;
   if constexpr (requires(Result result) { result.control_force; })  // not smaller than Fc_scaled
     outcome = check_command<T>(touched, leaving, is_share, Fc.force, Fc.torque);
@@ -85,16 +85,16 @@ PASSIVE_HAPTICS_PART Result result_of(const Now& now, const Walls& touched, int 
   result.capacity = td.torque.cwiseAbs();
   if constexpr (requires { result.torque; }) {
     result.torque = t;
-    result.power = classify_power(Fd.direction.dot(now.v), Fc.display == display_class::exact);
-    result.display = passive_haptics::display_of<M>(now, Fc);
+    result.power = classify_power(Fd.direction.dot(device.v), Fc.display == display_class::exact);
+    result.display = passive_haptics::display_of<M>(device, Fc);
     result.saturated = td.limited;
-    result.wall = wall;
+    result.wall_number = wall;
     result.alpha = alpha;
     result.approximation_cosine = Fc.cosine();
     result.desired_force = Fd.magnitude * Fd.direction;
     result.control_force = Fc.force;
     result.cone_coefficients = Fc.torque;
-    result.signs = now.s;
+    result.signs = device.s;
   }
   return result;
 }

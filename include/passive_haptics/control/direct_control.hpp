@@ -46,8 +46,8 @@ struct no_direct_control {
 /// With a dead band the normal force is nulled before the handle moves out, which holds off part of the
 /// brakes' lag. The handle then sinks at up to v_dead. Of several contacts those being left come first.
 struct direct_control {
-  static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
-  static constexpr bool gives_way = true;         ///< Leaves nothing normal where the handle moves out.
+  static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
+  static constexpr bool nulls_normal_force = true;  ///< Leaves nothing normal where the handle moves out.
 
   double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is the law as printed.
 
@@ -62,7 +62,7 @@ struct direct_control {
   template <class T, int D>
   T scale(const contact_situation<T, D>& c) const noexcept {
     const T alpha = clamped(-c.hand_force.dot(c.normal) / c.desired_magnitude, T(0), T(1));
-    return choose(c.normal_velocity > -static_cast<T>(velocity_dead_band), alpha, T(1));
+    return select(c.normal_velocity > -static_cast<T>(velocity_dead_band), alpha, T(1));
   }
 };
 

@@ -31,11 +31,11 @@ saturated_torque<T, Brakes> operator*(T a, const saturated_torque<T, Brakes>& t)
 template <class T, int Brakes>
 saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<T, Brakes>& limit,
                                      saturation policy) {
-  const lanes wanted = t, most = limit, size = abs(wanted);
-  const auto is_over = size > most;
+  const lanes wanted = t, bound = limit, size = abs(wanted);
+  const auto is_over = size > bound;
   lanes<T, Brakes> within = wanted;
-  if (policy == saturation::keep_direction) within = within * least(choose(is_over, most / size, T(1)));
-  return {max(min(within, most), -most), any(is_over)};
+  if (policy == saturation::keep_direction) within = within * least(select(is_over, bound / size, T(1)));
+  return {max(min(within, bound), -bound), any(is_over)};
 }
 
 /// Torques t [N m] within the limits of the brakes, where they have some.

@@ -16,10 +16,10 @@ namespace passive_haptics {
 /// What became of one of several contacts.
 template <class T>
 struct contact_report {
-  int wall = -1;       ///< Wall of the scene.
-  T wanted = T(0);     ///< Normal force that the law wanted [N].
-  T displayed = T(0);  ///< Normal force n_j . F that is commanded [N].
-  bool first = false;  ///< It was being left under a law that gives way, so it was met before the others.
+  int wall_number = -1;       ///< Wall of the scene.
+  T wanted = T(0);            ///< Normal force that the law wanted [N].
+  T displayed = T(0);         ///< Normal force n_j . F that is commanded [N].
+  bool has_priority = false;  ///< Met before the others: it was being left, and the law gives way.
 };
 
 /// What a driver needs of a cycle.
@@ -49,7 +49,7 @@ struct step_result {
   /// it.
   display_class display = display_class::exact;
   bool saturated = false;                                 ///< A torque limit was reached.
-  int wall = -1;                                          ///< Wall that asks for the force; -1 in free space.
+  int wall_number = -1;                                   ///< Wall that asks for the force; -1 in free space.
   scalar alpha = scalar(1);                               ///< Scale factor of the law (12).
   scalar approximation_cosine = scalar(1);                ///< cos(gamma); 0 where nothing is displayed.
   task_vector<M> desired_force = task_vector<M>::Zero();  ///< Fd [N], base frame.

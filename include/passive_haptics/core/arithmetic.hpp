@@ -51,7 +51,7 @@ constexpr T sgn(T x) {
 /// two of what depends on the choice, one for a and one for b.
 template <class X>
   requires(std::is_arithmetic_v<X> || std::is_enum_v<X>)
-X choose(bool where, X a, X b) {
+X select(bool where, X a, X b) {
   if constexpr (sizeof(X) > sizeof(std::uint64_t)) {
     return where ? a : b;
   } else {

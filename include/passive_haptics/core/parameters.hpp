@@ -34,7 +34,7 @@ struct member : member_description {
       : member_description{called, in, within}, pointer(where) {}
 
   /// The same, large over this magnitude: of what keeps people and devices safe.
-  constexpr member large_over(double magnitude) const {
+  constexpr member suspicious_above(double magnitude) const {
     member same = *this;
     same.large = magnitude;
     return same;
@@ -57,7 +57,7 @@ constexpr member<P, V> choice(const char* called, V P::* where, const char* amon
 /// A member may be a number, a vector or matrix, an array, another such struct, an enumeration, a bool or a
 /// std::string. What no range can say (a direction that is read only for some values of another member, a
 /// sum) is the struct's own `error_message rules() const`: an error, or empty. It may take the members to be
-/// valid. A `static constexpr const char* owner = "a ball"` makes errors say whose radius it is.
+/// valid. A `static constexpr const char* type_name = "a ball"` makes errors say whose radius it is.
 template <class... Members>
 constexpr auto member_table(const Members&... members) {
   // Not a Hana tuple: that made the umbrella header 3.1 % dearer to compile, this 1.3 %
@@ -85,7 +85,7 @@ namespace detail {
 struct place {
   const place* outer = nullptr;
   const char* name = "";
-  const char* owner = "";
+  const char* type_name = "";
   int row = -1, column = -1;  // of a vector or matrix
 
   std::string text() const {
@@ -99,7 +99,7 @@ struct place {
   // With bars for a length, whose it is and the unit.
   std::string text(const char* unit, const char* bars = "") const {
     std::string all = std::string(bars).append(text()).append(bars);
-    if (*owner != '\0') all.append(" of ").append(owner);
+    if (*type_name != '\0') all.append(" of ").append(type_name);
     if (*unit != '\0') all.append(" [").append(unit).append("]");
     return all;
   }
@@ -107,7 +107,7 @@ struct place {
 
 template <class P>
 constexpr const char* owner_of() {
-  if constexpr (requires { P::owner; }) return P::owner;
+  if constexpr (requires { P::type_name; }) return P::type_name;
   else return "";
 }
 
@@ -146,12 +146,13 @@ void visit_member(const member_description& about, place at, const V& value, Vis
   } else if constexpr (requires { value.begin(); } && !requires { value.c_str(); }) {
     at.row = 0;
     for (const auto& element : value) {
-      if constexpr (requires { element.size(); }) visit_member(about, place{&at, "", at.owner}, element, to);
+      if constexpr (requires { element.size(); })
+        visit_member(about, place{&at, "", at.type_name}, element, to);
       else visit_member(about, at, element, to);
       ++at.row;
     }
     if constexpr (std::is_floating_point_v<typename V::value_type>)
-      if (about.hard.is_direction) to.length(about, place{at.outer, at.name, at.owner}, length_of(value));
+      if (about.hard.is_direction) to.length(about, place{at.outer, at.name, at.type_name}, length_of(value));
   } else {
     to.value(about, at, value);
   }
@@ -204,13 +205,13 @@ error_message validate(const P& p) {
   return check.error;
 }
 
-/// The same of a value by itself, a number, vector, matrix or array; owner: whose it is.
+/// The same of a value by itself, a number, vector, matrix or array; type_name: whose it is.
 template <class V>
 error_message check_value(const char* name, const V& value, const char* unit, const range& hard,
-                          const char* owner = "") {
+                          const char* type_name = "") {
   detail::checker check;
-  detail::visit_member(member_description{name, unit, hard}, detail::place{.name = name, .owner = owner},
-                       value, check);
+  detail::visit_member(member_description{name, unit, hard},
+                       detail::place{.name = name, .type_name = type_name}, value, check);
   return check.error;
 }
 

@@ -46,8 +46,8 @@ struct range {
     using bound = std::conditional_t<std::is_floating_point_v<T>, T, double>;
     if (!is_checked) return true;
     const auto value = static_cast<bound>(x), least = static_cast<bound>(lower),
-               most = static_cast<bound>(upper);
-    return (open_below ? value > least : value >= least) && (open_above ? value < most : value <= most);
+               highest = static_cast<bound>(upper);
+    return (open_below ? value > least : value >= least) && (open_above ? value < highest : value <= highest);
   }
 };
 

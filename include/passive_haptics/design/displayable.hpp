@@ -53,7 +53,7 @@ vector<T, Brakes> signs_in_motion(const matrix<T, Brakes, D>& A, const matrix<T,
 
 // Largest power t . w of torques in the box at rates w. A rate of rounding size is none.
 template <class T, int Brakes>
-T most_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& w) {
+T largest_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& w) {
   const T rounding = rounding_tolerance<T>(Brakes) * w.cwiseAbs().maxCoeff();
   T sum = T(0);
   for (int i = 0; i < Brakes; ++i)
@@ -73,7 +73,7 @@ T least_resistance(const matrix<T, D, Brakes>& E, const torque_box<T, Brakes>& b
       if ((moving >> i & 1u) == 0) moved.col(i).setZero();
     const vector<T, Brakes> w = orthogonal_decomposition<T, D, Brakes>(moved, tolerance).solve(n);
     const T rounding = tolerance * (T(1) + (moved.cwiseAbs() * w.cwiseAbs()).norm());
-    if ((moved * w - n).norm() <= rounding) least = std::min(least, most_resistance(box, w));
+    if ((moved * w - n).norm() <= rounding) least = std::min(least, largest_resistance(box, w));
   }
   return least;
 }
@@ -114,7 +114,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   const auto Fc = approximate(E, found.signs, n, T(0));
   const torque_box<T, m> box = torques_within(found.signs, limit);
   const bool one_way = joints == d && moving.rank() == d;  // of the brakes to move along n
-  tell(found, n, Fc, one_way ? most_resistance<T, m>(box, A * n) : least_resistance(E, box, n), limit);
+  tell(found, n, Fc, one_way ? largest_resistance<T, m>(box, A * n) : least_resistance(E, box, n), limit);
   if (joints > d && found.display == display_class::none && cone_is_zero(E, found.signs))
     found.display = display_class::empty_cone;
 }
@@ -134,7 +134,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   found.signs = signs_in_motion<T, m, d>(transposed(G), E, v);
   const auto Fc = approximate_by_generators(G, found.signs, n, T(0));
   const brake_vector<M> outwards = G.transpose() * n;
-  tell(found, n, Fc, most_resistance<T, m>(torques_within(found.signs, limit), outwards), limit);
+  tell(found, n, Fc, largest_resistance<T, m>(torques_within(found.signs, limit), outwards), limit);
 }
 
 }  // namespace detail

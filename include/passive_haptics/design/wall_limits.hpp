@@ -35,7 +35,7 @@ struct braked_wall {
   double averaging_time = 2 * (low_pass_time_constant(50.0) + velocity_direct_control_parameters().rate_lag);
   double rest_depth = velocity_direct_control_parameters().rest_depth;  ///< d_0 of the law [m].
 
-  static constexpr const char* owner = "a braked_wall";  ///< In errors.
+  static constexpr const char* type_name = "a braked_wall";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = braked_wall;

@@ -17,17 +17,18 @@ namespace passive_haptics {
 
 /// Timing of a control loop.
 struct control_loop_parameters {
-  double period = 1e-3;   ///< [s]; section 5.1: 1 kHz.
-  int most_overruns = 5;  ///< So many cycles in a row may end late; one more releases the brakes.
+  double period = 1e-3;  ///< [s]; section 5.1: 1 kHz.
+  int max_overruns = 5;  ///< So many cycles in a row may end late; one more releases the brakes.
   /// Waking later than this releases the brakes: the machine or the process stood still [s].
   double longest_sleep = 0.1;
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = control_loop_parameters;
-    return member_table(member("period", &p::period, "s", range::between(1e-6, 1)),
-                        member("most_overruns", &p::most_overruns, "", range::at_least(0)).large_over(1e6),
-                        member("longest_sleep", &p::longest_sleep, "s", range::positive).large_over(10));
+    return member_table(
+        member("period", &p::period, "s", range::between(1e-6, 1)),
+        member("max_overruns", &p::max_overruns, "", range::at_least(0)).suspicious_above(1e6),
+        member("longest_sleep", &p::longest_sleep, "s", range::positive).suspicious_above(10));
   }
 };
 
@@ -105,7 +106,7 @@ class control_loop {
         continue;
       }
       ++report.overruns;
-      if (++overruns > p_.most_overruns) release(fault::overruns);
+      if (++overruns > p_.max_overruns) release(fault::overruns);
       // Only such deadlines as are still ahead
       const std::int64_t past = (end - start) / period_ - number;
       report.missed += static_cast<std::uint64_t>(past);

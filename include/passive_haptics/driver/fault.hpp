@@ -78,13 +78,13 @@ struct fault_record {
 };
 
 /// Whether nothing can stand in for what is lost: the brakes are released at once.
-constexpr bool at_once(const fault_record& i) noexcept {
+constexpr bool releases_immediately(const fault_record& i) noexcept {
   return i.what == fault::device_lost || i.what == fault::encoder_frozen ||
          (i.what == fault::device_restarted && i.source == fault_source::encoders);
 }
 
 /// Whether the encoders may have lost their way, if it lasts.
-constexpr bool in_doubt(fault f) noexcept {
+constexpr bool invalidates_position(fault f) noexcept {
   return f == fault::device_lost || f == fault::device_restarted || f == fault::sample_out_of_order ||
          f == fault::channel_invalid || f == fault::value_not_finite || f == fault::count_out_of_range ||
          f == fault::encoder_jump || f == fault::encoder_frozen;

@@ -47,8 +47,8 @@ inline double rate_lag(double resolution, int window, double period, double acce
 ///     2 sqrt(resolution / a) + 2 T                                    if that is within window T,
 ///     2 resolution / (a window T) + window T / 2 + 2 T     else. [s]
 inline double rate_onset(double resolution, int window, double period, double acceleration) noexcept {
-  const double two_steps = 2 * std::sqrt(resolution / acceleration), most = window * period;
-  return 2 * period + (two_steps <= most ? two_steps : 2 * resolution / (acceleration * most) + 0.5 * most);
+  const double two_steps = 2 * std::sqrt(resolution / acceleration), span = window * period;
+  return 2 * period + (two_steps <= span ? two_steps : 2 * resolution / (acceleration * span) + 0.5 * span);
 }
 
 /// Rates of `Axes` encoders. Of each, the end-fit first-order adaptive window (Janabi-Sharifi, Hayward, Chen,
@@ -135,18 +135,19 @@ class rate_estimator {
   void estimate(int i) noexcept {
     history& of = axis(i);
     const sample now = of.back(0);
-    double least = -std::numeric_limits<double>::infinity(), most = -least;  // slopes that pass all samples
+    double least = -std::numeric_limits<double>::infinity(),
+           steepest = -least;  // slopes that pass all samples
     double moved = 0, elapsed = 0;
     for (int n = 1; n < of.size && n <= p_.window; ++n) {
       const sample& then = of.back(n);
       const double dy = now.position - then.position, dt = now.time - then.time;
       if (of.spacing.is_short(dt)) continue;
       const double slope = dy / dt;
-      if (slope < least || slope > most) break;
+      if (slope < least || slope > steepest) break;
       moved = dy;
       elapsed = dt;
       least = std::max(least, (dy - reach_) / dt);
-      most = std::min(most, (dy + reach_) / dt);
+      steepest = std::min(steepest, (dy + reach_) / dt);
     }
     of.span = elapsed;
     rate_[i] = std::abs(moved) > p_.resolution ? moved / elapsed : 0.0;

@@ -28,8 +28,8 @@ struct release_parameters {
   static constexpr auto members() {
     using p = release_parameters;
     return member_table(choice("policy", &p::policy, "zero, ramp, hold"),
-                        member("ramp_time", &p::ramp_time, "s", range::positive).large_over(60),
-                        member("hold_time", &p::hold_time, "s", range::positive).large_over(600));
+                        member("ramp_time", &p::ramp_time, "s", range::positive).suspicious_above(60),
+                        member("hold_time", &p::hold_time, "s", range::positive).suspicious_above(600));
   }
 
   /// How long current may flow once nobody can rearm any more [s].

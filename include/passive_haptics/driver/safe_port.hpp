@@ -75,7 +75,9 @@ class safe_port {
     const fault_record encoders = encoders_.read(port_, now_, !flows() && applied_is_known());
     const fault_record sensor = forces_.read(sensor_, now_);
     bad_sample_ = encoders.what != fault::none ? encoders : sensor;
-    if (in_doubt(encoders.what) && (at_once(encoders) || now_ - encoders_good_ > hold_over_)) homed_ = false;
+    if (invalidates_position(encoders.what) &&
+        (releases_immediately(encoders) || now_ - encoders_good_ > hold_over_))
+      homed_ = false;
     watch(encoders, encoders_good_);
     watch(sensor, sensor_good_);
     settle();
@@ -146,7 +148,7 @@ class safe_port {
   /// Why the brakes are released; none where they are not.
   const fault_record& reason() const noexcept { return reason_; }
   /// What is wrong with the last samples, or with the last write; none where they are good.
-  const fault_record& held_over() const noexcept {
+  const fault_record& pending_fault() const noexcept {
     return bad_sample_.what != fault::none ? bad_sample_ : bad_write_;
   }
   /// Whether nobody knows how far the encoders went: the program must start again.
@@ -178,7 +180,7 @@ class safe_port {
 
   bool holds() const noexcept { return state_ == port_state::active || state_ == port_state::degraded; }
   bool transfers_are_good() const noexcept {
-    return held_over().what == fault::none && std::isfinite(encoders_good_);
+    return pending_fault().what == fault::none && std::isfinite(encoders_good_);
   }
   // Nothing is to flow without being watched, also where the device refuses to end it
   bool flows() const noexcept { return applied_ != currents{}; }
@@ -186,7 +188,7 @@ class safe_port {
   // What may be held over fails hold_over seconds after the last time that all was good, the rest at once
   void watch(const fault_record& found, double& good) noexcept {
     if (found.what == fault::none) good = now_;
-    else if (at_once(found) || ((holds() || flows()) && now_ - good > hold_over_)) fail(found);
+    else if (releases_immediately(found) || ((holds() || flows()) && now_ - good > hold_over_)) fail(found);
   }
 
   // since: when a cycle last came [s]
@@ -210,7 +212,7 @@ class safe_port {
 
   void settle() noexcept {
     if (!holds()) return;
-    const bool well = held_over().what == fault::none && !limiter_.lowered_by_heat();
+    const bool well = pending_fault().what == fault::none && !limiter_.lowered_by_heat();
     state_ = well ? port_state::active : port_state::degraded;
   }
 

@@ -24,7 +24,7 @@ struct safe_port_parameters {
     using p = safe_port_parameters;
     return member_table(member("encoders", &p::encoders), member("sensor", &p::sensor),
                         member("currents", &p::currents), member("at_release", &p::at_release),
-                        member("hold_over", &p::hold_over, "s", range::positive).large_over(10));
+                        member("hold_over", &p::hold_over, "s", range::positive).suspicious_above(10));
   }
 };
 

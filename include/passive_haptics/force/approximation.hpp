@@ -3,10 +3,10 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
-#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/classification.hpp>
+#include <passive_haptics/force/nearest_force.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -111,15 +111,16 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
   // Of each brake: its column of E, and R at right angles to the other one's
   const detail::vectors_of_brakes<T> e{row(E, 0), row(E, 1)}, R{swapped(e.y), -swapped(e.x)};
   const each RR = dot(R, R), Rn = dot(R, n), share = T(1) / Rn;
-  const each t_alone = area_or_zero(dot(e, R), RR, swapped(RR)) * share;
+  const each t_alone = cross_or_zero(dot(e, R), RR, swapped(RR)) * share;
   const each cosine_squared = Rn * Rn / RR, least = std::max(min_cosine, rounding_tolerance<T>(2));
   const auto drives = sign * t > T(0), some = drives | swapped(drives);
   const auto acts = swapped(drives) & (sign * t_alone <= T(0)) & (Rn * Rn >= least * least * RR);
-  const auto nearest = choose(any(acts), display_class::approximate, display_class::none);
-  const each of_R = choose(first(acts), share, T(0));  // both act where their columns are parallel
-  return {choose(some[0], nearest, display_class::exact), choose(some, sums(R.x * of_R, R.y * of_R), n),
-          choose(some, choose(acts, t_alone, T(0)), t),
-          choose(some[0], sum(choose(first(acts), cosine_squared, T(0))), T(1))};
+  const auto nearest = select(any(acts), display_class::approximate, display_class::none);
+  const each of_R = select(first_only(acts), share, T(0));  // both act where their columns are parallel
+  return {select(some[0], nearest, display_class::exact),
+          select(some, horizontal_add(R.x * of_R, R.y * of_R), n),
+          select(some, select(acts, t_alone, T(0)), t),
+          select(some[0], sum(select(first_only(acts), cosine_squared, T(0))), T(1))};
 }
 
 /// The same for a diagonal E: each axis alone.
@@ -129,7 +130,7 @@ approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const ve
   const lanes<T, D> t = brake_torque(E, n);
   const auto drives = lanes(s) * t > T(0);
   if (!any(drives)) return {display_class::exact, n, t, T(1)};
-  const lanes<T, D> Fp = choose(drives, T(0), n), tp = choose(drives, T(0), t);
+  const lanes<T, D> Fp = select(drives, T(0), n), tp = select(drives, T(0), t);
   const T square = sum(Fp * Fp);
   if (!(square > T(0) && square >= min_cosine * min_cosine)) return {};
   return {display_class::approximate, Fp / square, tp / square, square};

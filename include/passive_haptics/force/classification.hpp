@@ -73,8 +73,8 @@ T mechanical_power(const vector<T, N>& t, const vector<T, N>& w) {
 /// is passive.
 template <class T>
 power_class classify_power(T power, bool producible_alone) {
-  return choose(power > T(0), power_class::active,
-                choose(producible_alone, power_class::passive_1, power_class::passive_2));
+  return select(power > T(0), power_class::active,
+                select(producible_alone, power_class::passive_1, power_class::passive_2));
 }
 
 }  // namespace passive_haptics

@@ -46,8 +46,8 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
   const T slack = rounding_tolerance<T>(Brakes);
 
   vector<T, Brakes> p, w;
-  const int most_pivots = 1 << (2 * Brakes + 2);
-  for (int pivot = 0; pivot < most_pivots; ++pivot) {
+  const int max_pivots = 1 << (2 * Brakes + 2);
+  for (int pivot = 0; pivot < max_pivots; ++pivot) {
     // Members of the stick set solve w_i = 0; the others keep p_i at its bound.
     matrix<T, Brakes, Brakes> K = A;
     vector<T, Brakes> rhs = -w0;
@@ -97,8 +97,8 @@ friction_impulses<T, Brakes> solve_redundant_box_friction(const matrix<T, Brakes
   const T eps = std::sqrt(std::numeric_limits<T>::epsilon()) * A.trace() / T(Brakes);
   const matrix<T, Brakes, Brakes> regular = A + eps * matrix<T, Brakes, Brakes>::Identity();
   friction_impulses<T, Brakes> result{vector<T, Brakes>::Zero(), {}, false};
-  constexpr int most_rounds = 30;
-  for (int round = 0; round < most_rounds; ++round) {
+  constexpr int max_rounds = 30;
+  for (int round = 0; round < max_rounds; ++round) {
     const vector<T, Brakes> before = result.impulse;
     result = solve_box_friction<T, Brakes>(regular, w0 - eps * before, limit);
     if (!result.solved) return result;

@@ -22,7 +22,7 @@ struct workspace {
   joint_vector<M> upper;       ///< and greatest.
   double path_length;          ///< Of a way along a plane [m].
   double brake_radius = 1;     ///< Of sliding brakes: their force at this radius is the torque [m]; else 1.
-  double most_condition = 8;   ///< |J| |J^-1| (Frobenius) on all of a way [1]; d at an isotropic pose.
+  double max_condition = 8;    ///< |J| |J^-1| (Frobenius) on all of a way [1]; d at an isotropic pose.
   double least_cosine = 0.17;  ///< Of a reference force against the normal, at the start [1].
 };
 
@@ -44,7 +44,7 @@ bool reach(const M& mechanism, const workspace<M>& where, const task_vector<M>& 
   using square = matrix<typename M::scalar, M::dof, M::dof>;
   for (int k = 0; k < 8; ++k) {
     const square J(passive_haptics::jacobian(mechanism, q)), inverse = J.inverse();
-    if (!(J.norm() * inverse.norm() <= where.most_condition)) return false;
+    if (!(J.norm() * inverse.norm() <= where.max_condition)) return false;
     const task_vector<M> off = x - mechanism.position(q);
     if (off.norm() < 1e-9) return true;
     q += inverse * off;
@@ -81,8 +81,8 @@ random_plane<M> draw_plane(const M& mechanism, const workspace<M>& where, double
     for (int i = 0; i < d; ++i) u[i] = static_cast<T>(normal_number(bits));
     return task_vector<M>(u.normalized());
   };
-  constexpr int most_trials = 100000;
-  for (int trial = 0; trial < most_trials; ++trial) {
+  constexpr int max_trials = 100000;
+  for (int trial = 0; trial < max_trials; ++trial) {
     random_plane<M> plane;
     for (int i = 0; i < M::dof; ++i)
       plane.q[i] = where.lower[i] + (where.upper[i] - where.lower[i]) * static_cast<T>(uniform_number(bits));

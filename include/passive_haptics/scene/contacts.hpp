@@ -16,8 +16,8 @@ struct contact {
   double depth = 0;                           ///< Penetration [m], > 0.
   double stiffness = 0;                       ///< Of the wall [N/m].
   point<D> wall_velocity = point<D>::Zero();  ///< Of the touched surface [m/s].
-  int wall = 0;                               ///< Which wall of the scene.
-  point<D> position = point<D>::Zero();       ///< Where the end effector was when the wall was sensed [m].
+  int wall_number = 0;                        ///< Which wall of the scene.
+  point<D> sensed_at = point<D>::Zero();      ///< Where the end effector was when the wall was sensed [m].
   /// Hessian H of the wall's distance [1/m]. Along the surface at velocity v, n . a = -v^T H v keeps the
   /// depth. Zero for planes, and for shapes that do not tell.
   matrix<double, D, D> curvature = matrix<double, D, D>::Zero();
@@ -72,17 +72,17 @@ class contacts {
 
 /// One of several walls, the only one that is touched: a view of its contact.
 template <int D>
-struct only_contact {
+struct single_contact {
   static constexpr int dimension = D;  ///< d
   static constexpr int capacity = 1;   ///< Contacts.
-  const contact<D>& wall;              ///< The contact.
+  const contact<D>& only;              ///< The contact.
 
   /// 1
   constexpr int size() const { return 1; }
   /// False.
   constexpr bool empty() const { return false; }
   /// The contact.
-  constexpr const contact<D>& operator[](int) const { return wall; }
+  constexpr const contact<D>& operator[](int) const { return only; }
 };
 
 /// The contacts at x [m] of a scene that tells them by touched_at(x), or by touched_at(x, time) at a time
@@ -104,7 +104,7 @@ auto sense(const Scene& scene, const point<Scene::dimension>& x, Time... time) {
 
 /// The wall, where one is touched.
 template <int D, int Capacity>
-only_contact<D> alone(const contacts<D, Capacity>& touched) {
+single_contact<D> as_single(const contacts<D, Capacity>& touched) {
   return {touched[0]};
 }
 

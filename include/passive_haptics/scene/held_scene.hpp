@@ -13,7 +13,7 @@ struct hold_parameters {
   /// Between two samples [s]; 0 samples every time. Section 5.2: 1 ms and 50 ms (20 Hz).
   double period = 0;
 
-  static constexpr const char* owner = "a held_scene";  ///< In errors.
+  static constexpr const char* type_name = "a held_scene";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = hold_parameters;

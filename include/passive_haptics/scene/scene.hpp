@@ -40,7 +40,7 @@ class static_scene {
       if (!(distance >= 0)) {
         auto& c = *touched.append();  // in place: a copy would wait for its parts to be stored
         describe(w, x, distance, c);
-        c.wall = number;
+        c.wall_number = number;
       }
       ++number;
     });

@@ -25,7 +25,7 @@ struct wall {
   S shape;           ///< Geometry.
   double stiffness;  ///< [N/m]
 
-  static constexpr const char* owner = "a wall";  ///< In errors.
+  static constexpr const char* type_name = "a wall";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = wall;
@@ -47,7 +47,7 @@ void describe(const wall<S>& w, const point<S::dimension>& x, double distance, c
   c.depth = -distance;
   c.stiffness = w.stiffness;
   c.wall_velocity = surface_velocity(w.shape, x);
-  c.position = x;
+  c.sensed_at = x;
   c.curvature = surface_curvature(w.shape, x);
 }
 

@@ -110,10 +110,10 @@ TYPED_TEST_P(fault_properties, what_a_law_does_not_need_is_not_read) {
 /// passive sign; where a step gives up, a status and none.
 TYPED_TEST_P(fault_properties, finite_input_gives_finite_output) {
   using T = typename TestFixture::number;
-  constexpr double most = static_cast<double>(std::numeric_limits<T>::max());
+  constexpr double largest = static_cast<double>(std::numeric_limits<T>::max());
   constexpr double least = static_cast<double>(std::numeric_limits<T>::denorm_min());
-  this->for_each_spoiled({0.0, least, most, -least, -most}, [&](const auto& run, const auto& sample,
-                                                                const auto& wall) {
+  this->for_each_spoiled({0.0, least, largest, -least, -largest}, [&](const auto& run, const auto& sample,
+                                                                      const auto& wall) {
     const auto limit = sample.brakes.torque_limit.array();
     if ((limit < T(0)).any()) return;  // not valid
     const auto result = run(sample, wall);

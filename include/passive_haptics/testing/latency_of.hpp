@@ -77,9 +77,9 @@ class cache_eviction {
  private:
   static constexpr std::size_t least = 1u << 22;  // where the machine does not tell its caches [byte]
   static std::size_t largest_cache() {
-    int most = 0;
-    for (const auto& cache : benchmark::CPUInfo::Get().caches) most = std::max(most, cache.size);
-    return static_cast<std::size_t>(most);
+    int largest = 0;
+    for (const auto& cache : benchmark::CPUInfo::Get().caches) largest = std::max(largest, cache.size);
+    return static_cast<std::size_t>(largest);
   }
   std::vector<std::uint64_t> other_;
 };

@@ -499,7 +499,7 @@ TEST_F(record_on_bench, gives_no_current_for_what_is_none) {
 }
 
 TEST_F(record_on_bench, records_where_port_and_sensor_have_something_new_that_is_valid) {
-  p.most_missed = 2;
+  p.max_missed = 2;
   duration = 0.03;
   device.spoil = [](bench_device& d) {
     d.felt = d.period % 3 == 0 ? ph::port_status::ok : ph::port_status::no_sample;
@@ -584,7 +584,7 @@ TEST_F(record_on_bench, has_limits_of_its_own) {
 
 // Before the first good sample no clock but the number of periods is known to go on.
 TEST_F(record_on_bench, ends_where_no_good_sample_ever_comes) {
-  p.most_missed = 20;
+  p.max_missed = 20;
   for (const bool of_sensor : {false, true}) {
     device = {};
     device.spoil = [&](bench_device& d) { (of_sensor ? d.torque.time : d.axes.time) = -5; };

@@ -264,7 +264,7 @@ TEST_F(a_configuration, with_any_value_that_is_out_of_all_bounds_is_refused) {
        {"x_newtons_per_unit", "y_newtons_per_unit", "handle_mass", "gravity", "tare_tolerance"}},
       {"[sensor]\ntype = \"net_ft\"\n",
        {"port", "counts_per_force", "counts_per_torque", "open_timeout", "silence"}},
-      {"[loop]\n", {"period", "most_overruns", "longest_sleep", "priority", "cpu"}},
+      {"[loop]\n", {"period", "max_overruns", "longest_sleep", "priority", "cpu"}},
       {"[safety]\n", {"ramp_time", "hold_over", "supervisor_timeout", "supervisor_priority"}},
       {"[sensor]\ntype = \"none\"\n[port]\ntype = \"serial\"\n", {"open_timeout", "baud"}},
       {"[sensor]\ntype = \"none\"\n[port]\ntype = \"comedi\"\n",

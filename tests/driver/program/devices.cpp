@@ -102,7 +102,7 @@ TEST_F(a_board, can_be_tried_with_the_shipped_configuration) {
   put("\"192.168.1.1\"", "\"127.0.0.1\"");
   put("49152", std::to_string(peer.port()));
   put("pose = ", "longest_gap = 5\nduration = 0.1\npose = ");
-  put("priority = 80\nlock_memory = true", "most_overruns = 1000000\nlongest_sleep = 10");
+  put("priority = 80\nlock_memory = true", "max_overruns = 1000000\nlongest_sleep = 10");
   put("supervisor_priority = 81", "hold_over = 5\nsupervisor_timeout = 5");
   file("c.toml", text);
   start({"--config", "c.toml", "--quiet"});

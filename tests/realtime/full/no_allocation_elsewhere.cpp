@@ -86,7 +86,7 @@ TEST(no_allocation, in_a_cycle_without_a_force_sensor) {
     if (k % 500 == 99) state.q[0] = std::numeric_limits<double>::quiet_NaN();
     ph::step_result<M> result;
     ASSERT_EQ(allocations_in([&] { result = control(state); }), 0) << "cycle " << k;
-    touched |= result.wall >= 0;
+    touched |= result.wall_number >= 0;
     probed |= control.probing() == decltype(control)::probe_phase::probing;
   }
   EXPECT_TRUE(touched && probed);

@@ -11,7 +11,6 @@
   f(add_nodes) \
   f(add_part) \
   f(all_finite) \
-  f(alone) \
   f(along_edge) \
   f(any) \
   f(any_perpendicular) \
@@ -21,9 +20,8 @@
   f(approximate_by_generators) \
   f(are_parallel) \
   f(area_between) \
-  f(area_or_zero) \
   f(as) \
-  f(asks) \
+  f(as_single) \
   f(automatic_jacobian) \
   f(beside_held) \
   f(best_cosine) \
@@ -49,7 +47,6 @@
   f(check_value) \
   f(choice) \
   f(choices_of) \
-  f(choose) \
   f(chosen_way) \
   f(clamped) \
   f(column_squares) \
@@ -60,6 +57,7 @@
   f(cosine_squared) \
   f(cross) \
   f(cross_in_plane) \
+  f(cross_or_zero) \
   f(cycle) \
   f(degrees) \
   f(describe) \
@@ -72,15 +70,15 @@
   f(draw_device) \
   f(draw_plane) \
   f(enclosed) \
-  f(error_at) \
+  f(error_of) \
   f(error_text) \
   f(everywhere) \
   f(face_of) \
   f(fail_mesh_file) \
   f(file_kind) \
   f(find_displayable) \
-  f(first) \
   f(first_error) \
+  f(first_only) \
   f(float_sine_cosine) \
   f(follow_wall) \
   f(for_each) \
@@ -101,6 +99,7 @@
   f(height_field) \
   f(holding_torque) \
   f(holding_torques) \
+  f(horizontal_add) \
   f(identity_matrix) \
   f(in_passive_fme) \
   f(in_quadrant) \
@@ -115,6 +114,7 @@
   f(is_displayed) \
   f(is_moderate) \
   f(is_no_geometry_of_obj) \
+  f(is_nonzero) \
   f(is_usable_position) \
   f(is_whole) \
   f(jacobian) \
@@ -126,13 +126,13 @@
   f(largest) \
   f(largest_coordinate) \
   f(largest_of_marked) \
+  f(largest_resistance) \
   f(largest_share) \
   f(largest_value) \
   f(least) \
   f(least_power_torques) \
   f(least_resistance) \
   f(least_squares_by_priority) \
-  f(length_error) \
   f(length_of) \
   f(limits_of) \
   f(low_pass_time_constant) \
@@ -143,7 +143,6 @@
   f(member_table) \
   f(merged) \
   f(min) \
-  f(most_resistance) \
   f(nearest_both_ways) \
   f(nearest_edge) \
   f(nearest_force) \
@@ -168,7 +167,6 @@
   f(passive_torque) \
   f(places) \
   f(plausibility) \
-  f(plausible) \
   f(ply_type_of) \
   f(pressing_force) \
   f(principal_angle) \
@@ -182,10 +180,8 @@
   f(pseudo_inverse) \
   f(radians) \
   f(random_bits) \
-  f(range_error) \
   f(rate_dead_band_of) \
   f(reach) \
-  f(reach_of_brakes) \
   f(read_ascii_stl) \
   f(read_binary_stl) \
   f(read_by_assimp) \
@@ -206,6 +202,7 @@
   f(reduced_sine_cosine) \
   f(reference_forces) \
   f(released) \
+  f(remark_on) \
   f(remarks) \
   f(remarks_on) \
   f(require_no_error) \
@@ -223,6 +220,7 @@
   f(saturate) \
   f(saturating_torque) \
   f(scene) \
+  f(select) \
   f(sense_beside) \
   f(settle) \
   f(sgn) \
@@ -245,7 +243,6 @@
   f(step) \
   f(stl_count) \
   f(sum) \
-  f(sums) \
   f(surface_curvature) \
   f(surface_velocity) \
   f(swapped) \
@@ -260,6 +257,7 @@
   f(torque_dead_bands_of) \
   f(torque_limit_of) \
   f(torque_limits_of) \
+  f(torque_ranges_of) \
   f(torques_beside) \
   f(torques_within) \
   f(total_force) \
@@ -277,6 +275,7 @@
   f(uniform_number) \
   f(uniform_rod) \
   f(unrolled) \
+  f(usual_range) \
   f(valid_command) \
   f(validate) \
   f(value_text) \

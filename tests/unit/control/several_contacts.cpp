@@ -33,7 +33,7 @@ TYPED_TEST(several_contacts, each_want_what_the_law_says_of_them) {
     for (int j = 0; j < 2; ++j) {
       walls[j] = asking_for<2>(random.positive(1.0, 20.0) * random.direction<double, 2>());
       walls[j].wall_velocity = random.positive(0.1, 1.0) * random.direction<double, 2>();
-      walls[j].wall = 3 + j;
+      walls[j].wall_number = 3 + j;
     }
     if (k % 5 == 0) walls[k % 2].depth *= -1;
     const auto step = [&]<class L>(const L& law) {
@@ -55,9 +55,9 @@ TYPED_TEST(several_contacts, each_want_what_the_law_says_of_them) {
       const auto& other = plain.contacts[static_cast<std::size_t>(j)];
       EXPECT_NEAR(report.wanted, given, 1e-5) << "seed " << seed << ", trial " << k;
       EXPECT_NEAR(other.wanted, std::max(force, 0.0), 1e-5) << "seed " << seed << ", trial " << k;
-      EXPECT_EQ(report.first, leaves) << "seed " << seed << ", trial " << k;
-      EXPECT_FALSE(other.first) << "this law never gives way";
-      EXPECT_EQ(report.wall, 3 + j);
+      EXPECT_EQ(report.has_priority, leaves) << "seed " << seed << ", trial " << k;
+      EXPECT_FALSE(other.has_priority) << "this law never gives way";
+      EXPECT_EQ(report.wall_number, 3 + j);
       left += leaves;
       pressed += !leaves;
       kept += leaves && given > 0;

@@ -35,7 +35,7 @@ TYPED_TEST(control_step, in_free_space_releases_the_brakes_and_asks_for_nothing)
   const auto result =
       step_once<ph::direct_control>(M(), ph::brakes_of<M>(), state_of<M>({0, 0}, {1, 1}, {1, 1}));
   EXPECT_EQ(result.outcome, ph::status::ok);
-  EXPECT_EQ(result.wall, -1);
+  EXPECT_EQ(result.wall_number, -1);
   EXPECT_EQ(result.power, ph::power_class::none);
   EXPECT_EQ(result.display, ph::display_class::exact);
   EXPECT_TRUE(result.capacity.isZero(0) && result.torque.isZero(0) && result.desired_force.isZero(0));
@@ -110,12 +110,12 @@ TYPED_TEST(control_step, relative_velocity_decides_on_scaling_but_own_velocity_o
 TYPED_TEST(control_step, the_wall_that_asks_for_most_governs) {
   using T = TypeParam;
   using M = typename TestFixture::table_type;
-  const ph::contact<2> weak{.normal = {1, 0}, .depth = 1e-3, .stiffness = 1e3, .wall = 4};
-  const ph::contact<2> strong{.normal = {0, 1}, .depth = 1e-3, .stiffness = 2e3, .wall = 7};
+  const ph::contact<2> weak{.normal = {1, 0}, .depth = 1e-3, .stiffness = 1e3, .wall_number = 4};
+  const ph::contact<2> strong{.normal = {0, 1}, .depth = 1e-3, .stiffness = 2e3, .wall_number = 7};
   for (const auto& result :
        {step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 0}, {-1, -1}), weak, strong),
         step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 0}, {-1, -1}), strong, weak)}) {
-    EXPECT_EQ(result.wall, 7);
+    EXPECT_EQ(result.wall_number, 7);
     EXPECT_EQ(result.desired_force, (ph::vector<T, 2>(0, 2)));
   }
 }

@@ -13,7 +13,7 @@ using M = ph::xy_table<double>;
 TEST(step_result, is_of_free_space_at_first) {
   const ph::step_result_of_contacts<M, 2> fresh;
   EXPECT_EQ(fresh.outcome, ph::status::ok);
-  EXPECT_EQ(fresh.wall, -1);
+  EXPECT_EQ(fresh.wall_number, -1);
   EXPECT_EQ(fresh.power, ph::power_class::none);
   EXPECT_EQ(fresh.display, ph::display_class::exact);
   EXPECT_FALSE(fresh.saturated);
@@ -24,10 +24,10 @@ TEST(step_result, is_of_free_space_at_first) {
   EXPECT_TRUE(fresh.desired_force.isZero(0) && fresh.control_force.isZero(0));
   EXPECT_EQ(fresh.contact_count, 0);
   for (const auto& report : fresh.contacts) {
-    EXPECT_EQ(report.wall, -1);
+    EXPECT_EQ(report.wall_number, -1);
     EXPECT_EQ(report.wanted, 0);
     EXPECT_EQ(report.displayed, 0);
-    EXPECT_FALSE(report.first);
+    EXPECT_FALSE(report.has_priority);
   }
 }
 

@@ -84,7 +84,7 @@ TYPED_TEST(lane_reductions, sums_stand_in_order) {
   std::array<typename TestFixture::numbers, static_cast<std::size_t>(N)> rows;
   for (auto& row : rows) row = this->draw(random);
   const auto x = this->draw(random);
-  const auto product = this->stored(ph::sums<T, N>(
+  const auto product = this->stored(ph::horizontal_add<T, N>(
       [&](int j) { return products(this->load(rows[static_cast<std::size_t>(j)]), this->load(x)); }));
   for (std::size_t j = 0; j < rows.size(); ++j)
     EXPECT_LE(std::abs(product[j] - this->dot(rows[j], x)), TestFixture::rounding) << "sum " << j;

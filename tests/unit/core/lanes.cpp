@@ -71,7 +71,7 @@ TYPED_TEST(lanes, compute_what_single_numbers_do) {
       fixture::expect_same(sqrt(a)[i], std::sqrt(x[i]));
       fixture::expect_same(min(a, b)[i], std::min(x[i], y[i]));
       fixture::expect_same(max(a, b)[i], std::max(x[i], y[i]));
-      fixture::expect_same(choose(a < b, a, b)[i], x[i] < y[i] ? x[i] : y[i]);
+      fixture::expect_same(select(a < b, a, b)[i], x[i] < y[i] ? x[i] : y[i]);
       fixture::expect_same(each(T(3))[i], T(3));
       EXPECT_EQ((a < b)[i], x[i] < y[i]);
       EXPECT_EQ((a <= b)[i], x[i] <= y[i]);
@@ -100,7 +100,7 @@ TYPED_TEST(lanes, reduce_their_numbers_alone) {
   EXPECT_EQ(least(each(x)), T(2));
   EXPECT_EQ(least(-each(x)), -T(fixture::count + 1));
   const ph::lanes<T, 2> a = ph::vector<T, 2>(T(1), T(2)), b = ph::vector<T, 2>(T(3), T(5));
-  EXPECT_EQ((ph::vector<T, 2>(sums(a, b))), (ph::vector<T, 2>(T(3), T(8))));
+  EXPECT_EQ((ph::vector<T, 2>(horizontal_add(a, b))), (ph::vector<T, 2>(T(3), T(8))));
   EXPECT_FALSE(any(each(x) <= T(1)));
 }
 
@@ -138,17 +138,17 @@ TYPED_TEST(pairs, are_swapped_and_told_apart) {
       const auto truths = ph::lanes<T, 2>(V(a ? 1 : 0, b ? 1 : 0)) > T(0);
       EXPECT_EQ(swapped(truths)[0], b);
       EXPECT_EQ(swapped(truths)[1], a);
-      EXPECT_EQ(first(truths)[0], a);
-      EXPECT_EQ(first(truths)[1], b && !a);
+      EXPECT_EQ(first_only(truths)[0], a);
+      EXPECT_EQ(first_only(truths)[1], b && !a);
       // A truth is all bits of its number
       const T most = std::numeric_limits<T>::lowest();
-      EXPECT_EQ(V(choose(first(truths), most, T(0))), V(a ? most : T(0), b && !a ? most : T(0)));
-      EXPECT_EQ(V(choose(first(truths), T(0), most)), V(a ? T(0) : most, b && !a ? T(0) : most));
-      EXPECT_EQ(V(choose(swapped(truths), most, T(0))), V(b ? most : T(0), a ? most : T(0)));
+      EXPECT_EQ(V(select(first_only(truths), most, T(0))), V(a ? most : T(0), b && !a ? most : T(0)));
+      EXPECT_EQ(V(select(first_only(truths), T(0), most)), V(a ? T(0) : most, b && !a ? T(0) : most));
+      EXPECT_EQ(V(select(swapped(truths), most, T(0))), V(b ? most : T(0), a ? most : T(0)));
     }
   }
-  EXPECT_EQ(ph::choose(true, T(1), T(2)), T(1));
-  EXPECT_EQ(ph::choose(false, T(1), T(2)), T(2));
+  EXPECT_EQ(ph::select(true, T(1), T(2)), T(1));
+  EXPECT_EQ(ph::select(false, T(1), T(2)), T(2));
 }
 
 }  // namespace

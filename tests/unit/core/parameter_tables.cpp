@@ -23,7 +23,7 @@ struct spring {
   std::array<double, 2> direction{3, 4};
   side where = side::right;
 
-  static constexpr const char* owner = "a spring";
+  static constexpr const char* type_name = "a spring";
   static constexpr auto members() {
     using p = spring;
     return ph::member_table(member("stiffness", &p::stiffness, "N/m", range::not_negative),
@@ -49,11 +49,11 @@ struct machine {
   static constexpr auto members() {
     using p = machine;
     return ph::member_table(member("mass", &p::mass, "kg", range::positive),
-                            member("limit", &p::limit, "N", range::finite).large_over(50),
+                            member("limit", &p::limit, "N", range::finite).suspicious_above(50),
                             member("gain", &p::gain, "1", range::finite), member("springs", &p::springs),
                             member("corners", &p::corners, "m", range::finite),
                             member("turn", &p::turn, "rad"),
-                            member("cycles", &p::cycles, "", range::at_least(1)).large_over(1000),
+                            member("cycles", &p::cycles, "", range::at_least(1)).suspicious_above(1000),
                             member("seed", &p::seed), member("on", &p::on), member("name", &p::name));
   }
   std::string rules() const { return mass > 100 * T(cycles) ? "too heavy, expected less" : ""; }

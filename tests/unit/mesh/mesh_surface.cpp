@@ -205,7 +205,7 @@ TEST(a_funnel, is_never_left_however_many_sides_hold) {
     ASSERT_NEAR(h.proxy().norm(), skin, skin) << k;
     most = std::max(most, h.memory.facet_count);
   }
-  EXPECT_EQ(most, ph::proxy_tracker<3>::most_facets);
+  EXPECT_EQ(most, ph::proxy_tracker<3>::max_facets);
 }
 
 // A room whose skin is as thin as it may be, and handles beyond its walls, further than numbers are exact.

@@ -74,7 +74,7 @@ ph::contacts<D, Capacity> scan(const shapes<D>& all, const ph::point<D>& x) {
     if (!(distance >= 0)) {
       ph::contact<D> c;
       ph::describe(ph::wall(shape), x, distance, c);
-      c.wall = number;
+      c.wall_number = number;
       found.add(c);
     }
     ++number;
@@ -111,8 +111,9 @@ class wandering_hand {
 template <int D, int Capacity>
 bool same(const ph::contacts<D, Capacity>& a, const ph::contacts<D, Capacity>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& c, const auto& e) {
-    return c.wall == e.wall && c.depth == e.depth && c.normal == e.normal && c.stiffness == e.stiffness &&
-           c.position == e.position && c.curvature == e.curvature && c.wall_velocity == e.wall_velocity;
+    return c.wall_number == e.wall_number && c.depth == e.depth && c.normal == e.normal &&
+           c.stiffness == e.stiffness && c.sensed_at == e.sensed_at && c.curvature == e.curvature &&
+           c.wall_velocity == e.wall_velocity;
   });
 }
 

@@ -57,12 +57,12 @@ TEST(sensing, a_contact_says_all_about_its_wall) {
   static_assert(decltype(walls)::wall_count == 2 && decltype(walls)::dimension == 2);
   const auto touched = sense(walls, {-1.5, 0.5});
   ASSERT_EQ(touched.size(), 1);
-  EXPECT_EQ(touched[0].wall, 1);
+  EXPECT_EQ(touched[0].wall_number, 1);
   EXPECT_EQ(touched[0].stiffness, 2e4);
   EXPECT_DOUBLE_EQ(touched[0].depth, std::sqrt(2.5) - 1);
   EXPECT_TRUE(touched[0].normal.isApprox(ph::point<2>(1.5, -0.5).normalized()));
   EXPECT_EQ(touched[0].wall_velocity, ph::point<2>(0, 0));
-  EXPECT_EQ(touched[0].position, ph::point<2>(-1.5, 0.5));
+  EXPECT_EQ(touched[0].sensed_at, ph::point<2>(-1.5, 0.5));
   // Of a hollow: -(I - n n^T) / |x|
   const ph::matrix<double, 2, 2> flat = ph::matrix_of<2, 2>(0.25, 0.75, 0.75, 2.25) / 2.5;
   EXPECT_TRUE(touched[0].curvature.isApprox(flat / -std::sqrt(2.5), 1e-15));
@@ -76,8 +76,8 @@ TEST(a_contact, is_of_nothing_by_default) {
   EXPECT_EQ(c.depth, 0);
   EXPECT_EQ(c.stiffness, 0);
   EXPECT_EQ(c.wall_velocity, ph::point<2>(0, 0));
-  EXPECT_EQ(c.wall, 0);
-  EXPECT_EQ(c.position, ph::point<2>(0, 0));
+  EXPECT_EQ(c.wall_number, 0);
+  EXPECT_EQ(c.sensed_at, ph::point<2>(0, 0));
   EXPECT_TRUE(c.curvature.isZero(0));
 }
 
@@ -104,7 +104,7 @@ TEST(sensing, gives_exactly_the_touched_walls_in_the_order_of_construction) {
     for (int wall = 0; wall < 4; ++wall) {
       if (distances[wall] >= 0) continue;
       ASSERT_LT(next, touched.size()) << "seed 8, x = " << x.transpose();
-      EXPECT_EQ(touched[next].wall, wall);
+      EXPECT_EQ(touched[next].wall_number, wall);
       EXPECT_EQ(touched[next].depth, -distances[wall]);
       EXPECT_EQ(touched[next].stiffness, wall + 1);
       pattern |= 1u << wall;
@@ -154,9 +154,9 @@ TEST(contact_listDeathTest, tells_nothing_beyond_its_last) {
 
 TEST(contact_list, shows_its_first_contact_alone) {
   ph::contacts<2, 2> list;
-  list.push_back({.depth = 1, .wall = 3});
-  list.push_back({.depth = 2, .wall = 4});
-  const auto only = ph::alone(list);
+  list.push_back({.depth = 1, .wall_number = 3});
+  list.push_back({.depth = 2, .wall_number = 4});
+  const auto only = ph::as_single(list);
   static_assert(decltype(only)::capacity == 1 && decltype(only)::dimension == 2);
   EXPECT_EQ(only.size(), 1);
   EXPECT_FALSE(only.empty());

@@ -143,7 +143,8 @@ TYPED_TEST(world, finds_all_of_many_walls_in_one_place) {
     const auto& found = ph::sense(w, ph::point<D>(0.005 * random.direction<double, D>()));
     ASSERT_EQ(found.size(), D + 1);
     EXPECT_EQ(w.left_out(), count - D - 1);
-    for (int i = 0; i <= D; ++i) EXPECT_EQ(found[i].wall, count - D - 1 + i) << "those of the largest forces";
+    for (int i = 0; i <= D; ++i)
+      EXPECT_EQ(found[i].wall_number, count - D - 1 + i) << "those of the largest forces";
     EXPECT_TRUE(ph::sense(w, ph::point<D>(0.02 * random.direction<double, D>())).empty());
   }
 }
@@ -276,7 +277,7 @@ TYPED_TEST(world, is_of_any_shape_with_bounds_or_without) {
   for (int k = 0; k < 20'000; ++k) {
     const ph::point<D> x = random.positive(1e-3, 15.0) * (k % 2 == 0 ? random.direction<double, D>() : e);
     ASSERT_TRUE(many_shapes::same(ph::sense(w, x), ph::sense(scan, x))) << "seed " << seed << ", point " << k;
-    for (const auto& c : ph::sense(w, x)) ++touched[c.wall];
+    for (const auto& c : ph::sense(w, x)) ++touched[c.wall_number];
   }
   for (const int n : touched) EXPECT_GT(n, 10);
 }
@@ -416,7 +417,7 @@ TYPED_TEST(world, has_walls_that_move) {
     if (truth.distance(x) < 0) {
       auto& c = *expected.append();
       ph::describe(ph::wall(truth), x, truth.distance(x), c);
-      c.wall = moved;
+      c.wall_number = moved;
       ++touched;
     }
     if ((x - ph::point<D>::Constant(0.2)).norm() > 0.02) {
@@ -497,7 +498,7 @@ TEST(a_controller, takes_a_world_for_a_scene) {
     state.qd = random.direction<double, 3>();
     const auto expected = one(state), got = many(state);
     EXPECT_EQ(got.capacity, expected.capacity);
-    EXPECT_EQ(got.wall, 1);
+    EXPECT_EQ(got.wall_number, 1);
     braked += got.capacity.norm() > 0;
   }
   EXPECT_GT(braked, 30);

@@ -101,9 +101,9 @@ brake_resistance<typename B::scalar> residual_of(const B& brake) {
 
 /// A command [N m] as a brake takes it: 0 where it is negative or NaN, never more than `most`.
 template <class T>
-constexpr T valid_command(T command, T most) {
+constexpr T valid_command(T command, T limit) {
   if (!(command > T(0))) return T(0);
-  return command < most ? command : most;
+  return command < limit ? command : limit;
 }
 
 }  // namespace passive_haptics

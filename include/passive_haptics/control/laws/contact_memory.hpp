@@ -6,9 +6,9 @@
 
 namespace passive_haptics {
 
-/// Memories of up to Most walls touched at once, found by the wall's number. A wall that was not touched in
-/// the cycle before begins with a fresh one; beyond Most walls the last memory is shared.
-template <class Memory, int Most = 8>
+/// Memories of up to Capacity walls touched at once, found by the wall's number. A wall that was not touched
+/// in the cycle before begins with a fresh one; beyond Capacity walls the last memory is shared.
+template <class Memory, int Capacity = 8>
 class contact_memory {
  public:
   /// To be called at the beginning of a cycle: forgets walls that were not touched in the last one.
@@ -46,7 +46,7 @@ class contact_memory {
     bool touched = false;  // touched in this one
     Memory memory = {};
   };
-  std::array<slot, static_cast<std::size_t>(Most)> slots_{};
+  std::array<slot, static_cast<std::size_t>(Capacity)> slots_{};
 };
 
 }  // namespace passive_haptics

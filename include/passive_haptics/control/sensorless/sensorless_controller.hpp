@@ -59,11 +59,11 @@ class sensorless_controller {
   /// One control cycle. Only time, q and qd of the state are read.
   template <class State>
   result_type operator()(const State& state) noexcept {
-    const auto& hand = observer_.update(state, told_);
+    const auto& hand = observer_.update(state, last_capacity_);
     result_type result =
         controller_(device_state<M>{state.time, state.q, state.qd, believed_force(hand, state.q)});
     make_up(state.time, result);
-    if (result.outcome == status::ok && result.wall >= 0) probe(state.time, state.q, state.qd, result);
+    if (result.outcome == status::ok && result.wall_number >= 0) probe(state.time, state.q, state.qd, result);
     else forget_rest();
     tell(result.capacity);
     return result;
@@ -77,8 +77,8 @@ class sensorless_controller {
   void reset() {
     observer_.reset();
     controller_.reset();
-    believed_.setZero();
-    of_the_law_ = of_the_device_ = brake_lag_model();
+    assumed_hand_torque_.setZero();
+    expected_ = actual_ = brake_lag_model();
     forget_rest();
   }
   /// The scene, for example to move a wall of it before a cycle.
@@ -103,25 +103,24 @@ class sensorless_controller {
   // Fh [N] with E^T Fh as near as may be to what it was while brakes slipped
   task_vector<M> believed_force(const hand_force_estimate<M>& hand, const joint_vector<M>& q) {
     if (hand.outcome != status::ok) {
-      believed_.setZero();
+      assumed_hand_torque_.setZero();
       return hand.force;
     }
     const brake_vector<M> seen = brake_torque(passive_haptics::brake_jacobian(mechanism(), q), hand.force);
     const brake_vector<M> hidden =
-        (believed_ - seen).cwiseMin(hand.unknown_torque).cwiseMax(-hand.unknown_torque);
-    believed_ = seen + hidden;
+        (assumed_hand_torque_ - seen).cwiseMin(hand.unknown_torque).cwiseMax(-hand.unknown_torque);
+    assumed_hand_torque_ = seen + hidden;
     return hand.force + hand.generators * hidden;
   }
 
   // A law counts on what its brakes make. Those that a probe has let go are told more than it commands, until
   // they make that again.
   void make_up(double time, result_type& result) {
-    for (brake_lag_model* model : {&of_the_law_, &of_the_device_})
-      model->advance(time, brakes().time_constant);
+    for (brake_lag_model* model : {&expected_, &actual_}) model->advance(time, brakes().time_constant);
     unrolled<M::brake_count>([&](auto i) {
       const scalar lag = brakes().time_constant[i], limit = brakes().torque_limit[i], u = result.capacity[i];
-      const double missing = of_the_law_.torque(i) - of_the_device_.torque(i);
-      of_the_law_.command(i, u, limit);
+      const double missing = expected_.torque(i) - actual_.torque(i);
+      expected_.command(i, u, limit);
       if (!(u > scalar(0) && lag > scalar(0) && missing > negligible * static_cast<double>(limit))) return;
       const double more = missing * (1 / lag_share(make_up_time, static_cast<double>(lag)) - 1);
       result.capacity[i] = std::min(limit, u + static_cast<scalar>(more));
@@ -130,8 +129,9 @@ class sensorless_controller {
   }
 
   void tell(const brake_vector<M>& capacity) {
-    told_ = capacity;
-    unrolled<M::brake_count>([&](auto i) { of_the_device_.command(i, told_[i], brakes().torque_limit[i]); });
+    last_capacity_ = capacity;
+    unrolled<M::brake_count>(
+        [&](auto i) { actual_.command(i, last_capacity_[i], brakes().torque_limit[i]); });
   }
 
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {
@@ -170,9 +170,9 @@ class sensorless_controller {
   momentum_observer<M> observer_;
   controller<M, S, L> controller_;
   release_probe<M::task_dimension> probe_;
-  brake_lag_model of_the_law_, of_the_device_;  // what brakes would make of its commands, and what they make
-  brake_vector<M> told_ = brake_vector<M>::Zero();
-  brake_vector<M> believed_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
+  brake_lag_model expected_, actual_;  // what brakes would make of its commands, and what they make
+  brake_vector<M> last_capacity_ = brake_vector<M>::Zero();
+  brake_vector<M> assumed_hand_torque_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
   vector<double, M::brake_count> rest_since_ =
       vector<double, M::brake_count>::Constant(std::numeric_limits<double>::infinity());
   vector<double, M::brake_count> rested_ =  // when each was at rest last [s]

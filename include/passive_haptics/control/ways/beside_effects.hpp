@@ -17,8 +17,9 @@ namespace passive_haptics {
 
 /// The one wall that is touched, and the effects.
 template <class Walls, class... Effects>
-auto alone(const walls_and_effects<Walls, Effects...>& touched) {
-  return walls_and_effects<decltype(alone(touched.walls)), Effects...>{alone(touched.walls), touched.effects};
+auto as_single(const walls_and_effects<Walls, Effects...>& touched) {
+  return walls_and_effects<decltype(as_single(touched.walls)), Effects...>{as_single(touched.walls),
+                                                                           touched.effects};
 }
 
 /// Walls, then effects. Touched: walls_and_effects.
@@ -55,52 +56,52 @@ struct beside_effects {
   static bool demands_force() { return true; }
 
   /// Section 4 for the walls, and beside their torques those of the effects (torques_beside).
-  template <class Now>
-  PASSIVE_HAPTICS_PART steps command(const Now& now, step_memory<L>& memory) const {
+  template <class Device>
+  PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     steps done;
-    if (walls.demands_force()) done.walls = walls.command(now, memory);
+    if (walls.demands_force()) done.walls = walls.command(device, memory);
     done.td = done.walls.td;
-    done.effects = demanded_by_effects(now);
+    done.effects = demanded_by_effects(device);
     if (!all_finite(done.td.torque, done.effects.force, done.effects.torque)) return done;
     done.outcome = status::ok;
     // Nothing to add, and the least drag already, but where each brake was cut alone
     const bool least_drag = !done.td.limited || setup.options.limits == saturation::keep_direction;
     if (least_drag && done.effects.force.isZero(T(0)) && done.effects.torque.isZero(T(0))) return done;
 
-    const auto map = passive_haptics::force_map_of(now.pose, now.E);
+    const auto map = passive_haptics::force_map_of(device.pose, device.E);
     if (!all_finite(map.G)) {
       done.outcome = status::pose_undefined;
       return done;
     }
-    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(now.brakes);
-    done.td.torque = torques_beside(map, torques_within(now.s, limit), done.td.torque, normals(),
-                                    demand_of(now, done.effects));
+    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(device.brakes);
+    done.td.torque = torques_beside(map, torques_within(device.s, limit), done.td.torque, normals(),
+                                    demand_of(device, done.effects));
     done.td.limited = done.td.limited || (done.td.torque.array().abs() >= limit.array()).any();
     return done;
   }
 
   /// The result of a cycle: of the walls as without effects, and what the effects demand.
-  template <class Now>
-  PASSIVE_HAPTICS_PART Result result(const Now& now, const steps& done, const brake_vector<M>& t,
+  template <class Device>
+  PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>& memory) const {
     Result result;
     if (walls.demands_force()) {
       auto of_walls = done.walls;
       of_walls.td = done.td;
-      result = walls.result(now, of_walls, t, memory);
+      result = walls.result(device, of_walls, t, memory);
     } else {
-      result = released<Result>(passive_haptics::status_without_force<M>(now.x, touched.walls));
+      result = released<Result>(passive_haptics::status_without_force<M>(device.x, touched.walls));
       result.capacity = done.td.torque.cwiseAbs();
       if constexpr (requires { result.torque; }) {
         result.torque = t;
         result.saturated = done.td.limited;
-        result.signs = now.s;
+        result.signs = device.s;
       }
     }
     if (result.outcome == status::ok)
-      result.outcome = all_finite(now.v) ? done.outcome : status::pose_undefined;
+      result.outcome = all_finite(device.v) ? done.outcome : status::pose_undefined;
     if (result.outcome != status::ok)
-      return passive_haptics::released<Result>(setup, now.time, result.outcome, memory);
+      return passive_haptics::released<Result>(setup, device.time, result.outcome, memory);
     if constexpr (requires { result.effect_force; }) {
       result.effect_force = done.effects.force;
       result.effect_torque = done.effects.torque;
@@ -110,33 +111,34 @@ struct beside_effects {
 
  private:
   // The forces of effects, and the torques of joints
-  template <class Now>
-  demands demanded_by_effects(const Now& now) const {
+  template <class Device>
+  demands demanded_by_effects(const Device& device) const {
     demands all;
     detail::for_each(touched.effects, [&]<class E>(const E& effect) {
       static_assert(std::same_as<typename E::scalar, T>,
                     "passive_haptics: an effect's scalar must be the mechanism's.");
       if constexpr (Effect<E>) {
-        all.force += effect.force(as<T>(now.x), now.v, now.hand_force);
+        all.force += effect.force(as<T>(device.x), device.v, device.hand_force);
       } else if constexpr (WallEffect<E>) {
-        all.force += effect.force_at(touched.walls, now.v, now.hand_force);
+        all.force += effect.force_at(touched.walls, device.v, device.hand_force);
       } else {
         static_assert(E::dof == M::dof,
                       "passive_haptics: an effect on joints must be of as many as the mechanism has.");
-        const joint_vector<M> hand = now.pose.transposed_transmission() * brake_torque(now.E, now.hand_force);
-        all.torque += effect.torque(now.q, now.qd, hand);
+        const joint_vector<M> hand =
+            device.pose.transposed_transmission() * brake_torque(device.E, device.hand_force);
+        all.torque += effect.torque(device.q, device.qd, hand);
       }
     });
     return all;
   }
 
   // What joints with a torque of their own shall have more: that, and what forces of effects want of them
-  template <class Now>
-  auto demand_of(const Now& now, const demands& wanted) const {
-    effect_demand<T, d, m, M::dof> demand{wanted.force, now.pose.transposed_transmission(), wanted.torque};
+  template <class Device>
+  auto demand_of(const Device& device, const demands& wanted) const {
+    effect_demand<T, d, m, M::dof> demand{wanted.force, device.pose.transposed_transmission(), wanted.torque};
     for (int i = 0; i < M::dof; ++i)
       if (wanted.torque[i] == 0) demand.joint_rows.row(i).setZero();
-    demand.joint_torque += demand.joint_rows * brake_torque(now.E, wanted.force);
+    demand.joint_torque += demand.joint_rows * brake_torque(device.E, wanted.force);
     return demand;
   }
 
@@ -145,7 +147,7 @@ struct beside_effects {
     matrix<T, Touched::capacity, d> rows = matrix<T, Touched::capacity, d>::Zero();
     for (int j = 0; j < touched.walls.size(); ++j) {
       const auto Fd = force_of<T>(touched.walls[j]);
-      if (asks(Fd)) rows.row(j) = Fd.direction.transpose();
+      if (is_nonzero(Fd)) rows.row(j) = Fd.direction.transpose();
     }
     return rows;
   }

@@ -12,9 +12,10 @@ namespace passive_haptics {
 template <displays_by_generators M>
 struct approximation_for<M> {
   /// Needs no start.
-  template <class Now>
-  static auto of(const Now& now, const task_vector<M>& n, typename M::scalar min_cosine, half_space_start&) {
-    return approximate_by_generators(passive_haptics::generators_of(now.pose), now.s, n, min_cosine);
+  template <class Device>
+  static auto of(const Device& device, const task_vector<M>& n, typename M::scalar min_cosine,
+                 half_space_start&) {
+    return approximate_by_generators(passive_haptics::generators_of(device.pose), device.s, n, min_cosine);
   }
 };
 

@@ -13,10 +13,10 @@ namespace passive_haptics {
 template <class M>
 struct approximation_for {
   /// start: where the search begins, left for the next cycle.
-  template <class Now>
-  static auto of(const Now& now, const task_vector<M>& n, typename M::scalar min_cosine,
+  template <class Device>
+  static auto of(const Device& device, const task_vector<M>& n, typename M::scalar min_cosine,
                  half_space_start& start) {
-    return approximate(now.E, now.s, n, min_cosine, start);
+    return approximate(device.E, device.s, n, min_cosine, start);
   }
 };
 template <displays_by_generators M>
@@ -37,29 +37,30 @@ struct one_wall {
   const desired_force<T, d> Fd = force_of_touched();  ///< What it demands.
 
   /// Whether there is a force to display.
-  bool demands_force() const { return asks(Fd); }
+  bool demands_force() const { return is_nonzero(Fd); }
 
   /// Section 4.
-  template <class Now>
-  PASSIVE_HAPTICS_PART steps command(const Now& now, step_memory<L>& memory) const {
+  template <class Device>
+  PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     // 1. Fc: Fd itself, or the nearest force that the brakes can make with Fc . n = |Fd|
     const auto Fc =
-        Fd.magnitude * approximation_for<M>::of(now, Fd.direction, setup.options.min_cosine, memory.start);
+        Fd.magnitude * approximation_for<M>::of(device, Fd.direction, setup.options.min_cosine, memory.start);
     // 2. alpha: how much of it is displayed (12)
     const T alpha = setup.law.scale(
-        contact_situation<T, d>{Fd.direction, Fd.magnitude, outward(Fd, now.v), now.hand_force});
+        contact_situation<T, d>{Fd.direction, Fd.magnitude, outward(Fd, device.v), device.hand_force});
     // 3. Fc': what leaves nothing of the resultant force normal to the wall
     const auto Fc_scaled = alpha * Fc;
     // 4. td: the torques that make it, within the brakes' limits, which a law may want before alpha
-    if constexpr (saturates_before_scaling<L>) return {Fc, alpha, Fc_scaled, alpha * limited(Fc.torque, now)};
-    else return {Fc, alpha, Fc_scaled, limited(Fc_scaled.torque, now)};
+    if constexpr (saturates_before_scaling<L>)
+      return {Fc, alpha, Fc_scaled, alpha * limited(Fc.torque, device)};
+    else return {Fc, alpha, Fc_scaled, limited(Fc_scaled.torque, device)};
   }
 
   /// The result of a cycle.
-  template <class Now>
-  PASSIVE_HAPTICS_PART Result result(const Now& now, const steps& done, const brake_vector<M>& t,
+  template <class Device>
+  PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>&) const {
-    return passive_haptics::result_of<Result>(now, touched, touched[0].wall, Fd, done, t);
+    return passive_haptics::result_of<Result>(device, touched, touched[0].wall_number, Fd, done, t);
   }
 
  private:
@@ -69,9 +70,9 @@ struct one_wall {
     return force_of<T>(touched[0]);
   }
 
-  template <class Now>
-  saturated_torque<T, m> limited(const vector<T, m>& t, const Now& now) const {
-    return passive_haptics::within_limits(t, now.brakes, setup.options.limits);
+  template <class Device>
+  saturated_torque<T, m> limited(const vector<T, m>& t, const Device& device) const {
+    return passive_haptics::within_limits(t, device.brakes, setup.options.limits);
   }
 };
 

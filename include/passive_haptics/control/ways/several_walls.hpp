@@ -32,8 +32,8 @@ struct several_walls {
 
   /// alpha of each wall, and which are met before the others.
   struct scales {
-    vector<T, capacity> alpha = vector<T, capacity>::Ones();          ///< Of wall j.
-    std::array<bool, static_cast<std::size_t>(capacity)> first = {};  ///< It is left, and the law gives way.
+    vector<T, capacity> alpha = vector<T, capacity>::Ones();                 ///< Of wall j.
+    std::array<bool, static_cast<std::size_t>(capacity)> has_priority = {};  ///< Left, and the law gives way.
   };
   /// From Fd_j to td.
   struct steps {
@@ -52,39 +52,40 @@ struct several_walls {
   desired_force<T, d> Fd(int j) const { return force_of<T>(touched[j]); }
 
   /// Whether one of them demands a force.
-  bool demands_force() const { return governing >= 0 && asks(Fd(governing)); }
+  bool demands_force() const { return governing >= 0 && is_nonzero(Fd(governing)); }
 
   /// Section 4.
-  template <class Now>
-  PASSIVE_HAPTICS_PART steps command(const Now& now, step_memory<L>&) const {
+  template <class Device>
+  PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>&) const {
     // 2. alpha_j: how much of what each wall demands is displayed (12), and which walls come first
-    const scales scale = scales_of(now);
+    const scales scale = scales_of(device);
     // 1. and 3. Fc': the force nearest to all alpha_j Fd_j that the brakes can make within their limits
-    const auto map = passive_haptics::force_map_of(now.pose, now.E);
-    const auto box = torques_within(now.s, passive_haptics::torque_limits_of<T, m>(now.brakes));
+    const auto map = passive_haptics::force_map_of(device.pose, device.E);
+    const auto box = torques_within(device.s, passive_haptics::torque_limits_of<T, m>(device.brakes));
     const force Fc_scaled = force_for(scale, map, box);
     // 4. td: its torques, which are within the limits but for the rounding of a product
     return {scale, map, box, Fc_scaled,
-            passive_haptics::within_limits(Fc_scaled.torque, now.brakes, setup.options.limits)};
+            passive_haptics::within_limits(Fc_scaled.torque, device.brakes, setup.options.limits)};
   }
 
   /// The result of a cycle. Its classes and alpha are those of the wall that demands most, display is
   /// exact where each wall gets all that it demands, and each has a report.
-  template <class Now>
-  PASSIVE_HAPTICS_PART Result result(const Now& now, const steps& done, const brake_vector<M>& t,
+  template <class Device>
+  PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>&) const {
-    const status outcome = check(now, done);
+    const status outcome = check(device, done);
     if (outcome != status::ok) return released<Result>(outcome);
     const auto of_governing = [&](const force& Fc) PASSIVE_HAPTICS_INLINE {
       const display_steps<T, d, m> one{Fc, done.scale.alpha[governing], done.Fc_scaled, done.td};
-      return passive_haptics::result_of<Result>(now, touched, touched[governing].wall, Fd(governing), one, t);
+      return passive_haptics::result_of<Result>(device, touched, touched[governing].wall_number,
+                                                Fd(governing), one, t);
     };
     if constexpr (!has_reports) {
       return of_governing(done.Fc_scaled);
     } else {
       if (!all_finite(done.Fc_scaled.torque)) return released<Result>(status::result_not_finite);
-      Result result = of_governing(unscaled_force(now, done));
-      if (result.outcome == status::ok) add_reports(result, now, done);
+      Result result = of_governing(unscaled_force(device, done));
+      if (result.outcome == status::ok) add_reports(result, device, done);
       return result;
     }
   }
@@ -92,16 +93,16 @@ struct several_walls {
  private:
   static constexpr bool has_reports = requires(Result result) { result.contacts; };
 
-  template <class Now>
-  scales scales_of(const Now& now) const {
+  template <class Device>
+  scales scales_of(const Device& device) const {
     scales all;
     for (int j = 0; j < touched.size(); ++j) {
       const auto wanted = Fd(j);
-      const T leaving = outward(wanted, now.v);
-      all.first[static_cast<std::size_t>(j)] = gives_way<L> && leaving > T(0);
-      if (asks(wanted))
+      const T leaving = outward(wanted, device.v);
+      all.has_priority[static_cast<std::size_t>(j)] = nulls_normal_force<L> && leaving > T(0);
+      if (is_nonzero(wanted))
         all.alpha[j] = setup.law.scale(
-            contact_situation<T, d>{wanted.direction, wanted.magnitude, leaving, now.hand_force});
+            contact_situation<T, d>{wanted.direction, wanted.magnitude, leaving, device.hand_force});
     }
     return all;
   }
@@ -112,20 +113,20 @@ struct several_walls {
     int count = 0;
     for (int j = 0; j < touched.size(); ++j) {
       const auto wanted = Fd(j);
-      if (!asks(wanted)) continue;
+      if (!is_nonzero(wanted)) continue;
       demands[static_cast<std::size_t>(count++)] = {wanted.direction, scale.alpha[j] * wanted.magnitude,
-                                                    scale.first[static_cast<std::size_t>(j)]};
+                                                    scale.has_priority[static_cast<std::size_t>(j)]};
     }
     const auto met = contact_forces<T, d, m, capacity>(map, box, demands, count);
     return {display_class::approximate, met.force, met.torque};
   }
 
   // ok, or why this is no command
-  template <class Now>
-  status check(const Now& now, const steps& done) const {
+  template <class Device>
+  status check(const Device& device, const steps& done) const {
     vector<T, capacity> leaving = vector<T, capacity>::Zero(), magnitude = vector<T, capacity>::Zero();
     for (int j = 0; j < touched.size(); ++j) {
-      leaving[j] = outward(Fd(j), now.v);
+      leaving[j] = outward(Fd(j), device.v);
       magnitude[j] = Fd(j).magnitude;
     }
     const auto alpha = done.scale.alpha.array();
@@ -135,37 +136,38 @@ struct several_walls {
     return all_finite(done.map.G) ? status::ok : status::pose_undefined;
   }
 
-  template <class Now>
-  void add_reports(Result& result, const Now& now, const steps& done) const {
-    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(now.brakes);
+  template <class Device>
+  void add_reports(Result& result, const Device& device, const steps& done) const {
+    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(device.brakes);
     result.saturated = (done.td.torque.array().abs() >= limit.array()).any();
     result.contact_count = touched.size();
     for (int j = 0; j < touched.size(); ++j) {
       const auto k = static_cast<std::size_t>(j);
       const auto wanted = Fd(j);
-      result.contacts[k] = {touched[j].wall, asks(wanted) ? done.scale.alpha[j] * wanted.magnitude : T(0),
-                            wanted.direction.dot(done.Fc_scaled.force), done.scale.first[k]};
+      result.contacts[k] = {touched[j].wall_number,
+                            is_nonzero(wanted) ? done.scale.alpha[j] * wanted.magnitude : T(0),
+                            wanted.direction.dot(done.Fc_scaled.force), done.scale.has_priority[k]};
     }
   }
 
   // Fc before alpha and limits, exact where each wall gets all that it demands. Near a singular pose rounding
   // decides what brakes without limits could do: then it is what is commanded
-  template <class Now>
-  force unscaled_force(const Now& now, const steps& done) const {
+  template <class Device>
+  force unscaled_force(const Device& device, const steps& done) const {
     const vector<T, d> n = Fd(governing).direction;
     force F = done.Fc_scaled;
     if (!is_whole(done)) {
       const vector<T, m> unlimited = vector<T, m>::Constant(std::numeric_limits<T>::infinity());
-      F = force_for({}, done.map, torques_within(now.s, unlimited));
+      F = force_for({}, done.map, torques_within(device.s, unlimited));
     }
-    if (!displays_by_generators<M> && !is_in_cone(now, F.force)) {
+    if (!displays_by_generators<M> && !is_in_cone(device, F.force)) {
       F = done.Fc_scaled;
     } else {
       const T size = F.force.norm(), tolerance = rounding_tolerance<T>(m + capacity) * size;
       bool met = true;
       for (int j = 0; j < touched.size(); ++j) {
         const auto wanted = Fd(j);
-        if (asks(wanted))
+        if (is_nonzero(wanted))
           met = met && std::abs(wanted.magnitude - wanted.direction.dot(F.force)) <= tolerance;
       }
       if (met) F.display = display_class::exact;
@@ -179,7 +181,7 @@ struct several_walls {
   bool is_whole(const steps& done) const {
     bool whole = true;
     for (int j = 0; j < touched.size(); ++j)
-      whole = whole && done.scale.alpha[j] == T(1) && !done.scale.first[static_cast<std::size_t>(j)];
+      whole = whole && done.scale.alpha[j] == T(1) && !done.scale.has_priority[static_cast<std::size_t>(j)];
     const vector<T, m>& t = done.Fc_scaled.torque;
     for (int i = 0; i < m; ++i)
       whole = whole && (t[i] == T(0) || (t[i] > done.box.lower[i] && t[i] < done.box.upper[i]));
@@ -187,13 +189,13 @@ struct several_walls {
   }
 
   // Whether brakes of these signs can make the force, to rounding: s_i t_i <= 0 for t = E^T F
-  template <class Now>
-  static bool is_in_cone(const Now& now, const vector<T, d>& F) {
-    const matrix<T, d, m> E(now.E);
+  template <class Device>
+  static bool is_in_cone(const Device& device, const vector<T, d>& F) {
+    const matrix<T, d, m> E(device.E);
     const vector<T, m> t = E.transpose() * F;
     const T tolerance = rounding_tolerance<T>(1) * F.norm();
     bool all = true;
-    for (int i = 0; i < m; ++i) all = all && now.s[i] * t[i] <= tolerance * E.col(i).norm();
+    for (int i = 0; i < m; ++i) all = all && device.s[i] * t[i] <= tolerance * E.col(i).norm();
     return all;
   }
 };

@@ -37,38 +37,39 @@ struct torques_of_law {
   const desired_force<T, d> Fd = force_of_governing();  ///< What it demands.
 
   /// Whether there is a force to display.
-  bool demands_force() const { return asks(Fd); }
+  bool demands_force() const { return is_nonzero(Fd); }
 
   /// The law in place of steps 1 to 3. Then 4, where each torque is cut alone, as the law has chosen each.
-  template <class Now>
-  PASSIVE_HAPTICS_PART steps command(const Now& now, step_memory<L>& memory) const {
+  template <class Device>
+  PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     steps done{{}, {}, memory.law};
-    done.wanted = torques_wanted(now, done.memory);
+    done.wanted = torques_wanted(device, done.memory);
     if (all_finite(done.wanted))  // else a fault of the law, also where it would be released
-      done.wanted = (now.s.array() * done.wanted.array() > T(0)).select(T(0), done.wanted);
-    done.td = passive_haptics::within_limits(done.wanted, now.brakes, saturation::clamp_each);
+      done.wanted = (device.s.array() * done.wanted.array() > T(0)).select(T(0), done.wanted);
+    done.td = passive_haptics::within_limits(done.wanted, device.brakes, saturation::clamp_each);
     return done;
   }
 
   /// The result of a cycle: of the force that the law's torques make before the limits.
-  template <class Now>
-  PASSIVE_HAPTICS_PART Result result(const Now& now, const steps& done, const brake_vector<M>& t,
+  template <class Device>
+  PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>& memory) const {
     if (check_contacts<T>(touched) != status::ok)
-      return passive_haptics::released<Result>(setup, now.time, status::contact_not_finite, memory);
+      return passive_haptics::released<Result>(setup, device.time, status::contact_not_finite, memory);
     constexpr bool is_account = requires(Result result) { result.torque; };
     display_steps<T, d, m> as_force{.td = done.td};
     as_force.Fc.display = display_class::exact;
     as_force.Fc.torque = as_force.Fc_scaled.torque = done.wanted;
-    if constexpr (is_account) find_force(as_force.Fc, now);
+    if constexpr (is_account) find_force(as_force.Fc, device);
     Result result =
-        passive_haptics::result_of<Result>(now, touched, touched[governing].wall, Fd, as_force, t);
+        passive_haptics::result_of<Result>(device, touched, touched[governing].wall_number, Fd, as_force, t);
     if (result.outcome != status::ok) {
-      passive_haptics::tell_released(setup.law, now.time, memory);
+      passive_haptics::tell_released(setup.law, device.time, memory);
       return result;
     }
     memory.law = done.memory;
-    if constexpr (is_account) result.power = classify_power(Fd.direction.dot(now.v), can_be_displayed(now));
+    if constexpr (is_account)
+      result.power = classify_power(Fd.direction.dot(device.v), can_be_displayed(device));
     return result;
   }
 
@@ -79,24 +80,24 @@ struct torques_of_law {
     return force_of<T>(touched[governing]);
   }
 
-  template <class Now>
-  vector<T, m> torques_wanted(const Now& now, law_memory<L>& memory) const {
+  template <class Device>
+  vector<T, m> torques_wanted(const Device& device, law_memory<L>& memory) const {
     if constexpr (requires { typename L::memory; }) {
       static_assert(
-          requires { setup.law.torque(now, touched, memory); },
+          requires { setup.law.torque(device, touched, memory); },
           "passive_haptics: torque() of this law takes brakes_of<M> alone; let it take a brake_situation<M, "
           "E, B> of any brakes B, or give the step brakes_of<M>.");
-      return setup.law.torque(now, touched, memory);
+      return setup.law.torque(device, touched, memory);
     } else {
-      return setup.law.torque(now, touched);
+      return setup.law.torque(device, touched);
     }
   }
 
   // F = G t of the law's torques. At a singular pose that is the part of it that the pose can tell. Exact
   // where it is Fd, approximate where it has a component along Fd
-  template <class Now>
-  void find_force(approximated_force<T, d, m>& F, const Now& now) const {
-    F.force = passive_haptics::force_map_of(now.pose, now.E).G * F.torque;
+  template <class Device>
+  void find_force(approximated_force<T, d, m>& F, const Device& device) const {
+    F.force = passive_haptics::force_map_of(device.pose, device.E).G * F.torque;
     F.cosine_squared = cosine_squared(F.force, Fd.direction);
     const T off = (F.force - Fd.magnitude * Fd.direction).norm();
     F.display = off <= rounding_tolerance<T>(d + m) * Fd.magnitude ? display_class::exact
@@ -105,11 +106,11 @@ struct torques_of_law {
   }
 
   // Whether the brakes could display Fd
-  template <class Now>
-  bool can_be_displayed(const Now& now) const {
+  template <class Device>
+  bool can_be_displayed(const Device& device) const {
     half_space_start start;
     const T min_cosine = setup.options.min_cosine;
-    return approximation_for<M>::of(now, Fd.direction, min_cosine, start).display == display_class::exact;
+    return approximation_for<M>::of(device, Fd.direction, min_cosine, start).display == display_class::exact;
   }
 };
 

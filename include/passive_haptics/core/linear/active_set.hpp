@@ -41,10 +41,10 @@ class active_set {
   }
 
  private:
-  static constexpr int most = Rows < Columns ? Rows : Columns;
+  static constexpr int max_rank = Rows < Columns ? Rows : Columns;
   static constexpr half_space_set all = ~half_space_set(0) >> (32 - Columns);
   static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
-  using qr = updatable_qr<T, Rows, most>;
+  using qr = updatable_qr<T, Rows, max_rank>;
   using column = typename qr::column;
   using coefficients = typename qr::coefficients;
   using by_half_space = lanes<T, Columns>;
@@ -54,18 +54,18 @@ class active_set {
   [[gnu::always_inline]] void prepare() {
     const T ff = dot(qr_.residual(), qr_.residual());
     vanishing_ = rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * ff;
-    const auto square = sums<T, Columns>([&](int j) {
+    const auto square = horizontal_add<T, Columns>([&](int j) {
       const column b = half_space(j);
       return passive_haptics::products(b, b);
     });
     square.store(square_);
     // What is so short that its square is no number any more restricts nothing
-    choose(square > std::numeric_limits<T>::min(), T(1) / square, T(0)).store(weight_);
+    select(square > std::numeric_limits<T>::min(), T(1) / square, T(0)).store(weight_);
   }
 
   // B^T x
   [[gnu::always_inline]] by_half_space products_with(const column& x) const {
-    return sums<T, Columns>([&](int j) { return passive_haptics::products(half_space(j), x); });
+    return horizontal_add<T, Columns>([&](int j) { return passive_haptics::products(half_space(j), x); });
   }
 
   // The squares of x's parts beyond the half-spaces that may enter; from B^T x.
@@ -88,28 +88,28 @@ class active_set {
   [[gnu::always_inline]] bool is_nearest() {
     qr_.solve(mu_);
     if (!all_positive(mu_)) return false;
-    if (qr_.size() == most) return true;
+    if (qr_.size() == max_rank) return true;
     return !(largest_value(squares_beyond()) > square_of(1));
   }
 
   // The half-space that the residual violates by the largest angle, if by more than so many roundings; else
   // -1.
   int most_violated(int roundings) const {
-    if (qr_.size() == most) return -1;
+    if (qr_.size() == max_rank) return -1;
     const auto worst = largest(squares_beyond());
     return worst.value > square_of(roundings) ? worst.index : -1;
   }
 
   [[gnu::always_inline]] void append_all(half_space_set set) {
-    for (; set != 0 && qr_.size() < most; set &= set - 1) append(std::countr_zero(set));
+    for (; set != 0 && qr_.size() < max_rank; set &= set - 1) append(std::countr_zero(set));
   }
 
   // All that the residual violates, one after the other, without a look at the signs of mu; the products with
   // the residual are carried along, so that the next one need not wait for it. They know what is violated to
   // rounding of |f|, not of |r|. From B^T f.
   [[gnu::always_inline]] void guess(by_half_space products) {
-    T along[at(most)][at(Columns)];  // of v_k and b_j
-    while (qr_.size() < most) {
+    T along[at(max_rank)][at(Columns)];  // of v_k and b_j
+    while (qr_.size() < max_rank) {
       const auto [value, j] = largest(squares_beyond(products));
       if (!(value > T(Rows * Rows) * vanishing_)) return;
       const int k = qr_.size();
@@ -201,11 +201,11 @@ class active_set {
   const T* b_;  // B by columns
   const T* f_;
   qr qr_;
-  T vanishing_;                                             // |r|^2 that is rounding
-  T square_[std::size_t(Columns)];                          // |b_j|^2
-  alignas(16) T weight_[std::size_t(Columns)];              // 1 / |b_j|^2 of those that may enter, else 0
-  std::array<int, static_cast<std::size_t>(most)> member_;  // columns in the set, in the order of the QR
-  coefficients mu_;                                         // of the members
+  T vanishing_;                                                 // |r|^2 that is rounding
+  T square_[std::size_t(Columns)];                              // |b_j|^2
+  alignas(16) T weight_[std::size_t(Columns)];                  // 1 / |b_j|^2 of those that may enter, else 0
+  std::array<int, static_cast<std::size_t>(max_rank)> member_;  // columns in the set, in the order of the QR
+  coefficients mu_;                                             // of the members
   half_space_set members_ = 0;
 };
 

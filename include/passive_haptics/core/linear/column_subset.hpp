@@ -20,11 +20,12 @@ namespace passive_haptics::detail {
 template <class T, int D, int M>
 class column_subset {
  public:
-  using row = lanes<T, M>;                             ///< A number for each column of V.
+  using per_column = lanes<T, M>;                      ///< A number for each column of V.
   static constexpr std::size_t rows = std::size_t(D);  ///< Of V.
 
   /// Of V by rows and f. in_set: 1 for the columns in S, else 0.
-  [[gnu::always_inline]] column_subset(const row (&V)[rows], const vector<T, D>& f, const row& in_set) {
+  [[gnu::always_inline]] column_subset(const per_column (&V)[rows], const vector<T, D>& f,
+                                       const per_column& in_set) {
     unrolled<D>([&](auto k) {
       r_[k] = V[k];
       z_[k] = f[k];
@@ -39,8 +40,8 @@ class column_subset {
   bool reaches(T tolerance) const { return unreached_ <= tolerance; }
 
   /// u, and the size of the terms that it is made of.
-  [[gnu::always_inline]] std::pair<row, row> solution() const {
-    row u{}, size{};
+  [[gnu::always_inline]] std::pair<per_column, per_column> solution() const {
+    per_column u{}, size{};
     unrolled<D>([&](auto k) {
       const T c = z_[k] * inverse_[k], magnitude = std::abs(c);
       u += c * r_[k];
@@ -50,8 +51,8 @@ class column_subset {
   }
 
   /// The shortest solution of V_S x = g for another g; of columns outside of S what does not matter.
-  [[gnu::always_inline]] row solution_of(const vector<T, D>& g) const {
-    row u{};
+  [[gnu::always_inline]] per_column solution_of(const vector<T, D>& g) const {
+    per_column u{};
     T z[rows];
     unrolled<D>([&](auto k) {
       z[k] = g[equation_[k]];
@@ -66,12 +67,13 @@ class column_subset {
   static constexpr T cancelled = T(0.01), much_shorter = T(0.01);
   static constexpr T dependent = rounding_tolerance<T>(D) * rounding_tolerance<T>(D);
 
-  [[gnu::always_inline]] static T product(const row& weight, const row& a, const row& b) {
+  [[gnu::always_inline]] static T product(const per_column& weight, const per_column& a,
+                                          const per_column& b) {
     return dot(weight * a, b);
   }
 
   // Row l less its part along row k
-  [[gnu::always_inline]] void project(int l, int k, const row& in_set) {
+  [[gnu::always_inline]] void project(int l, int k, const per_column& in_set) {
     const T h = product(in_set, r_[k], r_[l]) * inverse_[k];
     r_[l] -= h * r_[k];
     z_[l] -= h * z_[k];
@@ -79,7 +81,7 @@ class column_subset {
   }
 
   // Row k is the next of Q: those below lose their part along it
-  [[gnu::always_inline]] void take(int k, const row& in_set) {
+  [[gnu::always_inline]] void take(int k, const per_column& in_set) {
     int longest = k;
     for (int l = k + 1; l < D; ++l) longest = rest_[l] > rest_[longest] ? l : longest;
     if (rest_[k] < much_shorter * rest_[longest]) swap_rows(k, longest);
@@ -106,7 +108,7 @@ class column_subset {
     std::swap(lower_[k], lower_[l]);
   }
 
-  row r_[rows];
+  per_column r_[rows];
   T z_[rows];
   T rest_[rows], before_[rows];  // |r_k|^2 on S, now and when its digits were still whole
   T inverse_[rows];

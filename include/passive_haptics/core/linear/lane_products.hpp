@@ -37,7 +37,7 @@ template <class T, int N>
 
 /// N numbers, number j the sum over the packet f(j): added crosswise, in half of the instructions of N sums.
 template <class T, int N, class F>
-[[gnu::always_inline]] inline lanes<T, N> sums(F&& f) {
+[[gnu::always_inline]] inline lanes<T, N> horizontal_add(F&& f) {
   using packet = typename lanes<T, N>::packet;
   constexpr int width = lanes<T, N>::width;
   lanes<T, N> a;
@@ -61,7 +61,7 @@ template <class T, int N, class F>
 
 /// (x_0 + x_1, y_0 + y_1), added crosswise.
 template <class T>
-lanes<T, 2> sums(const lanes<T, 2>& x, const lanes<T, 2>& y) {
+lanes<T, 2> horizontal_add(const lanes<T, 2>& x, const lanes<T, 2>& y) {
   if constexpr (lanes<T, 2>::width != 2) return lanes<T, 2>([&](int i) { return sum(i == 0 ? x : y); });
   else
     return lanes<T, 2>::each([&](auto k) {
@@ -72,9 +72,9 @@ lanes<T, 2> sums(const lanes<T, 2>& x, const lanes<T, 2>& y) {
 /// The least of x_0, ..., x_{N-1}.
 template <class T, int N>
 T least(const lanes<T, N>& x) {
-  T most = x[0];
-  unrolled<N - 1>([&](auto i) { most = x[i + 1] < most ? x[i + 1] : most; });
-  return most;
+  T low = x[0];
+  unrolled<N - 1>([&](auto i) { low = x[i + 1] < low ? x[i + 1] : low; });
+  return low;
 }
 
 /// Whether it is true of some.
@@ -124,13 +124,14 @@ template <class T>
 /// The largest of x >= 0; what is NaN counts as 0.
 template <class T, int N>
 [[gnu::always_inline]] inline T largest_value(const lanes<T, N>& x) {
-  typename lanes<T, N>::packet most{};
-  unrolled<lanes<T, N>::count>([&](auto i) { most = x.p[i] > most ? x.p[i] : most; });
+  typename lanes<T, N>::packet largest{};
+  unrolled<lanes<T, N>::count>([&](auto i) { largest = x.p[i] > largest ? x.p[i] : largest; });
   if constexpr (lanes<T, N>::width == 1) {
-    return most;
+    return largest;
   } else {
-    T value = most[0];
-    unrolled<lanes<T, N>::width - 1>([&](auto k) { value = most[k + 1] > value ? most[k + 1] : value; });
+    T value = largest[0];
+    unrolled<lanes<T, N>::width - 1>(
+        [&](auto k) { value = largest[k + 1] > value ? largest[k + 1] : value; });
     return value;
   }
 }
@@ -163,11 +164,11 @@ template <class T, int N>
 template <class T, int N>
 [[gnu::always_inline]] inline largest_entry<T> largest(const lanes<T, N>& x) {
   if constexpr (lanes<T, N>::width == 1) {
-    largest_entry<T> most{T(0), 0};
+    largest_entry<T> largest{T(0), 0};
     for (int i = 0; i < N; ++i) {
-      if (x.p[i] > most.value) most = {x.p[i], i};
+      if (x.p[i] > largest.value) largest = {x.p[i], i};
     }
-    return most;
+    return largest;
   } else {
     return largest_of_marked(x);
   }

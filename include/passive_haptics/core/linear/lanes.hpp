@@ -144,7 +144,7 @@ lanes(const vector<T, N>&) -> lanes<T, N>;
 
 /// a where it is true, else b.
 template <class T, int N>
-[[gnu::always_inline]] inline lanes<T, N> choose(const lane_mask<T, N>& where,
+[[gnu::always_inline]] inline lanes<T, N> select(const lane_mask<T, N>& where,
                                                  const std::type_identity_t<lanes<T, N>>& a,
                                                  const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) {
@@ -181,7 +181,7 @@ lanes<T, N> sqrt(const lanes<T, N>& x) {
 /// -1, 0 or 1; 0 for NaN.
 template <class T, int N>
 lanes<T, N> sgn(const lanes<T, N>& x) {
-  return choose(abs(x) > T(0), copysign(T(1), x), T(0));
+  return select(abs(x) > T(0), copysign(T(1), x), T(0));
 }
 
 /// The smaller of each two; a where one is NaN.
@@ -217,7 +217,7 @@ template <class X>
 
 /// The first truth of two alone.
 template <class T>
-[[gnu::always_inline]] inline lane_mask<T, 2> first(lane_mask<T, 2> x) {
+[[gnu::always_inline]] inline lane_mask<T, 2> first_only(lane_mask<T, 2> x) {
   using truths = typename detail::truths_of<T>::type;
   if constexpr (x.width == 1) x.p[1] = x.p[1] & !x.p[0];
   else if constexpr (x.width == 2) x.p[0] &= ~(swapped(x).p[0] & truths{0, 0, -1, -1});

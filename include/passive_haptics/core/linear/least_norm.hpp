@@ -23,7 +23,7 @@ class least_norm {
   /// V (D x M) and f.
   [[gnu::always_inline]] least_norm(const matrix<T, D, M>& V, const vector<T, D>& f) : v_(V), f_(f) {
     const matrix<T, M, D> by_rows = transposed(V);
-    unrolled<D>([&](auto k) { rows_[k] = row::load(by_rows.data() + k * M); });
+    unrolled<D>([&](auto k) { rows_[k] = per_column::load(by_rows.data() + k * M); });
   }
 
   /// x, of the columns in `usable` only. basis: independent columns that make f with x >= 0; they need not
@@ -32,16 +32,16 @@ class least_norm {
   [[gnu::always_inline]] bool solve(half_space_set basis, half_space_set usable, vector<T, M>& x) {
     if (std::popcount(basis) < D) basis = completed(basis, usable);
     const int rank = std::popcount(basis);
-    row in_set = weights(basis);
-    const row allowed = weights(usable);
+    per_column in_set = weights(basis);
+    const per_column allowed = weights(usable);
     for (int piece = 0; piece < 6 * M; ++piece) {
       const subset_type subset(rows_, f_, in_set);
       if (!subset.reaches(rounding_tolerance<T>(D * M))) return false;
       const auto solution = subset.solution();
-      const row &u = solution.first, &size = solution.second;
-      const row noise = T(4 * D) * std::numeric_limits<T>::epsilon() * size;
-      const row entering = choose(u > noise, allowed - in_set, T(0));
-      const row leaving = choose(u < -noise, in_set, T(0));
+      const per_column &u = solution.first, &size = solution.second;
+      const per_column noise = T(4 * D) * std::numeric_limits<T>::epsilon() * size;
+      const per_column entering = select(u > noise, allowed - in_set, T(0));
+      const per_column leaving = select(u < -noise, in_set, T(0));
       const bool any_leaves = count(leaving) > T(0);
       // A basis has one solution: what is negative in it is rounding
       if (any_leaves && count(in_set) > T(rank)) {
@@ -61,37 +61,39 @@ class least_norm {
 
  private:
   using subset_type = column_subset<T, D, M>;
-  using row = typename subset_type::row;
+  using per_column = typename subset_type::per_column;
 
-  [[gnu::always_inline]] static row weights(half_space_set set) {
+  [[gnu::always_inline]] static per_column weights(half_space_set set) {
     vector<T, M> w;
     unrolled<M>([&](auto i) { w[i] = static_cast<T>(set >> i & 1u); });
-    return row::load(w.data());
+    return per_column::load(w.data());
   }
 
-  [[gnu::always_inline]] static T count(const row& set) { return dot(set, row(T(1))); }
+  [[gnu::always_inline]] static T count(const per_column& set) { return dot(set, per_column(T(1))); }
 
   // x = u on the set, without rounding below 0
-  [[gnu::always_inline]] static void take(const row& u, const row& in_set, vector<T, M>& x) {
-    choose(u > T(0), in_set * u, T(0)).store(x.data());
+  [[gnu::always_inline]] static void take(const per_column& u, const per_column& in_set, vector<T, M>& x) {
+    select(u > T(0), in_set * u, T(0)).store(x.data());
   }
 
   // x and the solution for what it leaves of f: V x = f to rounding of its terms, whatever the subset lost
-  [[gnu::always_inline]] void refine(const subset_type& subset, const row& in_set, vector<T, M>& x) const {
-    const row made = row::load(x.data());
+  [[gnu::always_inline]] void refine(const subset_type& subset, const per_column& in_set,
+                                     vector<T, M>& x) const {
+    const per_column made = per_column::load(x.data());
     vector<T, D> left;
     unrolled<D>([&](auto k) { left[k] = f_[k] - dot(rows_[k], made); });
     take(subset.solution_of(left) + made, in_set, x);
   }
 
   // x on the set without some that are 0 to rounding, so that the others make all of f.
-  [[gnu::noinline]] void take_without(const row& leaving, row in_set, vector<T, M>& x) const {
+  [[gnu::noinline]] void take_without(const per_column& leaving, per_column in_set, vector<T, M>& x) const {
     in_set -= leaving;
     take(subset_type(rows_, f_, in_set).solution().first, in_set, x);
   }
 
   // From x towards u until the first of those that become negative is 0: it leaves the set.
-  static void step_towards(const row& to, const row& leaving, row& in_set, vector<T, M>& x) {
+  static void step_towards(const per_column& to, const per_column& leaving, per_column& in_set,
+                           vector<T, M>& x) {
     vector<T, M> u, leaves, member;
     to.store(u.data());
     leaving.store(leaves.data());
@@ -108,7 +110,7 @@ class least_norm {
     }
     for (int i = 0; i < M; ++i) x[i] = std::max(T(0), x[i] + member[i] * step * (u[i] - x[i]));
     x[blocking] = member[blocking] = T(0);
-    in_set = row::load(member.data());
+    in_set = per_column::load(member.data());
   }
 
   // The basis and, until it spans what the usable columns span, the column that depends on it least.
@@ -116,19 +118,19 @@ class least_norm {
     matrix<T, D, M> rest = v_;
     half_space_set next = basis;
     for (int k = 0; k < D; ++k) {
-      int most = -1;
+      int farthest = -1;
       T largest = rounding_tolerance<T>(D) * rounding_tolerance<T>(D);
       for (int i = 0; i < M; ++i) {
         const half_space_set candidates = next != 0 ? next : usable;
         const T square = rest.col(i).squaredNorm(), whole = v_.col(i).squaredNorm();
         if ((candidates >> i & 1u) == 0 || !(square > largest * whole)) continue;
         largest = square / whole;
-        most = i;
+        farthest = i;
       }
-      if (most < 0) break;
-      next &= ~(1u << most);
-      basis |= 1u << most;
-      const vector<T, D> axis = rest.col(most).normalized();
+      if (farthest < 0) break;
+      next &= ~(1u << farthest);
+      basis |= 1u << farthest;
+      const vector<T, D> axis = rest.col(farthest).normalized();
       for (int pass = 0; pass < 2; ++pass) rest -= axis * (axis.transpose() * rest);
     }
     return basis;
@@ -136,7 +138,7 @@ class least_norm {
 
   const matrix<T, D, M>& v_;
   const vector<T, D>& f_;
-  row rows_[std::size_t(D)];  // V by rows
+  per_column rows_[std::size_t(D)];  // V by rows
 };
 
 }  // namespace passive_haptics::detail

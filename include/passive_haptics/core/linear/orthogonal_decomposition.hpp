@@ -28,7 +28,7 @@ class orthogonal_decomposition {
   /// A^+ b: the shortest of the least-squares solutions of A x = b.
   vector<T, N> solve(const vector<T, Rows>& b) const {
     vector<T, N> x = vector<T, N>::Zero();
-    vector<T, most> y;
+    vector<T, max_rank> y;
     for (int k = rank_ - 1; k >= 0; --k) {  // R y = U^T b
       y[k] = u_.col(k).dot(b);
       for (int l = k + 1; l < rank_; ++l) y[k] -= r_(k, l) * y[l];
@@ -50,7 +50,7 @@ class orthogonal_decomposition {
   /// (A^T)^+ g: the shortest of the least-squares solutions of A^T x = g.
   vector<T, Rows> solve_transposed(const vector<T, N>& g) const {
     vector<T, Rows> x = vector<T, Rows>::Zero();
-    vector<T, most> y;
+    vector<T, max_rank> y;
     for (int k = 0; k < rank_; ++k) {  // R^T y = V^T g
       y[k] = v_.col(k).dot(g);
       for (int l = 0; l < k; ++l) y[k] -= r_(l, k) * y[l];
@@ -85,13 +85,13 @@ class orthogonal_decomposition {
   }
 
  private:
-  static constexpr int most = Rows < N ? Rows : N;
+  static constexpr int max_rank = Rows < N ? Rows : N;
 
   void find_row_space(const matrix<T, Rows, N>& A, T tolerance) {
     matrix<T, N, Rows> rest = transposed(A);
     const T longest = rest.colwise().norm().maxCoeff();
     if (longest == T(0)) return;
-    for (rank_ = 0; rank_ < most; ++rank_) {
+    for (rank_ = 0; rank_ < max_rank; ++rank_) {
       int pivot = -1;
       T length = tolerance * longest;
       for (int i = 0; i < Rows; ++i) {
@@ -116,9 +116,9 @@ class orthogonal_decomposition {
   }
 
   int rank_ = 0;
-  matrix<T, Rows, most> u_;  // the first r columns: orthonormal columns of U
-  matrix<T, N, most> v_;     // and of V
-  matrix<T, most, most> r_;  // R
+  matrix<T, Rows, max_rank> u_;      // the first r columns: orthonormal columns of U
+  matrix<T, N, max_rank> v_;         // and of V
+  matrix<T, max_rank, max_rank> r_;  // R
 };
 
 }  // namespace passive_haptics

@@ -36,9 +36,9 @@ bool are_parallel(T area, T a_square, T b_square) {
 
 /// a x b of vectors with these squares; 0 where they are parallel to rounding.
 template <class T, int N>
-lanes<T, N> area_or_zero(const lanes<T, N>& area, const lanes<T, N>& a_square, const lanes<T, N>& b_square) {
+lanes<T, N> cross_or_zero(const lanes<T, N>& area, const lanes<T, N>& a_square, const lanes<T, N>& b_square) {
   constexpr T tolerance = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
-  return choose(area * area > tolerance * a_square * b_square, area, T(0));
+  return select(area * area > tolerance * a_square * b_square, area, T(0));
 }
 
 /// The edge of two half-spaces on which the nearest point to an f outside of them lies.

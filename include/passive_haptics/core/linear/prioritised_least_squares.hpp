@@ -158,12 +158,12 @@ class prioritised_least_squares {
     // A column that the decompositions call dependent has no pull
     const T noise = rank_tolerance() * (longest_row(A) * r.norm() + longest_row(done_) * taken.norm());
     int worst = -1;
-    T most = noise;
+    T largest = noise;
     for (int i = 0; i < N && !(first && worst >= 0); ++i) {
       const bound at = at_[idx(i)];
       const T inward = at == bound::lower ? pull[i] : (at == bound::upper ? -pull[i] : T(0));
-      if (!(inward > most) || refused[idx(i)]) continue;
-      most = inward;
+      if (!(inward > largest) || refused[idx(i)]) continue;
+      largest = inward;
       worst = i;
     }
     for (int i = 0; i < N && worst < 0; ++i) {

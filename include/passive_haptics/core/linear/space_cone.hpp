@@ -14,8 +14,8 @@ namespace passive_haptics::detail {
 /// True if products of four lengths of this square are numbers.
 template <class T>
 bool is_moderate(T square) {
-  constexpr T most = sizeof(T) > sizeof(float) ? T(1e30) : T(1e8);
-  return square < most && square > T(1) / most;
+  constexpr T max_square = sizeof(T) > sizeof(float) ? T(1e30) : T(1e8);
+  return square < max_square && square > T(1) / max_square;
 }
 
 /// In space the answer is f, its foot on a face or on an edge, or the apex. With the edges d_k = b_i x b_j

@@ -24,15 +24,15 @@ struct current_torque {
 ///
 /// and what changes it. For a sliding brake read N for N m. The defaults are no brake's: 1 N m at 1 A.
 struct brake_curve {
-  static constexpr int most_points = 16;  ///< Of a table.
+  static constexpr int max_points = 16;  ///< Of a table.
 
   double residual_torque = 0;    ///< What drags without current [N m].
   double torque_per_ampere = 1;  ///< Slope of the straight line [N m/A]; beside a table it stays 1.
   double current_limit = 1;      ///< Most current that is ever given [A].
   /// The first `points` are a table in place of the line: both values rise, the first is 0 A and
   /// residual_torque. The others are 0.
-  std::array<current_torque, static_cast<std::size_t>(most_points)> table{};
-  int points = 0;  ///< 0: the straight line; else 2 to most_points.
+  std::array<current_torque, static_cast<std::size_t>(max_points)> table{};
+  int points = 0;  ///< 0: the straight line; else 2 to max_points.
   /// By how much the falling branch lies above the rising one, remanence [N m].
   double hysteresis = 0;
   /// Share of the torque, without the residual one, that a kelvin above the reference takes away [1/K].
@@ -44,15 +44,16 @@ struct brake_curve {
   static constexpr auto members() {
     using p = brake_curve;
     return member_table(
-        member("residual_torque", &p::residual_torque, "N m", range::not_negative).large_over(1e4),
-        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive).large_over(1e4),
-        member("current_limit", &p::current_limit, "A", range::positive).large_over(1000),
+        member("residual_torque", &p::residual_torque, "N m", range::not_negative).suspicious_above(1e4),
+        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive).suspicious_above(1e4),
+        member("current_limit", &p::current_limit, "A", range::positive).suspicious_above(1000),
         member("points", &p::points, "",
-               range::between(0, most_points).as("0 for a straight line, or 2 to 16")),
-        member("hysteresis", &p::hysteresis, "N m", range::not_negative).large_over(1e4),
-        member("loss_per_kelvin", &p::loss_per_kelvin, "1/K", range::not_negative).large_over(0.1),
-        member("reference_temperature", &p::reference_temperature, "K", range::positive).large_over(1000),
-        member("highest_temperature", &p::highest_temperature, "K", range::positive).large_over(1000));
+               range::between(0, max_points).as("0 for a straight line, or 2 to 16")),
+        member("hysteresis", &p::hysteresis, "N m", range::not_negative).suspicious_above(1e4),
+        member("loss_per_kelvin", &p::loss_per_kelvin, "1/K", range::not_negative).suspicious_above(0.1),
+        member("reference_temperature", &p::reference_temperature, "K", range::positive)
+            .suspicious_above(1000),
+        member("highest_temperature", &p::highest_temperature, "K", range::positive).suspicious_above(1000));
   }
   /// The table's values rise, all that is given of it is read, and heat leaves some torque.
   std::string rules() const;
@@ -62,7 +63,7 @@ namespace detail {
 
 // What is given but would not be read: entries beyond `points`, and a slope beside a table
 inline std::string check_brake_points(const brake_curve& p) {
-  int given = brake_curve::most_points;
+  int given = brake_curve::max_points;
   for (; given > p.points; --given) {
     const current_torque& last = p.table[static_cast<std::size_t>(given - 1)];
     if (last.current != 0 || last.torque != 0) break;

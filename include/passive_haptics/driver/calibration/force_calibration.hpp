@@ -75,10 +75,11 @@ struct force_calibration_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = force_calibration_parameters;
-    return member_table(member("newtons_per_unit", &p::newtons_per_unit, "N", range::finite).large_over(1e6),
-                        member("tare", &p::tare, "N", range::finite),
-                        member("handle_mass", &p::handle_mass, "kg", range::not_negative).large_over(1000),
-                        member("gravity", &p::gravity, "m/s^2", range::finite).large_over(100));
+    return member_table(
+        member("newtons_per_unit", &p::newtons_per_unit, "N", range::finite).suspicious_above(1e6),
+        member("tare", &p::tare, "N", range::finite),
+        member("handle_mass", &p::handle_mass, "kg", range::not_negative).suspicious_above(1000),
+        member("gravity", &p::gravity, "m/s^2", range::finite).suspicious_above(100));
   }
   /// The channels tell each direction apart, and gravity has a mass to pull at.
   std::string rules() const {

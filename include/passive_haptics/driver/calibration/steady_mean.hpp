@@ -20,9 +20,10 @@ struct steady_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = steady_parameters;
-    return member_table(member("duration", &p::duration, "s", range::positive).large_over(600),
-                        member("tolerance", &p::tolerance, "counts", range::not_negative).large_over(1e6),
-                        member("longest_gap", &p::longest_gap, "s", range::positive).large_over(10));
+    return member_table(
+        member("duration", &p::duration, "s", range::positive).suspicious_above(600),
+        member("tolerance", &p::tolerance, "counts", range::not_negative).suspicious_above(1e6),
+        member("longest_gap", &p::longest_gap, "s", range::positive).suspicious_above(10));
   }
 };
 

@@ -21,10 +21,11 @@ struct current_limits {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = current_limits;
-    return member_table(member("largest", &p::largest, "A", range::positive).large_over(1000),
-                        member("continuous", &p::continuous, "A", range::positive).large_over(1000),
-                        member("heat", &p::heat, "A^2 s", range::positive).large_over(1e6),
-                        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative).large_over(1e6));
+    return member_table(
+        member("largest", &p::largest, "A", range::positive).suspicious_above(1000),
+        member("continuous", &p::continuous, "A", range::positive).suspicious_above(1000),
+        member("heat", &p::heat, "A^2 s", range::positive).suspicious_above(1e6),
+        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative).suspicious_above(1e6));
   }
 };
 
@@ -41,13 +42,13 @@ class current_limiter {
     for (std::size_t i = 0; i < flowing_.size(); ++i) {
       const double continuous = limits_.continuous[i];
       heat_[i] = std::max(0.0, heat_[i] + (flowing_[i] * flowing_[i] - continuous * continuous) * dt);
-      double most = limits_.largest[i];
+      double limit = limits_.largest[i];
       // Once too warm it stays lowered until half of the heat is gone, or it would switch each cycle
       hot_[i] = heat_[i] > (hot_[i] ? 0.5 : 1.0) * limits_.heat[i];
-      if (hot_[i] && continuous < most) most = cooling * continuous;
-      if (limits_.fastest_rise[i] > 0) most = std::min(most, flowing_[i] + limits_.fastest_rise[i] * dt);
+      if (hot_[i] && continuous < limit) limit = cooling * continuous;
+      if (limits_.fastest_rise[i] > 0) limit = std::min(limit, flowing_[i] + limits_.fastest_rise[i] * dt);
       warm_ = warm_ || (hot_[i] && wanted[i] > cooling * continuous);
-      flowing_[i] = std::min(wanted[i], most);
+      flowing_[i] = std::min(wanted[i], limit);
     }
     return flowing_;
   }

@@ -25,8 +25,8 @@ struct encoder_limits {
   static constexpr auto members() {
     using p = encoder_limits;
     return member_table(
-        member("largest_rate", &p::largest_rate, "counts/s", range::positive).large_over(1e10),
-        member("frozen_travel", &p::frozen_travel, "counts", range::not_negative).large_over(1e9));
+        member("largest_rate", &p::largest_rate, "counts/s", range::positive).suspicious_above(1e10),
+        member("frozen_travel", &p::frozen_travel, "counts", range::not_negative).suspicious_above(1e9));
   }
 };
 
@@ -83,8 +83,8 @@ class encoder_check {
  private:
   // Of a counter without or with a sign; without a width, as far as a double distinguishes single counts
   bool in_range(double count) const noexcept {
-    constexpr double most = 1 / std::numeric_limits<double>::epsilon();
-    return turn_ > 0 ? count >= -turn_ / 2 && count < turn_ : std::abs(count) <= most;
+    constexpr double max_exact = 1 / std::numeric_limits<double>::epsilon();
+    return turn_ > 0 ? count >= -turn_ / 2 && count < turn_ : std::abs(count) <= max_exact;
   }
 
   void start(const port_sample<N>& sample) noexcept {

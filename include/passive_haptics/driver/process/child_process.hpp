@@ -165,11 +165,11 @@ class child_process {
   static std::string answer(int from, double patience) {
     std::string text;
     std::array<char, 256> part;
-    constexpr double most = 1e6;  // [s], whose milliseconds are an int
+    constexpr double max_wait = 1e6;  // [s], whose milliseconds are an int
     for (const double end = monotonic_seconds() + patience;;) {
       pollfd watched{from, POLLIN, 0};
       const double left = end - monotonic_seconds();
-      const int came = left > 0 ? poll(&watched, 1, static_cast<int>(1e3 * std::min(left, most)) + 1) : 0;
+      const int came = left > 0 ? poll(&watched, 1, static_cast<int>(1e3 * std::min(left, max_wait)) + 1) : 0;
       if (came == 0) return "the process was not ready in time: was it stopped?";
       const ssize_t size = came < 0 ? -1 : ::read(from, part.data(), part.size());
       if (size < 0 && errno == EINTR) continue;

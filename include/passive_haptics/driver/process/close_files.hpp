@@ -53,8 +53,8 @@ inline bool close_listed(const kept_files& kept) {
 
 // Up to the limit of the numbers; false where that are too many to try each: some containers have 1e9
 inline bool close_up_to(rlim_t limit, const kept_files& kept) noexcept {
-  constexpr rlim_t most = 1 << 20;  // fs.nr_open of Linux; less than a second
-  if (limit > most) return false;
+  constexpr rlim_t max_files = 1 << 20;  // fs.nr_open of Linux; less than a second
+  if (limit > max_files) return false;
   for (int file = 0; file < static_cast<int>(limit); ++file) close_unless_kept(file, kept);
   return true;
 }

@@ -38,7 +38,7 @@ struct supervisor_parameters {
   /// How long it may not be seen by the loop before it counts as lost [s]: it looks four times in a timeout.
   double lost() const noexcept { return std::max(0.1, timeout); }
 
-  static constexpr const char* owner = "the supervisor";  ///< In errors.
+  static constexpr const char* type_name = "the supervisor";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = supervisor_parameters;

@@ -22,7 +22,7 @@ namespace passive_haptics {
 struct polling_parameters {
   double pause = 1e-4;  ///< From one look to the next [s]: a tenth of section 5.1's cycle.
 
-  static constexpr const char* owner = "a polling thread";  ///< In errors.
+  static constexpr const char* type_name = "a polling thread";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     return member_table(member("pause", &polling_parameters::pause, "s", range::between(1e-6, 1)));

@@ -20,7 +20,7 @@ struct detents_parameters {
   T strength = T(0);                                     ///< Largest resistance [N], >= 0.
   T velocity_dead_band = default_velocity_dead_band<T>;  ///< Slower counts as at rest [m/s], > 0.
 
-  static constexpr const char* owner = "detents";  ///< In errors.
+  static constexpr const char* type_name = "detents";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = detents_parameters;

@@ -22,7 +22,7 @@ struct end_stops_parameters {
   /// Slower counts as at rest [rad/s], > 0; as rate_dead_band of brake_parameters.
   vector<T, N> rate_dead_band = vector<T, N>::Constant(T(0.02));
 
-  static constexpr const char* owner = "end_stops";  ///< In errors.
+  static constexpr const char* type_name = "end_stops";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = end_stops_parameters;

@@ -25,7 +25,7 @@ struct guide_parameters {
   T viscosity = T(0);                              ///< Across the guide, either way [N s/m], >= 0.
   T velocity_dead_band = default_velocity_dead_band<T>;  ///< Slower counts as at rest [m/s], > 0.
 
-  static constexpr const char* owner = "a guide";  ///< In errors.
+  static constexpr const char* type_name = "a guide";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = guide_parameters;

@@ -13,7 +13,7 @@ template <class T, int D>
 struct viscous_field_parameters {
   matrix<T, D, D> viscosity = matrix<T, D, D>::Zero();  ///< B [N s/m], base frame; v . B v >= 0 for all v.
 
-  static constexpr const char* owner = "a viscous_field";  ///< In errors.
+  static constexpr const char* type_name = "a viscous_field";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = viscous_field_parameters;

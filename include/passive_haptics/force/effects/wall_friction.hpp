@@ -16,7 +16,7 @@ struct wall_friction_parameters {
   T viscosity = T(0);                                    ///< b >= 0 [N s/m].
   T velocity_dead_band = default_velocity_dead_band<T>;  ///< Slower counts as at rest [m/s], > 0.
 
-  static constexpr const char* owner = "wall_friction";  ///< In errors.
+  static constexpr const char* type_name = "wall_friction";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = wall_friction_parameters;

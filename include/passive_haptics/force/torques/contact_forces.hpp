@@ -18,7 +18,7 @@ template <class T, int D>
 struct contact_demand {
   vector<T, D> normal;  ///< n_j, unit, out of the wall.
   T force;              ///< a_j, wanted n_j . F [N], >= 0.
-  bool first;           ///< Met before the others: a contact being left, where nothing may remain normal.
+  bool has_priority;    ///< Met before the others: a contact being left, where nothing may remain normal.
 };
 
 /// What the force F of the brakes at the end effector can be: F = G t, where P t = 0. P is 0 for n = d away
@@ -80,13 +80,14 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
     const matrix<T, D, Brakes>& drag) {
   using demand_level = least_squares_level<T, Capacity, Brakes>;
-  constexpr T eps = std::numeric_limits<T>::epsilon(), most = 1 / (eps * eps);  // [N m], of no brake
+  constexpr T eps = std::numeric_limits<T>::epsilon(), max_force = 1 / (eps * eps);  // [N m], of no brake
   demand_level first, others;
   for (int j = 0; j < count; ++j) {
     const auto& demand = demands[static_cast<std::size_t>(j)];
-    demand_level& level = demand.first ? first : others;
+    demand_level& level = demand.has_priority ? first : others;
     level.A.row(j) = demand.normal.transpose() * map.G;
-    level.b[j] = std::min(demand.force, most * level.A.row(j).norm());  // torques for more might overflow
+    level.b[j] =
+        std::min(demand.force, max_force * level.A.row(j).norm());  // torques for more might overflow
   }
   const vector<T, Brakes> t = least_squares_by_priority<Brakes + Capacity + D>(
       box.lower, box.upper, least_squares_level{map.P}, first, others, least_squares_level{drag},

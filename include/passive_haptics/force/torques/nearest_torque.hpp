@@ -71,11 +71,11 @@ template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_of_generators(const matrix<T, D, Brakes>& G,
                                                           const vector<T, Brakes>& s,
                                                           const vector<T, D>& Fd) {
-  constexpr T most = sizeof(T) > sizeof(float) ? T(1e60) : T(1e15);
+  constexpr T max_square = sizeof(T) > sizeof(float) ? T(1e60) : T(1e15);
   vector<T, Brakes> sign;
   unrolled<Brakes>([&](auto i) { sign[i] = std::copysign(T(1), -s[i]); });
   matrix<T, D, Brakes> V = G * sign.asDiagonal();
-  if (const T square = V.squaredNorm(); !(square < most && square > T(1) / most)) {
+  if (const T square = V.squaredNorm(); !(square < max_square && square > T(1) / max_square)) {
     const T largest = V.cwiseAbs().maxCoeff();
     if (!all_finite(V) || largest == T(0)) return {vector<T, Brakes>::Zero(), vector<T, D>::Zero()};
     V /= largest;

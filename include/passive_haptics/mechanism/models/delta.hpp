@@ -139,7 +139,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
     using std::sqrt;
     const vector<S, 3> a = P2 - P1, b = P3 - P1, c = P3 - P2;
     const vector<S, 3> n = cross(a, b);
-    const S aa = a.squaredNorm(), bb = b.squaredNorm(), nn = known(n.squaredNorm());
+    const S aa = a.squaredNorm(), bb = b.squaredNorm(), nn = nan_if_degenerate(n.squaredNorm());
     const vector<S, 3> bn = cross(b, n), na = cross(n, a);
     const S circumradius = sqrt(S(aa * bb * c.squaredNorm() / nn)) / T(2);
     const S height = side_ * sqrt(S((p_.forearm - circumradius) * (p_.forearm + circumradius) / nn));
@@ -166,7 +166,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
 
   // NaN where two elbows coincide to rounding.
   template <class S>
-  S known(const S& square) const {
+  S nan_if_degenerate(const S& square) const {
     return square > S(rounding_square_) ? square : S(std::numeric_limits<T>::quiet_NaN());
   }
 

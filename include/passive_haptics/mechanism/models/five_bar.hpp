@@ -129,7 +129,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   vector<S, 2> handle(const vector<S, 2>& P1, const vector<S, 2>& P2) const {
     using std::sqrt;
     const vector<S, 2> apart = P2 - P1;
-    const S square = known(apart.squaredNorm()), distance = sqrt(square);
+    const S square = nan_if_degenerate(apart.squaredNorm()), distance = sqrt(square);
     const S sum = S(p_.distal_1) + S(p_.distal_2), difference = S(p_.distal_1) - S(p_.distal_2);
     const S along = difference * sum / (T(2) * square);
     const S stretched = (sum - distance) * (sum + distance);
@@ -168,7 +168,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
 
   // NaN where the elbows coincide to rounding.
   template <class S>
-  S known(const S& square) const {
+  S nan_if_degenerate(const S& square) const {
     return square > S(rounding_square_) ? square : S(std::numeric_limits<T>::quiet_NaN());
   }
 

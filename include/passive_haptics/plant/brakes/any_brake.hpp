@@ -38,9 +38,9 @@ class any_brake {
 
   /// See BrakeModel.
   scalar torque_limit_at(scalar rate) const noexcept {
-    scalar most{};
-    with_model([&](const auto& model, auto) { most = model.torque_limit_at(rate); });
-    return most;
+    scalar limit{};
+    with_model([&](const auto& model, auto) { limit = model.torque_limit_at(rate); });
+    return limit;
   }
 
  private:

@@ -199,10 +199,10 @@ class bounding_volume_tree {
     nodes_.emplace_back();
     std::array<range, 4> branches{all};
     for (std::size_t k = 1; k < 4; ++k) {
-      range& most = *std::max_element(branches.begin(), branches.begin() + k,
-                                      [](const range& a, const range& b) { return a.size() < b.size(); });
-      branches[k] = {cut(most), most.end};
-      most.end = branches[k].begin;
+      range& largest = *std::max_element(branches.begin(), branches.begin() + k,
+                                         [](const range& a, const range& b) { return a.size() < b.size(); });
+      branches[k] = {cut(largest), largest.end};
+      largest.end = branches[k].begin;
     }
     std::array<bounding_box<D>, 4> about;
     for (std::size_t k = 0; k < 4; ++k) {

@@ -17,12 +17,12 @@ namespace passive_haptics {
 /// more than `most` bytes, or cannot be read. Never waits for a FIFO or a device, allocates no more than the
 /// file's size.
 inline std::string read_file(const std::filesystem::path& path, std::string& bytes,
-                             std::uintmax_t most = std::numeric_limits<std::uintmax_t>::max()) {
+                             std::uintmax_t max_size = std::numeric_limits<std::uintmax_t>::max()) {
   if (std::string error = check_regular_file(path); !error.empty()) return error;
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) return error.message();
-  if (size > most) return std::to_string(size) + " bytes, expected at most " + std::to_string(most);
+  if (size > max_size) return std::to_string(size) + " bytes, expected at most " + std::to_string(max_size);
   std::ifstream in(path, std::ios::binary);
   if (!in) return "cannot be read, expected a file that you may read";
   bytes.resize(static_cast<std::size_t>(size));

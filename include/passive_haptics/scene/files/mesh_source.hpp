@@ -71,11 +71,12 @@ class mesh_source {
   }
   /// Ends with an error about the word that was read last.
   [[noreturn]] void fail(std::string_view found, std::string_view expected) const {
-    constexpr std::size_t most = 40;  // characters
-    const std::string text =
-        found.empty()
-            ? std::string(at_ == bytes_.size() ? "the file ends" : "the line ends")
-            : std::string("'").append(found.substr(0, most)).append(found.size() > most ? "...'" : "'");
+    constexpr std::size_t max_length = 40;  // characters
+    const std::string text = found.empty()
+                                 ? std::string(at_ == bytes_.size() ? "the file ends" : "the line ends")
+                                 : std::string("'")
+                                       .append(found.substr(0, max_length))
+                                       .append(found.size() > max_length ? "...'" : "'");
     fail_mesh_file(path_, indexed("line ", line_, ": ").append(text).append(", expected ").append(expected));
   }
 

@@ -40,14 +40,14 @@ inline void read_obj(mesh_source& from, polygons& to) {
     if (word == "v") {
       point<3> x;
       for (double& coordinate : x) coordinate = from.number<double>(from.word_in_line(), "a coordinate");
-      if (to.vertices.size() == polygons::most) from.fail(word, "fewer vertices");
+      if (to.vertices.size() == polygons::max_count) from.fail(word, "fewer vertices");
       while (!(word = from.word_in_line()).empty() && word.front() != '#')
         from.number<double>(word, "a weight or a colour");
       to.vertices.push_back(x);
     } else if (word == "f") {
       corners.clear();
       while (!(word = from.word_in_line()).empty() && word.front() != '#') {
-        if (corners.size() == polygons::most_corners) from.fail(word, "a polygon of fewer corners");
+        if (corners.size() == polygons::max_corners) from.fail(word, "a polygon of fewer corners");
         corners.push_back(obj_index(from, word, to.vertices.size()));
       }
       if (corners.size() < 3) from.fail(word, "three corners or more");

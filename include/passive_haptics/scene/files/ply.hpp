@@ -71,7 +71,7 @@ inline void read_ply_vertices(ply_values& from, const ply_element& vertex, polyg
 inline void read_ply_polygon(ply_values& from, const ply_property& list, std::size_t vertices, polygons& to,
                              std::vector<int>& corners) {
   corners.resize(from.length(list));
-  if (corners.size() > polygons::most_corners)
+  if (corners.size() > polygons::max_corners)
     from.fail(indexed("a polygon of ", corners.size(), " corners"), "at most 1000");
   for (int& corner : corners) {
     const std::int64_t i = from.whole(list.type);
@@ -95,7 +95,8 @@ inline void check_ply_header(const mesh_source& from, const ply_header& header) 
                      std::string("the header is not that of a mesh, expected ").append(expected));
   };
   const ply_element* const vertex = header.find("vertex");
-  require(vertex != nullptr && vertex->rows <= polygons::most, "'element vertex' and how many there are");
+  require(vertex != nullptr && vertex->rows <= polygons::max_count,
+          "'element vertex' and how many there are");
   for (const char* axis : {"x", "y", "z"})
     require(vertex->find(axis) != nullptr && !vertex->find(axis)->is_list(),
             "properties x, y and z of the vertices");

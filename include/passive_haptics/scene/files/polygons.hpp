@@ -28,15 +28,15 @@ namespace detail {
 
 /// Vertices, and polygons one after the other.
 struct polygons {
-  static constexpr std::size_t most_corners = 1000;                     ///< Of one polygon.
-  static constexpr std::size_t most = std::numeric_limits<int>::max();  ///< Vertices or triangles.
+  static constexpr std::size_t max_corners = 1000;                           ///< Of one polygon.
+  static constexpr std::size_t max_count = std::numeric_limits<int>::max();  ///< Vertices or triangles.
 
   std::vector<point<3>> vertices;
   std::vector<int> corners;       ///< Of all polygons; each is the index of a vertex, which is to be valid.
   std::vector<std::size_t> ends;  ///< Where in `corners` each polygon ends.
   std::size_t not_polygons = 0;   ///< Points and lines, which were left out.
 
-  /// Adds one; its corners must be indices of vertices, at most `most_corners`.
+  /// Adds one; its corners must be indices of vertices, at most `max_corners`.
   void add(std::span<const int> polygon) {
     if (polygon.size() < 3) {
       ++not_polygons;
@@ -99,7 +99,7 @@ inline std::string to_mesh(polygons&& from, double metres_per_unit, mesh_file& f
     if (!all_finite(from.vertices[v]))
       return indexed("vertex ", v, " is not finite, expected coordinates; the file is damaged");
   }
-  file.not_triangles = static_cast<int>(std::min(from.not_polygons, polygons::most));
+  file.not_triangles = static_cast<int>(std::min(from.not_polygons, polygons::max_count));
   if (from.ends.empty()) return "no triangles, expected one or more; points and lines have no sides";
   mesh_parameters<3> all{std::move(from.vertices), {}};
   std::size_t begin = 0;
@@ -109,7 +109,7 @@ inline std::string to_mesh(polygons&& from, double metres_per_unit, mesh_file& f
       return indexed("polygon ", i, " is concave, expected triangles; cut it where the file is made");
   }
   const std::size_t count = all.facets.size();
-  if (count > polygons::most) return "more than 2^31 - 1 triangles, expected fewer";
+  if (count > polygons::max_count) return "more than 2^31 - 1 triangles, expected fewer";
   file.mesh = compact(without_slivers(std::move(all)));
   file.slivers = static_cast<int>(count - file.mesh.facets.size());
   return file.mesh.facets.empty() ? "no triangle has an area, expected one or more" : "";

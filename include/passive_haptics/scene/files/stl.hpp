@@ -76,7 +76,7 @@ inline void read_stl(mesh_source& from, polygons& to) {
   const bool has_head = bytes.size() >= stl_head;
   const std::size_t size = has_head ? stl_head + stl_triangle * stl_count(from) : stl_head;
   from.seek(0);
-  if (bytes.size() / stl_triangle > polygons::most / 3)
+  if (bytes.size() / stl_triangle > polygons::max_count / 3)
     from.fail_here("a file that large", "fewer triangles");
   if (has_head && bytes.size() == size) return read_binary_stl(from, to);
   if (bytes.substr(0, 5) == "solid") return read_ascii_stl(from, to);

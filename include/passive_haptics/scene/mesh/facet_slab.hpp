@@ -15,10 +15,10 @@ struct part_of_way {
   double first = 0, last = 1;
 
   /// Keeps the part where a + t b <= most. NaN keeps nothing.
-  void keep_below(double a, double b, double most) {
-    if (b > 0) last = std::min(last, (most - a) / b);
-    else if (b < 0) first = std::max(first, (most - a) / b);
-    else if (!(a <= most)) last = -1;
+  void keep_below(double a, double b, double bound) {
+    if (b > 0) last = std::min(last, (bound - a) / b);
+    else if (b < 0) first = std::max(first, (bound - a) / b);
+    else if (!(a <= bound)) last = -1;
   }
   /// Keeps the part where low <= a + t b <= high.
   void keep_between(double a, double b, double low, double high) {

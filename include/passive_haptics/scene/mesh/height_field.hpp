@@ -23,7 +23,7 @@ struct height_field_parameters {
   point<3> origin{0, 0, 0};  ///< Of column 0 and row 0, at height 0 [m].
 
   static constexpr const char* grid = "2 or more, and at most 2^31 triangles in all";  ///< In errors.
-  static constexpr const char* owner = "a height_field";                               ///< In errors.
+  static constexpr const char* type_name = "a height_field";                           ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = height_field_parameters;

@@ -21,7 +21,7 @@ struct mesh_surface_parameters {
   /// Facets whose normals differ by less are one smooth surface [rad].
   double crease_angle = std::numbers::pi / 6;
 
-  static constexpr const char* owner = "a mesh_surface";  ///< In errors.
+  static constexpr const char* type_name = "a mesh_surface";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = mesh_surface_parameters;

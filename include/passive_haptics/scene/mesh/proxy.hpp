@@ -21,12 +21,12 @@ namespace passive_haptics {
 template <int D>
 struct proxy_tracker {
   /// Facets on which a proxy rests at once; of more, some wait.
-  static constexpr int most_facets = 4 * (D - 1);
+  static constexpr int max_facets = 4 * (D - 1);
 
   bool known = false;  ///< Whether the handle was seen.
   bool held = false;   ///< Whether the surface keeps the proxy from the handle; else they are in one place.
   std::array<double, static_cast<std::size_t>(D)> position{};  ///< Of the proxy, if held [m].
-  std::array<int, std::size_t(most_facets)> facets{};          ///< On which it rests, if held.
+  std::array<int, std::size_t(max_facets)> facets{};           ///< On which it rests, if held.
   int facet_count = 0;                                         ///< How many.
   int nearest = 0;  ///< A facet that was nearest: where to search first.
 };
@@ -45,7 +45,7 @@ class proxy_way {
 
   /// As near to x as the surface lets it.
   void go_to(const point<D>& x) {
-    for (int move = 0; move < most_moves; ++move) {
+    for (int move = 0; move < max_moves; ++move) {
       leave_facets();
       const point<D> wanted = x - p_;
       const point<D> step = along_facets(wanted);
@@ -68,8 +68,8 @@ class proxy_way {
 
  private:
   // Straight parts in one cycle; where they do not suffice the proxy lags, on the free side.
-  static constexpr int most_moves = 64;
-  static constexpr int most = proxy_tracker<D>::most_facets;
+  static constexpr int max_moves = 64;
+  static constexpr int max_facets = proxy_tracker<D>::max_facets;
 
   struct hit {
     double time;  // in [0, 1]
@@ -95,16 +95,17 @@ class proxy_way {
     active_ = 0;
     const double length = wanted.norm();
     if (tracker_.facet_count == 0 || !(length > 0)) return wanted;
-    matrix<double, D, most> B = matrix<double, D, most>::Zero();
+    matrix<double, D, max_facets> B = matrix<double, D, max_facets>::Zero();
     for (int k = 0; k < tracker_.facet_count; ++k) B.col(k) = -surface_[resting(k)].normal;
-    const auto projection = project_onto_half_spaces<double, D, most>(B, wanted / length);
+    const auto projection = project_onto_half_spaces<double, D, max_facets>(B, wanted / length);
     active_ = projection.active;
     return active_ == 0 ? wanted : point<D>(length * projection.point);
   }
 
   // A full list first loses a facet that did not hold the last step back; at most D did.
   void rest_on(int facet) {
-    if (tracker_.facet_count == most) resting(std::countr_one(active_)) = resting(--tracker_.facet_count);
+    if (tracker_.facet_count == max_facets)
+      resting(std::countr_one(active_)) = resting(--tracker_.facet_count);
     resting(tracker_.facet_count++) = facet;
   }
 

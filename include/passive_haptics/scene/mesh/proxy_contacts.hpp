@@ -41,9 +41,9 @@ class proxy_contacts {
   template <class Add>
   void add_to(Add&& add) const {
     if (!(depths_.maxCoeff() > 0)) return;
-    const auto shares = shares_of_displacement<D, most>(normals_, depths_);
+    const auto shares = shares_of_displacement<D, max_facets>(normals_, depths_);
     half_space_set left = 0;
-    for (int k = 0; k < most; ++k) {
+    for (int k = 0; k < max_facets; ++k) {
       if (shares[k] > 0) left |= 1u << k;
     }
     while (left != 0) {
@@ -54,7 +54,7 @@ class proxy_contacts {
   }
 
  private:
-  static constexpr int most = proxy_tracker<D>::most_facets;
+  static constexpr int max_facets = proxy_tracker<D>::max_facets;
 
   static bool holds(half_space_set set, int k) { return (set >> k & 1u) != 0; }
 
@@ -63,8 +63,8 @@ class proxy_contacts {
     half_space_set group = left & (~left + 1u);
     for (half_space_set before = 0; before != group;) {
       before = group;
-      for (int i = 0; i < most; ++i) {
-        for (int j = 0; j < most; ++j) {
+      for (int i = 0; i < max_facets; ++i) {
+        for (int j = 0; j < max_facets; ++j) {
           if (holds(group, i) && holds(left, j) && normals_.col(i).dot(normals_.col(j)) > cos_crease_)
             group |= 1u << j;
         }
@@ -77,10 +77,10 @@ class proxy_contacts {
   // the group's share of the whole displacement: at an obtuse edge a second surface that is reached at some
   // depth of the first then begins with depth zero.
   template <class Add>
-  void add_group(half_space_set group, const vector<double, most>& shares, Add&& add) const {
-    matrix<double, D, most> N = normals_;
-    vector<double, most> depths = depths_;
-    for (int k = 0; k < most; ++k) {
+  void add_group(half_space_set group, const vector<double, max_facets>& shares, Add&& add) const {
+    matrix<double, D, max_facets> N = normals_;
+    vector<double, max_facets> depths = depths_;
+    for (int k = 0; k < max_facets; ++k) {
       if (holds(group, k)) continue;
       N.col(k).setZero();
       depths[k] = 0;
@@ -91,14 +91,14 @@ class proxy_contacts {
       add(point<D>(N.col(only)), std::min(depths[only], shares[only]));
       return;
     }
-    const point<D> way = N * shares_of_displacement<D, most>(N, depths);
+    const point<D> way = N * shares_of_displacement<D, max_facets>(N, depths);
     const double depth = way.norm();
     if (depth > 0) add(point<D>(way / depth), std::min(depth, (N * shares).norm()));
   }
 
   double cos_crease_;
-  matrix<double, D, most> normals_ = matrix<double, D, most>::Zero();
-  vector<double, most> depths_ = vector<double, most>::Zero();
+  matrix<double, D, max_facets> normals_ = matrix<double, D, max_facets>::Zero();
+  vector<double, max_facets> depths_ = vector<double, max_facets>::Zero();
 };
 
 }  // namespace passive_haptics::detail

@@ -22,7 +22,7 @@ struct ball_parameters {
   double radius = 0;                   ///< [m], > 0
   filling inside = filling::solid;     ///< Which side is free.
 
-  static constexpr const char* owner = "a ball";  ///< In errors.
+  static constexpr const char* type_name = "a ball";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = ball_parameters;

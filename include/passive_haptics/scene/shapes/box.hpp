@@ -25,7 +25,7 @@ struct box_parameters {
   point<D> half_extents = point<D>::Zero();  ///< Centre to face along each axis [m], >= 0.
   matrix<double, D, D> axes = matrix<double, D, D>::Identity();  ///< Orthonormal columns, base frame.
 
-  static constexpr const char* owner = "a box";  ///< In errors.
+  static constexpr const char* type_name = "a box";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = box_parameters;

@@ -17,7 +17,7 @@ struct capsule_parameters {
   point<D> to = point<D>::Zero();    ///< The other end [m]; may be the same, which gives a ball.
   double radius = 0;                 ///< [m], >= 0; a bare segment has no inside until an offset grows it.
 
-  static constexpr const char* owner = "a capsule";  ///< In errors.
+  static constexpr const char* type_name = "a capsule";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = capsule_parameters;
@@ -27,7 +27,7 @@ struct capsule_parameters {
   }
   /// The length does not overflow.
   error_message rules() const {
-    return check_value("length", (to - from).stableNorm(), "m", range::finite, owner);
+    return check_value("length", (to - from).stableNorm(), "m", range::finite, type_name);
   }
 };
 

@@ -32,7 +32,7 @@ struct convex_polygon_parameters {
   /// [m]; three on a line are allowed.
   std::array<point<2>, static_cast<std::size_t>(K)> corners = nowhere();
 
-  static constexpr const char* owner = "a convex_polygon";  ///< In errors.
+  static constexpr const char* type_name = "a convex_polygon";  ///< In errors.
   /// All corners in one place, which is refused.
   static std::array<point<2>, static_cast<std::size_t>(K)> nowhere() {
     std::array<point<2>, static_cast<std::size_t>(K)> all;

@@ -59,7 +59,7 @@ template <int D, int K>
 struct convex_polytope_parameters {
   std::array<half_space_parameters<D>, static_cast<std::size_t>(K)> faces;  ///< Normals out of the polytope.
 
-  static constexpr const char* owner = "a convex_polytope";  ///< In errors.
+  static constexpr const char* type_name = "a convex_polytope";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = convex_polytope_parameters;

@@ -13,7 +13,7 @@ struct half_space_parameters {
   point<D> surface_point = point<D>::Zero();  ///< Any point of the surface [m].
   point<D> normal = point<D>::Zero();         ///< Out of the wall, towards the free side; any length > 0.
 
-  static constexpr const char* owner = "a half_space";  ///< In errors.
+  static constexpr const char* type_name = "a half_space";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = half_space_parameters;

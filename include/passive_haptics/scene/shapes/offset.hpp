@@ -14,7 +14,7 @@ namespace passive_haptics {
 struct offset_parameters {
   double growth = 0;  ///< The surface moves this far to the free side [m]; < 0 shrinks the wall.
 
-  static constexpr const char* owner = "an offset";  ///< In errors.
+  static constexpr const char* type_name = "an offset";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = offset_parameters;

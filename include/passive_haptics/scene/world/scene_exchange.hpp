@@ -69,7 +69,7 @@ struct latest_scene_parameters {
   /// Whether moving walls go on with the velocities that they were published with.
   bool extrapolate = false;
 
-  static constexpr const char* owner = "a latest_scene";  ///< In errors.
+  static constexpr const char* type_name = "a latest_scene";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = latest_scene_parameters;

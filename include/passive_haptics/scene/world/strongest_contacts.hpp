@@ -40,10 +40,10 @@ class strongest_contacts {
  private:
   static double force(const contact<D>& c) { return c.stiffness * c.depth; }
   static bool stronger(const contact<D>& a, const contact<D>& b) {
-    return std::tuple(-force(a), a.wall) < std::tuple(-force(b), b.wall);
+    return std::tuple(-force(a), a.wall_number) < std::tuple(-force(b), b.wall_number);
   }
   // Of one wall with several contacts the deepest comes first
-  static auto rank(const contact<D>& c) { return std::tuple(c.wall, -c.depth); }
+  static auto rank(const contact<D>& c) { return std::tuple(c.wall_number, -c.depth); }
   void sort_by_wall() {
     const auto comes_first = [](const auto& a, const auto& b) { return rank(a) < rank(b); };
     for (contact<D>* c = kept_.begin(); c != kept_.end(); ++c)

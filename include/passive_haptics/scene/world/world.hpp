@@ -182,8 +182,8 @@ class world {
       distance = wall.look(previous_, x, tracker(k), touched_);
     }
     for (contact<D>& c : touched_) {
-      c.wall = number;
-      c.position = x;
+      c.wall_number = number;
+      c.sensed_at = x;
       found_.add(c);
     }
     return distance;

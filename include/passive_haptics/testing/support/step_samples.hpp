@@ -78,7 +78,7 @@ step_sample<typename Case::mechanism> random_sample(
                             .stiffness = random.positive(1.0, 1e9),
                             .wall_velocity = random.coin() ? point<d>(0.1 * random.normal_vector<double, d>())
                                                            : point<d>(point<d>::Zero()),
-                            .wall = 0});
+                            .wall_number = 0});
   return sample;
 }
 

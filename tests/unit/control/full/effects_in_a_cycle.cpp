@@ -64,7 +64,7 @@ struct random_cycle {
     state.hand_force = random.positive(T(0.1), T(10)) * random.direction<T, d>();
     for (int j = 0; j < Walls; ++j) {
       ph::contact<d> c = asking_for<d>(random.positive(0.1, 100.0) * random.direction<double, d>());
-      c.wall = 4 + j;
+      c.wall_number = 4 + j;
       touched.push_back(c);
     }
   }
@@ -155,7 +155,7 @@ void expect_walls_kept() {
       kept += n.dot(before) > 0;
     }
     changed += (now - before).norm() > T(1e-3) * before.norm();
-    EXPECT_EQ(result.wall, without.wall);
+    EXPECT_EQ(result.wall_number, without.wall_number);
     EXPECT_EQ(result.alpha, without.alpha);
     EXPECT_EQ(result.power, without.power);
     EXPECT_EQ(result.display, without.display);
@@ -189,7 +189,7 @@ TYPED_TEST(effects_in_a_cycle, alone_are_the_nearest_force) {
       expect_near(result.torque, nearest.torque, static_cast<double>(G.norm() * result.effect_force.norm()),
                   1e3);
       exact += (nearest.force - result.effect_force).norm() <= T(1e-4) * v.norm();
-      EXPECT_EQ(result.wall, -1);
+      EXPECT_EQ(result.wall_number, -1);
       EXPECT_EQ(result.power, ph::power_class::none);
       EXPECT_EQ(result.display, ph::display_class::exact);
       EXPECT_TRUE(result.desired_force.isZero(0));

@@ -29,14 +29,14 @@ TEST(with_effects, goes_around_every_scene) {
     ph::controller control(M(), brakes, ph::with_effects(scene, field), ph::direct_control());
     const auto felt = control(inside);
     EXPECT_EQ(felt.outcome, ph::status::ok);
-    EXPECT_EQ(felt.wall, 0);
+    EXPECT_EQ(felt.wall_number, 0);
     expect_near(felt.torque, ph::vector<double, 2>(-1, 5), 5);
     EXPECT_EQ(control.command(inside).capacity, felt.capacity);
     control.reset();
     auto later = outside;
     later.time = 1;
     expect_near(control(later).torque, ph::vector<double, 2>(-1, 1), 1);
-    EXPECT_EQ(control(later).wall, -1);
+    EXPECT_EQ(control(later).wall_number, -1);
   };
   ph::world_walls<2> walls;
   walls.add(the_floor);

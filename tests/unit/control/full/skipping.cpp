@@ -85,7 +85,7 @@ TEST_F(skipping, a_faulty_state_asks_nothing) {
 }
 
 TEST_F(skipping, free_space_needs_one_position_and_one_distance) {
-  EXPECT_EQ(control(handle_at(0.2, {0.5, 0.5})).wall, -1);
+  EXPECT_EQ(control(handle_at(0.2, {0.5, 0.5})).wall_number, -1);
   EXPECT_EQ(count.position, 1);
   EXPECT_EQ(count.distance, 1);
   EXPECT_EQ(count.jacobian + count.transmission + count.gradient, 0);
@@ -146,7 +146,7 @@ TEST_F(skipping, but_one_that_costs_less_than_a_branch) {
 TEST_F(skipping, a_wall_without_stiffness_needs_no_jacobian) {
   ph::controller soft(counting_arm{&count}, ph::brakes_of<counting_arm>(),
                       ph::scene(ph::wall(counting_wall{&count}, 0.0)), ph::direct_control{});
-  EXPECT_EQ(soft(handle_at(0.23, {0, 0.5})).wall, -1);
+  EXPECT_EQ(soft(handle_at(0.23, {0, 0.5})).wall_number, -1);
   EXPECT_EQ(count.jacobian, 0);
 }
 

@@ -115,7 +115,7 @@ TEST_F(static_skipping, free_space_needs_a_position_and_a_distance_of_each_wall)
       control_of(table, ph::unlimited_brakes(), ph::no_direct_control(), plane, counting_conveyor{plane});
   count = {};
   blind.q = {1, 1};
-  EXPECT_EQ(control(blind).wall, -1);
+  EXPECT_EQ(control(blind).wall_number, -1);
   EXPECT_EQ(count.position, 1);
   EXPECT_EQ(count.distance, 2);
   EXPECT_EQ(count.gradient + count.velocity + count.jacobian, 0);

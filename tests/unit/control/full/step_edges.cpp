@@ -91,8 +91,8 @@ TYPED_TEST(step_edges, coincident_walls_act_as_one) {
   ph::controller two(arm, {}, ph::scene(ph::wall(plane, soft), ph::wall(plane, soft)), ph::direct_control{});
   const auto a = one(state);
   const auto b = two(state);
-  EXPECT_EQ(a.wall, 0);
-  EXPECT_EQ(b.wall, 0);
+  EXPECT_EQ(a.wall_number, 0);
+  EXPECT_EQ(b.wall_number, 0);
   EXPECT_GT(a.capacity.norm(), TypeParam(0));
   EXPECT_FALSE(a.saturated);
   expect_near(a.capacity, b.capacity, 1);

@@ -33,7 +33,7 @@ using constants = ph::velocity_direct_control_parameters;
 
 // A floor at y = 0, free above; the table at x, y with velocity v, pushed by Fh.
 ph::contact<2> floor_at(double x, double y) {
-  return {.normal = {0, 1}, .depth = -y, .stiffness = 1e7, .position = {x, y}};
+  return {.normal = {0, 1}, .depth = -y, .stiffness = 1e7, .sensed_at = {x, y}};
 }
 
 ph::brakes_of<table> without_lag() {
@@ -87,7 +87,7 @@ TEST(velocity_direct_control, holds_in_a_corner_what_sinks_and_nothing_that_leav
   const auto capacity = [&](const pair& v) {
     ph::contacts<2, 2> touched;
     for (const int i : {0, 1})
-      touched.push_back({.normal = pair::Unit(i), .depth = p.rest_depth, .stiffness = 1e7, .wall = i});
+      touched.push_back({.normal = pair::Unit(i), .depth = p.rest_depth, .stiffness = 1e7, .wall_number = i});
     auto brakes = without_lag();
     brakes.rate_dead_band.setConstant(1e-9);
     ph::step_memory<law> memory;
@@ -108,13 +108,13 @@ TEST(velocity_direct_control, holds_in_a_corner_what_sinks_and_nothing_that_leav
 // Of two brakes that push alike the faster costs more power: shares as 1 / p^2, p = |w| and a thousandth of
 // the fastest, which tells resting ones apart from none.
 TEST(least_power_torques, of_several_walls_are_those_of_least_power) {
-  ph::brake_reach<double, 2> reach;
-  reach.sign = {1, -1};
-  reach.least = {0, 0};
-  reach.most = {10, 10};
+  ph::torque_range<double, 2> range;
+  range.sign = {1, -1};
+  range.smallest = {0, 0};
+  range.largest = {10, 10};
   const ph::matrix<double, 2, 2> rows = ph::matrix_of<2, 2>(1.0, -1.0, 0.0, 0.0);
   for (const pair& w : {pair(1, 3), pair(-3, 1), pair(2, 0), pair(0, 0)}) {
-    const pair t = ph::least_power_torques<double, 2, 2>(rows, pair(4, 0), reach, w);
+    const pair t = ph::least_power_torques<double, 2, 2>(rows, pair(4, 0), range, w);
     const double most = w.cwiseAbs().maxCoeff();
     const pair power = w.cwiseAbs().array() + 1e-3 * most;
     const double share = most > 0 ? power[1] * power[1] / power.squaredNorm() : 0.5;
@@ -149,7 +149,7 @@ struct held_slide {
   double cycle(double depth, double v, double Fh = 0, int wall = 0) {
     ph::contacts<2, 1> touched;
     if (depth > 0) touched.push_back(floor_at(0, -depth));
-    for (auto& c : touched) c.wall = wall;
+    for (auto& c : touched) c.wall_number = wall;
     auto state = state_of<table>({0, -depth}, {0, v}, {0, Fh});
     state.time = time += 1e-3;
     return ph::step(table(), brakes, touched, control, state, memory).capacity[1];
@@ -518,7 +518,7 @@ TEST(velocity_direct_control, takes_the_brake_that_pushes_with_the_least_power_o
       if (power[i] < 0 && (power[best] > 0 || power[i] > power[best])) best = i;
 
     ph::contacts<2, 1> touched;
-    touched.push_back({.normal = n, .depth = depth, .stiffness = 1e7, .position = arm.position(q)});
+    touched.push_back({.normal = n, .depth = depth, .stiffness = 1e7, .sensed_at = arm.position(q)});
     ph::step_memory<law> memory;
     const auto result = ph::step(arm, brakes, touched, law(p), state_of<M>(q, qd), memory);
     const double torque = force / along.inertia / std::abs(along.g[best]);
@@ -590,23 +590,23 @@ TEST(least_power_torques, make_what_is_wanted_with_the_least_power) {
   ph::testing::random_source random(seed);
   for (int k = 0; k < 200; ++k) {
     const V g = random.normal_vector<double, 3>(), w = random.normal_vector<double, 3>();
-    ph::brake_reach<double, 3> reach;
+    ph::torque_range<double, 3> range;
     for (int i = 0; i < 3; ++i) {
-      reach.sign[i] = random.uniform(-1.0, 1.0) > 0 ? 1 : -1;
-      reach.least[i] = random.uniform(0.0, 0.2);
-      reach.most[i] = reach.least[i] + random.uniform(0.0, 1.0);
-      reach.lasts[i] = true;
+      range.sign[i] = random.uniform(-1.0, 1.0) > 0 ? 1 : -1;
+      range.smallest[i] = random.uniform(0.0, 0.2);
+      range.largest[i] = range.smallest[i] + random.uniform(0.0, 1.0);
+      range.sign_is_lasting[i] = true;
     }
-    const V gain = reach.sign.cwiseProduct(g);
+    const V gain = range.sign.cwiseProduct(g);
     const double wanted = random.uniform(-0.5, 2.0);
-    const V t = ph::least_power_torques<double, 3>(g, wanted, reach, w);
+    const V t = ph::least_power_torques<double, 3>(g, wanted, range, w);
     double most = 0, least_power = 1e9;
     for (int i = 0; i < 3; ++i) {
-      EXPECT_GE(t[i], reach.least[i]);
-      EXPECT_LE(t[i], reach.most[i]);
-      most += gain[i] * (gain[i] > 0 ? reach.most[i] : reach.least[i]);
+      EXPECT_GE(t[i], range.smallest[i]);
+      EXPECT_LE(t[i], range.largest[i]);
+      most += gain[i] * (gain[i] > 0 ? range.largest[i] : range.smallest[i]);
     }
-    const double floor = gain.dot(reach.least);
+    const double floor = gain.dot(range.smallest);
     EXPECT_NEAR(gain.dot(t), std::max(floor, std::min(wanted, most)), 1e-12)
         << "seed " << seed << ", trial " << k;
     constexpr int steps = 20;
@@ -614,7 +614,7 @@ TEST(least_power_torques, make_what_is_wanted_with_the_least_power) {
       for (int b = 0; b <= steps; ++b)
         for (int c = 0; c <= steps; ++c) {
           const V share(double(a) / steps, double(b) / steps, double(c) / steps);
-          const V other = reach.least + share.cwiseProduct(reach.most - reach.least);
+          const V other = range.smallest + share.cwiseProduct(range.largest - range.smallest);
           if (gain.dot(other) >= std::min(wanted, most) - 1e-12)
             least_power = std::min(least_power, w.cwiseAbs().dot(other));
         }
@@ -631,20 +631,20 @@ TEST(least_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_tha
       V g;
       g[held] = 1;
       g[turns] = -0.2 * sign;
-      ph::brake_reach<double, 2> reach;
-      reach.sign[held] = 1;
-      reach.sign[turns] = sign;
-      reach.least.setConstant(0.1);
-      reach.most[held] = 3;
-      reach.most[turns] = 1;
-      reach.A.diagonal().setConstant(2);
-      reach.A(held, turns) = reach.A(turns, held) = -sign;
-      reach.any_at_rest = reach.at_rest[held] = true;
-      reach.lasts.setConstant(true);
+      ph::torque_range<double, 2> range;
+      range.sign[held] = 1;
+      range.sign[turns] = sign;
+      range.smallest.setConstant(0.1);
+      range.largest[held] = 3;
+      range.largest[turns] = 1;
+      range.A.diagonal().setConstant(2);
+      range.A(held, turns) = range.A(turns, held) = -sign;
+      range.any_at_rest = range.at_rest[held] = true;
+      range.sign_is_lasting.setConstant(true);
       const double alone = 3 - 0.2 * 0.1, beside = 0.5 - 0.2;
       for (const auto& [wanted, torque] : {std::pair(alone, 0.1), std::pair(alone + 0.5 * beside, 0.6),
                                            std::pair(alone + 2 * beside, 1.0)}) {
-        const V t = ph::least_power_torques<double, 2>(g, wanted, reach, V(0, 0));
+        const V t = ph::least_power_torques<double, 2>(g, wanted, range, V(0, 0));
         EXPECT_NEAR(t[held], 3, 1e-12) << wanted;
         EXPECT_NEAR(t[turns], torque, 1e-12) << wanted;
       }
@@ -656,14 +656,14 @@ TEST(least_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_tha
 TEST(least_power_torques, ask_nobody_beside_a_brake_that_is_not_held) {
   using V = ph::vector<double, 2>;
   const auto torques = [](double sign, double most) {
-    ph::brake_reach<double, 2> reach;
-    reach.sign = V(sign, 1);
-    reach.least = V(std::min(0.1, most), 0.2);
-    reach.most = V(most, 5);
-    reach.A << 2, -1, -1, 2;
-    reach.any_at_rest = reach.at_rest[0] = true;
-    reach.lasts.setConstant(true);
-    return ph::least_power_torques<double, 2>(V(1, -0.2), 10, reach, V(0, 0));
+    ph::torque_range<double, 2> range;
+    range.sign = V(sign, 1);
+    range.smallest = V(std::min(0.1, most), 0.2);
+    range.largest = V(most, 5);
+    range.A << 2, -1, -1, 2;
+    range.any_at_rest = range.at_rest[0] = true;
+    range.sign_is_lasting.setConstant(true);
+    return ph::least_power_torques<double, 2>(V(1, -0.2), 10, range, V(0, 0));
   };
   EXPECT_EQ(torques(1, 0.5), V(0.5, 5)) << "it is held, and the other helps";
   EXPECT_EQ(torques(1, 0), V(0, 0.2)) << "it makes nothing";
@@ -673,35 +673,35 @@ TEST(least_power_torques, ask_nobody_beside_a_brake_that_is_not_held) {
 // Brakes that turn in their order, each up to its most; one that is at rest is not asked.
 TEST(least_power_torques, ask_brakes_beside_one_that_is_held_in_turn) {
   using V = ph::vector<double, 4>;
-  ph::brake_reach<double, 4> reach;
-  reach.sign.setOnes();
-  reach.least.setZero();
-  reach.most = V(0.5, 5, 1, 5);
-  reach.A.setConstant(-1);
-  reach.A.diagonal().setConstant(2);  // 0.3 for each N m of the others
-  reach.any_at_rest = reach.at_rest[0] = reach.at_rest[1] = true;
-  reach.lasts.setConstant(true);
+  ph::torque_range<double, 4> range;
+  range.sign.setOnes();
+  range.smallest.setZero();
+  range.largest = V(0.5, 5, 1, 5);
+  range.A.setConstant(-1);
+  range.A.diagonal().setConstant(2);  // 0.3 for each N m of the others
+  range.any_at_rest = range.at_rest[0] = range.at_rest[1] = true;
+  range.sign_is_lasting.setConstant(true);
   const auto torques = [&](double wanted) {
-    return ph::least_power_torques<double, 4>(V(1, -0.2, -0.2, -0.2), wanted, reach, V::Zero());
+    return ph::least_power_torques<double, 4>(V(1, -0.2, -0.2, -0.2), wanted, range, V::Zero());
   };
   EXPECT_LE((torques(0.5 + 0.3 * 0.4) - V(0.5, 0, 0.4, 0)).norm(), 1e-12);
   EXPECT_LE((torques(0.5 + 0.3 * 1.5) - V(0.5, 0, 1, 0.5)).norm(), 1e-12);
   EXPECT_LE((torques(100) - V(0.5, 0, 1, 5)).norm(), 1e-12);
-  reach.A(0, 3) = reach.A(3, 0) = 1;  // the last would pull in
+  range.A(0, 3) = range.A(3, 0) = 1;  // the last would pull in
   EXPECT_LE((torques(100) - V(0.5, 0, 1, 0)).norm(), 1e-12);
 }
 
 // Two walls that the brakes can serve both: each gets what it wants, also where that is less than nothing.
 TEST(least_power_torques, serve_several_walls_together) {
-  ph::brake_reach<double, 3> reach;
-  reach.sign = {1, -1, 1};
-  reach.least.setConstant(0.05);
-  reach.most.setConstant(10);
+  ph::torque_range<double, 3> range;
+  range.sign = {1, -1, 1};
+  range.smallest.setConstant(0.05);
+  range.largest.setConstant(10);
   const ph::matrix<double, 2, 3> rows{{1, 0.5, -1}, {0.2, 1, 0.3}};
   const ph::vector<double, 3> w(1, 1, 1);
   for (const ph::vector<double, 2>& wanted : {ph::vector<double, 2>(2, 1), ph::vector<double, 2>(-1, 2)}) {
-    const auto t = ph::least_power_torques<double, 3, 2>(rows, wanted, reach, w);
-    EXPECT_LE((rows * reach.sign.cwiseProduct(t) - wanted).norm(), 1e-9);
+    const auto t = ph::least_power_torques<double, 3, 2>(rows, wanted, range, w);
+    EXPECT_LE((rows * range.sign.cwiseProduct(t) - wanted).norm(), 1e-9);
     EXPECT_GE(t.minCoeff(), 0.05 - 1e-12);
   }
 }

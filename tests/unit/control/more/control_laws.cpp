@@ -36,7 +36,7 @@ ph::contact<2> slanted(double depth, double stiffness = 1000) {
 
 // The same as this wall of the scene, or moving.
 ph::contact<2> number(int wall, ph::contact<2> c) {
-  c.wall = wall;
+  c.wall_number = wall;
   return c;
 }
 ph::contact<2> moving(const V2& velocity, ph::contact<2> c) {

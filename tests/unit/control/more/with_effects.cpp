@@ -99,7 +99,7 @@ TEST(with_effects, asks_no_law_in_free_space) {
   EXPECT_EQ(second(state).outcome, ph::status::ok);
   const auto free = second(state);
   EXPECT_EQ(free.contact_count, 0);
-  EXPECT_FALSE(free.contacts[0].first) << "nothing was left";
+  EXPECT_FALSE(free.contacts[0].has_priority) << "nothing was left";
 }
 
 // ---- What changes nothing

@@ -67,7 +67,7 @@ std::vector<oracle::level<Real>> levels_of(const random_case<D, Brakes>& c) {
     oracle::level<Real> l;
     for (int j = 0; j < c.count; ++j) {
       const auto& demand = c.demands[static_cast<std::size_t>(j)];
-      if (demand.first != first) continue;
+      if (demand.has_priority != first) continue;
       const ph::vector<double, D>& n = demand.normal;
       oracle::list<Real> row;
       for (int i = 0; i < Brakes; ++i) {
@@ -131,7 +131,7 @@ void compare(int cases, unsigned seed, double tie, tally& sum) {
     }
     for (int j = 0; j < c.count; ++j) {
       const auto& demand = c.demands[static_cast<std::size_t>(j)];
-      if (!demand.first) continue;
+      if (!demand.has_priority) continue;
       Real reached = 0;
       for (int i = 0; i < Brakes; ++i) {
         for (int r = 0; r < D; ++r)

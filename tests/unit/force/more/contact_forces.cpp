@@ -24,7 +24,7 @@ TEST(desired_force, of_a_wall_grows_with_depth_along_its_normal) {
   EXPECT_NEAR(ph::outward<double>(Fd, pair(4, 7)), 0.6 * 3 + 0.8 * 5, 1e-15);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double magnitude : {0.0, -1.0, nan, 1e-300})
-    EXPECT_EQ(ph::asks(ph::desired_force<double, 2>{{1, 0}, magnitude, {0, 0}}), magnitude > 0);
+    EXPECT_EQ(ph::is_nonzero(ph::desired_force<double, 2>{{1, 0}, magnitude, {0, 0}}), magnitude > 0);
 }
 
 TEST(governing_contact, asks_for_the_largest_force_or_for_none_that_is_finite) {

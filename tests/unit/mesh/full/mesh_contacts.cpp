@@ -71,8 +71,8 @@ touched_planes behind(const std::vector<plane>& planes, const ph::point<3>& x) {
       touched.push_back({.normal = planes[i].gradient(x),
                          .depth = -distance,
                          .stiffness = stiffness,
-                         .wall = int(i),
-                         .position = x});
+                         .wall_number = int(i),
+                         .sensed_at = x});
   }
   return touched;
 }
@@ -84,8 +84,11 @@ touched_planes sorted(const std::vector<tracked::touch<3>>& felt, const std::vec
   for (std::size_t i = 0; i < planes.size(); ++i) {
     for (const auto& c : felt) {
       if ((c.normal - planes[i].gradient(x)).norm() < 1e-12)
-        touched.push_back(
-            {.normal = c.normal, .depth = c.depth, .stiffness = stiffness, .wall = int(i), .position = x});
+        touched.push_back({.normal = c.normal,
+                           .depth = c.depth,
+                           .stiffness = stiffness,
+                           .wall_number = int(i),
+                           .sensed_at = x});
     }
   }
   return touched;

@@ -21,7 +21,8 @@ TYPED_TEST(wall_following, direct_control_leaves_nothing_normal_in_any_cycle) {
   const auto watched = [&](const auto& state) {
     const auto result = control(state);
     EXPECT_EQ(result.outcome, ph::status::ok);
-    if (result.wall < 0 || result.display == ph::display_class::none || result.saturated) return result;
+    if (result.wall_number < 0 || result.display == ph::display_class::none || result.saturated)
+      return result;
     if (!(result.alpha > T(0) && result.alpha < T(1))) return result;
     const T left = (state.hand_force + result.alpha * result.control_force).dot(n);
     const T cosine = result.approximation_cosine;

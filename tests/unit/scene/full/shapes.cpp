@@ -467,7 +467,7 @@ TEST(a_scene, fills_the_wall_velocity_of_shapes_that_have_one) {
   EXPECT_EQ(touched[1].depth, 0.25);
   EXPECT_EQ(touched[1].normal, ph::point<2>(0, -1));
   EXPECT_EQ(touched[1].stiffness, 200);
-  EXPECT_EQ(touched[1].wall, 1);
+  EXPECT_EQ(touched[1].wall_number, 1);
 }
 
 TEST(a_scene, takes_a_user_shape) {
@@ -492,7 +492,7 @@ TEST(a_room, is_touched_at_all_faces_of_a_corner_at_once) {
                                                -ph::point<3>::UnitZ()};
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    EXPECT_EQ(touched[i].wall, faces[k]);
+    EXPECT_EQ(touched[i].wall_number, faces[k]);
     EXPECT_EQ(touched[i].depth, depths[k]);
     EXPECT_EQ(touched[i].normal, normals[k]);
     EXPECT_EQ(touched[i].stiffness, 5e3);
@@ -510,7 +510,7 @@ TEST(a_room, of_a_polygon_or_polytope_has_the_walls_of_its_faces) {
     const auto touched = ph::sense(one, x);
     ASSERT_EQ(touched.size(), ph::sense(other, x).size());
     ASSERT_EQ(touched.empty(), polygon.distance(x) <= 0);
-    for (const auto& c : touched) ASSERT_EQ(c.depth, f[static_cast<std::size_t>(c.wall)].distance(x));
+    for (const auto& c : touched) ASSERT_EQ(c.depth, f[static_cast<std::size_t>(c.wall_number)].distance(x));
   }
 }
 
@@ -529,12 +529,12 @@ TEST(a_slot, is_free_between_its_walls) {
   const auto above = ph::sense(walls, {5, 6, 1.5}), below = ph::sense(walls, {5, 6, 0});
   ASSERT_EQ(above.size(), 1);
   ASSERT_EQ(below.size(), 1);
-  EXPECT_EQ(above[0].wall, 0);
+  EXPECT_EQ(above[0].wall_number, 0);
   EXPECT_EQ(above[0].depth, 0.25);
   EXPECT_EQ(above[0].normal, ph::point<3>(0, 0, -1));
   EXPECT_EQ(above[0].stiffness, 1e3);
   EXPECT_EQ(ph::sense(ph::slot<2>({0, 0}, {0, 1}, 0.25), {0, 1})[0].stiffness, 1e7) << "of section 5.1";
-  EXPECT_EQ(below[0].wall, 1);
+  EXPECT_EQ(below[0].wall_number, 1);
   EXPECT_EQ(below[0].depth, 0.75);
   EXPECT_EQ(below[0].normal, ph::point<3>(0, 0, 1));
 }

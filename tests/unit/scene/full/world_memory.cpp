@@ -149,12 +149,12 @@ void expect_sides_are_kept(const Cycle& cycle, const Reset& reset) {
     ph::point<D> x = random.direction<double, D>();
     x[D - 1] = random.wide(1e-3, 0.3) + (about < moving ? displacement[about][D - 1] : 0.0);
     const auto& touched = cycle(k, displacement, x);
-    for (const auto& c : touched) ASSERT_EQ(c.stiffness, stiffness_of(c.wall));
+    for (const auto& c : touched) ASSERT_EQ(c.stiffness, stiffness_of(c.wall_number));
     for (int i = 0; i < all; ++i) {
       const double height = x[D - 1] - (i < moving ? displacement[i][D - 1] : 0.0);
       sides[i].go(height);
       double depth = 0;
-      for (const auto& c : touched) depth += c.wall == i ? c.depth : 0.0;
+      for (const auto& c : touched) depth += c.wall_number == i ? c.depth : 0.0;
       ASSERT_NEAR(depth, sides[i].depth(), 1e-5) << "seed " << seed << ", cycle " << k << ", sheet " << i;
       held += sides[i].depth() > 0;
       free_behind += height < 0 && sides[i].depth() == 0;
@@ -207,14 +207,14 @@ TYPED_TEST(the_memory_of_a_world, keeps_the_first_of_equals_whatever_the_order) 
     ph::strongest_contacts<D, 2> found;
     for (int k = 0; k < 4; ++k) {
       const int number = backwards ? 3 - k : k;
-      found.add({.depth = 0.1, .stiffness = 10, .wall = number});
+      found.add({.depth = 0.1, .stiffness = 10, .wall_number = number});
     }
     const auto& kept = found.in_order();
-    EXPECT_EQ(kept[0].wall, 0);
-    EXPECT_EQ(kept[1].wall, 1);
+    EXPECT_EQ(kept[0].wall_number, 0);
+    EXPECT_EQ(kept[1].wall_number, 1);
     EXPECT_EQ(found.left_out(), 2);
     found.clear();
-    for (const double depth : {0.1, 0.3}) found.add({.depth = depth, .stiffness = 10, .wall = 7});
+    for (const double depth : {0.1, 0.3}) found.add({.depth = depth, .stiffness = 10, .wall_number = 7});
     EXPECT_EQ(found.in_order()[0].depth, 0.3);
   }
 }

@@ -59,12 +59,12 @@ struct bang_bang_parameters {
 struct bang_bang_control {
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
   static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
-  static constexpr int most_brakes = 16;            ///< Of a device.
+  static constexpr int max_brakes = 16;             ///< Of a device.
 
   /// At one wall.
   struct steering {
-    int turn = 0;                               ///< 1 out of the wall, -1 into it, 0 straight on.
-    std::array<bool, most_brakes> locked = {};  ///< Which brakes are.
+    int turn = 0;                              ///< 1 out of the wall, -1 into it, 0 straight on.
+    std::array<bool, max_brakes> locked = {};  ///< Which brakes are.
   };
   /// What it remembers.
   struct memory {
@@ -75,27 +75,27 @@ struct bang_bang_control {
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
-  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& device, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
-    static_assert(M::brake_count <= most_brakes, "passive_haptics: bang_bang_control steers 16 brakes.");
+    static_assert(M::brake_count <= max_brakes, "passive_haptics: bang_bang_control steers 16 brakes.");
     const auto& c = touched[governing_contact(touched)];
     const vector<T, D> n = as<T>(c.normal);
-    const brake_vector<M> w = slipping_rates(now);
-    const vector<T, D> v = now.E * w - as<T>(c.wall_velocity);
+    const brake_vector<M> w = slipping_rates(device);
+    const vector<T, D> v = device.E * w - as<T>(c.wall_velocity);
     const T speed = v.stableNorm(), slope = speed > T(0) ? n.dot(v) / speed : T(0);
 
     remembered.walls.begin_cycle();
-    steering& wall = remembered.walls.of(c.wall);
+    steering& wall = remembered.walls.of(c.wall_number);
     wall.turn = w.isZero(T(0)) ? 0 : turned(wall.turn, c.depth, static_cast<double>(slope));
 
-    const brake_vector<M> outward = brake_torque(now.E, n).cwiseProduct(w);  // parts of n . v
+    const brake_vector<M> outward = brake_torque(device.E, n).cwiseProduct(w);  // parts of n . v
     brake_vector<M> t = brake_vector<M>::Zero();
     unrolled<M::brake_count>([&](auto i) {
       bool& locked = wall.locked[static_cast<std::size_t>(i)];
       if (wall.turn == 0) locked = false;
       else if (w[i] != T(0)) locked = static_cast<T>(wall.turn) * outward[i] < T(0);
-      if (locked) t[i] = holding_torque(now.s[i], now.brakes.torque_limit[i]);
+      if (locked) t[i] = holding_torque(device.s[i], device.brakes.torque_limit[i]);
     });
     return t;
   }
@@ -106,11 +106,12 @@ struct bang_bang_control {
  private:
   // Rates of the brakes, 0 at rest
   template <class M, class EMatrix, class B>
-  static brake_vector<M> slipping_rates(const brake_situation<M, EMatrix, B>& now) {
+  static brake_vector<M> slipping_rates(const brake_situation<M, EMatrix, B>& device) {
     using T = typename M::scalar;
     brake_vector<M> w;
-    unrolled<M::brake_count>(
-        [&](auto i) { w[i] = slips(now.w[i], rate_dead_band_of<T>(now.brakes, i)) ? now.w[i] : T(0); });
+    unrolled<M::brake_count>([&](auto i) {
+      w[i] = slips(device.w[i], rate_dead_band_of<T>(device.brakes, i)) ? device.w[i] : T(0);
+    });
     return w;
   }
 

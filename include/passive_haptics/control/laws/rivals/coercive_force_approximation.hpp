@@ -35,7 +35,7 @@ struct coercive_force_approximation {
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
-  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now,
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& device,
                          const contacts<D, Capacity>& touched) const noexcept {
     using T = typename M::scalar;
     static_assert(M::brake_count == M::dof,
@@ -43,14 +43,14 @@ struct coercive_force_approximation {
     brake_vector<M> held = brake_vector<M>::Zero();
     for (const auto& c : touched) {
       const auto Fd = force_of<T>(c);
-      const brake_vector<M> t = brake_torque(now.E, Fd.direction);
+      const brake_vector<M> t = brake_torque(device.E, Fd.direction);
       unrolled<M::brake_count>([&](auto i) {
-        const bool drives = now.s[i] * t[i] > T(0);
+        const bool drives = device.s[i] * t[i] > T(0);
         if (!drives) held[i] = std::max(held[i], std::abs(t[i]) * Fd.magnitude);
       });
     }
     unrolled<M::brake_count>([&](auto i) {
-      held[i] = holding_torque(now.s[i], std::min(held[i], torque_limit_of<T>(now.brakes, i)));
+      held[i] = holding_torque(device.s[i], std::min(held[i], torque_limit_of<T>(device.brakes, i)));
     });
     return held;
   }

@@ -11,12 +11,12 @@ namespace passive_haptics {
 /// them; 0 where nobody pushes. So E times it has the direction in which the handle moves, or would if it
 /// were let go.
 template <class M, class EMatrix, class B>
-brake_vector<M> intended_rates(const brake_situation<M, EMatrix, B>& now) {
+brake_vector<M> intended_rates(const brake_situation<M, EMatrix, B>& device) {
   using T = typename M::scalar;
   brake_vector<M> w;
   unrolled<M::brake_count>([&](auto i) {
-    const T band = rate_dead_band_of<T>(now.brakes, i);
-    w[i] = slips(now.w[i], band) ? now.w[i] : now.s[i] * band;
+    const T band = rate_dead_band_of<T>(device.brakes, i);
+    w[i] = slips(device.w[i], band) ? device.w[i] : device.s[i] * band;
   });
   return w;
 }

@@ -59,7 +59,7 @@ struct on_off_control {
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
-  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& device, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
     std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)> demands;
@@ -67,19 +67,19 @@ struct on_off_control {
     remembered.walls.begin_cycle();
     for (const auto& c : touched) {
       const auto Fd = force_of<T>(c);
-      relay& wall = remembered.walls.of(c.wall);
-      wall.on = switched(wall.on, c.depth, static_cast<double>(outward(Fd, now.v)));
+      relay& wall = remembered.walls.of(c.wall_number);
+      wall.on = switched(wall.on, c.depth, static_cast<double>(outward(Fd, device.v)));
       if (wall.on) demands[static_cast<std::size_t>(count++)] = {Fd.direction, Fd.magnitude, false};
     }
     if (count == 0) return brake_vector<M>::Zero();
-    const auto limits = torque_limits_of<T, M::brake_count>(now.brakes);
+    const auto limits = torque_limits_of<T, M::brake_count>(device.brakes);
     if (count > 1) {
-      const auto map = passive_haptics::force_map_of(now.pose, now.E);
-      return contact_forces<T, D, M::brake_count, Capacity>(map, torques_within(now.s, limits), demands,
+      const auto map = passive_haptics::force_map_of(device.pose, device.E);
+      return contact_forces<T, D, M::brake_count, Capacity>(map, torques_within(device.s, limits), demands,
                                                             count)
           .torque;
     }
-    return saturate(approximated(now, demands[0]), limits, saturation::keep_direction).torque;
+    return saturate(approximated(device, demands[0]), limits, saturation::keep_direction).torque;
   }
 
   /// Free space or a fault: all relays are off.
@@ -88,14 +88,14 @@ struct on_off_control {
  private:
   // Torques [N m] of the nearest force
   template <class M, class EMatrix, class B, class T, int D>
-  static brake_vector<M> approximated(const brake_situation<M, EMatrix, B>& now,
+  static brake_vector<M> approximated(const brake_situation<M, EMatrix, B>& device,
                                       const contact_demand<T, D>& wanted) {
     const T min_cosine = step_options<T>().min_cosine;
     if constexpr (displays_by_generators<M>) {
-      const auto G = passive_haptics::generators_of(now.pose);
-      return wanted.force * approximate_by_generators(G, now.s, wanted.normal, min_cosine).torque;
+      const auto G = passive_haptics::generators_of(device.pose);
+      return wanted.force * approximate_by_generators(G, device.s, wanted.normal, min_cosine).torque;
     } else {
-      return wanted.force * approximate(now.E, now.s, wanted.normal, min_cosine).torque;
+      return wanted.force * approximate(device.E, device.s, wanted.normal, min_cosine).torque;
     }
   }
 

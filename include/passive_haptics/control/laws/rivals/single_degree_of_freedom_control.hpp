@@ -66,19 +66,19 @@ struct single_degree_of_freedom_control {
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
-  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& device, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     static_assert(
         M::brake_count >= M::dof && M::dof == M::task_dimension && M::dof >= 2,
         "passive_haptics: single_degree_of_freedom_control needs brake_count >= dof == task_dimension >= 2.");
     const auto& c = touched[governing_contact(touched)];
     remembered.walls.begin_cycle();
-    int& locked = remembered.walls.of(c.wall).brake;
-    locked = choose(slopes(now, c), c.depth - parameters.reference_depth, locked);
+    int& locked = remembered.walls.of(c.wall_number).brake;
+    locked = choose(slopes(device, c), c.depth - parameters.reference_depth, locked);
 
     brake_vector<M> t = brake_vector<M>::Zero();
     unrolled<M::brake_count>([&](auto i) {
-      if (locked == i || locked == all) t[i] = holding_torque(now.s[i], now.brakes.torque_limit[i]);
+      if (locked == i || locked == all) t[i] = holding_torque(device.s[i], device.brakes.torque_limit[i]);
     });
     return t;
   }
@@ -91,21 +91,21 @@ struct single_degree_of_freedom_control {
 
   // Sines of the angles at which the handle leaves the wall with brake i locked; 0 where that stops it
   template <class M, class EMatrix, int D, class B>
-  static brake_vector<M> slopes(const brake_situation<M, EMatrix, B>& now, const contact<D>& c) {
+  static brake_vector<M> slopes(const brake_situation<M, EMatrix, B>& device, const contact<D>& c) {
     using T = typename M::scalar;
-    brake_vector<M> w = intended_rates(now), share = brake_vector<M>::Ones();  // P w, P_ii
+    brake_vector<M> w = intended_rates(device), share = brake_vector<M>::Ones();  // P w, P_ii
     if constexpr (M::brake_count > M::dof) {
-      const transmission_matrix<M> map = passive_haptics::transmission(now.mechanism, now.q);
+      const transmission_matrix<M> map = passive_haptics::transmission(device.mechanism, device.q);
       const auto P = times(map, pseudo_inverse(map));
       w = P * w;
       share = P.diagonal();
     }
-    const T nothing = rounding_tolerance<T>(M::brake_count) * vector<T, D>(now.E * w).stableNorm();
+    const T nothing = rounding_tolerance<T>(M::brake_count) * vector<T, D>(device.E * w).stableNorm();
     brake_vector<M> slope;
     unrolled<M::brake_count>([&](auto i) {
       brake_vector<M> others = w;
       if (share[i] > T(0)) others[i] -= w[i] / share[i];  // else no joint turns it
-      const vector<T, D> v = now.E * others - as<T>(c.wall_velocity);
+      const vector<T, D> v = device.E * others - as<T>(c.wall_velocity);
       const T speed = v.stableNorm();
       slope[i] = speed > nothing ? as<T>(c.normal).dot(v) / speed : T(0);
     });

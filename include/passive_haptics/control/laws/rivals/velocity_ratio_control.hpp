@@ -60,13 +60,13 @@ struct velocity_ratio_control {
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
-  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now,
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& device,
                          const contacts<D, Capacity>& touched) const noexcept {
     using T = typename M::scalar;
     static_assert(M::brake_count == M::dof,
                   "passive_haptics: velocity_ratio_control needs brake_count == dof.");
     const auto& c = touched[governing_contact(touched)];
-    const brake_vector<M> w = intended_rates(now), wanted = wanted_rates(now, c, w);
+    const brake_vector<M> w = intended_rates(device), wanted = wanted_rates(device, c, w);
 
     T slowest = std::numeric_limits<T>::infinity();  // lambda
     unrolled<M::brake_count>([&](auto i) {
@@ -78,7 +78,7 @@ struct velocity_ratio_control {
       const bool right_way = sgn(w[i]) * wanted[i] > T(0);
       const T too_fast = right_way ? T(1) - slowest * (wanted[i] / w[i]) : T(1);
       const T share = std::clamp(static_cast<T>(parameters.gain) * too_fast, T(0), T(1));
-      t[i] = holding_torque(now.s[i], share * now.brakes.torque_limit[i]);
+      t[i] = holding_torque(device.s[i], share * device.brakes.torque_limit[i]);
     });
     return t;
   }
@@ -86,10 +86,10 @@ struct velocity_ratio_control {
  private:
   // w* [rad/s or m/s]: w + E^+ (v* - v)
   template <class M, class EMatrix, int D, class B>
-  brake_vector<M> wanted_rates(const brake_situation<M, EMatrix, B>& now, const contact<D>& c,
+  brake_vector<M> wanted_rates(const brake_situation<M, EMatrix, B>& device, const contact<D>& c,
                                const brake_vector<M>& w) const {
     using T = typename M::scalar;
-    const matrix<T, D, M::brake_count> E(now.E);
+    const matrix<T, D, M::brake_count> E(device.E);
     const vector<T, D> n = as<T>(c.normal), v = E * w - as<T>(c.wall_velocity);
     const T outward = n.dot(v);
     const double slope = std::clamp((c.depth - parameters.reference_depth) / parameters.approach_length,

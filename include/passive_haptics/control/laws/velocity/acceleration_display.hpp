@@ -48,11 +48,12 @@ struct normal_response {
 
 /// The response along n, the hand doing Fh. Cost: one solution with M.
 template <class M, class T, int D>
-normal_response<T, D, M::brake_count> response_along(const vector<T, D>& n, const pose_dynamics<M>& device,
+normal_response<T, D, M::brake_count> response_along(const vector<T, D>& n, const pose_dynamics<M>& dynamics,
                                                      const vector<T, D>& Fh) {
-  const joint_vector<M> Jn = device.J.transpose() * n, y = device.mass.solve(Jn);
-  const joint_vector<M> drive = device.J.transpose() * Fh - device.bias;
-  return {n, device.Tt.transpose() * y, device.J * y, y.dot(drive) + n.dot(device.drift), T(1) / Jn.dot(y)};
+  const joint_vector<M> Jn = dynamics.J.transpose() * n, y = dynamics.mass.solve(Jn);
+  const joint_vector<M> drive = dynamics.J.transpose() * Fh - dynamics.bias;
+  return {n, dynamics.Tt.transpose() * y, dynamics.J * y, y.dot(drive) + n.dot(dynamics.drift),
+          T(1) / Jn.dot(y)};
 }
 
 }  // namespace passive_haptics

@@ -14,12 +14,12 @@ namespace passive_haptics {
 /// known. In double, for up to `most` brakes, so that a law's memory needs no mechanism.
 class brake_lag_model {
  public:
-  static constexpr std::size_t most = 12;  ///< Brakes.
+  static constexpr std::size_t max_brakes = 12;  ///< Brakes.
 
   /// Brings the torques [N m] from the last command to `time` [s]; time running backwards changes nothing.
   template <class T, int Brakes>
   void advance(double time, const vector<T, Brakes>& time_constant) {
-    static_assert(Brakes <= static_cast<int>(most),
+    static_assert(Brakes <= static_cast<int>(max_brakes),
                   "passive_haptics: brake_lag_model is for at most 12 brakes.");
     const double dt = time < time_ ? 0.0 : time - time_;
     time_ = time;
@@ -48,7 +48,7 @@ class brake_lag_model {
   void release() { command_.fill(0); }
 
  private:
-  std::array<double, most> torque_{}, command_{};
+  std::array<double, max_brakes> torque_{}, command_{};
   double time_ = -std::numeric_limits<double>::infinity();
 };
 

@@ -2,7 +2,7 @@
 /// Brake torques of least power that give walls the normal forces they want.
 #pragma once
 
-#include <passive_haptics/control/laws/velocity/brake_reach.hpp>
+#include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 
 #include <cmath>
@@ -12,15 +12,15 @@ namespace passive_haptics {
 /// Adds to magnitudes t what brakes that turn can do beside a brake that is held at rest: torques t_j then
 /// accelerate the device with brake i held, n . xdd = (g_j - g_i A_ij / A_ii) t_j.
 template <class T, int Brakes>
-void beside_held(const vector<T, Brakes>& g, T missing, const brake_reach<T, Brakes>& reach,
+void beside_held(const vector<T, Brakes>& g, T missing, const torque_range<T, Brakes>& range,
                  vector<T, Brakes>& t) {
-  if (!reach.any_at_rest) return;
+  if (!range.any_at_rest) return;
   for (int i = 0; i < Brakes; ++i) {
-    if (!reach.at_rest[i] || !(reach.sign[i] * g[i] > T(0)) || !(t[i] > T(0))) continue;
+    if (!range.at_rest[i] || !(range.sign[i] * g[i] > T(0)) || !(t[i] > T(0))) continue;
     for (int j = 0; j < Brakes; ++j) {
-      const T gain = reach.sign[j] * (g[j] - g[i] * reach.A(i, j) / reach.A(i, i));
-      if (reach.at_rest[j] || !(gain > T(0)) || !(missing > T(0))) continue;
-      const T added = std::min(missing / gain, reach.most[j] - t[j]);
+      const T gain = range.sign[j] * (g[j] - g[i] * range.A(i, j) / range.A(i, i));
+      if (range.at_rest[j] || !(gain > T(0)) || !(missing > T(0))) continue;
+      const T added = std::min(missing / gain, range.largest[j] - t[j]);
       t[j] += added;
       missing -= gain * added;
     }
@@ -34,29 +34,29 @@ void beside_held(const vector<T, Brakes>& g, T missing, const brake_reach<T, Bra
 /// problem of Dantzig 1957), those that help only while the handle lands last.
 template <class T, int Brakes>
 vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
-                                      const brake_reach<T, Brakes>& reach, const vector<T, Brakes>& w) {
-  vector<T, Brakes> t = reach.least;
-  const vector<T, Brakes> gain = reach.sign.cwiseProduct(g);
+                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w) {
+  vector<T, Brakes> t = range.smallest;
+  const vector<T, Brakes> gain = range.sign.cwiseProduct(g);
   T missing = wanted - gain.dot(t);
   const auto comes_before = [&](int i, int j) {
-    if (reach.lasts[i] != reach.lasts[j]) return reach.lasts[i];
+    if (range.sign_is_lasting[i] != range.sign_is_lasting[j]) return range.sign_is_lasting[i];
     return std::abs(w[i]) * gain[j] < std::abs(w[j]) * gain[i];
   };
   for (int round = 0; round < Brakes && missing > T(0); ++round) {
     int best = -1;
     for (int i = 0; i < Brakes; ++i) {
-      if (gain[i] > T(0) && t[i] < reach.most[i] && (best < 0 || comes_before(i, best))) best = i;
+      if (gain[i] > T(0) && t[i] < range.largest[i] && (best < 0 || comes_before(i, best))) best = i;
     }
     if (best < 0) {
-      beside_held(g, missing, reach, t);
+      beside_held(g, missing, range, t);
       break;
     }
-    const T room = reach.most[best] - t[best], needed = missing / gain[best];
+    const T room = range.largest[best] - t[best], needed = missing / gain[best];
     if (needed <= room) {
       t[best] += needed;
       break;
     }
-    t[best] = reach.most[best];
+    t[best] = range.largest[best];
     missing -= room * gain[best];
   }
   return t;
@@ -68,12 +68,12 @@ vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
 /// levels.
 template <class T, int Brakes, int Walls>
 vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, const vector<T, Walls>& wanted,
-                                      const brake_reach<T, Brakes>& reach, const vector<T, Brakes>& w) {
-  const vector<T, Brakes> one = reach.sign.cwiseProduct(reach.least),
-                          other = reach.sign.cwiseProduct(reach.most);
+                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w) {
+  const vector<T, Brakes> one = range.sign.cwiseProduct(range.smallest),
+                          other = range.sign.cwiseProduct(range.largest);
   matrix<T, Brakes, Brakes> power = w.cwiseAbs().asDiagonal();
   power.diagonal().array() += T(1e-3) * w.cwiseAbs().maxCoeff() + rounding_tolerance<T>(Brakes);
-  return reach.sign.cwiseProduct(least_squares_by_priority(
+  return range.sign.cwiseProduct(least_squares_by_priority(
       vector<T, Brakes>(one.cwiseMin(other)), vector<T, Brakes>(one.cwiseMax(other)),
       least_squares_level{rows, wanted}, least_squares_level{power}));
 }

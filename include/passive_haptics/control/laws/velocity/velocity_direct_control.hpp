@@ -6,8 +6,8 @@
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
 #include <passive_haptics/control/laws/velocity/brake_lag.hpp>
-#include <passive_haptics/control/laws/velocity/brake_reach.hpp>
 #include <passive_haptics/control/laws/velocity/least_power.hpp>
+#include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/scene/contacts.hpp>
@@ -37,7 +37,7 @@ namespace passive_haptics {
 /// it falls to a 1/e of itself on release_length, until the brake slips again and its torque is known. A
 /// brake at rest is counted for twice what holds it at most, the rest is up to the others, and for nothing
 /// where it would hold the handle in. Which way a brake can push is told by its rate once the handle no
-/// longer sinks, not by the rate now, which may only be that of the landing (brake_reach).
+/// longer sinks, not by the rate now, which may only be that of the landing (torque_range).
 ///
 /// **The depth of rest** d_ref is rest_depth on fine encoders; on coarse ones, whose counts let the depth
 /// jump, it is a multiple of these jumps.
@@ -67,11 +67,11 @@ class velocity_direct_control {
   };
   /// What it remembers.
   struct memory {
-    contact_memory<contact_state> walls;                ///< Each wall's.
-    brake_lag_model brakes;                             ///< What the brakes make.
-    bool moving = false;                                ///< Rates and time are known.
-    double time = 0;                                    ///< Of the cycle before [s].
-    std::array<double, brake_lag_model::most> rates{};  ///< Of the joints, low-passed [rad/s or m/s].
+    contact_memory<contact_state> walls;                      ///< Each wall's.
+    brake_lag_model brakes;                                   ///< What the brakes make.
+    bool moving = false;                                      ///< Rates and time are known.
+    double time = 0;                                          ///< Of the cycle before [s].
+    std::array<double, brake_lag_model::max_brakes> rates{};  ///< Of the joints, low-passed [rad/s or m/s].
   };
 
   /// Throws std::invalid_argument with the text of validate(p).
@@ -82,36 +82,36 @@ class velocity_direct_control {
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
-  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& now, const contacts<D, Capacity>& touched,
+  brake_vector<M> torque(const brake_situation<M, EMatrix, B>& device, const contacts<D, Capacity>& touched,
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
     constexpr int m = M::brake_count;
-    const double dt = remembered.moving ? std::max(0.0, now.time - remembered.time) : 0.0;
-    const pose_dynamics<M> device(now.pose, smooth_rates<M>(now.qd, dt, remembered),
-                                  static_cast<T>(p_.hand_mass));
+    const double dt = remembered.moving ? std::max(0.0, device.time - remembered.time) : 0.0;
+    const pose_dynamics<M> dynamics(device.pose, smooth_rates<M>(device.qd, dt, remembered),
+                                    static_cast<T>(p_.hand_mass));
     remembered.moving = true;
-    remembered.time = now.time;
-    remembered.brakes.advance(now.time, now.brakes.time_constant);
+    remembered.time = device.time;
+    remembered.brakes.advance(device.time, device.brakes.time_constant);
     remembered.walls.begin_cycle();
 
     std::array<wall_demand<T, D, m>, std::size_t(Capacity)> walls;
-    const task_vector<M> Fh = static_cast<T>(p_.force_share) * now.hand_force;
+    const task_vector<M> Fh = static_cast<T>(p_.force_share) * device.hand_force;
     for (int j = 0; j < touched.size(); ++j)
-      walls[std::size_t(j)] = demand_of(touched[j], now, device, Fh, dt, remembered);
+      walls[std::size_t(j)] = demand_of(touched[j], device, dynamics, Fh, dt, remembered);
 
-    const brake_vector<M> w = rates_with(walls, touched.size(), device);
+    const brake_vector<M> w = rates_with(walls, touched.size(), dynamics);
     const bool alone = touched.size() == 1;
-    const auto brakes = passive_haptics::reach_of_brakes(now, device, w, alone ? &walls[0].along.g : nullptr,
-                                                         remembered.brakes, p_.horizon);
+    const auto brakes = passive_haptics::torque_ranges_of(
+        device, dynamics, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
     brake_vector<M> t = alone ? least_power_torques<T, m>(walls[0].along.g,
                                                           walls[0].force / walls[0].along.inertia, brakes, w)
                               : for_several(walls, touched.size(), brakes, w);
     for (int j = 0; j < touched.size(); ++j) learn(walls[std::size_t(j)], brakes, t, dt);
 
     unrolled<m>([&](auto i) {
-      const T u = remembered.brakes.command(i, t[i], passive_haptics::torque_limit_of<T>(now.brakes, i),
-                                            brakes.share[i]);
-      t[i] = now.s[i] > T(0) ? -u : u;
+      const T u = remembered.brakes.command(i, t[i], passive_haptics::torque_limit_of<T>(device.brakes, i),
+                                            brakes.lag_share[i]);
+      t[i] = device.s[i] > T(0) ? -u : u;
     });
     return t;
   }
@@ -128,17 +128,17 @@ class velocity_direct_control {
   template <class T, int D, int Brakes>
   struct wall_demand {
     normal_response<T, D, Brakes> along;
-    T slow;     // v_ref - n . v [m/s]: > 0 where the handle shall leave faster
-    T stay;     // -n . v [m/s]
-    T forward;  // f_ff [N]
-    T force;    // f [N]
+    T speed_error;  // v_ref - n . v [m/s]: > 0 where the handle shall leave faster
+    T stop_speed;   // -n . v [m/s]
+    T feedforward;  // f_ff [N]
+    T force;        // f [N]
     contact_state* state;
   };
 
   // Low-passed joint rates [rad/s or m/s]
   template <class M>
   joint_vector<M> smooth_rates(const joint_vector<M>& qd, double dt, memory& remembered) const {
-    static_assert(M::dof <= static_cast<int>(brake_lag_model::most),
+    static_assert(M::dof <= static_cast<int>(brake_lag_model::max_brakes),
                   "passive_haptics: velocity_direct_control is for at most 12 joints.");
     const double share = remembered.moving ? lag_share(dt, p_.rate_lag) : 1.0;
     joint_vector<M> smooth;
@@ -150,16 +150,16 @@ class velocity_direct_control {
     return smooth;
   }
 
-  template <class M, int D, class Now>
-  auto demand_of(const contact<D>& c, const Now& now, const pose_dynamics<M>& device,
+  template <class M, int D, class Device>
+  auto demand_of(const contact<D>& c, const Device& device, const pose_dynamics<M>& dynamics,
                  const task_vector<M>& Fh, double dt, memory& remembered) const {
     using T = typename M::scalar;
-    const point<D> moved = now.x - c.position, relative = as<double>(device.velocity) - c.wall_velocity;
+    const point<D> moved = device.x - c.sensed_at, relative = as<double>(dynamics.velocity) - c.wall_velocity;
     const point<D> n = (c.normal + c.curvature * moved).normalized();
     const double depth = c.depth - p_.margin - moved.dot(c.normal + 0.5 * (c.curvature * moved));
     const double outward = n.dot(relative), curving = relative.dot(c.curvature * relative);
 
-    contact_state& state = remembered.walls.of(c.wall);
+    contact_state& state = remembered.walls.of(c.wall_number);
     // A jump is what the depth changed by more than its motion explains; a NaN, of the first cycle, is none
     state.jump = std::max(state.jump * (1 - std::min(dt / jump_time, 1.0)),
                           std::abs(depth - state.depth) - 2 * dt * std::abs(outward));
@@ -167,11 +167,12 @@ class velocity_direct_control {
     const double d_ref = std::max(p_.rest_depth, std::min(p_.depth_per_jump * state.jump, deepest_rest));
     const double v_ref = std::clamp(p_.depth_gain * (depth - d_ref), -p_.velocity_limit, p_.velocity_limit);
 
-    const auto along = passive_haptics::response_along(as<T>(n), device, Fh);
-    const T slow = static_cast<T>(v_ref - outward);
-    const T forward = -along.inertia * (static_cast<T>(curving) + along.free);
-    const T force = forward + static_cast<T>(state.bias) + stiffness(along.inertia) * slow;
-    return wall_demand<T, D, M::brake_count>{along, slow, static_cast<T>(-outward), forward, force, &state};
+    const auto along = passive_haptics::response_along(as<T>(n), dynamics, Fh);
+    const T speed_error = static_cast<T>(v_ref - outward);
+    const T feedforward = -along.inertia * (static_cast<T>(curving) + along.free);
+    const T force = feedforward + static_cast<T>(state.bias) + stiffness(along.inertia) * speed_error;
+    return wall_demand<T, D, M::brake_count>{along,       speed_error, static_cast<T>(-outward),
+                                             feedforward, force,       &state};
   }
 
   // Lambda_n / tau_v [N s/m]
@@ -183,15 +184,16 @@ class velocity_direct_control {
   // w* = w + sum_j g_j p_j, the rates when normal impulses p have brought the handle to v_ref at each wall:
   // n_i . (sum_j J M^-1 J^T n_j p_j) = slow_i, by Gauss-Seidel, exact for one wall.
   template <class M, class Walls>
-  brake_vector<M> rates_with(const Walls& walls, int count, const pose_dynamics<M>& device) const {
+  brake_vector<M> rates_with(const Walls& walls, int count, const pose_dynamics<M>& dynamics) const {
     using T = typename M::scalar;
     constexpr int sweeps = 4;
-    brake_vector<M> w = device.rates;
+    brake_vector<M> w = dynamics.rates;
     task_vector<M> gained = task_vector<M>::Zero();  // velocity
     for (int sweep = 0; sweep < (count > 1 ? sweeps : 1); ++sweep) {
       for (int j = 0; j < count; ++j) {
         const auto& wall = walls[std::size_t(j)];
-        const T p = wall.along.inertia * (std::min(wall.slow, wall.stay) - wall.along.normal.dot(gained));
+        const T p = wall.along.inertia *
+                    (std::min(wall.speed_error, wall.stop_speed) - wall.along.normal.dot(gained));
         gained += wall.along.per_newton * p;
         w += wall.along.g * p;
       }
@@ -200,41 +202,43 @@ class velocity_direct_control {
   }
 
   template <class Walls, class T, int Brakes>
-  static vector<T, Brakes> for_several(const Walls& walls, int count, const brake_reach<T, Brakes>& reach,
+  static vector<T, Brakes> for_several(const Walls& walls, int count, const torque_range<T, Brakes>& range,
                                        const vector<T, Brakes>& w) {
-    constexpr int most = static_cast<int>(std::tuple_size_v<Walls>);
-    matrix<T, most, Brakes> rows = matrix<T, most, Brakes>::Zero();
-    vector<T, most> wanted = vector<T, most>::Zero();
+    constexpr int capacity = static_cast<int>(std::tuple_size_v<Walls>);
+    matrix<T, capacity, Brakes> rows = matrix<T, capacity, Brakes>::Zero();
+    vector<T, capacity> wanted = vector<T, capacity>::Zero();
     for (int j = 0; j < count; ++j) {
       const auto& wall = walls[std::size_t(j)];
       rows.row(j) = wall.along.inertia * wall.along.g.transpose();
       wanted[j] = std::max(wall.force, T(0));  // no wall holds a handle that leaves it
     }
-    if (!(wanted.array() > T(0)).any()) return reach.least;
-    return least_power_torques<T, Brakes, most>(rows, wanted, reach, w);
+    if (!(wanted.array() > T(0)).any()) return range.smallest;
+    return least_power_torques<T, Brakes, capacity>(rows, wanted, range, w);
   }
 
   // The bias, after torques of these magnitudes [N m]
   template <class Wall, class T, int Brakes>
-  void learn(const Wall& wall, const brake_reach<T, Brakes>& brakes, const vector<T, Brakes>& t,
+  void learn(const Wall& wall, const torque_range<T, Brakes>& brakes, const vector<T, Brakes>& t,
              double dt) const {
     const vector<T, Brakes> gain = wall.along.inertia * brakes.sign.cwiseProduct(wall.along.g);
-    T made = T(0), most = T(0);
+    T made = T(0), largest = T(0);
     bool sticks = true;
     unrolled<Brakes>([&](auto i) {
       made += gain[i] * t[i];
-      most += std::max(gain[i], T(0)) * brakes.most[i];
+      largest += std::max(gain[i], T(0)) * brakes.largest[i];
       if (gain[i] > T(0) && t[i] > T(0) && !brakes.at_rest[i]) sticks = false;
     });
     double& bias = wall.state->bias;
-    const double forward = static_cast<double>(wall.forward);
-    const double rate = static_cast<double>(stiffness(wall.along.inertia) * wall.slow) / p_.integral_time;
+    const double feedforward = static_cast<double>(wall.feedforward);
+    const double rate =
+        static_cast<double>(stiffness(wall.along.inertia) * wall.speed_error) / p_.integral_time;
     const bool saturated = made < T(0.999) * wall.force;
-    const double slow = static_cast<double>(wall.slow);
-    const double let_go = std::min(-dt * slow / p_.release_length, 1.0) * (forward + bias);
-    if (slow < 0) bias += sticks ? std::min(dt * rate, -let_go) : dt * rate;
+    const double speed_error = static_cast<double>(wall.speed_error);
+    const double let_go = std::min(-dt * speed_error / p_.release_length, 1.0) * (feedforward + bias);
+    if (speed_error < 0) bias += sticks ? std::min(dt * rate, -let_go) : dt * rate;
     else if (!saturated && !sticks) bias += dt * rate;
-    bias = std::clamp(bias, -std::max(forward, 0.0), std::max(static_cast<double>(most) - forward, 0.0));
+    bias = std::clamp(bias, -std::max(feedforward, 0.0),
+                      std::max(static_cast<double>(largest) - feedforward, 0.0));
   }
 
   velocity_direct_control_parameters p_;

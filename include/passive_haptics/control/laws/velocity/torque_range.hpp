@@ -14,17 +14,17 @@ namespace passive_haptics {
 
 /// What each brake can make a horizon from now: its sign times a magnitude from least to most.
 template <class T, int Brakes>
-struct brake_reach {
+struct torque_range {
   using flags = vector<bool, Brakes>;  ///< One for each brake.
 
   vector<T, Brakes> sign;                  ///< Of its torque: -1 or 1.
-  vector<T, Brakes> share;                 ///< Of the way to a command that the horizon covers [1].
-  vector<T, Brakes> least;                 ///< What its lag leaves it at least [N m].
-  vector<T, Brakes> most;                  ///< [N m], >= least.
+  vector<T, Brakes> lag_share;             ///< Of the way to a command that the horizon covers [1].
+  vector<T, Brakes> smallest;              ///< What its lag leaves it at least [N m].
+  vector<T, Brakes> largest;               ///< [N m], >= smallest.
   matrix<T, Brakes, Brakes> A;             ///< T M^-1 T^T, where any is at rest [rad/s^2 per N m].
   bool any_at_rest = false;                ///< Some brake is at rest.
   flags at_rest = flags::Constant(false);  ///< It is at rest.
-  flags lasts;  ///< It can push so as long as the handle slides, not only while it lands.
+  flags sign_is_lasting;  ///< It can push so as long as the handle slides, not only while it lands.
 };
 
 /// T M^-1 T^T, how brake torques accelerate the brakes [rad/s^2 per N m].
@@ -34,14 +34,14 @@ using brake_inertia = matrix<typename M::scalar, M::brake_count, M::brake_count>
 /// Torques [N m] that would hold the brakes, the others making t: by Gauss-Seidel, those at rest at most what
 /// they make now. Leaves A = T M^-1 T^T. Cost: a solution with M and some products of m x m.
 template <class M>
-brake_vector<M> holding_torques(const pose_dynamics<M>& device, const task_vector<M>& Fh,
+brake_vector<M> holding_torques(const pose_dynamics<M>& dynamics, const task_vector<M>& Fh,
                                 const vector<bool, M::brake_count>& at_rest, brake_vector<M> t,
                                 const brake_vector<M>& strength, brake_inertia<M>& A) {
   using T = typename M::scalar;
   constexpr int m = M::brake_count, sweeps = 3;
-  const matrix<T, M::dof, m> per_torque = device.mass.solve(device.Tt);
-  A = device.Tt.transpose() * per_torque;  // rad/s^2 for each N m
-  const joint_vector<M> drive = device.J.transpose() * Fh - device.bias;
+  const matrix<T, M::dof, m> per_torque = dynamics.mass.solve(dynamics.Tt);
+  A = dynamics.Tt.transpose() * per_torque;  // rad/s^2 for each N m
+  const joint_vector<M> drive = dynamics.J.transpose() * Fh - dynamics.bias;
   const brake_vector<M> free = per_torque.transpose() * drive;
   brake_vector<M> holding = brake_vector<M>::Zero();
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -60,47 +60,47 @@ brake_vector<M> holding_torques(const pose_dynamics<M>& device, const task_vecto
 /// g: of the wall where there is one alone; a brake whose rate now pushes the handle out of it is taken so
 /// even if that will not last. Null for several walls, where the rates now tell the signs of brakes that
 /// turn.
-template <class M, class Now>
-brake_reach<typename M::scalar, M::brake_count> reach_of_brakes(
-    const Now& now, const pose_dynamics<M>& device, const brake_vector<M>& w, const brake_vector<M>* g,
-    const brake_lag_model& model, double horizon) {
+template <class M, class Device>
+torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
+    const Device& device, const pose_dynamics<M>& dynamics, const brake_vector<M>& w,
+    const brake_vector<M>* g, const brake_lag_model& model, double horizon) {
   using T = typename M::scalar;
   constexpr int m = M::brake_count;
-  constexpr T most_held(2);  // of what holds a brake at rest, by a sensor and inertia that are off
-  brake_reach<T, m> reach;
+  constexpr T max_held(2);  // of what holds a brake at rest, by a sensor and inertia that are off
+  torque_range<T, m> range;
   brake_vector<M> strength, made;
   unrolled<m>([&](auto i) {
-    const T band = rate_dead_band_of<T>(now.brakes, i);
-    reach.at_rest[i] = !slips(device.rates[i], band);
-    reach.any_at_rest = reach.any_at_rest || reach.at_rest[i] || !slips(w[i], band);
+    const T band = rate_dead_band_of<T>(device.brakes, i);
+    range.at_rest[i] = !slips(dynamics.rates[i], band);
+    range.any_at_rest = range.any_at_rest || range.at_rest[i] || !slips(w[i], band);
     strength[i] = static_cast<T>(model.torque(i));
-    made[i] = reach.at_rest[i] ? T(0) : -std::copysign(strength[i], device.rates[i]);
+    made[i] = range.at_rest[i] ? T(0) : -std::copysign(strength[i], dynamics.rates[i]);
   });
   brake_vector<M> holding = brake_vector<M>::Zero();
-  if (reach.any_at_rest)
+  if (range.any_at_rest)
     holding =
-        passive_haptics::holding_torques(device, now.hand_force, reach.at_rest, made, strength, reach.A);
+        passive_haptics::holding_torques(dynamics, device.hand_force, range.at_rest, made, strength, range.A);
   unrolled<m>([&](auto i) {
-    const T band = rate_dead_band_of<T>(now.brakes, i);
-    const bool turns = g == nullptr && !reach.at_rest[i];
-    const T rate = turns ? device.rates[i] : (slips(w[i], band) ? w[i] : -holding[i]);
-    reach.sign[i] = rate > T(0) ? T(-1) : T(1);
-    reach.lasts[i] = true;
-    if (g != nullptr && reach.sign[i] * (*g)[i] <= T(0) && device.rates[i] * (*g)[i] < T(0)) {
-      reach.sign[i] = -reach.sign[i];
-      reach.lasts[i] = false;
+    const T band = rate_dead_band_of<T>(device.brakes, i);
+    const bool turns = g == nullptr && !range.at_rest[i];
+    const T rate = turns ? dynamics.rates[i] : (slips(w[i], band) ? w[i] : -holding[i]);
+    range.sign[i] = rate > T(0) ? T(-1) : T(1);
+    range.sign_is_lasting[i] = true;
+    if (g != nullptr && range.sign[i] * (*g)[i] <= T(0) && dynamics.rates[i] * (*g)[i] < T(0)) {
+      range.sign[i] = -range.sign[i];
+      range.sign_is_lasting[i] = false;
     }
-    const T lag = now.brakes.time_constant[i];
-    reach.share[i] = horizon > 0 ? lag_share(static_cast<T>(horizon), lag) : T(1);
-    reach.least[i] = strength[i] * (T(1) - reach.share[i]);
-    reach.most[i] = passive_haptics::torque_limit_of<T>(now.brakes, i);
-    if (reach.at_rest[i])
-      reach.most[i] = holding[i] * reach.sign[i] > T(0)
-                          ? std::min(reach.most[i], most_held * std::abs(holding[i]))
-                          : T(0);
-    reach.most[i] = std::max(reach.least[i], reach.most[i]);
+    const T lag = device.brakes.time_constant[i];
+    range.lag_share[i] = horizon > 0 ? lag_share(static_cast<T>(horizon), lag) : T(1);
+    range.smallest[i] = strength[i] * (T(1) - range.lag_share[i]);
+    range.largest[i] = passive_haptics::torque_limit_of<T>(device.brakes, i);
+    if (range.at_rest[i])
+      range.largest[i] = holding[i] * range.sign[i] > T(0)
+                             ? std::min(range.largest[i], max_held * std::abs(holding[i]))
+                             : T(0);
+    range.largest[i] = std::max(range.smallest[i], range.largest[i]);
   });
-  return reach;
+  return range;
 }
 
 }  // namespace passive_haptics
