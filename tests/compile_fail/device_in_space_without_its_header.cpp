@@ -1,4 +1,4 @@
-// expect: passive_haptics: forces in space need
+// expect: passive_haptics: forces in space, and of three or more brakes in the plane, need
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

@@ -37,10 +37,9 @@ T total(const brake_resistance<T>& r, T rate) {
 template <BrakeModel B>
 typename B::scalar largest_limit(const B& brake) {
   using T = typename B::scalar;
-  T largest = brake.torque_limit_at(T(0));
-  for (T rate = T(1e-4); rate < T(1e4); rate *= T(1.3))
-    largest = std::max(largest, brake.torque_limit_at(rate));
-  return largest;
+  T peak = brake.torque_limit_at(T(0));
+  for (T rate = T(1e-4); rate < T(1e4); rate *= T(1.3)) peak = std::max(peak, brake.torque_limit_at(rate));
+  return peak;
 }
 
 // Uniform among 0, ..., count - 1.
@@ -90,12 +89,12 @@ std::string broken_energy_law(const B& brake, std::uint64_t seed, int steps) {
     }
     const T dt = random.positive(T(1e-6), T(1e-2));
     const brake_resistance<T> r = brake.advance(dt, command, rate, state);
-    const T largest = brake.torque_limit_at(rate);
+    const T peak = brake.torque_limit_at(rate);
     if (!(r.strength >= T(0) && r.drag >= T(0) &&
           detail::total(r, rate) < std::numeric_limits<T>::infinity()))
       return detail::broken("not passive: strength, drag", r.strength, r.drag);
-    if (!(detail::total(r, rate) <= largest * (T(1) + T(16) * eps)))
-      return detail::broken("not bounded: torque, limit, rate", detail::total(r, rate), largest, rate);
+    if (!(detail::total(r, rate) <= peak * (T(1) + T(16) * eps)))
+      return detail::broken("not bounded: torque, limit, rate", detail::total(r, rate), peak, rate);
 
     const T slowed = T(1) / (inertia + dt * r.drag), free = slowed * (inertia * rate + dt * drive);
     const T left = std::max(std::abs(free) - slowed * dt * r.strength, T(0));
@@ -163,10 +162,9 @@ std::string broken_time_step_law(const B& brake, std::uint64_t seed) {
   const std::vector<T> exact = run(8);
   const auto error = [&](int parts) {
     const std::vector<T> torques = run(parts);
-    T largest = T(0);
-    for (std::size_t k = 0; k < torques.size(); ++k)
-      largest = std::max(largest, std::abs(torques[k] - exact[k]));
-    return largest;
+    T peak = T(0);
+    for (std::size_t k = 0; k < torques.size(); ++k) peak = std::max(peak, std::abs(torques[k] - exact[k]));
+    return peak;
   };
   const T whole = error(1), half = error(2);
   // A lag of 1 / share steps rounds so often on its way

@@ -11,7 +11,6 @@
   f(add_nodes) \
   f(add_part) \
   f(all_finite) \
-  f(along_edge) \
   f(any) \
   f(any_perpendicular) \
   f(any_sticks) \
@@ -49,7 +48,6 @@
   f(choices_of) \
   f(chosen_way) \
   f(clamped) \
-  f(column_squares) \
   f(compact) \
   f(cone_is_zero) \
   f(contact_forces) \
@@ -109,7 +107,6 @@
   f(inertial_force_generators) \
   f(intended_rates) \
   f(invert_brake_jacobian) \
-  f(is_beyond) \
   f(is_corner_list) \
   f(is_displayed) \
   f(is_moderate) \
@@ -144,11 +141,9 @@
   f(merged) \
   f(min) \
   f(nearest_both_ways) \
-  f(nearest_edge) \
   f(nearest_force) \
   f(nearest_in_box) \
   f(nearest_in_plane) \
-  f(nearest_of_all_edges) \
   f(nearest_of_generators) \
   f(nearest_on_line) \
   f(nearest_on_segment) \
@@ -235,7 +230,6 @@
   f(solve_box_friction) \
   f(solve_redundant_box_friction) \
   f(sorted_ridges) \
-  f(split_between_two) \
   f(sqrt) \
   f(squared_distance_from) \
   f(status_of) \

@@ -7,7 +7,8 @@
 namespace passive_haptics {
 
 namespace detail {
-// Of cones in space and beyond: space_cone.hpp, which a device in the plane need not read.
+// Of three and more half-spaces in the plane, and of any in space and beyond: space_cone.hpp, which a device
+// with two brakes in the plane need not read.
 template <int Rows>
 struct cone_solver;
 }  // namespace detail
@@ -16,11 +17,11 @@ struct cone_solver;
 ///
 /// By Moreau's decomposition f = p + B mu with mu = argmin |B mu - f|, mu >= 0: a non-negative least-squares
 /// problem whose residual is the answer; no Gram matrix and no inverse, so p is feasible to rounding at any
-/// condition of B. In closed form for Rows <= 2 (plane_cone.hpp) and for three half-spaces in space
-/// (space_cone.hpp), there exact to a few roundings of |f| however flat the cone is; else by an active set
-/// (active_set.hpp). From three half-spaces in space on it begins at `start`, and leaves that for the next
-/// cycle: a right start halves the time, a wrong one costs nothing to speak of, and from any p is the same to
-/// rounding.
+/// condition of B. In closed form on the line, for one or two half-spaces in the plane (plane_cone.hpp) and
+/// for three in space (space_cone.hpp), there exact to a few roundings of |f| however flat the cone is; else
+/// by an active set (active_set.hpp), as exact as the condition of B allows. From three half-spaces on it
+/// begins at `start`, and leaves that for the next cycle: a right start halves the time, a wrong one costs
+/// nothing to speak of, and from any p is the same to rounding.
 ///
 /// Zero columns restrict nothing; parallel and dependent ones, f = 0 and f on a face are fine. B must be
 /// finite and f of moderate norm (normalise it first).
@@ -30,12 +31,13 @@ half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T,
                                                                  half_space_start& start) {
   static_assert(Columns <= 32, "passive_haptics: a cone has at most 32 half-spaces.");
   if constexpr (Rows == 1) return detail::nearest_on_line(B, f);
-  else if constexpr (Rows == 2) return detail::nearest_in_plane(B, f);
+  else if constexpr (Rows == 2 && Columns <= 2) return detail::nearest_in_plane(B, f);
   else if constexpr (requires { sizeof(detail::cone_solver<Rows>); })
     return detail::cone_solver<Rows>::nearest(B, f, start);
   else
-    static_assert(Rows < 3,
-                  "passive_haptics: forces in space need <passive_haptics/core/linear/space_cone.hpp>.");
+    static_assert(Rows < 2,
+                  "passive_haptics: forces in space, and of three or more brakes in the plane, need "
+                  "<passive_haptics/core/linear/space_cone.hpp>.");
 }
 
 /// The same from nothing.

@@ -1,5 +1,6 @@
 /// @file
-/// Projection onto a cone of three half-spaces in space, in closed form.
+/// Projection onto a cone of three half-spaces in space, in closed form, and the choice between this and an
+/// active set for all cones but those of plane_cone.hpp.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
