@@ -1,13 +1,13 @@
 // A cycle calls no function of the namespace of a user's types, whatever its name: here one has a function by
 // each name of the library's own, and each of them ends the program.
-#include "../library_functions.hpp"
-
+#include <library_functions.hpp>  // which CMake writes
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -79,6 +79,15 @@ std::vector<double> capacities(const M& mechanism, const B& brakes, const Scene&
 #define OF_BOTH(of) EXPECT_EQ(of(friendly), of(hostile))
 #define CAPACITIES(space, mechanism, scene, law) \
   capacities(space::mechanism(), space::brakes<space::mechanism>(), scene, law)
+
+TEST(functions_of_a_users_namespace, are_those_of_the_library) {
+#define PASSIVE_HAPTICS_NAME(name) " " #name " "
+  const std::string all = PASSIVE_HAPTICS_FUNCTIONS(PASSIVE_HAPTICS_NAME);
+#undef PASSIVE_HAPTICS_NAME
+  for (const char* name :
+       {" jacobian ", " brake_signs ", " force_map_of ", " approximate ", " cycle ", " times "})
+    EXPECT_NE(all.find(name), std::string::npos) << name;
+}
 
 TEST(functions_of_a_users_namespace, change_no_cycle) {
 #define OF(space) CAPACITIES(space, arm, space::room(), ph::direct_control())

@@ -1,0 +1,26 @@
+# Writes library_functions.hpp: PASSIVE_HAPTICS_FUNCTIONS(f) is f(name) for each function of the library's namespace.
+# A function's name stands in a line that begins in the first column, before its parenthesis; sense and scene_status are
+# what users overload, and a deduction guide has the name of a type.
+file(GLOB_RECURSE headers ${PROJECT_SOURCE_DIR}/include/passive_haptics/*.hpp)
+list(FILTER headers EXCLUDE REGEX "passive_haptics/(driver|bench|interop|testing)/")
+set(functions)
+foreach(header IN LISTS headers)
+  file(STRINGS ${header} lines REGEX "^[^ /#}].*[ &*][a-z][a-z0-9_]*\\(|(class|struct) [a-z]")
+  set(found)
+  set(types int requires sizeof decltype sense scene_status)
+  foreach(line IN LISTS lines)
+    if(line MATCHES "(^| )(class|struct) ([a-z][a-z0-9_]*)")
+      list(APPEND types ${CMAKE_MATCH_3})
+    elseif(NOT line MATCHES "^(static_assert|using|explicit|template)" AND
+           line MATCHES "^[^( ][^(]*[ &*]([a-z][a-z0-9_]*)\\(")
+      list(APPEND found ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+  list(REMOVE_ITEM found ${types})
+  list(APPEND functions ${found})
+endforeach()
+list(REMOVE_DUPLICATES functions)
+list(TRANSFORM functions REPLACE ".+" "  f(\\0)")
+list(JOIN functions " \\\n" functions)
+file(CONFIGURE OUTPUT library_functions.hpp CONTENT "#define PASSIVE_HAPTICS_FUNCTIONS(f) \\\n${functions}\n" @ONLY)
+target_include_directories(unit_control_full PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
