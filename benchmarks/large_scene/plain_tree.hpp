@@ -40,7 +40,7 @@ class tree_of_walls {
     walls_[i].look(x, x, nullptr, touched_);
     for (ph::contact<3>& c : touched_) {
       c.wall_number = static_cast<int>(i);
-      c.position = x;
+      c.sensed_at = x;
       found_.add(c);
     }
   }
