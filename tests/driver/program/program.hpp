@@ -139,7 +139,7 @@ struct settings {
     std::ostringstream all;
     all << top << "\n[homing]\npose = [1.8812, -1.3055]\nduration = " << homing
         << "\ntolerance = 1e6\nlongest_gap = 5\nlargest_start_depth = " << start_depth << "\n"
-        << "[loop]\nmost_overruns = 1000000\nlongest_sleep = " << longest_sleep << "\nperiod = " << period
+        << "[loop]\nmax_overruns = 1000000\nlongest_sleep = " << longest_sleep << "\nperiod = " << period
         << "\n[safety]\nhold_over = " << hold_over << "\nsupervisor_timeout = " << supervisor_timeout
         << "\n[simulation]\nhand_start = " << hand_start << "\nwatchdog = " << watchdog << "\n[sensor]\n"
         << sensor << "\n"
