@@ -63,6 +63,8 @@ s#\bcontrol/extensions/force_map\.hpp#force/torques/force_map.hpp#g
 s#\bcontrol/extensions/generator_form\.hpp#control/ways/generator_form.hpp#g
 s#\bcontrol/extensions/several_contacts\.hpp#control/ways/several_walls.hpp#g
 s#\bcontrol/laws/torque_law\.hpp#control/ways/torque_law.hpp#g
+s#\bcore/scalar/bit_cast\.hpp#core/arithmetic.hpp#g
+s#\bmechanism/models/(joint_solution|two_link_inverse)\.hpp#mechanism/models/inverse_kinematics.hpp#g
 # Types and functions
 s/\bph::room\(/ph::walls_of(/g
 s/\bph::alone\(/ph::as_single(/g

@@ -102,7 +102,7 @@ class session {
   }
 
   // Whatever ended the loop released the brakes: what may flow on is given each cycle, to its end. Then 0 A:
-  // a port with a thread of its own tells later whether the device took it
+  // a port with a thread of its own reports later whether the device took it
   void see_the_release_through(ph::control_loop<>& loop, ph::loop_report& report) {
     const double end = ph::monotonic_seconds() + configuration_.safety.at_release.longest();
     go_on_while(loop, report,

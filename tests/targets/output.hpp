@@ -1,7 +1,7 @@
 // Lines of text from a program that may have no operating system, no heap and no printf.
 #pragma once
 
-#include <passive_haptics/core/scalar/bit_cast.hpp>
+#include <passive_haptics/core/arithmetic.hpp>
 
 #include <cstddef>
 #include <cstdint>

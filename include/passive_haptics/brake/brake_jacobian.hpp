@@ -32,7 +32,7 @@ vector<T, Brakes> brake_torque(const matrix<T, D, Brakes>& E, const vector<T, D>
   return transposed_times(E, F);
 }
 
-/// The same for a diagonal E.
+/// t = E^T F [N m] of a diagonal E.
 template <class T, int D>
 vector<T, D> brake_torque(const diagonal_matrix<T, D>& E, const vector<T, D>& F) {
   return E * F;

@@ -49,7 +49,7 @@ struct step_result {
   /// it.
   display_class display = display_class::exact;
   bool saturated = false;                                 ///< A torque limit was reached.
-  int wall_number = -1;                                   ///< Wall that asks for the force; -1 in free space.
+  int wall_number = -1;                                   ///< Wall that demands the force; -1 in free space.
   scalar alpha = scalar(1);                               ///< Scale factor of the law (12).
   scalar approximation_cosine = scalar(1);                ///< cos(gamma); 0 where nothing is displayed.
   task_vector<M> desired_force = task_vector<M>::Zero();  ///< Fd [N], base frame.

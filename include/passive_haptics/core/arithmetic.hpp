@@ -2,8 +2,6 @@
 /// What the library asks of floating-point arithmetic, its named tolerances, signs and choices.
 #pragma once
 
-#include <passive_haptics/core/scalar/bit_cast.hpp>
-
 #include <cfloat>
 #include <cstdint>
 #include <limits>
@@ -21,6 +19,15 @@
 #endif
 
 namespace passive_haptics {
+
+namespace detail {
+/// std::bit_cast, which libc++ 13 (Emscripten 3.1) and older do not have.
+template <class To, class From>
+constexpr To bit_cast(const From& x) noexcept {
+  static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To>);
+  return __builtin_bit_cast(To, x);
+}
+}  // namespace detail
 
 /// Rounding of a sum of n products, relative to the norms of its data: 4 n eps. What is smaller cannot be
 /// told from zero. It is the library's only numerical tolerance.

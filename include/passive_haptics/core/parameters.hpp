@@ -205,7 +205,7 @@ error_message validate(const P& p) {
   return check.error;
 }
 
-/// The same of a value by itself, a number, vector, matrix or array; type_name: whose it is.
+/// The error of one value, a number, vector, matrix or array; empty if it is valid. type_name: whose it is.
 template <class V>
 error_message check_value(const char* name, const V& value, const char* unit, const range& hard,
                           const char* type_name = "") {

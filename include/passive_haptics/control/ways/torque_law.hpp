@@ -93,7 +93,7 @@ struct torques_of_law {
     }
   }
 
-  // F = G t of the law's torques. At a singular pose that is the part of it that the pose can tell. Exact
+  // F = G t of the law's torques. At a singular pose that is the part that can be observed. Exact
   // where it is Fd, approximate where it has a component along Fd
   template <class Device>
   void find_force(approximated_force<T, d, m>& F, const Device& device) const {

@@ -2,7 +2,7 @@
 /// The registers of lanes, and the truths that a comparison of lanes gives.
 #pragma once
 
-#include <passive_haptics/core/scalar/bit_cast.hpp>
+#include <passive_haptics/core/arithmetic.hpp>
 #include <passive_haptics/core/unrolled.hpp>
 
 #include <concepts>

@@ -2,7 +2,7 @@
 /// Sine and cosine in float, of one angle or of two at once.
 #pragma once
 
-#include <passive_haptics/core/scalar/bit_cast.hpp>
+#include <passive_haptics/core/arithmetic.hpp>
 #include <passive_haptics/core/scalar/quadrant.hpp>
 
 #include <array>

@@ -2,7 +2,7 @@
 /// The circle in right angles: what the sines of double and of float share.
 #pragma once
 
-#include <passive_haptics/core/scalar/bit_cast.hpp>
+#include <passive_haptics/core/arithmetic.hpp>
 
 namespace passive_haptics {
 

@@ -5,8 +5,8 @@
 #include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/five_bar_parameters.hpp>
+#include <passive_haptics/mechanism/models/inverse_kinematics.hpp>
 #include <passive_haptics/mechanism/models/leg_chain.hpp>
-#include <passive_haptics/mechanism/models/two_link_inverse.hpp>
 
 #include <limits>
 

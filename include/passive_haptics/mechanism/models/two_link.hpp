@@ -5,7 +5,7 @@
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
-#include <passive_haptics/mechanism/models/two_link_inverse.hpp>
+#include <passive_haptics/mechanism/models/inverse_kinematics.hpp>
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
-#include <passive_haptics/mechanism/models/joint_solution.hpp>
+#include <passive_haptics/mechanism/models/inverse_kinematics.hpp>
 
 namespace passive_haptics {
 

@@ -19,7 +19,7 @@ struct calls {
   int position = 0, jacobian = 0, transmission = 0, distance = 0, gradient = 0;
 };
 
-// The tendon device, but it counts what is asked of it.
+// The tendon device, but it counts the calls of its members.
 struct counting_arm {
   using scalar = double;
   static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
@@ -110,26 +110,27 @@ TEST_F(skipping, an_exact_force_is_the_desired_one) {
   EXPECT_EQ(result.control_force, result.desired_force);
 }
 
-// A law that counts how often it is asked.
+// A law that counts its calls.
 struct counting_law {
   template <class T, int D>
   T scale(const ph::contact_situation<T, D>&) const noexcept {
-    ++*asked;
+    ++*called;
     return T(1);
   }
-  int* asked;
+  int* called;
 };
 
-TEST_F(skipping, a_law_is_asked_once_for_a_wall_that_demands_a_force) {
-  int asked = 0;
+TEST_F(skipping, a_law_is_called_once_for_a_wall_that_demands_a_force) {
+  int called = 0;
   ph::controller counted(counting_arm{&count}, ph::brakes_of<counting_arm>(),
-                         ph::scene(ph::wall(counting_wall{&count}, 1e4)), counting_law{&asked});
+                         ph::scene(ph::wall(counting_wall{&count}, 1e4)), counting_law{&called});
   ASSERT_EQ(counted(handle_at(0.2, {0.5, 0.5})).wall_number, -1);
-  EXPECT_EQ(asked, 0) << "in free space";
+  EXPECT_EQ(called, 0) << "in free space";
   ASSERT_EQ(counted(handle_at(0.23, {0.5, 0.1})).display, ph::display_class::approximate);
-  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(called, 1);
   ASSERT_EQ(counted(handle_at(0.23, {0, -0.5})).display, ph::display_class::none);
-  EXPECT_EQ(asked, 2) << "also where nothing can be displayed: a branch around a law costs more than the law";
+  EXPECT_EQ(called, 2)
+      << "also where nothing can be displayed: a branch around a law costs more than the law";
 }
 
 TEST_F(skipping, a_wall_without_stiffness_needs_no_jacobian) {

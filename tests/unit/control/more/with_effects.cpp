@@ -80,7 +80,7 @@ TEST(with_effects, reports_faults_as_without) {
   EXPECT_EQ(outcome({0, {1, 1}, {1, 1}, {0, 0}}, broken), ph::status::contact_not_finite);
 }
 
-// A law that may not be asked where nothing is wanted.
+// A law whose scale() may not be called where no wall demands a force.
 struct strict_law {
   template <class T, int D>
   T scale(const ph::contact_situation<T, D>& c) const noexcept {
@@ -130,7 +130,7 @@ TEST(with_effects, of_no_force_are_as_without_to_the_last_digit) {
   }
 }
 
-// A wall that asks for nothing takes nothing from an effect along its normal.
+// A wall that demands nothing takes nothing from an effect along its normal.
 TEST(with_effects, act_through_a_wall_that_asks_for_nothing) {
   using M = ph::xy_table<double>;
   ph::contacts<2, 2> touched;

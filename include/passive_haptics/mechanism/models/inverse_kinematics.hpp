@@ -1,9 +1,11 @@
 /// @file
-/// Inverse kinematics of two links in a plane, the building block of mechanisms with two-link legs.
+/// Inverse kinematics: its result, and two links in a plane, the building block of mechanisms with two-link
+/// legs.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
-#include <passive_haptics/mechanism/models/joint_solution.hpp>
+#include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/status.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,13 @@
 #include <numbers>
 
 namespace passive_haptics {
+
+/// Joint positions that reach a point, or the pose nearest to it with status::out_of_reach.
+template <class T, int Dof>
+struct joint_solution {
+  vector<T, Dof> q;             ///< Joint positions [rad or m]; NaN if the point is not finite.
+  status outcome = status::ok;  ///< ok, out_of_reach or state_not_finite.
+};
 
 /// The branch of a two-link arm, seen from the base towards the handle.
 enum class elbow {
