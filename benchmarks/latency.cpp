@@ -56,6 +56,7 @@ std::vector<ph::device_state<M>> random_states(const M& mechanism, contact_kind 
     if (attempts == 1000 * state_count)
       throw std::runtime_error("hardly any random state is of the kind; has the step changed its classes?");
     ph::device_state<M> s;
+    s.time = 0;
     s.q = T(1.5) * random.direction<T, M::dof>();
     s.qd = random.direction<T, M::dof>();
     for (T& rate : s.qd) rate *= random.uniform(0.0, 1.0) < 0.3 ? T(0.01) : T(1);

@@ -59,6 +59,7 @@ situation draw(const std::string& name, std::initializer_list<by_hand::region> r
   while (found.states.size() < state_count) {
     const double y = is_free ? random.uniform(0.2, 0.22) : 0.225 + random.uniform(1e-5, 1e-3);
     ph::device_state<arm> s;
+    s.time = 0;
     s.q = mechanism.inverse({random.uniform(0.045, 0.17), y}, ph::elbow::left).q;
     for (int i = 0; i < 2; ++i) s.qd[i] = rate() * random.uniform(-1.0, 1.0);
     s.hand_force = {random.uniform(-2.0, 2.0), random.uniform(-1.0, 3.0)};

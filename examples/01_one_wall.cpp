@@ -15,6 +15,7 @@ int main() {
   ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(plane)), ph::direct_control());
 
   ph::device_state<device> state;                            // what sensors would tell, each millisecond:
+  state.time = 0;                                            // of any clock [s]
   state.q = arm.inverse({0.12, 0.2251}, ph::elbow::left).q;  // 0.1 mm inside the wall [rad]
   state.hand_force = {0.8, 1.5};                             // pushing along the wall and into it [N]
   for (const double outward : {-0.01, 0.01}) {               // moving deeper, then moving out [m/s]

@@ -142,8 +142,7 @@ int main(int argc, char** argv) try {
   const auto believed = [](double I) { return 1.6 * I; };
   if (which == "coulomb") {
     ph::delayed_brake<ph::coulomb_brake<double>> brake;
-    brake.fall_ratio = 2.5;
-    brake.residual = residual;
+    brake.model = {.fall_ratio = 2.5, .residual = residual};
     identify(brake, believed, directory);
   } else if (which == "magnetorheological") {
     ph::magnetorheological_brake<double> brake;
@@ -151,7 +150,7 @@ int main(int argc, char** argv) try {
     identify(brake, [&](double I) { return brake.torque_of(I / current); }, directory);
   } else if (which == "stribeck") {
     ph::stribeck_brake<double> brake;
-    brake.residual = residual;
+    brake.coulomb.residual = residual;
     identify(brake, believed, directory);
   } else {
     ph::eddy_current_brake<double> brake;

@@ -54,6 +54,7 @@ std::vector<State> states() {
   std::vector<State> all(inputs);
   for (int k = 0; k < inputs; ++k) {
     State& s = all[static_cast<std::size_t>(k)];
+    s.time = 0;
     s.q = 1.2 * random.direction<double, n>();
     s.qd = random.direction<double, n>();
     if (k % 8 == 0) s.qd[k / 8 % n] = 0;

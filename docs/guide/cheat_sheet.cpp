@@ -18,6 +18,7 @@ int main() {
 
   // Each millisecond: the state in, the brakes' capacities out
   ph::device_state<device> state;
+  state.time = 0;                                            // of any clock [s]
   state.q = arm.inverse({0.12, 0.2251}, ph::elbow::left).q;  // [rad]
   state.qd = {-0.36, 0.41};                                  // [rad/s]
   state.hand_force = {0.8, 1.5};                             // [N]

@@ -24,6 +24,7 @@ int main() {
   ph::controller control(arm, brakes, ph::scene(ph::wall(top), ph::wall(right)), soft_landing());
 
   ph::device_state<device> state;
+  state.time = 0;                                              // [s]
   state.q = arm.inverse({0.1301, 0.2251}, ph::elbow::left).q;  // in the corner, inside both walls
   state.qd = {-0.3, 0.4};
   state.hand_force = {1, 1};

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   std::vector<ph::device_state<device>> states;  // what the loop will meet: here a glide along the wall
   for (int k = 0; k < 64; ++k) {
     auto& state = states.emplace_back();
+    state.time = 1e-3 * k;
     state.q = arm.inverse({0.06 + 0.001 * k, 0.2251}, ph::elbow::left).q;
     state.qd = {0.2, -0.1 + 0.01 * k};
     state.hand_force = {0.8, 1.5};

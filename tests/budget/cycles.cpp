@@ -35,6 +35,7 @@ std::vector<ph::device_state<M>> random_states(const M& mechanism) {
   std::vector<ph::device_state<M>> states;
   while (states.size() < inputs) {
     ph::device_state<M> s;
+    s.time = 0;
     s.q = T(1.2) * random.direction<T, n>();
     s.qd = random.direction<T, n>();
     s.hand_force = T(2) * random.direction<T, d>();

@@ -13,6 +13,7 @@ int main() {
   const ph::half_space<2> plane({0, 0.225}, {0, -1});
   ph::controller control(arm, ph::brakes_of<device>(), ph::scene(ph::wall(plane)), ph::direct_control());
   ph::device_state<device> state;
+  state.time = 0;
   state.q = arm.inverse({0.12, 0.226}, ph::elbow::left).q;
   state.qd = {-0.2, 1};
   const auto result = control(state);

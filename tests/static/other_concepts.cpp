@@ -1,6 +1,7 @@
 // Matrices, shapes, laws and states: what fits, and what only looks like it.
 #include <passive_haptics/passive_haptics.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <type_traits>
@@ -193,6 +194,11 @@ static_assert(ph::HandForceState<complete_state, arm>);
 struct state_without_time {
   V2 q, qd;
 };
+struct state_in_nanoseconds {
+  std::int64_t time;
+  V2 q, qd;
+};
+static_assert(!ph::DeviceState<state_in_nanoseconds, arm>);
 struct state_of_wrong_size {
   double time;
   ph::vector<double, 3> q, qd;

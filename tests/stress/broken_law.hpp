@@ -74,11 +74,10 @@ bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const
   }
 }
 
-// The law that a step with so many contacts broke, in words; nullptr if none. unit_normals: whether their
-// normals are unit vectors; of the forces of others nothing is promised.
+// The law that a step with so many contacts broke, in words; nullptr if none.
 template <class M>
 const char* broken_law(const M& mechanism, const ph::brakes_of<M>& brakes, const ph::device_state<M>& state,
-                       int contact_count, const ph::step_result<M>& result, bool unit_normals = true) {
+                       int contact_count, const ph::step_result<M>& result) {
   using T = typename M::scalar;
   const auto &t = result.torque, &capacity = result.capacity, &c = result.cone_coefficients;
   const auto& F = result.control_force;
@@ -98,7 +97,6 @@ const char* broken_law(const M& mechanism, const ph::brakes_of<M>& brakes, const
     if (t[i] * w[i] > T(0)) return "a slipping brake takes power";
   }
   if (!(result.alpha >= T(0) && result.alpha <= T(1))) return "0 <= alpha <= 1";
-  if (!unit_normals) return nullptr;
   if (!ph::all_finite(result.desired_force) || !ph::all_finite(F)) return "forces are finite";
   if (!std::isfinite(result.approximation_cosine)) return "the cosine is finite";
   // Over that, E^T F may overflow

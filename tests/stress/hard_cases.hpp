@@ -53,6 +53,7 @@ class hard_cases {
 
   cycle<M, Walls> draw() {
     cycle<M, Walls> c;
+    c.state.time = 0;
     c.state.q = one_in(2) ? singular_pose() : ordinary_pose();
     for (int i = 0; i < M::dof; ++i) c.state.qd[i] = one_in(4) ? any_size() : random_.template normal<T>();
     c.state.hand_force = (one_in(4)   ? T(0)

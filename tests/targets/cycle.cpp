@@ -43,6 +43,7 @@ int main(int, char**) {
   const std::uint32_t before = systick().val;
   for (int k = 0; k < rounds; ++k) {
     ph::device_state<device> state;
+    state.time = 0;
     state.q = {sensors[0], sensors[1]};
     state.qd = {sensors[2], sensors[3]};
     state.hand_force = {sensors[4], sensors[5]};

@@ -61,6 +61,7 @@ input<M> next_input(numbers& random) {
   using T = typename M::scalar;
   constexpr int n = M::dof, d = M::task_dimension;
   input<M> in;
+  in.state.time = 0;
   in.state.q = random.vector<T, n>(0.3, 0.9);
   if constexpr (d == 2) in.state.q[0] += T(1);
   in.state.qd = random.vector<T, n>(-1, 1);

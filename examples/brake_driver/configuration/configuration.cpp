@@ -35,7 +35,7 @@ std::string without_library(const std::string& text) {
 wall_normal add_wall(toml_section& from, configuration& c) {
   std::string type = "plane", filling = "solid";
   ph::point<2> point(0, 0.225), normal(0, -1);
-  double radius = 0, stiffness = ph::wall(ph::half_space<2>(point, normal)).stiffness;
+  double radius = 0, stiffness = ph::wall(ph::half_space<2>(point, normal)).stiffness();
   from.read("type", type, {"plane", "ball"});
   from.read("stiffness", stiffness);
   from.read(type == "plane" ? "point" : "centre", point);

@@ -100,10 +100,12 @@ class simulation {
       };
       switch (c.simulation.brake) {
         case brake_kind::coulomb: break;
-        case brake_kind::stribeck: return with(ph::stribeck_brake<double>());
+        case brake_kind::stribeck:
+          return ph::stribeck_brake<double>{.coulomb = with(ph::coulomb_brake<double>())};
         case brake_kind::magnetorheological: return with(ph::magnetorheological_brake<double>());
         case brake_kind::eddy_current:  // its board turns a torque into a current by the rate
-          return with(ph::compensated_brake<ph::eddy_current_brake<double>>());
+          return ph::compensated_brake<ph::eddy_current_brake<double>>{
+              with(ph::eddy_current_brake<double>())};
       }
       return with(ph::coulomb_brake<double>());
     };

@@ -69,8 +69,8 @@ PASSIVE_HAPTICS_PART Result cycle(const Setup& setup, S& scene, const State& sta
   return ph::display_walls<Result>(setup, pose, state, x, touched, memory);
 }
 
-/// Checks state and parameters, then runs the cycle: what step() and a controller call. parameters: of brakes
-/// and options, from check_parameters.
+/// Checks state and parameters, then runs the cycle: what step() and a controller call. parameters: of
+/// brakes, law and options, from check_parameters.
 template <class Result, class Setup, class S, class State, class Memory>
 PASSIVE_HAPTICS_PART Result run_cycle(const Setup& setup, status parameters, S& scene, const State& state,
                                       Memory& memory) {

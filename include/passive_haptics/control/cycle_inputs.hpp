@@ -73,11 +73,21 @@ status check_state(const State& state) {
   return finite ? status::ok : status::state_not_finite;
 }
 
-/// Whether what a cycle reads of the brakes and the options is finite and no limit or dead band negative.
-template <class L, class T, class B>
-status check_parameters([[maybe_unused]] const B& brakes, const step_options<T>& options) {
+namespace detail {
+// Whether each parameter of a law is in its range: of itself, or of its member `parameters`.
+template <class L>
+bool has_valid_members([[maybe_unused]] const L& law) {
+  if constexpr (Parameters<L>) return is_in_range(law);
+  else if constexpr (requires { law.parameters; }) return has_valid_members(law.parameters);
+  else return true;
+}
+}  // namespace detail
+
+/// Whether what a cycle reads of the brakes, the law and the options is finite and in its range.
+template <class T, class B, class L>
+status check_parameters([[maybe_unused]] const B& brakes, const L& law, const step_options<T>& options) {
   const auto valid_each = [](const auto& x) { return all_finite(x) && (x.array() >= T(0)).all(); };
-  bool valid = all_finite(options.min_cosine);
+  bool valid = all_finite(options.min_cosine) && detail::has_valid_members(law);
   if constexpr (detail::names_torque_limit<B>) valid = valid && valid_each(brakes.torque_limit);
   if constexpr (detail::names_rate_dead_band<B>) valid = valid && valid_each(brakes.rate_dead_band);
   if constexpr (detail::names_torque_dead_band<B>) valid = valid && valid_each(brakes.torque_dead_band);

@@ -39,7 +39,7 @@ template <class T, class Contacts, class Outward, class... Numbers>
 status check_command(const Contacts& touched, const Outward& outward, bool is_share,
                      const Numbers&... command) {
   if (is_share && all_finite(outward, command...)) return status::ok;
-  if (check_contacts<T>(touched) != status::ok) return status::contact_not_finite;
+  if (check_contacts<T>(touched) != status::ok) return status::contact_invalid;
   if (!all_finite(outward)) return status::pose_undefined;
   return is_share ? status::result_not_finite : status::scale_out_of_range;
 }

@@ -5,6 +5,8 @@
 #include <passive_haptics/mechanism/mechanism.hpp>
 
 #include <concepts>
+#include <limits>
+#include <type_traits>
 
 namespace passive_haptics {
 
@@ -12,7 +14,8 @@ namespace passive_haptics {
 template <class M>
 struct device_state {
   static_assert(mechanism_requirements<M>::met);
-  double time = 0;                                     ///< [s], any origin.
+  /// [s], any origin, of a clock that does not jump. NaN until it is set, which a cycle refuses.
+  double time = std::numeric_limits<double>::quiet_NaN();
   joint_vector<M> q = joint_vector<M>::Zero();         ///< Joint positions [rad or m].
   joint_vector<M> qd = joint_vector<M>::Zero();        ///< Joint rates [rad/s or m/s].
   task_vector<M> hand_force = task_vector<M>::Zero();  ///< What the hand does to the handle [N], base frame.
@@ -22,15 +25,23 @@ struct device_state {
 template <class M>
 struct sensorless_device_state {
   static_assert(mechanism_requirements<M>::met);
-  double time = 0;                               ///< [s], any origin.
+  /// [s], any origin, of a clock that does not jump. NaN until it is set, which a cycle refuses.
+  double time = std::numeric_limits<double>::quiet_NaN();
   joint_vector<M> q = joint_vector<M>::Zero();   ///< Joint positions [rad or m].
   joint_vector<M> qd = joint_vector<M>::Zero();  ///< Joint rates [rad/s or m/s].
 };
 
-/// A state of mechanism M: anything with the members time, q and qd of exactly these types.
+namespace detail {
+// Seconds: a floating-point number, not a whole number of milliseconds or nanoseconds.
+template <class S>
+concept has_time_in_seconds =
+    requires(const S state) { requires std::floating_point<std::remove_cvref_t<decltype(state.time)>>; };
+}  // namespace detail
+
+/// A state of mechanism M: anything with the members time [s], of a floating-point type, and q and qd of
+/// exactly these types.
 template <class S, class M>
-concept DeviceState = requires(const S state) {
-  { state.time } -> std::convertible_to<double>;
+concept DeviceState = detail::has_time_in_seconds<S> && requires(const S state) {
   { state.q } -> ExactVector<typename M::scalar, M::dof>;
   { state.qd } -> ExactVector<typename M::scalar, M::dof>;
 };

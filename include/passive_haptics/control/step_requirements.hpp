@@ -56,9 +56,10 @@ template <class M, class Contacts, class L, class State, class B>
 struct step_requirements {
   static_assert(mechanism_requirements<M>::met);
   static_assert(law_brake_requirements<M, L, B>::met);
-  static_assert(DeviceState<State, M>,
-                "passive_haptics: the state must be a device_state<M>, or have its members "
-                "time, q and qd with exactly its types.");
+  static_assert(
+      DeviceState<State, M>,
+      "passive_haptics: the state must be a device_state<M>, or have its members time (seconds, as a "
+      "floating-point number), q and qd with exactly its types.");
   static_assert(
       !needs_hand_force<L> || HandForceState<State, M>,
       "passive_haptics: this law needs a hand force: give the state a hand_force (device_state<M>), or "

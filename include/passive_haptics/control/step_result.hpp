@@ -25,9 +25,9 @@ struct contact_report {
 /// What a driver needs of a cycle.
 template <class M>
 struct brake_command {
-  brake_vector<M>
-      capacity;  ///< The most each brake may hold [N m], 0 <= capacity_i <= limit_i; 0 unless outcome is ok.
-  status outcome;  ///< ok, or why the brakes were released.
+  /// The most each brake may hold [N m], 0 <= capacity_i <= limit_i; 0 unless outcome is ok.
+  brake_vector<M> capacity = brake_vector<M>::Zero();
+  status outcome = status::ok;  ///< ok, or why the brakes were released.
 };
 
 /// Result of step(). Unless outcome is ok, capacity and torque are zero and the rest has no meaning.

@@ -166,6 +166,21 @@ void visit(const P& p, const place* at, Visitor& to) {
   to.whole(at, p);
 }
 
+// Whether each number is in its range: no text, so that a control cycle can do it.
+struct range_check : visitor {
+  bool valid = true;
+
+  template <class T>
+  void value(const member_description& about, const place&, const T& x) {
+    if constexpr (std::is_arithmetic_v<T>)
+      valid = valid && (about.hard.is_direction || about.hard.contains(x));
+  }
+  template <class T>
+  void length(const member_description& about, const place&, const T& x) {
+    valid = valid && about.hard.contains(x);
+  }
+};
+
 // The first error.
 struct checker : visitor {
   error_message error = {};
@@ -196,6 +211,15 @@ struct checker : visitor {
 };
 
 }  // namespace detail
+
+/// Whether each parameter is in its range, what validate() checks but for rules(). Neither allocates nor
+/// throws.
+template <Parameters P>
+bool is_in_range(const P& p) {
+  detail::range_check check;
+  detail::visit(p, nullptr, check);
+  return check.valid;
+}
 
 /// What is wrong with the parameters; empty if nothing: "length_1 [m] = -1, expected a finite number > 0".
 template <Parameters P>

@@ -11,8 +11,9 @@ namespace passive_haptics {
 enum class status {
   ok,                  ///< The result is valid.
   state_not_finite,    ///< NaN or infinity in time, q, qd or hand_force.
-  contact_not_finite,  ///< NaN or infinity in a contact, or k * depth overflows.
-  parameters_invalid,  ///< NaN, infinity or a negative limit or dead band of the brakes, or such options.
+  contact_invalid,     ///< NaN or infinity in a contact, a normal that is no unit vector, a negative
+                       ///< stiffness, or k * depth overflows.
+  parameters_invalid,  ///< NaN, infinity or a value out of range in the brakes, the law or the options.
   pose_undefined,      ///< No finite position, Jacobian or inverse of the transmission at this pose.
   scale_out_of_range,  ///< The law returned a scale that is NaN or outside [0, 1].
   result_not_finite,   ///< Finite input whose result overflows.
@@ -24,10 +25,11 @@ enum class status {
 /// The status in words, for a log or a message.
 constexpr std::string_view to_string(status s) {
   return detail::word_of(
-      s, {"ok", "NaN or infinity in the device state", "NaN or infinity in a contact",
-          "invalid brake parameters or options", "no finite position or Jacobian at this pose",
-          "the law's scale is not in [0, 1]", "overflow", "singular Jacobian", "out of reach",
-          "the scene is out of date", "unknown status"});
+      s, {"ok", "NaN or infinity in the device state (its time is NaN until it is set)",
+          "a contact that is not finite, without a unit normal or of negative stiffness",
+          "invalid parameters of brakes or law, or invalid options",
+          "no finite position or Jacobian at this pose", "the law's scale is not in [0, 1]", "overflow",
+          "singular Jacobian", "out of reach", "the scene is out of date", "unknown status"});
 }
 
 }  // namespace passive_haptics

@@ -20,7 +20,7 @@ template <class M>
 struct displayable_force {
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
-  /// ok; else the rest says that there is nothing: state_not_finite (q or the direction), contact_not_finite
+  /// ok; else the rest says that there is nothing: state_not_finite (q or the direction), contact_invalid
   /// (no normal), parameters_invalid (a limit), pose_undefined, singular_jacobian (redundant brakes and
   /// inertial forces alone).
   status outcome = status::ok;
@@ -170,7 +170,7 @@ displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
   static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
   displayable_force<M> found;
   if (!all_finite(q, direction)) found.outcome = status::state_not_finite;
-  else if (!all_finite(normal) || normal.isZero(0)) found.outcome = status::contact_not_finite;
+  else if (!all_finite(normal) || normal.isZero(0)) found.outcome = status::contact_invalid;
   else if (!(torque_limit.array() >= 0).all()) found.outcome = status::parameters_invalid;
   if (found.outcome != status::ok) return found;
   const brake_matrix<M> E(passive_haptics::brake_jacobian(mechanism, q));

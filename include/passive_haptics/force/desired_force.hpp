@@ -38,7 +38,7 @@ T outward(const desired_force<T, D>& Fd, const vector<T, D>& v) {
   return Fd.direction.dot(v - Fd.wall_velocity);
 }
 
-/// Index of the contact that asks for the largest force; -1 if there is none. A force that is not finite
+/// Index of the contact that demands the largest force; -1 if there is none. A force that is not finite
 /// governs, so that the step reports it.
 template <int D, int Capacity>
 int governing_contact(const contacts<D, Capacity>& touched) {
@@ -56,12 +56,12 @@ int governing_contact(const contacts<D, Capacity>& touched) {
   return governing;
 }
 
-/// Whether NaN or infinity stands in one of these contacts, or a force overflows T.
+/// ok, or what is wrong with one of these contacts: NaN, infinity or a force that overflows T.
 template <class T, class Contacts>
 status check_contacts(const Contacts& touched) {
   for (int j = 0; j < touched.size(); ++j) {
     const auto [n, magnitude, velocity] = force_of<T>(touched[j]);
-    if (!all_finite(magnitude, n, velocity)) return status::contact_not_finite;
+    if (!all_finite(magnitude, n, velocity)) return status::contact_invalid;
   }
   return status::ok;
 }

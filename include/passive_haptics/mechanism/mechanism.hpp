@@ -101,6 +101,10 @@ concept has_pose = requires(const M mechanism, const joint_vector<M> q) {
   { mechanism.jacobian(mechanism.pose(q)) } -> ExactMatrix<typename M::scalar, M::task_dimension, M::dof>;
 };
 
+// A class that is made of Base and adds to it.
+template <class X, class Base>
+concept extends = std::derived_from<X, Base> && !std::same_as<X, Base>;
+
 template <class X, class T, int R, int C>
 concept exact_or_diagonal = ExactMatrix<X, T, R, C> || (R == C && ExactDiagonal<X, T, R>);
 

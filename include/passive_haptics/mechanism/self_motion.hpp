@@ -27,16 +27,76 @@ concept displays_by_generators = has_inertial_forces<M> || (M::brake_count > M::
 /// (display_class::empty_cone): of a planar arm of three links in a third of the states that move into a
 /// wall, of four links in more than half; inertially in a few of a hundred.
 template <class M>
-class kinetostatic_mechanism : public M {
+class kinetostatic_mechanism {
   static_assert(mechanism_requirements<M>::met);
   static_assert(M::dof > M::task_dimension,
                 "passive_haptics: kinetostatic(mechanism) is for mechanisms with dof > task_dimension.");
 
  public:
-  static constexpr bool inertial_forces = false;  ///< Chooses the kinetostatic form.
+  using scalar = typename M::scalar;                        ///< Of M.
+  static constexpr int dof = M::dof;                        ///< n
+  static constexpr int task_dimension = M::task_dimension;  ///< d
+  static constexpr int brake_count = M::brake_count;        ///< m
+  static constexpr bool inertial_forces = false;            ///< Chooses the kinetostatic form.
 
   /// Wraps a mechanism.
-  explicit kinetostatic_mechanism(M mechanism) : M(std::move(mechanism)) {}
+  explicit kinetostatic_mechanism(M mechanism) : mechanism_(std::move(mechanism)) {}
+
+  /// The mechanism inside.
+  const M& mechanism() const { return mechanism_; }
+
+  /// x [m] of q or of a pose.
+  template <class Q>
+  decltype(auto) position(const Q& q) const
+    requires requires(const M& m) { m.position(q); }
+  {
+    return mechanism_.position(q);
+  }
+  /// J of q, of a pose or of nothing, where M has it.
+  template <class... Q>
+  decltype(auto) jacobian(const Q&... q) const
+    requires requires(const M& m) { m.jacobian(q...); }
+  {
+    return mechanism_.jacobian(q...);
+  }
+  /// T of q, of a pose or of nothing, where M has it.
+  template <class... Q>
+  decltype(auto) transmission(const Q&... q) const
+    requires requires(const M& m) { m.transmission(q...); }
+  {
+    return mechanism_.transmission(q...);
+  }
+  /// What position and jacobian have in common, where M has it.
+  template <class Q>
+  decltype(auto) pose(const Q& q) const
+    requires requires(const M& m) { m.pose(q); }
+  {
+    return mechanism_.pose(q);
+  }
+  /// M of q or of a pose, where the mechanism has Dynamics.
+  template <class Q>
+  decltype(auto) mass_matrix(const Q& q) const
+    requires requires(const M& m) { m.mass_matrix(q); }
+  {
+    return mechanism_.mass_matrix(q);
+  }
+  /// c of q or of a pose, where the mechanism has Dynamics.
+  template <class Q>
+  decltype(auto) bias_torque(const Q& q, const joint_vector<M>& qd) const
+    requires requires(const M& m) { m.bias_torque(q, qd); }
+  {
+    return mechanism_.bias_torque(q, qd);
+  }
+  /// Jd qd of q or of a pose, where the mechanism has Dynamics.
+  template <class Q>
+  decltype(auto) bias_acceleration(const Q& q, const joint_vector<M>& qd) const
+    requires requires(const M& m) { m.bias_acceleration(q, qd); }
+  {
+    return mechanism_.bias_acceleration(q, qd);
+  }
+
+ private:
+  M mechanism_;
 };
 
 /// The mechanism with brakes that must leave its self-motion alone.

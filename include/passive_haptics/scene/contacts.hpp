@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -13,7 +15,7 @@ namespace passive_haptics {
 template <int D>
 struct contact {
   point<D> normal = point<D>::UnitX();        ///< Unit vector out of the wall, base frame.
-  double depth = 0;                           ///< Penetration [m], > 0.
+  double depth = 0;                           ///< Penetration [m]; a wall demands no force unless it is > 0.
   double stiffness = 0;                       ///< Of the wall [N/m].
   point<D> wall_velocity = point<D>::Zero();  ///< Of the touched surface [m/s].
   int wall_number = 0;                        ///< Which wall of the scene.
@@ -23,6 +25,12 @@ struct contact {
   matrix<double, D, D> curvature = matrix<double, D, D>::Zero();
 };
 
+/// Whether a direction has length 1, to 1e-6: a program that computes normals in float is that exact.
+template <int D>
+bool is_unit(const point<D>& direction) {
+  return std::abs(direction.squaredNorm() - 1) <= 2e-6;
+}
+
 /// Up to Capacity touched walls; no allocation.
 template <int D, int Capacity>
 class contacts {
@@ -30,15 +38,20 @@ class contacts {
   static constexpr int dimension = D;        ///< d
   static constexpr int capacity = Capacity;  ///< Most contacts at once.
 
-  /// Adds a contact; false, and nothing added, if Capacity are there already.
+  /// Adds a contact; false, and nothing added, if Capacity are there already. A contact whose normal is no
+  /// unit vector, or whose stiffness is negative, gets a NaN depth, so that a cycle ends with
+  /// status::contact_invalid.
   constexpr bool push_back(const contact<D>& c) {
     if (size_ == Capacity) return false;
-    items_[static_cast<std::size_t>(size_++)] = c;
+    contact<D>& added = items_[static_cast<std::size_t>(size_++)];
+    added = c;
+    if (!is_unit(c.normal) || c.stiffness < 0) added.depth = std::numeric_limits<double>::quiet_NaN();
     return true;
   }
 
-  /// Room for one more contact, to be filled in place; nullptr if Capacity are there already.
-  constexpr contact<D>* append() {
+  /// Room for one more contact, to be filled in place by who knows that its normal is a unit vector and
+  /// its stiffness not negative; nullptr if Capacity are there already.
+  constexpr contact<D>* append_unchecked() {
     if (size_ == Capacity) return nullptr;
     return &items_[static_cast<std::size_t>(size_++)];
   }

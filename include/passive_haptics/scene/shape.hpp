@@ -29,11 +29,18 @@ concept names_dimension = requires { requires(std::integral_constant<int, S::dim
 /// Laws: |distance(x) - distance(y)| <= |x - y| (1-Lipschitz). gradient is the derivative of distance; where
 /// there is none, any unit vector that points to free space. A NaN in x gives a NaN distance, so that no step
 /// mistakes it for free space. testing/shape_properties.hpp checks them.
+///
+/// Optional: `static constexpr bool has_unit_gradient = true` says that the gradient has length 1 by
+/// construction. Of a shape without it a scene checks each gradient that it takes.
 template <class S>
 concept Shape = detail::names_dimension<S> && requires(const S shape, const point<S::dimension> x) {
   { shape.distance(x) } -> std::same_as<double>;
   { shape.gradient(x) } -> ExactVector<double, S::dimension>;
 };
+
+/// Whether a shape says that its gradient has length 1 by construction.
+template <class S>
+inline constexpr bool gradient_is_unit = requires { requires S::has_unit_gradient; };
 
 /// A shape that moves. Minimal complete definition, beyond Shape:
 ///   - `point<dimension> velocity(const point<dimension>& x) const`: velocity [m/s] of the surface nearest to

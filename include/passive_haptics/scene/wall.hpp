@@ -5,6 +5,7 @@
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
+#include <limits>
 #include <utility>
 
 namespace passive_haptics {
@@ -12,25 +13,37 @@ namespace passive_haptics {
 /// A shape that resists with F = stiffness * depth along its gradient; frictionless. One with a tracker is
 /// for a world (scene/world/tracked_shape.hpp).
 template <class S>
-struct wall {
+class wall {
   static_assert(
       Shape<S> || requires { typename S::tracker; },
       "passive_haptics: a wall needs a Shape: `static constexpr int dimension`, "
       "`double distance(x) const`, `point<dimension> gradient(x) const`.");
+
+ public:
   /// Throws std::invalid_argument if the stiffness [N/m] is negative or not finite; section 5.1: 1e7 N/m.
   explicit wall(S geometry, double newton_per_metre = 1e7)
-      : shape(std::move(geometry)), stiffness(newton_per_metre) {
+      : shape(std::move(geometry)), stiffness_(newton_per_metre) {
     require_valid(*this);
   }
-  S shape;           ///< Geometry.
-  double stiffness;  ///< [N/m]
+  S shape;  ///< Geometry.
+
+  /// [N/m], >= 0 and finite.
+  double stiffness() const { return stiffness_; }
+  /// Another stiffness [N/m] between two cycles. False, and nothing changed, if it is negative or not finite.
+  [[nodiscard]] bool set_stiffness(double newton_per_metre) {
+    if (!range::not_negative.contains(newton_per_metre)) return false;
+    stiffness_ = newton_per_metre;
+    return true;
+  }
 
   static constexpr const char* type_name = "a wall";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
-    using p = wall;
-    return member_table(member("stiffness", &p::stiffness, "N/m", range::not_negative));
+    return member_table(member("stiffness", &wall::stiffness_, "N/m", range::not_negative));
   }
+
+ private:
+  double stiffness_;
 };
 
 namespace detail {
@@ -40,12 +53,13 @@ template <class S>
 inline constexpr bool is_wall<wall<S>> = true;
 }  // namespace detail
 
-/// All that a contact of this wall at x [m] tells, but the wall's number.
+/// Fills in a contact of this wall at x [m], but for the wall's number. Where the gradient of a user's shape
+/// is no unit vector, the depth is NaN.
 template <class S>
 void describe(const wall<S>& w, const point<S::dimension>& x, double distance, contact<S::dimension>& c) {
   c.normal = w.shape.gradient(x);
-  c.depth = -distance;
-  c.stiffness = w.stiffness;
+  c.depth = gradient_is_unit<S> || is_unit(c.normal) ? -distance : std::numeric_limits<double>::quiet_NaN();
+  c.stiffness = w.stiffness();
   c.wall_velocity = surface_velocity(w.shape, x);
   c.sensed_at = x;
   c.curvature = surface_curvature(w.shape, x);

@@ -77,9 +77,9 @@ INSTANTIATE_TEST_SUITE_P(at_a, brake_identification,
 
 TEST_P(brake_identification, finds_time_constants_up_and_down_and_the_dead_time) {
   ph::delayed_brake<ph::coulomb_brake<double>> brake;
-  brake.fall_ratio = 2.5;
+  brake.model.fall_ratio = 2.5;
   brake.dead_time = 0.004;
-  brake.residual = {.strength = 0.03, .drag = 0.002};
+  brake.model.residual = {.strength = 0.03, .drag = 0.002};
   for_each_seed([&](const auto& how) {
     const double share = GetParam().share;
     const auto up = ph::fit_step_response(
@@ -243,7 +243,7 @@ TEST(a_measured_ramp, has_the_hysteresis_of_the_current_where_it_is_widest) {
 
 TEST_P(brake_identification, finds_stribeck_effect_and_drag) {
   ph::stribeck_brake<double> brake;
-  brake.residual = {.strength = 0.01, .drag = 0.003};
+  brake.coulomb.residual = {.strength = 0.01, .drag = 0.003};
   const auto rate = [](double t) { return 0.02 * std::pow(500, t / 40); };  // to 10 rad/s
   for_each_seed([&](const auto& how) {
     const auto means =

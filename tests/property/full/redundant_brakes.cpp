@@ -24,6 +24,7 @@ sample draw(const device& mechanism, std::mt19937_64& engine) {
   std::normal_distribution<double> gauss;
   std::uniform_real_distribution<double> uniform;
   sample s;
+  s.state.time = 0;
   do {
     s.state.q = {1.2 + 1.6 * uniform(engine), 0.3 + 1.6 * uniform(engine)};
   } while (!ph::all_finite(mechanism.position(s.state.q)) || mechanism.conditioning(s.state.q).type_2 < 1e-6);

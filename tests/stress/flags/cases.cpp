@@ -54,6 +54,7 @@ class source {
 
 record run(const device& arm, source& random) {
   ph::device_state<device> state;
+  state.time = 0;
   state.q = {3 * random.symmetric(), random.one_in(8) ? 0 : 3 * random.symmetric()};
   state.qd = {random.symmetric(), random.symmetric()};
   if (random.one_in(8)) state.qd[0] = 0.02;                        // the dead band

@@ -215,7 +215,7 @@ TEST(any_brake, resists_as_the_model_that_was_chosen) {
 
 TEST(delayed_brake, acts_a_dead_time_later) {
   ph::delayed_brake<ph::coulomb_brake<double>> brake;
-  brake.time_constant = 0;
+  brake.model.time_constant = 0;
   brake.dead_time = 0.002;
   ph::delayed_brake<ph::coulomb_brake<double>>::state state;
   for (int k = 0; k < 2000; ++k) {
@@ -229,7 +229,7 @@ TEST(delayed_brake, keeps_its_dead_time_however_long_a_command_lasts) {
   for (const double after : {0.5, 0.0, -1.0, -HUGE_VAL, std::nan("")}) {
     ph::delayed_brake<ph::coulomb_brake<double>, 4> brake;
     EXPECT_EQ(brake.dead_time, 0.002);
-    brake.time_constant = 0;
+    brake.model.time_constant = 0;
     brake.dead_time = 0.01;
     decltype(brake)::state state;
     for (int k = 0; k < 30; ++k) {
@@ -242,7 +242,7 @@ TEST(delayed_brake, keeps_its_dead_time_however_long_a_command_lasts) {
 TEST(delayed_brake, acts_in_the_nearest_time_step) {
   for (const auto& [dead_time, steps] : {std::pair{0.0024, 2}, {0.0026, 3}, {0.0004, 0}}) {
     ph::delayed_brake<ph::coulomb_brake<double>> brake;
-    brake.time_constant = 0;
+    brake.model.time_constant = 0;
     brake.dead_time = dead_time;
     decltype(brake)::state state;
     for (int k = 0; k < 6; ++k)
@@ -252,7 +252,7 @@ TEST(delayed_brake, acts_in_the_nearest_time_step) {
 
 TEST(delayed_brake, with_a_full_queue_lets_the_oldest_command_act_early) {
   ph::delayed_brake<ph::coulomb_brake<double>, 4> brake;
-  brake.time_constant = 0;
+  brake.model.time_constant = 0;
   brake.dead_time = 0.01;
   decltype(brake)::state state;
   for (int k = 0; k < 500; ++k) {
@@ -264,13 +264,13 @@ TEST(delayed_brake, with_a_full_queue_lets_the_oldest_command_act_early) {
 TEST(brake_models, name_their_own_parameters_and_those_of_the_model_inside) {
   ph::delayed_brake<ph::stribeck_brake<double>> brake;
   EXPECT_EQ(validate(brake), "");
-  brake.static_ratio = 0.9;
-  EXPECT_EQ(validate(brake), "static_ratio [1] = 0.9, expected a finite number >= 1");
-  brake.static_ratio = 1;
+  brake.model.static_ratio = 0.9;
+  EXPECT_EQ(validate(brake), "model.static_ratio [1] = 0.9, expected a finite number >= 1");
+  brake.model.static_ratio = 1;
   brake.dead_time = -1;
   EXPECT_EQ(validate(brake), "dead_time [s] = -1, expected a finite number >= 0");
-  brake.torque_limit = -1;
-  EXPECT_EQ(validate(brake), "torque_limit [N m] = -1, expected a finite number >= 0");
+  brake.model.coulomb.torque_limit = -1;
+  EXPECT_EQ(validate(brake), "model.coulomb.torque_limit [N m] = -1, expected a finite number >= 0");
 }
 
 // ---- what is a model

@@ -6,6 +6,7 @@
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/shapes/offset.hpp>
 
 #include <cmath>
 #include <limits>
@@ -41,14 +42,24 @@ TYPED_TEST(control_step, in_free_space_releases_the_brakes_and_asks_for_nothing)
   EXPECT_TRUE(result.capacity.isZero(0) && result.torque.isZero(0) && result.desired_force.isZero(0));
 }
 
-TYPED_TEST(control_step, a_state_is_at_rest_at_time_zero_until_it_is_filled) {
+TYPED_TEST(control_step, a_state_is_at_rest_and_has_no_time_until_it_is_filled) {
   using M = typename TestFixture::table_type;
   const ph::device_state<M> state;
-  EXPECT_EQ(state.time, 0);
+  EXPECT_TRUE(std::isnan(state.time));
   EXPECT_TRUE(state.q.isZero(0) && state.qd.isZero(0) && state.hand_force.isZero(0));
   const ph::sensorless_device_state<M> sensorless;
-  EXPECT_EQ(sensorless.time, 0);
+  EXPECT_TRUE(std::isnan(sensorless.time));
   EXPECT_TRUE(sensorless.q.isZero(0) && sensorless.qd.isZero(0));
+}
+
+TYPED_TEST(control_step, refuses_a_state_whose_time_was_never_set) {
+  using M = typename TestFixture::table_type;
+  auto state = state_of<M>({0, 0}, {0, -1});
+  state.time = ph::device_state<M>().time;
+  const auto result = step_once<ph::no_direct_control>(
+      M(), {}, state, ph::contact<2>{.normal = {0, 1}, .depth = 1e-3, .stiffness = 1e3});
+  EXPECT_EQ(result.outcome, ph::status::state_not_finite);
+  EXPECT_TRUE(result.capacity.isZero(0));
 }
 
 TYPED_TEST(control_step, a_touched_wall_without_force_asks_for_nothing) {
@@ -120,6 +131,74 @@ TYPED_TEST(control_step, the_wall_that_asks_for_most_governs) {
   }
 }
 
+// Of one wall, of several, and beside a good one.
+template <class L, class M>
+void expect_refused(const ph::contact<2>& bad) {
+  const ph::contact<2> good{.normal = {0, 1}, .depth = 1e-3, .stiffness = 1e7};
+  const auto moving_in = state_of<M>({0, 0}, {0, -1});
+  for (const ph::step_result<M>& result :
+       {step_once<L>(M(), {}, moving_in, bad), step_once<L>(M(), {}, moving_in, bad, bad),
+        step_once<L>(M(), {}, moving_in, good, bad)}) {
+    EXPECT_EQ(result.outcome, ph::status::contact_invalid)
+        << "normal " << bad.normal.transpose() << ", stiffness " << bad.stiffness;
+    EXPECT_TRUE(result.capacity.isZero(0));
+  }
+}
+
+TYPED_TEST(control_step, refuses_a_normal_that_is_no_unit_vector_and_a_negative_stiffness) {
+  using M = typename TestFixture::table_type;
+  for (const double length : {0.0, 0.5, 1 - 1e-5, 1 + 1e-5, 3.0, 1000.0})
+    expect_refused<ph::no_direct_control, M>({.normal = {0, length}, .depth = 1e-3, .stiffness = 1e7});
+  for (const double depth : {1e-3, -1e-3})
+    expect_refused<ph::no_direct_control, M>({.normal = {0, 1}, .depth = depth, .stiffness = -1e7});
+  expect_refused<ph::velocity_direct_control, M>({.normal = {0, 3}, .depth = 1e-3, .stiffness = 1e7});
+  expect_refused<ph::velocity_direct_control, M>({.normal = {0, 1}, .depth = 1e-3, .stiffness = -1e7});
+  const auto in_float = step_once<ph::no_direct_control>(
+      M(), {}, state_of<M>({0, 0}, {0, -1}),
+      ph::contact<2>{
+          .normal = ph::vector<float, 2>(0.6f, 0.8f).cast<double>(), .depth = 1e-3, .stiffness = 1e3});
+  EXPECT_EQ(in_float.outcome, ph::status::ok) << "a normal that was computed in float";
+}
+
+TYPED_TEST(control_step, keeps_the_stiffness_where_the_new_one_is_none) {
+  using M = typename TestFixture::table_type;
+  const ph::half_space<2> floor({0, 0}, {0, 1});
+  ph::controller control(M(), ph::brakes_of<M>(), ph::scene(ph::wall(floor), ph::wall(floor)),
+                         ph::no_direct_control());
+  const auto state = state_of<M>({0, TypeParam(-1e-4)}, {0, -1});
+  const auto held = control(state).capacity;
+  EXPECT_GT(held.norm(), 0);
+  auto& one = control.scene().template get<0>();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double none : {-1e7, -1e-300, infinity, -infinity, std::nan("")}) {
+    EXPECT_FALSE(one.set_stiffness(none)) << none;
+    EXPECT_EQ(one.stiffness(), 1e7);
+    EXPECT_EQ(control(state).capacity, held);
+  }
+  EXPECT_TRUE(one.set_stiffness(0) && control.scene().template get<1>().set_stiffness(0));
+  EXPECT_TRUE(control(state).capacity.isZero(0));
+}
+
+// A wall of the user's, whose gradient is three times as long as it should be.
+struct steep_floor {
+  static constexpr int dimension = 2;
+  double distance(const ph::point<2>& x) const { return x[1]; }
+  ph::point<2> gradient(const ph::point<2>&) const { return {0, 3}; }
+};
+
+TYPED_TEST(control_step, refuses_a_shape_whose_gradient_is_no_unit_vector) {
+  using M = typename TestFixture::table_type;
+  ph::controller control(M(), ph::brakes_of<M>(), ph::scene(ph::wall(steep_floor())),
+                         ph::no_direct_control());
+  ph::controller wider(M(), ph::brakes_of<M>(), ph::scene(ph::wall(ph::offset(steep_floor(), 0.01))),
+                       ph::no_direct_control());
+  EXPECT_EQ(control(state_of<M>({0, 1}, {0, -1})).outcome, ph::status::ok) << "in free space";
+  const auto inside = state_of<M>({0, TypeParam(-1e-4)}, {0, -1});
+  EXPECT_EQ(control(inside).outcome, ph::status::contact_invalid);
+  EXPECT_EQ(wider(inside).outcome, ph::status::contact_invalid);
+  EXPECT_TRUE(control(inside).capacity.isZero(0));
+}
+
 // A fault in any of several walls is reported, though another one would have governed.
 TYPED_TEST(control_step, a_depth_that_is_not_finite_in_any_contact_is_a_fault) {
   using M = typename TestFixture::table_type;
@@ -131,7 +210,7 @@ TYPED_TEST(control_step, a_depth_that_is_not_finite_in_any_contact_is_a_fault) {
     for (const auto& result :
          {step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 0}, {0, -1}), good, spoiled),
           step_once<ph::no_direct_control>(M(), {}, state_of<M>({0, 0}, {0, -1}), spoiled, good)}) {
-      EXPECT_EQ(result.outcome, ph::status::contact_not_finite);
+      EXPECT_EQ(result.outcome, ph::status::contact_invalid);
       EXPECT_TRUE(result.capacity.isZero(0));
     }
   }
@@ -284,7 +363,7 @@ TYPED_TEST(law_memory, is_kept_only_by_a_cycle_that_ends_well) {
   EXPECT_EQ(this->memory.law.released, 1);
   auto spoiled = this->touched;
   spoiled.begin()->normal[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(this->run(2, spoiled).outcome, ph::status::contact_not_finite);
+  EXPECT_EQ(this->run(2, spoiled).outcome, ph::status::contact_invalid);
   EXPECT_EQ(this->memory.law.calls, 1);
   EXPECT_EQ(this->memory.law.released, 2);
   EXPECT_EQ(this->run(3, this->touched).capacity[1], 2);

@@ -4,7 +4,9 @@
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 
+#include <cstring>
 #include <limits>
+#include <new>
 
 namespace {
 
@@ -29,6 +31,15 @@ TEST(step_result, is_of_free_space_at_first) {
     EXPECT_EQ(report.displayed, 0);
     EXPECT_FALSE(report.has_priority);
   }
+}
+
+// As a member of a driver's struct before the first cycle, where other bytes were before.
+TEST(brake_command, is_of_released_brakes_at_first) {
+  alignas(64) unsigned char storage[sizeof(ph::brake_command<M>)];
+  std::memset(storage, 0x41, sizeof storage);
+  const auto* fresh = ::new (storage) ph::brake_command<M>;
+  EXPECT_TRUE(fresh->capacity.isZero(0));
+  EXPECT_EQ(fresh->outcome, ph::status::ok);
 }
 
 TEST(step_result, of_a_fault_displays_nothing) {

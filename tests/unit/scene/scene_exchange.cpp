@@ -66,6 +66,10 @@ TEST(a_latest_scene, that_is_out_of_date_releases_the_brakes_and_says_so) {
   EXPECT_EQ(braked(2.01).outcome, ph::status::ok);
   EXPECT_GT(braked(2.01).capacity.norm(), 0);
   EXPECT_EQ(braked(1.99).outcome, ph::status::ok) << "published for a later cycle";
+  EXPECT_EQ(braked(1.94).outcome, ph::status::scene_stale) << "too far in the future";
+  exchange.publish(floor_at(0), 1.7e9);  // by the clock on the wall, not that of the states
+  EXPECT_EQ(braked(2.02).outcome, ph::status::scene_stale);
+  EXPECT_EQ(braked(2.02).capacity.norm(), 0);
   exchange.publish(floor_at(0), std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(braked(2.02).outcome, ph::status::scene_stale);
 }

@@ -415,7 +415,7 @@ TYPED_TEST(world, has_walls_that_move) {
     }
     auto expected = many_shapes::scan<6>(all, x);
     if (truth.distance(x) < 0) {
-      auto& c = *expected.append();
+      auto& c = *expected.append_unchecked();
       ph::describe(ph::wall(truth), x, truth.distance(x), c);
       c.wall_number = moved;
       ++touched;
@@ -484,6 +484,7 @@ TEST(a_controller, takes_a_world_for_a_scene) {
   using M = ph::delta<double>;
   const M mechanism;
   ph::device_state<M> state;
+  state.time = 0;
   state.q.setConstant(0.4);
   const ph::point<3> x = mechanism.position(state.q);
   const ph::half_space<3> plane(x + ph::point<3>(0, 0, 1e-3), {0, 0, 1});

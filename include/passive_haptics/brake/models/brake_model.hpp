@@ -59,7 +59,8 @@ concept limits_brake = names_brake_scalar<B> && requires(const B brake, typename
 ///   - a command that is negative or NaN is 0, an infinite one is the greatest that there is.
 ///
 /// Optional:
-///   - `brake_resistance<scalar> residual`: what is there without a command and adds to it;
+///   - `brake_resistance<scalar> residual`, a member or a function: what is there without a command and adds
+///     to it;
 ///   - members(), the table of core/parameters.hpp: who takes the model then checks its parameters.
 ///
 /// Refinement: InvertibleBrakeModel.
@@ -95,7 +96,8 @@ struct brake_model_requirements {
 /// What a brake resists with without a command; nothing where its model names no residual.
 template <class B>
 brake_resistance<typename B::scalar> residual_of(const B& brake) {
-  if constexpr (requires { brake.residual; }) return brake.residual;
+  if constexpr (requires { brake.residual(); }) return brake.residual();
+  else if constexpr (requires { brake.residual; }) return brake.residual;
   else return {};
 }
 

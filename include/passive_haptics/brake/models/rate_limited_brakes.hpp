@@ -17,11 +17,23 @@ namespace passive_haptics {
 /// brakes' type of a controller or a step; laws see brakes_of<M> with the limits of the moment. A limit of 0
 /// cuts all brakes to 0 unless the options say saturation::clamp_each (a TorqueLaw always does).
 template <class M, BrakeModel Model>
-struct rate_limited_brakes : brakes_of<M> {
+class rate_limited_brakes : brakes_of<M> {
   static_assert(std::is_same_v<typename Model::scalar, typename M::scalar>,
                 "passive_haptics: a brake model must have the mechanism's scalar.");
 
-  std::array<Model, std::size_t(M::brake_count)> models;  ///< One for each brake.
+ public:
+  using brakes_of<M>::torque_limit;      ///< As in brake_parameters.
+  using brakes_of<M>::rate_dead_band;    ///< As in brake_parameters.
+  using brakes_of<M>::torque_dead_band;  ///< As in brake_parameters.
+  using brakes_of<M>::time_constant;     ///< As in brake_parameters.
+
+  std::array<Model, std::size_t(M::brake_count)> models = {};  ///< One for each brake.
+
+  /// As these brakes, with the models' default values.
+  rate_limited_brakes(const brakes_of<M>& brakes = {}) : brakes_of<M>(brakes) {}
+  /// As these brakes, each limited by its model.
+  rate_limited_brakes(const brakes_of<M>& brakes, const decltype(models)& each)
+      : brakes_of<M>(brakes), models(each) {}
 
   /// What they are at these rates [rad/s or m/s]: a limit that is not finite or negative is 0.
   brakes_of<M> at(const brake_vector<M>& rates) const noexcept {

@@ -17,8 +17,24 @@ namespace passive_haptics {
 /// yields normal to the wall, this is what Figs. 8 to 10 show: separations end, the depth varies less, brake
 /// 2 slips, less force retards the hand. With stronger brakes it chatters (docs/results.md). One contact at a
 /// time.
-struct saturated_direct_control : direct_control {
+struct saturated_direct_control {
+  static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
+  static constexpr bool nulls_normal_force = true;  ///< Leaves nothing normal where the handle moves out.
   static constexpr bool saturates_before_scaling = true;  ///< The limits come before alpha.
+
+  double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is the law as printed.
+
+  /// The table of core/parameters.hpp.
+  static constexpr auto members() {
+    using p = saturated_direct_control;
+    return member_table(member("velocity_dead_band", &p::velocity_dead_band, "m/s", range::not_negative));
+  }
+
+  /// alpha of direct_control.
+  template <class T, int D>
+  T scale(const contact_situation<T, D>& c) const noexcept {
+    return direct_control{velocity_dead_band}.scale(c);
+  }
 };
 
 }  // namespace passive_haptics

@@ -55,7 +55,7 @@ struct torques_of_law {
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>& memory) const {
     if (check_contacts<T>(touched) != status::ok)
-      return passive_haptics::released<Result>(setup, device.time, status::contact_not_finite, memory);
+      return passive_haptics::released<Result>(setup, device.time, status::contact_invalid, memory);
     constexpr bool is_account = requires(Result result) { result.torque; };
     display_steps<T, d, m> as_force{.td = done.td};
     as_force.Fc.display = display_class::exact;

@@ -33,6 +33,13 @@ class serial_chain {
   explicit serial_chain(const serial_chain_parameters<T, N, D>& p)
       : p_(require_valid(p)), joints_(joints_of(p)), tip_(tip_of(p)), frames_(joints_, tip_) {}
 
+  /// No copy of a class that is made of this one: what that class adds would be lost.
+  template <detail::extends<serial_chain> Larger>
+  serial_chain(const Larger&) = delete;  // passive_haptics: would lose what the larger class adds
+  /// No assignment of a class that is made of this one.
+  template <detail::extends<serial_chain> Larger>
+  serial_chain& operator=(const Larger&) = delete;  // passive_haptics: would lose what the larger class adds
+
   /// The parameters as given.
   const serial_chain_parameters<T, N, D>& parameters() const { return p_; }
 

@@ -41,6 +41,11 @@ class leg_chain {
   vector<T, N> bias_acceleration(const vector<T, N>& q, const vector<T, N>& qd) const {
     return bias_acceleration(pose(q), qd);
   }
+
+ protected:
+  leg_chain() = default;
+  leg_chain(const leg_chain&) = default;             // of a whole Model alone
+  leg_chain& operator=(const leg_chain&) = default;  // of a whole Model alone
 };
 
 }  // namespace passive_haptics

@@ -60,6 +60,13 @@ class two_link {
   /// Throws std::invalid_argument with the text of validate(p).
   explicit two_link(const two_link_parameters<T>& p = {}) : p_(require_valid(p)) {}
 
+  /// No copy of a class that is made of this one: what that class adds would be lost.
+  template <detail::extends<two_link> Larger>
+  two_link(const Larger&) = delete;  // passive_haptics: would lose what the larger class adds
+  /// No assignment of a class that is made of this one.
+  template <detail::extends<two_link> Larger>
+  two_link& operator=(const Larger&) = delete;  // passive_haptics: would lose what the larger class adds
+
   /// The parameters as given.
   const two_link_parameters<T>& parameters() const { return p_; }
 

@@ -11,9 +11,10 @@ namespace passive_haptics {
 /// Model, told each command dead_time later, to the nearest time step. Changes of the command wait in a
 /// queue; one more than Changes lets the oldest act early.
 template <BrakeModel Model, int Changes = 64>
-struct delayed_brake : Model {
+struct delayed_brake {
   using scalar = typename Model::scalar;  ///< Scalar.
 
+  Model model = {};  ///< The brake.
   /// From a command to its first effect [s]: of a bus, a power stage. 2 ms is two cycles at 1 kHz; assumed.
   scalar dead_time = scalar(0.002);
 
@@ -43,17 +44,29 @@ struct delayed_brake : Model {
     const double soon = now.time + static_cast<double>(dt) / 2;
     while (now.count > 0 && now.waiting[at(now.first)].due <= soon) act(now);
     now.time += static_cast<double>(dt);
-    return Model::advance(dt, now.acting, rate, now);
+    return model.advance(dt, now.acting, rate, now);
   }
+
+  /// That of the brake [N m].
+  scalar torque_limit_at(scalar rate) const noexcept { return model.torque_limit_at(rate); }
+
+  /// The command of the brake, where it can be found; its dead time cannot be undone.
+  scalar command_for(scalar torque, scalar rate, const state& now) const noexcept
+    requires InvertibleBrakeModel<Model>
+  {
+    return model.command_for(torque, rate, now);
+  }
+
+  /// That of the brake.
+  brake_resistance<scalar> residual() const { return residual_of(model); }
 
   /// The table of core/parameters.hpp, of a model that has one.
   static constexpr auto members()
     requires Parameters<Model>
   {
-    return [](auto&& f) {
-      Model::members()(f);
-      member_table(member("dead_time", &delayed_brake::dead_time, "s", range::not_negative))(f);
-    };
+    using p = delayed_brake;
+    return member_table(member("model", &p::model),
+                        member("dead_time", &p::dead_time, "s", range::not_negative));
   }
 
  private:

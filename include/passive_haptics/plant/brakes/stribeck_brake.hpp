@@ -17,11 +17,13 @@ namespace passive_haptics {
 /// 1995. Defaults: F_S / F_C = 1.5 N / 1 N and v_s = 0.001 m/s of its simulations, at a radius of 20 mm; not
 /// measured at a brake. What such a brake does in presliding, below micrometres, is left out.
 template <class T>
-struct stribeck_brake : coulomb_brake<T> {
-  using typename coulomb_brake<T>::state;
+struct stribeck_brake {
+  using scalar = T;                                ///< Scalar.
+  using state = typename coulomb_brake<T>::state;  ///< What it remembers.
 
-  T static_ratio = T(1.5);    ///< Strength at rest for that in fast slip [1].
-  T stribeck_rate = T(0.05);  ///< Rate at which 1/e of the difference is left [rad/s].
+  coulomb_brake<T> coulomb = {};  ///< Its strength in fast slip.
+  T static_ratio = T(1.5);        ///< Strength at rest for that in fast slip [1].
+  T stribeck_rate = T(0.05);      ///< Rate at which 1/e of the difference is left [rad/s].
 
   /// g(w) [1].
   T factor(T rate) const noexcept {
@@ -31,25 +33,26 @@ struct stribeck_brake : coulomb_brake<T> {
 
   /// See BrakeModel.
   brake_resistance<T> advance(T dt, T command, T rate, state& now) const noexcept {
-    return {factor(rate) * coulomb_brake<T>::advance(dt, command, rate, now).strength, T(0)};
+    return {factor(rate) * coulomb.advance(dt, command, rate, now).strength, T(0)};
   }
 
   /// torque_limit g(w) [N m].
-  T torque_limit_at(T rate) const noexcept { return factor(rate) * this->torque_limit; }
+  T torque_limit_at(T rate) const noexcept { return factor(rate) * coulomb.torque_limit; }
 
   /// Exact within the limit, at this rate.
   T command_for(T torque, T rate, const state& now) const noexcept {
-    return coulomb_brake<T>::command_for(torque / factor(rate), rate, now);
+    return coulomb.command_for(torque / factor(rate), rate, now);
   }
+
+  /// That of the Coulomb friction.
+  const brake_resistance<T>& residual() const { return coulomb.residual; }
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
-    return [](auto&& f) {
-      using p = stribeck_brake;
-      coulomb_brake<T>::members()(f);
-      member_table(member("static_ratio", &p::static_ratio, "1", range::at_least(1)),
-                   member("stribeck_rate", &p::stribeck_rate, "rad/s", range::positive))(f);
-    };
+    using p = stribeck_brake;
+    return member_table(member("coulomb", &p::coulomb),
+                        member("static_ratio", &p::static_ratio, "1", range::at_least(1)),
+                        member("stribeck_rate", &p::stribeck_rate, "rad/s", range::positive));
   }
 };
 

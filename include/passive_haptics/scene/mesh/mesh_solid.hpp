@@ -32,7 +32,8 @@ std::string validate(const mesh_solid_parameters<D>& p) {
 template <int D>
 class mesh_solid {
  public:
-  static constexpr int dimension = D;  ///< d
+  static constexpr int dimension = D;              ///< d
+  static constexpr bool has_unit_gradient = true;  ///< By construction.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit mesh_solid(const mesh_solid_parameters<D>& p) : surface_(require_valid(p).surface) {}

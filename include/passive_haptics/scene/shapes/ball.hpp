@@ -37,7 +37,8 @@ struct ball_parameters {
 template <int D>
 class ball {
  public:
-  static constexpr int dimension = D;  ///< d
+  static constexpr int dimension = D;              ///< d
+  static constexpr bool has_unit_gradient = true;  ///< By construction.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit ball(const ball_parameters<D>& p)

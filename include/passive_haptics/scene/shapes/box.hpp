@@ -47,7 +47,8 @@ struct box_parameters {
 template <int D>
 class box {
  public:
-  static constexpr int dimension = D;  ///< d
+  static constexpr int dimension = D;              ///< d
+  static constexpr bool has_unit_gradient = true;  ///< By construction.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit box(const box_parameters<D>& p)

@@ -36,7 +36,8 @@ struct capsule_parameters {
 template <int D>
 class capsule {
  public:
-  static constexpr int dimension = D;  ///< d
+  static constexpr int dimension = D;              ///< d
+  static constexpr bool has_unit_gradient = true;  ///< By construction.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit capsule(const capsule_parameters<D>& p)

@@ -75,7 +75,8 @@ class convex_polygon {
   static constexpr auto corner_count = static_cast<std::size_t>(K);
 
  public:
-  static constexpr int dimension = 2;  ///< d
+  static constexpr int dimension = 2;              ///< d
+  static constexpr bool has_unit_gradient = true;  ///< By construction.
 
   /// Throws std::invalid_argument with the text of validate(p).
   template <std::same_as<convex_polygon_parameters<K>> Parameters>  // a template, so that {...} means corners

@@ -81,7 +81,8 @@ class convex_polytope {
   static constexpr auto face_count = static_cast<std::size_t>(K);
 
  public:
-  static constexpr int dimension = D;  ///< d
+  static constexpr int dimension = D;              ///< d
+  static constexpr bool has_unit_gradient = true;  ///< By construction.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit convex_polytope(const convex_polytope_parameters<D, K>& p)

@@ -26,7 +26,8 @@ struct half_space_parameters {
 template <int D>
 class half_space {
  public:
-  static constexpr int dimension = D;  ///< d
+  static constexpr int dimension = D;              ///< d
+  static constexpr bool has_unit_gradient = true;  ///< By construction.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit half_space(const half_space_parameters<D>& p)

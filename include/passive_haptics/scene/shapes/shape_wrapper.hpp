@@ -14,10 +14,8 @@ class shape_wrapper {
   static_assert(Shape<S>, "passive_haptics: what is wrapped must be a Shape (scene/shape.hpp).");
 
  public:
-  static constexpr int dimension = S::dimension;  ///< d
-
-  /// Of the shape.
-  explicit shape_wrapper(S shape) : shape_(std::move(shape)) {}
+  static constexpr int dimension = S::dimension;                  ///< d
+  static constexpr bool has_unit_gradient = gradient_is_unit<S>;  ///< As the shape.
 
   /// Gradient of the shape.
   point<dimension> gradient(const point<dimension>& x) const { return shape_.gradient(x); }
@@ -40,6 +38,11 @@ class shape_wrapper {
   S& shape() { return shape_; }
 
  protected:
+  /// Of the shape.
+  explicit shape_wrapper(S shape) : shape_(std::move(shape)) {}
+  shape_wrapper(const shape_wrapper&) = default;             // of a whole wrapper alone
+  shape_wrapper& operator=(const shape_wrapper&) = default;  // of a whole wrapper alone
+
   S shape_;  ///< The shape.
 };
 

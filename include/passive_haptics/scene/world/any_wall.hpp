@@ -81,13 +81,13 @@ class any_wall {
                 contacts<D, D>& found) const override {
       if constexpr (TrackedShape<S>) {
         const auto add = [&](const point<D>& normal, double depth) {
-          found.push_back({.normal = normal, .depth = depth, .stiffness = held.stiffness});
+          found.push_back({.normal = normal, .depth = depth, .stiffness = held.stiffness()});
         };
         return held.shape.follow(from, x, *static_cast<typename S::tracker*>(tracker), add);
       } else {
         const double distance = held.shape.distance(x);
         if (distance >= 0) return distance;
-        describe(held, x, distance, *found.append());
+        describe(held, x, distance, *found.append_unchecked());
         return 0;
       }
     }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -63,8 +64,8 @@ class scene_exchange {
 
 /// How a loop reads a scene of another thread.
 struct latest_scene_parameters {
-  /// A scene older than this is no longer displayed [s]; by default twice the period of the slowest scene of
-  /// section 5.2.
+  /// A scene that is older than this, or that far in the future, is not displayed [s]; by default twice the
+  /// period of the slowest scene of section 5.2.
   double stale_after = 0.1;
   /// Whether moving walls go on with the velocities that they were published with.
   bool extrapolate = false;
@@ -100,18 +101,21 @@ class latest_scene {
     exchange_->update();
     age_ = time - exchange_->time();
     if constexpr (can_extrapolate) {
-      if (parameters_.extrapolate && age_ <= parameters_.stale_after) exchange_->scene().extrapolate(age_);
+      if (parameters_.extrapolate && is_current()) exchange_->scene().extrapolate(age_);
     }
     return sense(exchange_->scene(), x);
   }
 
-  /// Why what the scene told in the latest cycle cannot be displayed; status::ok if it was new enough.
+  /// scene_stale if the scene of the latest cycle was too old, or published in the future: by a clock that is
+  /// not that of the states. Else ok.
   friend status scene_status(const latest_scene& latest) {
-    return latest.age_ <= latest.parameters_.stale_after ? status::ok : status::scene_stale;
+    return latest.is_current() ? status::ok : status::scene_stale;
   }
 
  private:
   static constexpr bool can_extrapolate = requires(Scene& s, double seconds) { s.extrapolate(seconds); };
+
+  bool is_current() const { return std::abs(age_) <= parameters_.stale_after; }
 
   scene_exchange<Scene>* exchange_;
   latest_scene_parameters parameters_;

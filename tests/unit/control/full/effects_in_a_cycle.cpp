@@ -57,6 +57,7 @@ struct random_cycle {
   random_cycle(random_source& random, bool limited) {
     brakes.rate_dead_band.setConstant(T(1e-9));  // all slip
     brakes.torque_limit.setConstant(limited ? random.positive(T(0.1), T(3)) : T(1e6));
+    state.time = 0;
     for (int i = 0; i < M::dof; ++i) {
       state.q[i] = random.uniform(T(0.3), T(2));
       state.qd[i] = random.wide(T(0.01), T(3));

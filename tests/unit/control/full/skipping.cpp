@@ -223,6 +223,7 @@ TEST(command, is_that_of_the_whole_cycle_and_its_warm_start) {
   int in_contact = 0, faults = 0;
   for (int k = 0; k < 10'000; ++k) {
     ph::device_state<M> s;
+    s.time = 0;
     s.q = M().inverse({random.uniform(0.05, 0.15), random.uniform(0.15, 0.21)}, ph::elbow::left).q;
     s.qd = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
     s.hand_force = {random.uniform(-1.0, 1.0), random.uniform(-3.0, 3.0)};

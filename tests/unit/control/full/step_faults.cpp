@@ -71,7 +71,7 @@ void expect_faults() {
                             [&](auto& in, int i, double x) { in.state.hand_force[i] = as(x); });
   expect_fault<L, M, Walls>(state, "time", 1, [](auto& in, int, double x) { in.state.time = x; });
 
-  const auto contact = ph::status::contact_not_finite;
+  const auto contact = ph::status::contact_invalid;
   for (int j = 0; j < Walls; ++j) {
     expect_fault<L, M, Walls>(contact, "normal", 2,
                               [j](auto& in, int i, double x) { in.walls[j].normal[i] = x; });
@@ -132,6 +132,40 @@ TYPED_TEST(a_step_under, refuses_brakes_and_options_that_are_none) {
           << bad;
     }
   }
+}
+
+// Of a law that has parameters: each in turn, of itself or of its member `parameters`.
+template <class P, class Step>
+void expect_each_parameter_is_checked(P& parameters, const Step& step) {
+  ph::for_each_member(parameters, [&]<class V>(const ph::member_description& about, V& value) {
+    if constexpr (std::is_floating_point_v<V>) {
+      const V good = value;
+      for (const double bad : bad_numbers) {
+        if (about.hard.contains(bad)) continue;
+        value = static_cast<V>(bad);
+        const auto result = step();
+        EXPECT_EQ(result.outcome, ph::status::parameters_invalid) << about.name << " = " << bad;
+        EXPECT_TRUE(result.capacity.isZero(0));
+      }
+      value = good;
+    }
+  });
+  EXPECT_EQ(step().outcome, ph::status::ok);
+}
+
+TYPED_TEST(a_step_under, refuses_a_law_whose_parameters_are_none) {
+  using M = ph::tendon_two_link<double>;
+  const inputs<M, 1> in;
+  ph::contacts<2, 1> touched;
+  touched.push_back(in.walls[0]);
+  TypeParam law;
+  const auto step = [&] {
+    ph::step_memory<TypeParam> memory;
+    return ph::step(M(), in.brakes, touched, law, in.state, memory, in.options);
+  };
+  if constexpr (ph::Parameters<TypeParam>) expect_each_parameter_is_checked(law, step);
+  else if constexpr (requires { law.parameters; }) expect_each_parameter_is_checked(law.parameters, step);
+  else EXPECT_TRUE(std::is_empty_v<TypeParam>) << "a law with parameters has a table of them";
 }
 
 // A controller in contact: the same of the state, with and without a force sensor.

@@ -48,6 +48,7 @@ double share_without_wall(const char* name, const M& mechanism) {
   int without = 0;
   for (int k = 0; k < states; ++k) {
     ph::device_state<M> state;
+    state.time = 0;
     for (double& q : state.q) q = angle(engine);
     for (double& qd : state.qd) qd = gauss(engine);
     for (double& f : state.hand_force) f = gauss(engine);
@@ -91,6 +92,7 @@ TEST(self_motion, is_left_alone_by_a_relay_too) {
   int held = 0;
   for (int k = 0; k < 200; ++k) {
     ph::device_state<M> state;
+    state.time = 0;
     for (double& q : state.q) q = gauss(engine);
     for (double& qd : state.qd) qd = gauss(engine);
     ph::contacts<2, 1> touched;

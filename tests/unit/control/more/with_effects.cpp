@@ -77,7 +77,7 @@ TEST(with_effects, reports_faults_as_without) {
   broken.depth = nan;
   EXPECT_EQ(outcome({0, {1, 1}, {1, 1}, {0, 0}}, fine), ph::status::ok);
   EXPECT_EQ(outcome({0, {1, nan}, {1, 1}, {0, 0}}, fine), ph::status::state_not_finite);
-  EXPECT_EQ(outcome({0, {1, 1}, {1, 1}, {0, 0}}, broken), ph::status::contact_not_finite);
+  EXPECT_EQ(outcome({0, {1, 1}, {1, 1}, {0, 0}}, broken), ph::status::contact_invalid);
 }
 
 // A law whose scale() may not be called where no wall demands a force.

@@ -177,7 +177,7 @@ TEST(parameters_of_walls, stiffness_and_period_are_not_negative) {
   EXPECT_EQ(thrown_by([&] { ph::wall(plane, -1.0); }),
             "passive_haptics: stiffness of a wall [N/m] = -1, expected a finite number >= 0");
   EXPECT_EQ(thrown_by([&] { ph::wall(plane, 0.0); }), "nothing");
-  EXPECT_EQ(ph::wall(plane).stiffness, 1e7);
+  EXPECT_EQ(ph::wall(plane).stiffness(), 1e7);
   const auto hold = [&](double period) {
     return thrown_by([&] { ph::held_scene(ph::scene(ph::wall(plane)), period); });
   };

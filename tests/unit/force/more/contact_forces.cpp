@@ -63,7 +63,7 @@ TEST(check_contacts, finds_what_is_not_finite_in_each) {
         if (j == at && bad == 3) c.depth = 1e10;  // no float
         touched.push_back(c);
       }
-      const auto outcome = bad < 0 ? ph::status::ok : ph::status::contact_not_finite;
+      const auto outcome = bad < 0 ? ph::status::ok : ph::status::contact_invalid;
       EXPECT_EQ(ph::check_contacts<float>(touched), outcome) << bad << " of contact " << at;
       EXPECT_EQ(ph::check_contacts<double>(touched), bad == 3 ? ph::status::ok : outcome);
     }

@@ -123,8 +123,8 @@ TEST(displayable, says_what_is_wrong) {
   };
   EXPECT_EQ(outcome(ph::displayable(arm, {nan, 0}, v, n)), ph::status::state_not_finite);
   EXPECT_EQ(outcome(ph::displayable(arm, q, {without_limit, 0}, n)), ph::status::state_not_finite);
-  EXPECT_EQ(outcome(ph::displayable(arm, q, v, {nan, 0})), ph::status::contact_not_finite);
-  EXPECT_EQ(outcome(ph::displayable(arm, q, v, {0, 0})), ph::status::contact_not_finite);
+  EXPECT_EQ(outcome(ph::displayable(arm, q, v, {nan, 0})), ph::status::contact_invalid);
+  EXPECT_EQ(outcome(ph::displayable(arm, q, v, {0, 0})), ph::status::contact_invalid);
   EXPECT_EQ(outcome(ph::displayable(arm, q, v, n, {nan, 1})), ph::status::parameters_invalid);
   EXPECT_EQ(outcome(ph::displayable(arm, q, v, n, {1, -1})), ph::status::parameters_invalid);
   using pantograph = ph::five_bar<double>;

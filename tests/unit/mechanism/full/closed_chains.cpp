@@ -418,6 +418,7 @@ void expect_no_pose(const M& chain, const ph::joint_vector<M>& q) {
   EXPECT_FALSE(ph::all_finite(chain.position(q)));
   EXPECT_FALSE(ph::all_finite(chain.jacobian(q)));
   ph::device_state<M> state;
+  state.time = 0;
   state.q = q;
   state.qd = ph::joint_vector<M>::Constant(typename M::scalar(0.1));
   ph::contacts<M::task_dimension, 1> touched;
@@ -516,6 +517,7 @@ TEST(closed_chain_step, reports_an_undefined_pose_where_the_loop_cannot_be_close
   touched.push_back({ph::point<2>(0, 1), 1e-3, 1e4, ph::point<2>::Zero(), 0});
   ph::step_memory<ph::direct_control> memory;
   ph::device_state<five_bar> state;
+  state.time = 0;
   state.q = {pi, 0};
   state.qd = {1, 1};
   const auto apart = ph::step(chain, brakes, touched, law, state, memory);

@@ -105,6 +105,7 @@ void compare_steps(random_source& random, const device& delta, const ph::joint_v
   ph::brakes_of<device> brakes;
   brakes.torque_limit.setConstant(random.positive(0.05, 5.0));
   ph::device_state<device> state;
+  state.time = 0;
   state.q = q;
   state.qd = random.normal_vector<double, 3>();
   state.hand_force = 3 * random.normal_vector<double, 3>();
