@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ph = passive_haptics;
@@ -135,6 +136,13 @@ std::map<std::string, std::function<row()>> all_rows() {
   rows["chain_of_6/pose_and_jacobian"] = poses;
   add(rows, "tendon_two_link_float", ph::tendon_two_link<float>());
   add(rows, "xy_table", ph::xy_table<double>());
+  // Far from 8 and from 32 walls
+  const auto far_from = []<int... k>(std::integer_sequence<int, k...>) {
+    const auto wall = [](int i) { return ph::half_space<2>({-10, 0}, {1, 0.01 * i}); };
+    return cycles<account::command_alone>(ph::xy_table<double>(), wall(k)...);
+  };
+  rows["xy_table/free_of_8_walls"] = [=] { return far_from(std::make_integer_sequence<int, 8>()); };
+  rows["xy_table/free_of_32_walls"] = [=] { return far_from(std::make_integer_sequence<int, 32>()); };
   add(rows, "five_bar", ph::five_bar<double>());
   add(rows, "delta", ph::delta<double>());
   rows["cone_2"] = [] { return projections<2>(start::none); };

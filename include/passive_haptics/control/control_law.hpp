@@ -8,6 +8,7 @@
 #include <passive_haptics/scene/shape.hpp>
 
 #include <concepts>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -83,7 +84,9 @@ using law_memory = typename detail::memory_of<L>::type;
 ///   - `void released(memory&, double time) const noexcept`, called in each cycle that commands nothing (free
 ///     space, faults), so that the law knows what its brakes were told;
 ///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag, needs_torque_limit`: what it
-///     reads of the state, the mechanism and the brakes. False where they are not named.
+///     reads of the state, the mechanism and the brakes. False where they are not named;
+///   - `static constexpr int most_contacts`: walls that it takes at once; in a cycle that touches more the
+///     brakes are released. Any number where it is not named.
 template <class L>
 concept TorqueLaw = requires { requires L::commands_torques; } && std::default_initializable<law_memory<L>>;
 
@@ -106,6 +109,12 @@ inline constexpr bool needs_dynamics = requires { requires L::needs_dynamics; };
 /// Whether a law reads the brakes' time constants.
 template <class L>
 inline constexpr bool needs_brake_lag = requires { requires L::needs_brake_lag; };
+/// Most walls that a law takes at once.
+template <class L>
+inline constexpr int most_contacts = [] {
+  if constexpr (requires { L::most_contacts; }) return L::most_contacts;
+  else return std::numeric_limits<int>::max();
+}();
 /// Whether a law reads the torque limits, so that brakes without any are none for it.
 template <class L>
 inline constexpr bool needs_torque_limit = requires { requires L::needs_torque_limit; };

@@ -19,6 +19,7 @@ enum class status {
   result_not_finite,   ///< Finite input whose result overflows.
   singular_jacobian,   ///< J has no inverse to working accuracy. Only what needs the inverse says so.
   out_of_reach,        ///< No pose of the mechanism reaches the point.
+  too_many_contacts,   ///< More walls are touched at once than the law takes (most_contacts).
   scene_stale,         ///< The scene of another thread is older than its user allows.
 };
 
@@ -29,7 +30,8 @@ constexpr std::string_view to_string(status s) {
           "a contact that is not finite, without a unit normal or of negative stiffness",
           "invalid parameters of brakes or law, or invalid options",
           "no finite position or Jacobian at this pose", "the law's scale is not in [0, 1]", "overflow",
-          "singular Jacobian", "out of reach", "the scene is out of date", "unknown status"});
+          "singular Jacobian", "out of reach", "more walls are touched at once than the law takes",
+          "the scene is out of date", "unknown status"});
 }
 
 }  // namespace passive_haptics

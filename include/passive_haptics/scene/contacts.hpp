@@ -2,9 +2,9 @@
 /// What the end effector touches, as a value: all that a control step knows of a scene.
 #pragma once
 
+#include <passive_haptics/core/static_vector.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -41,46 +41,41 @@ class contacts {
   /// Adds a contact; false, and nothing added, if Capacity are there already. A contact whose normal is no
   /// unit vector, or whose stiffness is negative, gets a NaN depth, so that a cycle ends with
   /// status::contact_invalid.
-  constexpr bool push_back(const contact<D>& c) {
-    if (size_ == Capacity) return false;
-    contact<D>& added = items_[static_cast<std::size_t>(size_++)];
-    added = c;
+  bool push_back(const contact<D>& c) {
+    if (items_.size() == Capacity) return false;
+    contact<D>& added = items_.append(c);
     if (!is_unit(c.normal) || c.stiffness < 0) added.depth = std::numeric_limits<double>::quiet_NaN();
     return true;
   }
 
-  /// Room for one more contact, to be filled in place by who knows that its normal is a unit vector and
-  /// its stiffness not negative; nullptr if Capacity are there already.
-  constexpr contact<D>* append_unchecked() {
-    if (size_ == Capacity) return nullptr;
-    return &items_[static_cast<std::size_t>(size_++)];
-  }
+  /// Adds a contact whose normal is a unit vector and whose stiffness is not negative. Fewer than Capacity
+  /// must be there.
+  void append_unchecked(const contact<D>& c) { items_.append(c); }
 
   /// Removes all.
-  constexpr void clear() { size_ = 0; }
+  void clear() { items_.clear(); }
 
   /// Number of contacts.
-  constexpr int size() const { return size_; }
+  int size() const { return items_.size(); }
   /// True in free space.
-  constexpr bool empty() const { return size_ == 0; }
+  bool empty() const { return items_.size() == 0; }
   /// Contact i, 0 <= i < size().
-  constexpr const contact<D>& operator[](int i) const {
-    assert(0 <= i && i < size_);
-    if constexpr (Capacity == 1) return items_[0];  // a constant, so that the optimiser sees through it
-    return items_[static_cast<std::size_t>(i)];
+  const contact<D>& operator[](int i) const {
+    assert(0 <= i && i < size());
+    if constexpr (Capacity == 1) return *items_.data();  // a constant, so that the optimiser sees through it
+    return items_.data()[i];
   }
   /// First contact.
-  constexpr const contact<D>* begin() const { return items_.data(); }
+  const contact<D>* begin() const { return items_.data(); }
   /// One past the last contact.
-  constexpr const contact<D>* end() const { return items_.data() + size_; }
+  const contact<D>* end() const { return items_.data() + items_.size(); }
   /// First contact, to change it.
-  constexpr contact<D>* begin() { return items_.data(); }
+  contact<D>* begin() { return items_.data(); }
   /// One past the last contact.
-  constexpr contact<D>* end() { return items_.data() + size_; }
+  contact<D>* end() { return items_.data() + items_.size(); }
 
  private:
-  std::array<contact<D>, static_cast<std::size_t>(Capacity)> items_{};
-  int size_ = 0;
+  static_vector<contact<D>, Capacity> items_;
 };
 
 /// One of several walls, the only one that is touched: a view of its contact.

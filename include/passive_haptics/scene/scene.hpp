@@ -38,9 +38,9 @@ class static_scene {
     detail::for_each(walls_, [&](const auto& w) {
       const double distance = w.shape.distance(x);
       if (!(distance >= 0)) {
-        auto& c = *touched.append_unchecked();  // in place: a copy would wait for its parts to be stored
-        describe(w, x, distance, c);
+        contact<dimension> c = contact_of(w, x, distance);
         c.wall_number = number;
+        touched.append_unchecked(c);
       }
       ++number;
     });

@@ -53,16 +53,20 @@ template <class S>
 inline constexpr bool is_wall<wall<S>> = true;
 }  // namespace detail
 
-/// Fills in a contact of this wall at x [m], but for the wall's number. Where the gradient of a user's shape
-/// is no unit vector, the depth is NaN.
+/// The contact of a wall of this number at x [m], which is `distance` away. Where the gradient of a user's
+/// shape is no unit vector, the depth is NaN.
 template <class S>
-void describe(const wall<S>& w, const point<S::dimension>& x, double distance, contact<S::dimension>& c) {
-  c.normal = w.shape.gradient(x);
-  c.depth = gradient_is_unit<S> || is_unit(c.normal) ? -distance : std::numeric_limits<double>::quiet_NaN();
+contact<S::dimension> contact_of(const wall<S>& w, const point<S::dimension>& x, double distance) {
+  const point<S::dimension> n = w.shape.gradient(x);
+  const bool valid = gradient_is_unit<S> || is_unit(n);
+  contact<S::dimension> c;
+  c.normal = n;
+  c.depth = valid ? -distance : std::numeric_limits<double>::quiet_NaN();
   c.stiffness = w.stiffness();
   c.wall_velocity = surface_velocity(w.shape, x);
   c.sensed_at = x;
   c.curvature = surface_curvature(w.shape, x);
+  return c;
 }
 
 }  // namespace passive_haptics

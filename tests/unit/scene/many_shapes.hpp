@@ -72,8 +72,7 @@ ph::contacts<D, Capacity> scan(const shapes<D>& all, const ph::point<D>& x) {
   all.for_each([&](const auto& shape) {
     const double distance = shape.distance(x);
     if (!(distance >= 0)) {
-      ph::contact<D> c;
-      ph::describe(ph::wall(shape), x, distance, c);
+      auto c = ph::contact_of(ph::wall(shape), x, distance);
       c.wall_number = number;
       found.add(c);
     }

@@ -203,14 +203,41 @@ TEST(desired_force, is_stiffness_times_depth_along_the_normal) {
 
 TEST(contacts, have_room_for_so_many) {
   ph::contacts<2, 2> touched;
-  for (const double depth : {1.0, 2.0}) {
-    ph::contact<2>* room = touched.append_unchecked();
-    ASSERT_NE(room, nullptr);
-    room->depth = depth;
-  }
-  EXPECT_EQ(touched.append_unchecked(), nullptr);
+  for (const double depth : {1.0, 2.0}) EXPECT_TRUE(touched.push_back({.depth = depth}));
+  EXPECT_FALSE(touched.push_back({.depth = 3}));
   EXPECT_EQ(touched.size(), 2);
   EXPECT_EQ(touched[1].depth, 2.0);
+}
+
+template <int Capacity>
+void expect_copies_of_all() {
+  ph::contacts<2, Capacity> touched, other;
+  EXPECT_TRUE(touched.empty());
+  for (int k = 0; k < Capacity; ++k)
+    touched.push_back({.normal = {0, 1}, .depth = 1.0 + k, .wall_number = k});
+  const auto copy = touched;
+  other.push_back({.depth = 9});
+  other = touched;
+  touched.clear();
+  EXPECT_TRUE(touched.empty() && touched.begin() == touched.end());
+  for (const auto& same : {copy, other}) {
+    ASSERT_EQ(same.size(), Capacity);
+    for (int k = 0; k < Capacity; ++k) {
+      EXPECT_EQ(same[k].depth, 1.0 + k);
+      EXPECT_EQ(same[k].wall_number, k);
+      EXPECT_EQ(same[k].normal, ph::point<2>(0, 1));
+      EXPECT_TRUE(same[k].wall_velocity.isZero(0) && same[k].sensed_at.isZero(0) &&
+                  same[k].curvature.isZero(0));
+    }
+  }
+  touched.push_back({.depth = 5});
+  EXPECT_EQ(touched[0].depth, 5) << "a slot that was used before";
+  EXPECT_EQ(touched[0].normal, ph::point<2>(1, 0));
+}
+TEST(contacts, are_copied_whole) {
+  expect_copies_of_all<1>();
+  expect_copies_of_all<2>();
+  expect_copies_of_all<5>();
 }
 
 }  // namespace

@@ -415,9 +415,9 @@ TYPED_TEST(world, has_walls_that_move) {
     }
     auto expected = many_shapes::scan<6>(all, x);
     if (truth.distance(x) < 0) {
-      auto& c = *expected.append_unchecked();
-      ph::describe(ph::wall(truth), x, truth.distance(x), c);
+      auto c = ph::contact_of(ph::wall(truth), x, truth.distance(x));
       c.wall_number = moved;
+      expected.append_unchecked(c);
       ++touched;
     }
     if ((x - ph::point<D>::Constant(0.2)).norm() > 0.02) {

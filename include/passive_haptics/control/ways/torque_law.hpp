@@ -54,8 +54,8 @@ struct torques_of_law {
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>& memory) const {
-    if (check_contacts<T>(touched) != status::ok)
-      return passive_haptics::released<Result>(setup, device.time, status::contact_invalid, memory);
+    if (const status s = check(); s != status::ok)
+      return passive_haptics::released<Result>(setup, device.time, s, memory);
     constexpr bool is_account = requires(Result result) { result.torque; };
     display_steps<T, d, m> as_force{.td = done.td};
     as_force.Fc.display = display_class::exact;
@@ -74,6 +74,11 @@ struct torques_of_law {
   }
 
  private:
+  status check() const {
+    if (touched.size() > most_contacts<L>) return status::too_many_contacts;
+    return check_contacts<T>(touched);
+  }
+
   // No force in free space
   desired_force<T, d> force_of_governing() const {
     if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};

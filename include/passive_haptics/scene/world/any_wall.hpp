@@ -83,11 +83,11 @@ class any_wall {
         const auto add = [&](const point<D>& normal, double depth) {
           found.push_back({.normal = normal, .depth = depth, .stiffness = held.stiffness()});
         };
-        return held.shape.follow(from, x, *static_cast<typename S::tracker*>(tracker), add);
+        return held.shape.follow(from, x, *std::launder(static_cast<typename S::tracker*>(tracker)), add);
       } else {
         const double distance = held.shape.distance(x);
         if (distance >= 0) return distance;
-        describe(held, x, distance, *found.append_unchecked());
+        found.append_unchecked(contact_of(held, x, distance));
         return 0;
       }
     }

@@ -8,6 +8,8 @@
 #include <passive_haptics/scene/world/world_walls.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -99,6 +101,11 @@ class world {
   }
 
  private:
+  // Storage in which any tracker can be made
+  struct alignas(std::max_align_t) tracker_bytes {
+    std::array<std::byte, sizeof(std::max_align_t)> bytes;
+  };
+
   struct numbered_wall {
     any_wall<D> wall;
     int number;
@@ -128,8 +135,7 @@ class world {
       for (int place = 0; place < static_cast<int>(bounded.size()); ++place)
         in_tree.push_back(numbered(bounded[static_cast<std::size_t>(tree.item(place))]));
       for (const numbered_wall& w : others) {
-        const std::size_t units =
-            (w.wall.tracker_size() + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
+        const std::size_t units = (w.wall.tracker_size() + sizeof(tracker_bytes) - 1) / sizeof(tracker_bytes);
         trackers.push_back(trackers.back() + units);
       }
     }
@@ -142,7 +148,7 @@ class world {
     std::vector<numbered_wall> in_tree;  // by their places there
     std::vector<numbered_wall> others;   // outside, the moving ones first
     std::vector<int> moving;             // their numbers
-    // Where the tracker of each of the others begins, and the last ends [max_align_t]
+    // Where the tracker of each of the others begins, and the last ends [tracker_bytes]
     std::vector<std::size_t> trackers{0};
   };
 
@@ -193,7 +199,7 @@ class world {
   neighbour_list<D> near_;
   point<D> previous_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());  // x of the cycle before
   std::vector<motion> motions_;  // in the order of walls.moving()
-  std::vector<std::max_align_t> trackers_;
+  std::vector<tracker_bytes> trackers_;
   contacts<D, D> touched_;  // of one wall
   strongest_contacts<D, Capacity> found_;
 };

@@ -776,23 +776,41 @@ TEST(contact_memory, is_a_walls_own_while_it_is_touched) {
 }
 
 TEST(contact_memory, is_each_walls_own_from_the_first) {
-  ph::contact_memory<int> memory;
+  ph::contact_memory<int, 8> memory;
   memory.of(3) = 30;
   memory.of(5) = 50;
   EXPECT_EQ(memory.of(3), 30);
   EXPECT_EQ(memory.of(5), 50);
 }
 
-TEST(contact_memory, of_more_walls_than_it_has_room_for_shares_the_last) {
+TEST(contact_memory, that_is_full_is_taken_from_a_wall_that_is_touched_no_more) {
   ph::contact_memory<int, 3> memory;
   memory.begin_cycle();
   for (const int wall : {7, 8, 9}) memory.of(wall) = wall;
   memory.begin_cycle();
-  EXPECT_EQ(memory.of(5), 9) << "none is free";
+  EXPECT_EQ(memory.of(9), 9);
   EXPECT_EQ(memory.of(8), 8);
-  EXPECT_EQ(memory.of(7), 7) << "touched later in the cycle";
+  EXPECT_EQ(memory.of(5), 0) << "in place of 7";
   memory.begin_cycle();
-  EXPECT_EQ(memory.of(5), 0) << "9 has gone";
+  for (const int wall : {1, 2, 3}) EXPECT_EQ(memory.of(wall), 0) << "all others in place of all";
+}
+
+// Beyond most_contacts a law would share a memory between two walls.
+TEST(a_law_with_a_memory_of_walls, releases_the_brakes_where_more_are_touched) {
+  using M = ph::tendon_two_link<double>;
+  const auto outcome = [](int walls) {
+    ph::contacts<2, 12> touched;
+    for (int k = 0; k < walls; ++k)
+      touched.push_back({.normal = {0, -1}, .depth = 1e-3, .stiffness = 1e3, .wall_number = k});
+    ph::step_memory<ph::velocity_direct_control> memory;
+    const auto result = ph::step(M(), ph::brakes_of<M>(), touched, ph::velocity_direct_control(),
+                                 state_of<M>({0.2, 0.4}, {0.3, 2}, {0.1, 1}), memory);
+    EXPECT_TRUE(result.outcome == ph::status::ok || result.capacity.isZero(0));
+    return result.outcome;
+  };
+  EXPECT_EQ(outcome(8), ph::status::ok);
+  EXPECT_EQ(outcome(9), ph::status::too_many_contacts);
+  EXPECT_EQ(outcome(12), ph::status::too_many_contacts);
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ struct bang_bang_parameters {
 struct bang_bang_control {
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
   static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
+  static constexpr int most_contacts = 8;           ///< Walls that it remembers at once.
   static constexpr int max_brakes = 16;             ///< Of a device.
 
   /// At one wall.
@@ -68,7 +69,7 @@ struct bang_bang_control {
   };
   /// What it remembers.
   struct memory {
-    contact_memory<steering> walls;  ///< Of each wall.
+    contact_memory<steering, most_contacts> walls;  ///< Of each wall.
   };
 
   bang_bang_parameters parameters = {};  ///< The constants.

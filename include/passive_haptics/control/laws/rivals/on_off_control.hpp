@@ -45,6 +45,7 @@ struct on_off_parameters {
 /// wall lets a hand leave, so there is no turn into it; the approximated force for a locked brake.
 struct on_off_control {
   static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
+  static constexpr int most_contacts = 8;         ///< Walls that it remembers at once.
 
   /// Of one wall.
   struct relay {
@@ -52,7 +53,7 @@ struct on_off_control {
   };
   /// What it remembers.
   struct memory {
-    contact_memory<relay> walls;  ///< The relay of each.
+    contact_memory<relay, most_contacts> walls;  ///< The relay of each.
   };
 
   on_off_parameters parameters = {};  ///< The constants.

@@ -52,6 +52,7 @@ struct single_degree_of_freedom_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
   static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
+  static constexpr int most_contacts = 8;           ///< Walls that it remembers at once.
 
   /// Of one wall.
   struct locked_brake {
@@ -59,7 +60,7 @@ struct single_degree_of_freedom_control {
   };
   /// What it remembers.
   struct memory {
-    contact_memory<locked_brake> walls;  ///< The brake locked at each.
+    contact_memory<locked_brake, most_contacts> walls;  ///< The brake locked at each.
   };
 
   single_degree_of_freedom_parameters parameters = {};  ///< The constants.

@@ -55,6 +55,7 @@ class velocity_direct_control {
   static constexpr bool needs_dynamics = true;    ///< Needs the inertia of the mechanism.
   static constexpr bool needs_brake_lag = true;   ///< Needs the brakes' time constants.
   static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
+  static constexpr int most_contacts = 8;         ///< Walls that it remembers at once.
 
   static constexpr double jump_time = 2;        ///< In which a jump of the depth is forgotten [s].
   static constexpr double deepest_rest = 5e-3;  ///< d_ref at most [m].
@@ -67,7 +68,7 @@ class velocity_direct_control {
   };
   /// What it remembers.
   struct memory {
-    contact_memory<contact_state> walls;                      ///< Each wall's.
+    contact_memory<contact_state, most_contacts> walls;       ///< Each wall's.
     brake_lag_model brakes;                                   ///< What the brakes make.
     bool moving = false;                                      ///< Rates and time are known.
     double time = 0;                                          ///< Of the cycle before [s].
