@@ -39,7 +39,7 @@ void show(const char* name, const M& arm) {
   ph::controller control(arm, ph::brakes_of<M>(), ph::scene(ph::wall(wall)), ph::direct_control());
 
   std::cout << name << ": handle at " << x.transpose() << " m\nJacobian [m/rad]\n"
-            << ph::jacobian(arm, q) << "\n";
+            << ph::jacobian(arm, q) << "\noptional members: " << to_text(ph::describe(arm)) << "\n";
   for (const auto& qd : {ph::vector<double, 3>(0.3, 0.1, 0.2), ph::vector<double, 3>(-0.5, 0.6, 0.3),
                          ph::vector<double, 3>(0.5, -0.3, 0.2)}) {
     const auto result = control(ph::device_state<M>{.time = 0, .q = q, .qd = qd, .hand_force = {0.5, 2}});

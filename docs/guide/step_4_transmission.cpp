@@ -10,6 +10,9 @@ class scara : public ph::two_link<double> {
   ph::matrix<double, 2, 2> transmission() const { return ph::matrix<double, 2, 2>{{1, 0}, {3, 3}}; }
 };
 
+// A name that is misspelt would count as no transmission
+static_assert(ph::describe<scara>().has("transmission"));
+
 int main() {
   const ph::vector<double, 2> w = ph::brake_rates(scara(), {0.3, 1.2}, {1, 2});
   return w[0] == 1 && w[1] == 9 ? 0 : 1;

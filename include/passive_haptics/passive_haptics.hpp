@@ -59,6 +59,7 @@
 #include <passive_haptics/control/ways/with_effects.hpp>
 
 #include <passive_haptics/design/braked_wall_at.hpp>
+#include <passive_haptics/design/description.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/plausibility.hpp>
 #include <passive_haptics/design/undisplayable_share.hpp>

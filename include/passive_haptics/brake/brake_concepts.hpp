@@ -2,6 +2,7 @@
 /// What a type tells about the brakes: limits, dead bands, lags, each optional.
 #pragma once
 
+#include <passive_haptics/core/misspelt.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 
@@ -68,6 +69,7 @@ concept BrakesFor =
 /// `static_assert(brake_requirements<B, M>::met)`.
 template <class B, class M>
 struct brake_requirements {
+  static_assert(detail::brakes_spelling<B>::met);
   static_assert(
       std::is_class_v<B>,
       "passive_haptics: the brakes must be a brake_parameters, unlimited_brakes, or a class with some of "

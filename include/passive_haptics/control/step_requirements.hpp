@@ -24,6 +24,30 @@ struct scene_requirements {
   static constexpr bool met = true;
 };
 
+// In place of an argument that was not given.
+struct no_argument {};
+
+// What must hold of the order of a controller's arguments.
+template <class M, class B, class S, class L>
+struct controller_order {
+  static_assert(names_sizes<M> || !(names_torque_limit<M> || is_unlimited<M> || gives_contacts<M>),
+                "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this "
+                "order: the first one is no mechanism.");
+  static_assert(!(names_sizes<B> || gives_contacts<B>),
+                "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this "
+                "order: the second one is no brakes, such as brakes_of<mechanism>().");
+  static_assert(!(names_sizes<S> || names_torque_limit<S> || is_unlimited<S> || ControlLaw<S>),
+                "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this "
+                "order: the third one is no scene, such as scene(wall(shape, stiffness)).");
+  static_assert(!std::is_same_v<L, no_argument>,
+                "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law): one is "
+                "missing.");
+  static_assert(!(names_sizes<L> || names_torque_limit<L> || is_unlimited<L> || gives_contacts<L>),
+                "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this "
+                "order: the fourth one is no law, such as direct_control().");
+  static constexpr bool met = true;
+};
+
 // Whether the header that defines this type is included.
 template <class X>
 concept is_included = requires { sizeof(X); };
@@ -31,6 +55,7 @@ concept is_included = requires { sizeof(X); };
 // What must hold of the brakes of a step under this law, one short message for each.
 template <class M, class L, class B>
 struct law_brake_requirements {
+  static_assert(law_spelling<L>::met);
   static_assert(ControlLaw<L>,
                 "passive_haptics: the law must model ControlLaw: give it `template <class T, int D> T "
                 "scale(const contact_situation<T, D>&) const noexcept` (control/control_law.hpp).");
@@ -56,6 +81,7 @@ template <class M, class Contacts, class L, class State, class B>
 struct step_requirements {
   static_assert(mechanism_requirements<M>::met);
   static_assert(law_brake_requirements<M, L, B>::met);
+  static_assert(state_spelling<State>::met);
   static_assert(
       DeviceState<State, M>,
       "passive_haptics: the state must be a device_state<M>, or have its members time (seconds, as a "

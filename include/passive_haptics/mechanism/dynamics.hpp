@@ -6,6 +6,21 @@
 
 namespace passive_haptics {
 
+namespace detail {
+template <class M>
+concept has_mass_matrix = requires(const M mechanism, const joint_vector<M> q) {
+  { mechanism.mass_matrix(q) } -> ExactMatrix<typename M::scalar, M::dof, M::dof>;
+};
+template <class M>
+concept has_bias_torque = requires(const M mechanism, const joint_vector<M> q) {
+  { mechanism.bias_torque(q, q) } -> ExactVector<typename M::scalar, M::dof>;
+};
+template <class M>
+concept has_bias_acceleration = requires(const M mechanism, const joint_vector<M> q) {
+  { mechanism.bias_acceleration(q, q) } -> ExactVector<typename M::scalar, M::task_dimension>;
+};
+}  // namespace detail
+
 /// A mechanism with inertia:  M(q) qdd + c(q, qd) = J^T F + T^T t  and  xdd = J qdd + Jd qd.
 ///
 /// Minimal complete definition, beside that of Mechanism:
@@ -17,11 +32,7 @@ namespace passive_haptics {
 /// Laws: M is symmetric positive definite. Jd qd is the derivative of J along qd, times qd. Without gravity
 /// qd . (Md qd / 2 - c) = 0: only outside work changes the kinetic energy.
 template <class M>
-concept Dynamics =
-    Mechanism<M> && requires(const M mechanism, const joint_vector<M> q, const joint_vector<M> qd) {
-      { mechanism.mass_matrix(q) } -> ExactMatrix<typename M::scalar, M::dof, M::dof>;
-      { mechanism.bias_torque(q, qd) } -> ExactVector<typename M::scalar, M::dof>;
-      { mechanism.bias_acceleration(q, qd) } -> ExactVector<typename M::scalar, M::task_dimension>;
-    };
+concept Dynamics = Mechanism<M> && detail::has_mass_matrix<M> && detail::has_bias_torque<M> &&
+                   detail::has_bias_acceleration<M>;
 
 }  // namespace passive_haptics

@@ -4,7 +4,10 @@
 /// Minimal complete definition (n = dof, d = task_dimension, m = brake_count):
 ///   - `using scalar`: float, double or long double;
 ///   - `static constexpr int dof, task_dimension, brake_count`: m = n >= d, or redundant brakes, m > n = d;
-///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`: end effector [m], base frame.
+///     d is 1, 2 or 3;
+///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`: end effector, base frame. All its
+///     components are lengths [m] along orthogonal axes: with an angle among them, such as (x, y, L phi), the
+///     nearest force would depend on the unit of L.
 ///     Where it is a template over the scalar, its derivative is the Jacobian (jacobian.hpp).
 ///
 /// Optional. One that takes no q is constant; a matrix may be a diagonal_matrix. Both save work:
@@ -20,6 +23,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/misspelt.hpp>
 
 #include <concepts>
 #include <type_traits>
@@ -75,8 +79,9 @@ concept names_transmission =
 
 template <class M>
 concept has_supported_sizes =
-    names_sizes<M> && ((M::brake_count == M::dof && M::dof >= M::task_dimension) ||
-                       (M::brake_count > M::dof && M::dof == M::task_dimension && names_transmission<M>));
+    names_sizes<M> && M::task_dimension <= 3 &&
+    ((M::brake_count == M::dof && M::dof >= M::task_dimension) ||
+     (M::brake_count > M::dof && M::dof == M::task_dimension && names_transmission<M>));
 
 template <class M>
 concept has_position = names_sizes<M> && requires(const M mechanism, const joint_vector<M> q) {
@@ -145,8 +150,14 @@ struct mechanism_requirements {
   static_assert(
       detail::names_brake_count<M>,
       "passive_haptics: the mechanism needs `static constexpr int brake_count`, its number of brakes.");
+  static_assert(detail::mechanism_spelling<M>::met);
   static_assert(
-      !detail::names_sizes<M> || detail::has_supported_sizes<M>,
+      !detail::names_sizes<M> || M::task_dimension <= 3,
+      "passive_haptics: task_dimension must be 1, 2 or 3: position(q) is a point, each component a length "
+      "[m]. "
+      "Leave the orientation out: joints that only turn the handle are self-motion (dof > task_dimension).");
+  static_assert(
+      !detail::names_sizes<M> || M::task_dimension > 3 || detail::has_supported_sizes<M>,
       "passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension, or "
       "brake_count > dof == task_dimension with a transmission. A joint without a brake gives way to "
       "any force that loads it: the others then hold none in most directions.");

@@ -25,6 +25,10 @@ class wall {
       : shape(std::move(geometry)), stiffness_(newton_per_metre) {
     require_valid(*this);
   }
+  /// Not in this order.
+  wall(double, const S& geometry) : shape(geometry), stiffness_(0) {
+    static_assert(sizeof(S) == 0, "passive_haptics: a wall is made of (shape, stiffness), in this order.");
+  }
   S shape;  ///< Geometry.
 
   /// [N/m], >= 0 and finite.
@@ -45,6 +49,9 @@ class wall {
  private:
   double stiffness_;
 };
+
+template <class S>
+wall(double, S) -> wall<S>;
 
 namespace detail {
 template <class>

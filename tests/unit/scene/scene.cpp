@@ -146,10 +146,10 @@ TEST(contact_list, holds_up_to_its_capacity_and_says_when_it_is_full) {
 
 TEST(contact_listDeathTest, tells_nothing_beyond_its_last) {
   ph::contacts<2, 3> list;
-  EXPECT_DEBUG_DEATH(list[0], "size_");
+  EXPECT_DEBUG_DEATH(list[0], "size");
   list.push_back({.depth = 1});
   EXPECT_EQ(list[0].depth, 1);
-  EXPECT_DEBUG_DEATH(list[1], "size_");
+  EXPECT_DEBUG_DEATH(list[1], "size");
 }
 
 TEST(contact_list, shows_its_first_contact_alone) {

@@ -26,6 +26,8 @@ template <class... Effects>
 using effects_of = boost::hana::basic_tuple<Effects...>;
 
 template <class E>
+concept names_effect_scalar = requires { typename E::scalar; };
+template <class E>
 inline constexpr bool is_effect = Effect<E> || WallEffect<E> || JointEffect<E>;
 
 template <class E, int D>
@@ -45,6 +47,8 @@ struct walls_and_effects {
   using result_type = step_result_with_effects<M, walls_type>;
 
   static_assert(sizeof...(Effects) > 0, "passive_haptics: with_effects needs at least one effect.");
+  static_assert((detail::names_effect_scalar<Effects> && ...),
+                "passive_haptics: each effect needs `using scalar = double;` (that of the mechanism).");
   static_assert(
       (detail::is_effect<Effects> && ...),
       "passive_haptics: each effect must model Effect, WallEffect or JointEffect (force/effect.hpp).");

@@ -48,6 +48,11 @@ class ball {
   ball(const point<D>& centre, double radius, filling inside = filling::solid)
       : ball(ball_parameters<D>{centre, radius, inside}) {}
 
+  /// Not in this order.
+  ball(double, const point<D>&, filling = filling::solid) {
+    static_assert(D < 0, "passive_haptics: a ball is made of (centre, radius), in this order.");
+  }
+
   /// Signed distance [m]; one square root.
   double distance(const point<D>& x) const { return sign_ * ((x - centre_).norm() - radius_); }
 

@@ -1,0 +1,104 @@
+/// @file
+/// Which optional members of a mechanism, of brakes or of a law the library has found.
+#pragma once
+
+#include <passive_haptics/brake/brake_concepts.hpp>
+#include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/control/control_law.hpp>
+#include <passive_haptics/core/error_message.hpp>
+#include <passive_haptics/mechanism/dynamics.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace passive_haptics {
+
+/// An optional member.
+struct optional_member {
+  std::string_view name;  ///< As in the code.
+  bool found;             ///< Whether the type has it, as the library needs it.
+};
+
+/// All optional members that a type could have. A name that is misspelt, or a function that is not const, is
+/// not found: `static_assert(describe<arm>().has("transmission"))` makes sure.
+template <std::size_t N>
+struct description {
+  std::array<optional_member, N> members;  ///< In the order of the concept's list.
+
+  /// Whether the member was found. Of a name that is no optional member: an error of the compiler in a
+  /// constant expression, else see require_no_error().
+  constexpr bool has(std::string_view name) const {
+    for (const optional_member& m : members)
+      if (m.name == name) return m.found;
+    require_no_error("no optional member has this name");
+    return false;
+  }
+};
+
+/// "jacobian, pose; not found: transmission, ..."
+template <std::size_t N>
+std::string to_text(const description<N>& all) {
+  std::string found, missing;
+  for (const optional_member& m : all.members) {
+    std::string& list = m.found ? found : missing;
+    list.append(list.empty() ? "" : ", ").append(m.name);
+  }
+  return (found.empty() ? "none" : found).append(missing.empty() ? "" : "; not found: ").append(missing);
+}
+
+namespace detail {
+template <class M>
+concept names_inertial_forces = requires { M::inertial_forces; };
+template <class L>
+concept names_most_contacts = requires { L::most_contacts; };
+template <class L>
+concept names_memory = requires { typename L::memory; };
+}  // namespace detail
+
+/// The optional members of a mechanism.
+template <class M>
+  requires detail::names_sizes<M>
+constexpr description<9> describe() {
+  return {{{{"jacobian", detail::has_exact_jacobian<M>},
+            {"transmission", detail::has_exact_transmission<M>},
+            {"pose", detail::has_pose<M>},
+            {"mass_matrix", detail::has_mass_matrix<M>},
+            {"bias_torque", detail::has_bias_torque<M>},
+            {"bias_acceleration", detail::has_bias_acceleration<M>},
+            {"inverse_jacobian", detail::has_inverse_jacobian<M>},
+            {"inverse_transposed_jacobian", detail::has_inverse_transposed_jacobian<M>},
+            {"inertial_forces", detail::names_inertial_forces<M>}}}};
+}
+
+/// The optional members of brakes.
+template <class B>
+  requires(detail::names_torque_limit<B> || detail::is_unlimited<B>)
+constexpr description<4> describe() {
+  return {{{{"torque_limit", detail::names_torque_limit<B>},
+            {"rate_dead_band", detail::names_rate_dead_band<B>},
+            {"torque_dead_band", detail::names_torque_dead_band<B>},
+            {"time_constant", detail::names_time_constant<B>}}}};
+}
+
+/// The optional members of a law.
+template <ControlLaw L>
+constexpr description<8> describe() {
+  return {{{{"needs_hand_force", needs_hand_force<L>},
+            {"needs_dynamics", needs_dynamics<L>},
+            {"needs_brake_lag", needs_brake_lag<L>},
+            {"needs_torque_limit", needs_torque_limit<L>},
+            {"nulls_normal_force", nulls_normal_force<L>},
+            {"saturates_before_scaling", saturates_before_scaling<L>},
+            {"most_contacts", detail::names_most_contacts<L>},
+            {"memory", detail::names_memory<L>}}}};
+}
+
+/// The optional members of a mechanism, of brakes or of a law.
+template <class X>
+constexpr auto describe(const X&) {
+  return passive_haptics::describe<X>();
+}
+
+}  // namespace passive_haptics

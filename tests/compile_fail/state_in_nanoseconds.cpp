@@ -1,0 +1,18 @@
+// expect: passive_haptics: the state must be a device_state<M>, or have its members time .seconds
+#include <passive_haptics/passive_haptics.hpp>
+
+#include <cstdint>
+
+namespace ph = passive_haptics;
+using arm = ph::tendon_two_link<double>;
+
+struct state {
+  std::int64_t time = 0;
+  ph::vector<double, 2> q, qd, hand_force;
+};
+
+int main() {
+  ph::controller control(arm(), ph::brakes_of<arm>(), ph::scene(ph::wall(ph::half_space<2>({0, 1}, {0, -1}))),
+                         ph::direct_control());
+  control(state());
+}
