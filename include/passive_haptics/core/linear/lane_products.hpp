@@ -88,19 +88,24 @@ bool any(const lane_mask<T, N>& x) {
 /// Bit i is truth i.
 template <class T, int N>
 [[gnu::always_inline]] inline unsigned bits(const lane_mask<T, N>& x) {
-  unsigned all = 0;
-  if constexpr (lane_mask<T, N>::width == 4) {
-    unrolled<lane_mask<T, N>::count>([&](auto k) {
-      auto some = x.p[k] & typename detail::truths_of<T>::type{1, 2, 4, 8};
-      some |= __builtin_shufflevector(some, some, 2, 3, 0, 1);
-      some |= __builtin_shufflevector(some, some, 1, 0, 3, 2);
-      all |= static_cast<unsigned>(some[0]) << 4 * k;
-    });
-    if constexpr (N % 4 != 0) all &= (1u << N) - 1;  // what is beyond N is of no interest
-  } else {
+  using mask = lane_mask<T, N>;
+  if constexpr (mask::width == 1) {
+    unsigned all = 0;
     unrolled<N>([&](auto i) { all |= static_cast<unsigned>(x[i]) << i; });
+    return all;
+  } else {  // the bits of all registers in one, and then of its numbers
+    typename detail::truths_of<T>::type all{};
+    unrolled<mask::count>([&](auto k) {
+      const auto bit = [&](int part) {
+        const int i = k * mask::width + part * mask::width / 4;
+        return i < N ? 1 << i : 0;  // what is beyond N is of no interest
+      };
+      all |= x.p[k] & typename detail::truths_of<T>::type{bit(0), bit(1), bit(2), bit(3)};
+    });
+    all |= __builtin_shufflevector(all, all, 2, 3, 0, 1);
+    if constexpr (mask::width == 4) all |= __builtin_shufflevector(all, all, 1, 0, 3, 2);
+    return static_cast<unsigned>(all[0]);
   }
-  return all;
 }
 
 namespace detail {
