@@ -46,9 +46,9 @@ template <class M>
 class mechanism_pose {
   using T = typename M::scalar;
 
-  static decltype(auto) pose_of(const M& mechanism, const joint_vector<M>& q) {
+  static auto pose_of(const M& mechanism, const joint_vector<M>& q) {
     if constexpr (detail::has_pose<M>) return mechanism.pose(q);
-    else return (q);
+    else return q;
   }
 
  public:
@@ -91,7 +91,7 @@ class mechanism_pose {
   /// Rates of the brakes' axes, w = T qd [rad/s or m/s].
   brake_vector<M> brake_rates(const joint_vector<M>& qd) const {
     if constexpr (detail::has_exact_transmission<M>) return times(transmission(), qd);
-    else return as<T>(qd);  // entry by entry: a packet would go through memory
+    else return qd;
   }
 
   /// M [kg m^2, kg m or kg], of a mechanism with Dynamics (mechanism/dynamics.hpp).
