@@ -40,7 +40,7 @@ auto chosen_way() {
 /// closed: a law, a scene, an effect, a mechanism or brakes of a user's own go one of these ways.
 ///
 /// Each is a struct that has all steps of section 4:
-///   - `way{setup, touched}`: Fd, what the walls demand;
+///   - `way{setup, touched}`: the walls, of which each demands an Fd;
 ///   - `bool demands_force() const`: false where the brakes are released;
 ///   - `steps command(now, memory) const`: from Fd to td, where `steps.td.torque` is what the brakes get;
 ///   - `Result result(now, steps, t, memory) const`: the result, where t are the torques that the mechanism

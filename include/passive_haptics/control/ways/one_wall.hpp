@@ -32,16 +32,22 @@ struct one_wall {
   static constexpr int m = M::brake_count;     ///< brakes.
   using steps = display_steps<T, d, m>;        ///< Fc, alpha, Fc', td.
 
-  const Setup& setup;                                 ///< Of the cycle.
-  const Walls& touched;                               ///< The wall.
-  const desired_force<T, d> Fd = force_of_touched();  ///< What it demands.
+  const Setup& setup;    ///< Of the cycle.
+  const Walls& touched;  ///< The wall.
+
+  /// What the wall demands; no force in free space. No member: beside a reference g++ 12 keeps it in memory.
+  desired_force<T, d> demanded() const {
+    if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
+    return force_of<T>(touched[0]);
+  }
 
   /// Whether there is a force to display.
-  bool demands_force() const { return is_nonzero(Fd); }
+  bool demands_force() const { return is_nonzero(demanded()); }
 
   /// Section 4.
   template <class Device>
   PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
+    const auto Fd = demanded();
     // 1. Fc: Fd itself, or the nearest force that the brakes can make with Fc . n = |Fd|
     const auto Fc =
         Fd.magnitude * approximation_for<M>::of(device, Fd.direction, setup.options.min_cosine, memory.start);
@@ -60,16 +66,10 @@ struct one_wall {
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>&) const {
-    return passive_haptics::result_of<Result>(device, touched, touched[0].wall_number, Fd, done, t);
+    return passive_haptics::result_of<Result>(device, touched, touched[0].wall_number, demanded(), done, t);
   }
 
  private:
-  // No force in free space
-  desired_force<T, d> force_of_touched() const {
-    if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
-    return force_of<T>(touched[0]);
-  }
-
   template <class Device>
   saturated_torque<T, m> limited(const vector<T, m>& t, const Device& device) const {
     return passive_haptics::within_limits(t, device.brakes, setup.options.limits);
