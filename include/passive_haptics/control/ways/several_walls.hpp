@@ -32,6 +32,7 @@ struct several_walls {
 
   /// alpha of each wall, and which are met before the others.
   struct scales {
+    vector<T, capacity> leaving = vector<T, capacity>::Zero();               ///< n_j . v of wall j [m/s].
     vector<T, capacity> alpha = vector<T, capacity>::Ones();                 ///< Of wall j.
     std::array<bool, static_cast<std::size_t>(capacity)> has_priority = {};  ///< Left, and the law gives way.
   };
@@ -73,7 +74,7 @@ struct several_walls {
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>&) const {
-    const status outcome = check(device, done);
+    const status outcome = check(done);
     if (outcome != status::ok) return released<Result>(outcome);
     const auto of_governing = [&](const force& Fc) PASSIVE_HAPTICS_INLINE {
       const display_steps<T, d, m> one{Fc, done.scale.alpha[governing], done.Fc_scaled, done.td};
@@ -98,7 +99,7 @@ struct several_walls {
     scales all;
     for (int j = 0; j < touched.size(); ++j) {
       const auto wanted = Fd(j);
-      const T leaving = outward(wanted, device.v);
+      const T leaving = all.leaving[j] = outward(wanted, device.v);
       all.has_priority[static_cast<std::size_t>(j)] = nulls_normal_force<L> && leaving > T(0);
       if (is_nonzero(wanted))
         all.alpha[j] = setup.law.scale(
@@ -122,16 +123,12 @@ struct several_walls {
   }
 
   // ok, or why this is no command
-  template <class Device>
-  status check(const Device& device, const steps& done) const {
-    vector<T, capacity> leaving = vector<T, capacity>::Zero(), magnitude = vector<T, capacity>::Zero();
-    for (int j = 0; j < touched.size(); ++j) {
-      leaving[j] = outward(Fd(j), device.v);
-      magnitude[j] = Fd(j).magnitude;
-    }
+  status check(const steps& done) const {
+    vector<T, capacity> magnitude = vector<T, capacity>::Zero();
+    for (int j = 0; j < touched.size(); ++j) magnitude[j] = Fd(j).magnitude;
     const auto alpha = done.scale.alpha.array();
     const bool are_shares = (alpha >= T(0) && alpha <= T(1)).all();
-    const status outcome = check_command<T>(touched, leaving, are_shares, magnitude);
+    const status outcome = check_command<T>(touched, done.scale.leaving, are_shares, magnitude);
     if (outcome != status::ok) return outcome;
     return all_finite(done.map.G) ? status::ok : status::pose_undefined;
   }
