@@ -40,13 +40,15 @@ class dual_number {
   /// dx
   const derivative_vector& derivatives() const { return dx_; }
 
-  /// An error, and not a missing function with a page of candidates.
-  operator T() const {
-    static_assert(!std::same_as<T, T>,
+  /// An error, and not a missing function with a page of candidates. Implicit to `long double` alone: that is
+  /// the overload which std::cos(x) then takes, and `c ? x : 0.0` can only be a dual number.
+  template <PlainNumber X>
+  explicit(!std::same_as<X, long double>) operator X() const {
+    static_assert(!std::same_as<X, X>,
                   "passive_haptics: this drops the derivatives of position(q): write `using std::cos, "
                   "std::sin;` and then `cos(q[0])` in place of `std::cos(q[0])`, and `S x = q[0]` or `auto` "
                   "in place of `double x = q[0]`.");
-    return x_;
+    return static_cast<X>(x_);
   }
 
   /// (x)' = x'

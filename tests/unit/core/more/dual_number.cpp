@@ -57,6 +57,14 @@ TEST(dual_number, arithmetic_with_constants_of_any_type) {
       0.5, 2);
 }
 
+TEST(dual_number, is_what_a_choice_between_it_and_a_constant_gives) {
+  expect_derivative([](auto x) -> decltype(x) { return x > 0 ? x * x : 0.0; }, 0.5, 2);
+  expect_derivative([](auto x) -> decltype(x) { return x > 0 ? 0 : x * x; }, -2, -0.5);
+  const auto x = ph::dual_number<float, 1>::variable(2, 0);
+  const auto larger = x > 1 ? x : 1.0f;
+  EXPECT_EQ(larger.derivatives()[0], 1);
+}
+
 TEST(dual_number, mixes_with_vectors_of_constants) {
   using number = ph::dual_number<double, 2>;
   const ph::matrix<double, 2, 2> A{{1, 2}, {3, 4}};
