@@ -61,9 +61,8 @@ struct direct_control {
   /// @equation{12}
   template <class T, int D>
   T scale(const contact_situation<T, D>& c) const noexcept {
-    const lanes<T, 1> alpha = clamped(-c.hand_force.dot(c.normal) / c.desired_magnitude, T(0), T(1));
-    const lanes<T, 1> leaving = c.normal_velocity;
-    return select(leaving > -static_cast<T>(velocity_dead_band), alpha, T(1))[0];
+    const T alpha = clamped(-c.hand_force.dot(c.normal) / c.desired_magnitude, T(0), T(1));
+    return select(c.normal_velocity > -static_cast<T>(velocity_dead_band), alpha, T(1));
   }
 };
 
