@@ -23,7 +23,7 @@ int main() {
     const auto result = control(state);
     std::cout << "moving " << (outward < 0 ? "inward: " : "outward:") << "  desired force "
               << result.desired_force.transpose() << " N"
-              << ", displayed: " << to_string(result.display) << ", gamma "
+              << ", displayed: " << display_text(result) << ", gamma "
               << ph::degrees(result.approximation_angle()) << " deg"
               << ", alpha " << result.alpha << ", brakes may hold " << result.capacity.transpose()
               << " N m\n";

@@ -43,7 +43,7 @@ void show(const char* name, const M& arm) {
   for (const auto& qd : {ph::vector<double, 3>(0.3, 0.1, 0.2), ph::vector<double, 3>(-0.5, 0.6, 0.3),
                          ph::vector<double, 3>(0.5, -0.3, 0.2)}) {
     const auto result = control(ph::device_state<M>{.time = 0, .q = q, .qd = qd, .hand_force = {0.5, 2}});
-    std::cout << "rates " << qd.transpose() << " rad/s: " << to_string(result.display) << ", gamma "
+    std::cout << "rates " << qd.transpose() << " rad/s: " << display_text(result) << ", gamma "
               << ph::degrees(result.approximation_angle()) << " deg, brakes may hold "
               << result.capacity.transpose() << " N m\n";
   }

@@ -25,7 +25,7 @@ int main() {
   const auto all = control(state);
   const auto only = control.command(state);  // the same capacities and outcome, faster
   std::cout << all.capacity.transpose() << " N m, " << to_string(all.outcome) << ", "
-            << to_string(all.display) << ", alpha " << all.alpha << "\n";
+            << display_text(all) << ", alpha " << all.alpha << "\n";
 
   // The stages one by one
   const auto J = ph::jacobian(arm, state.q);

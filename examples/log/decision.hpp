@@ -36,7 +36,7 @@ void put_decision(log_row& row, const joint_kinds& joints, const Decision& r, bo
   row.blank(!was_asked);
   row.put("status", to_string(r.outcome));
   row.put("power", to_string(r.power));
-  row.put("display", to_string(r.display));
+  row.put("display", display_text(r));
   row.put("gamma", "rad", r.approximation_angle());
   row.put("alpha", "1", r.alpha);
   row.put_axes("Fd", "N", r.desired_force);

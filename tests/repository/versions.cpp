@@ -16,7 +16,6 @@ TEST(versions, are_those_of_the_headers) {
                               std::to_string(PASSIVE_HAPTICS_VERSION_MINOR) + "." +
                               std::to_string(PASSIVE_HAPTICS_VERSION_PATCH);
   const std::pair<const char*, std::string> places[] = {
-      {"README.md", "GIT_TAG v" + version + ")\n"},
       {"CITATION.cff", "\nversion: " + version + "\n"},
       {"CHANGELOG.md", "\n## [" + version + "]\nThe git tag `v" + version + "`.\n"}};
   const std::filesystem::path root = PASSIVE_HAPTICS_SOURCE_DIR;

@@ -189,11 +189,11 @@ void report_sink::show() {
   if (!terminal_) {
     if (!rearm.empty()) state += " (" + rearm + ")";
     pending_ = text(
-        "%7.1f s  %-10s handle (%s, %s) m  hand (%5s, %5s) N  %-11s brakes %s, %s %s  late %s at "
+        "%7.1f s  %-10s handle (%s, %s) m  hand (%5s, %5s) N  %-17s brakes %s, %s %s  late %s at "
         "most%s\n",
         r.time, state.c_str(), number("%.4f", r.x[0]).c_str(), number("%.4f", r.x[1]).c_str(),
         number("%.2f", r.hand_force[0]).c_str(), number("%.2f", r.hand_force[1]).c_str(),
-        displays(r) ? to_string(r.decision.display).data() : "no display",
+        displays(r) ? display_text(r.decision).data() : "no display",
         number("%.3f", r.current[0]).c_str(), number("%.3f", r.current[1]).c_str(), ampere,
         duration(static_cast<double>(late_.largest())).c_str(),
         loss().empty() ? "" : ("  " + loss()).c_str());
@@ -213,7 +213,7 @@ void report_sink::show() {
   xy("hand", "%.3f", r.hand_force, "N");
   table += displays(r) ? text("wall     x %8.1f N    y %8.1f N    %s, %s, gamma %.0f deg, alpha %.2f\n",
                               r.decision.desired_force[0], r.decision.desired_force[1],
-                              to_string(r.decision.power).data(), to_string(r.decision.display).data(),
+                              to_string(r.decision.power).data(), display_text(r.decision).data(),
                               degrees, r.decision.alpha)
                        : "wall     not displayed\n";
   for (std::size_t i = 0; i < r.current.size(); ++i)

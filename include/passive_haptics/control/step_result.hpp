@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 #include <type_traits>
 
 namespace passive_haptics {
@@ -88,6 +89,13 @@ struct result_of<M, Contacts> {
 /// the contacts themselves name as `result_type<M>`.
 template <class M, class Contacts>
 using step_result_for = typename detail::result_of<M, Contacts>::type;
+
+/// How Fd is displayed, for people to read: "no force demanded" where no wall demands one.
+template <class Result>
+constexpr std::string_view display_text(const Result& r) {
+  const bool is_demanded = r.outcome != status::ok || !r.desired_force.isZero(0);
+  return is_demanded ? to_string(r.display) : "no force demanded";
+}
 
 /// All brakes released, and why: in free space (ok), or for a fault. A step_result or a brake_command.
 template <class Result>
