@@ -107,8 +107,7 @@ inline mesh_file read_mesh_file(const std::filesystem::path& path, double metres
   if (end == ".stl") return read_stl(path, metres_per_unit);
   if (end == ".obj") return read_obj(path, metres_per_unit);
   if (end == ".ply") return read_ply(path, metres_per_unit);
-  return detail::read_mesh_file(path, metres_per_unit,
-                                [&](detail::polygons& to) { detail::read_by_assimp(path, to); });
+  return detail::read_mesh_file(path, metres_per_unit, detail::read_by_assimp);
 }
 
 /// The mesh alone.

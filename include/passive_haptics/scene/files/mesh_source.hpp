@@ -125,15 +125,15 @@ class mesh_source {
   std::size_t at_ = 0, line_ = 1;
 };
 
-/// The mesh of a file that `read(source, polygons)` understands.
-template <class Read>
-mesh_file read_mesh_file(const std::filesystem::path& path, double metres_per_unit, Read&& read) {
+/// The mesh of a file whose polygons `read(path, polygons)` adds.
+inline mesh_file read_mesh_file(const std::filesystem::path& path, double metres_per_unit,
+                                void (&read)(const std::filesystem::path&, polygons&)) {
   const auto require = [&](const std::string& error) {
     if (!error.empty()) fail_mesh_file(path, error);
   };
   require(check_value("metres_per_unit", metres_per_unit, "", range::positive));
   polygons found;
-  read(found);
+  read(path, found);
   mesh_file file;
   require(to_mesh(std::move(found), metres_per_unit, file));
   return file;

@@ -34,7 +34,8 @@ inline int obj_index(const mesh_source& from, std::string_view word, std::size_t
   return static_cast<int>(named > 0 ? named - 1 : count + named);
 }
 
-inline void read_obj(mesh_source& from, polygons& to) {
+inline void read_obj(const std::filesystem::path& path, polygons& to) {
+  mesh_source from(path);
   std::vector<int> corners;
   for (std::string_view word = from.word(); !word.empty(); from.next_line(), word = from.word()) {
     if (word == "v") {
@@ -70,10 +71,7 @@ inline void read_obj(mesh_source& from, polygons& to) {
 /// index out of range, coordinates that are not finite, no triangle with an area, a scale that is not
 /// positive. For set-up, never for a control cycle.
 inline mesh_file read_obj(const std::filesystem::path& path, double metres_per_unit = 1) {
-  return detail::read_mesh_file(path, metres_per_unit, [&](detail::polygons& to) {
-    detail::mesh_source from(path);
-    detail::read_obj(from, to);
-  });
+  return detail::read_mesh_file(path, metres_per_unit, detail::read_obj);
 }
 
 }  // namespace passive_haptics

@@ -116,7 +116,8 @@ inline void check_ply_header(const mesh_source& from, const ply_header& header) 
   }
 }
 
-inline void read_ply(mesh_source& from, polygons& to) {
+inline void read_ply(const std::filesystem::path& path, polygons& to) {
+  mesh_source from(path);
   const ply_header header = read_ply_header(from);
   check_ply_header(from, header);
   const std::size_t vertices = header.find("vertex")->rows;
@@ -152,10 +153,7 @@ inline void read_ply(mesh_source& from, polygons& to) {
 /// not PLY, cut off, an index out of range, coordinates that are not finite, no triangle with an area, a
 /// scale that is not positive. For set-up, never for a control cycle.
 inline mesh_file read_ply(const std::filesystem::path& path, double metres_per_unit = 1) {
-  return detail::read_mesh_file(path, metres_per_unit, [&](detail::polygons& to) {
-    detail::mesh_source from(path);
-    detail::read_ply(from, to);
-  });
+  return detail::read_mesh_file(path, metres_per_unit, detail::read_ply);
 }
 
 }  // namespace passive_haptics

@@ -4,6 +4,7 @@
 
 #include <passive_haptics/scene/files/mesh_source.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -18,18 +19,13 @@ namespace passive_haptics::detail {
 enum class ply_type { none, int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 inline ply_type ply_type_of(std::string_view word) {
-  constexpr std::array<std::array<std::string_view, 2>, 9> names{{{"", ""},
-                                                                  {"char", "int8"},
-                                                                  {"uchar", "uint8"},
-                                                                  {"short", "int16"},
-                                                                  {"ushort", "uint16"},
-                                                                  {"int", "int32"},
-                                                                  {"uint", "uint32"},
-                                                                  {"float", "float32"},
-                                                                  {"double", "float64"}}};
-  for (std::size_t i = 1; i < names.size(); ++i)
-    if (word == names[i][0] || word == names[i][1]) return static_cast<ply_type>(i);
-  return ply_type::none;
+  constexpr std::array<std::string_view, 9> old{"",    "char", "uchar", "short", "ushort",
+                                                "int", "uint", "float", "double"};
+  constexpr std::array<std::string_view, 9> sized{"",      "int8",   "uint8",   "int16",  "uint16",
+                                                  "int32", "uint32", "float32", "float64"};
+  std::size_t i = old.size() - 1;
+  while (i > 0 && word != old[i] && word != sized[i]) --i;
+  return static_cast<ply_type>(i);
 }
 
 inline bool is_whole(ply_type t) { return t != ply_type::float32 && t != ply_type::float64; }
@@ -37,6 +33,13 @@ inline bool is_whole(ply_type t) { return t != ply_type::float32 && t != ply_typ
 inline std::size_t size_of(ply_type t) {
   constexpr std::array<std::size_t, 9> bytes{0, 1, 1, 2, 2, 4, 4, 4, 8};
   return bytes[static_cast<std::size_t>(t)];
+}
+
+/// The first of this name, or null.
+template <class Named>
+const Named* find_named(const std::vector<Named>& all, std::string_view name) {
+  const auto found = std::ranges::find(all, name, &Named::name);
+  return found == all.end() ? nullptr : &*found;
 }
 
 /// A value, or a list of them behind their number.
@@ -54,17 +57,12 @@ struct ply_element {
   std::size_t rows = 0;
   std::vector<ply_property> properties;
 
-  const ply_property* find(std::string_view property) const {
-    for (const ply_property& p : properties)
-      if (p.name == property) return &p;
-    return nullptr;
-  }
+  const ply_property* find(std::string_view property) const { return find_named(properties, property); }
   /// The least that its rows can take [bytes].
   std::size_t least_row(bool is_text) const {
     std::size_t least = 0;
-    for (const ply_property& p : properties)
-      least +=
-          is_text ? 2 : size_of(p.is_list() ? p.count : p.type);  // a digit and what parts it from the next
+    for (const ply_property& p : properties)  // of text a digit and what parts it from the next
+      least += is_text ? 2 : size_of(p.is_list() ? p.count : p.type);
     return least;
   }
 };
@@ -75,11 +73,7 @@ struct ply_header {
   std::endian order = std::endian::little;
   std::vector<ply_element> elements;
 
-  const ply_element* find(std::string_view element) const {
-    for (const ply_element& e : elements)
-      if (e.name == element) return &e;
-    return nullptr;
-  }
+  const ply_element* find(std::string_view element) const { return find_named(elements, element); }
 };
 
 inline ply_property read_ply_property(mesh_source& from) {

@@ -71,7 +71,8 @@ inline void read_ascii_stl(mesh_source& from, polygons& to) {
   }
 }
 
-inline void read_stl(mesh_source& from, polygons& to) {
+inline void read_stl(const std::filesystem::path& path, polygons& to) {
+  mesh_source from(path);
   const std::string_view bytes = from.bytes();
   const bool has_head = bytes.size() >= stl_head;
   const std::size_t size = has_head ? stl_head + stl_triangle * stl_count(from) : stl_head;
@@ -93,10 +94,7 @@ inline void read_stl(mesh_source& from, polygons& to) {
 /// not STL, cut off, coordinates that are not finite, no triangle with an area, a scale that is not positive.
 /// For set-up, never for a control cycle.
 inline mesh_file read_stl(const std::filesystem::path& path, double metres_per_unit = 1) {
-  return detail::read_mesh_file(path, metres_per_unit, [&](detail::polygons& to) {
-    detail::mesh_source from(path);
-    detail::read_stl(from, to);
-  });
+  return detail::read_mesh_file(path, metres_per_unit, detail::read_stl);
 }
 
 }  // namespace passive_haptics
