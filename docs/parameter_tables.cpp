@@ -52,7 +52,7 @@ template <class V>
   requires requires { typename V::value_type; } && (!std::is_same_v<V, std::string>)
 struct scalar_of<V> : scalar_of<typename V::value_type> {};
 
-struct value_collector : ph::detail::visitor {
+struct value_collector {
   std::vector<std::string> values = {};
 
   template <class T>

@@ -51,37 +51,20 @@ std::string text_of(const member_description& about, const T& value) {
   else return std::string("\"").append(value).append("\"");
 }
 
-struct lister : visitor {
-  std::string text = {};
-
-  template <class T>
-  void value(const member_description& about, const place& at, const T& x) {
-    text.append(at.text(about.unit)).append(" = ").append(text_of(about, x)).append("\n");
-  }
-};
-
-struct remarker : visitor {
-  std::string text = {};
-
-  template <class T>
-  void value(const member_description& about, const place& at, const T& x) {
-    if constexpr (std::is_arithmetic_v<T>) text.append(remark_on(at.text(about.unit), about.unit, x));
-  }
-};
-
 template <class F>
-struct large_finder : visitor {
-  F& found;
-
-  explicit large_finder(F& f) : found(f) {}
-  template <class T>
-  void value(const member_description& about, const place& at, const T& x) {
-    if constexpr (std::is_arithmetic_v<T>) {
-      if (!(std::abs(static_cast<double>(x)) > about.large)) return;
-      found(about, error_text(at.text(about.unit), x, "at most " + number_text(about.large)));
-    }
-  }
+struct value_visitor {
+  F value;  // (member, its name and unit, x)
 };
+
+// Calls f(member, its name and unit, x) for each single value.
+template <Parameters P, class F>
+void for_each_value(const P& p, F f) {
+  const auto named = [&](const member_description& about, const place& at, const auto& x) {
+    f(about, at.text(about.unit), x);
+  };
+  value_visitor<decltype(named)> visitor{named};
+  visit(p, nullptr, visitor);
+}
 
 }  // namespace detail
 
@@ -89,25 +72,36 @@ struct large_finder : visitor {
 /// text "largest[0] [A] = 1e9, expected at most 1000". A program may let pass what its user allows by name.
 template <Parameters P, class F>
 void for_each_large(const P& p, F&& f) {
-  detail::large_finder<std::remove_reference_t<F>> finder(f);
-  detail::visit(p, nullptr, finder);
+  detail::for_each_value(
+      p, [&]<class T>(const member_description& about, const std::string& name, const T& x) {
+        if constexpr (std::is_arithmetic_v<T>) {
+          if (std::abs(static_cast<double>(x)) > about.large)
+            f(about, detail::error_text(name, x, "at most " + detail::number_text(about.large)));
+        }
+      });
 }
 
 /// A line for each value: "length_1 [m] = 0.15". Six digits of a number.
 template <Parameters P>
 std::string to_text(const P& p) {
-  detail::lister list;
-  detail::visit(p, nullptr, list);
-  return list.text;
+  std::string text;
+  detail::for_each_value(p, [&](const member_description& about, const std::string& name, const auto& x) {
+    text.append(name).append(" = ").append(detail::text_of(about, x)).append("\n");
+  });
+  return text;
 }
 
 /// A line for each number that looks as if it was meant in another unit, "length_1 [m] = 150, usually within
 /// 5 m: millimetres?"; empty if there is none. See usual_range(); nothing is refused for it.
 template <Parameters P>
 std::string remarks(const P& p) {
-  detail::remarker remark;
-  detail::visit(p, nullptr, remark);
-  return remark.text;
+  std::string text;
+  detail::for_each_value(p,
+                         [&]<class T>(const member_description& about, const std::string& name, const T& x) {
+                           if constexpr (std::is_arithmetic_v<T>)
+                             text.append(detail::remark_on(name, about.unit, x));
+                         });
+  return text;
 }
 
 }  // namespace passive_haptics

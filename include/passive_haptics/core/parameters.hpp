@@ -7,6 +7,7 @@
 #include <passive_haptics/core/text.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -119,19 +120,8 @@ auto length_of(const Vector& direction) {
   return length;
 }
 
-// What a visit() calls; overload what is of interest.
-struct visitor {
-  // Each single number, bool, enumeration or text
-  template <class T>
-  void value(const member_description&, const place&, const T&) {}
-  // The length of a direction
-  template <class T>
-  void length(const member_description&, const place&, const T&) {}
-  // A struct, after all its members
-  template <class P>
-  void whole(const place*, const P&) {}
-};
-
+// Calls to.value(member, place, x) for each single number, bool, enumeration or text. If the visitor has
+// them, to.length() gets the length of a direction, and to.whole(place, p) a struct after all its members.
 template <Parameters P, class Visitor>
 void visit(const P& p, const place* at, Visitor& to);
 
@@ -151,7 +141,7 @@ void visit_member(const member_description& about, place at, const V& value, Vis
       else visit_member(about, at, element, to);
       ++at.row;
     }
-    if constexpr (std::is_floating_point_v<typename V::value_type>)
+    if constexpr (requires { to.length(about, at, typename V::value_type()); })
       if (about.hard.is_direction) to.length(about, place{at.outer, at.name, at.type_name}, length_of(value));
   } else {
     to.value(about, at, value);
@@ -163,11 +153,11 @@ void visit(const P& p, const place* at, Visitor& to) {
   for_each_member(p, [&](const member_description& about, const auto& value) {
     visit_member(about, place{at, about.name, owner_of<P>()}, value, to);
   });
-  to.whole(at, p);
+  if constexpr (requires { to.whole(at, p); }) to.whole(at, p);
 }
 
 // Whether each number is in its range: no text, so that a control cycle can do it.
-struct range_check : visitor {
+struct range_check {
   bool valid = true;
 
   template <class T>
@@ -175,14 +165,14 @@ struct range_check : visitor {
     if constexpr (std::is_arithmetic_v<T>)
       valid = valid && (about.hard.is_direction || about.hard.contains(x));
   }
-  template <class T>
+  template <std::floating_point T>
   void length(const member_description& about, const place&, const T& x) {
     valid = valid && about.hard.contains(x);
   }
 };
 
 // The first error.
-struct checker : visitor {
+struct checker {
   error_message error = {};
 
   template <class T>
@@ -194,19 +184,18 @@ struct checker : visitor {
       });
     }
   }
-  template <class T>
+  template <std::floating_point T>
   void length(const member_description& about, const place& at, const T& x) {
     if (!error.empty() || about.hard.contains(x)) return;
     error = error_of(about.name, [&] { return error_text(at.text("", "|"), x, to_text(about.hard)); });
   }
   template <class P>
+    requires requires(const P& p) { p.rules(); }
   void whole(const place* at, const P& p) {
-    if constexpr (requires { p.rules(); }) {
-      if (!error.empty()) return;
-      error = p.rules();
-      if (!error.empty() && at != nullptr)
-        error = error_of(error, [&] { return at->text().append(".").append(error); });
-    }
+    if (!error.empty()) return;
+    error = p.rules();
+    if (!error.empty() && at != nullptr)
+      error = error_of(error, [&] { return at->text().append(".").append(error); });
   }
 };
 
