@@ -5,9 +5,7 @@
 #include <passive_haptics/brake/models/brake_model.hpp>
 
 #include <concepts>
-#include <cstddef>
 #include <tuple>
-#include <utility>
 #include <variant>
 
 namespace passive_haptics {
@@ -16,9 +14,16 @@ namespace passive_haptics {
 /// names. No heap, no virtual call.
 template <BrakeModel... Models>
 class any_brake {
+  // Two models may have states of one type
+  template <class Model>
+  struct state_of {
+    typename Model::state value;
+  };
+
  public:
   using scalar = typename std::tuple_element_t<0, std::tuple<Models...>>::scalar;  ///< Of all of them.
-  using state = std::tuple<typename Models::state...>;  ///< What the one in use remembers is in it.
+  /// A place for the state of each model, of which the one in use remembers in its own.
+  using state = std::tuple<state_of<Models>...>;
 
   brake_resistance<scalar> residual;  ///< That of the model.
 
@@ -29,34 +34,18 @@ class any_brake {
 
   /// See BrakeModel.
   brake_resistance<scalar> advance(scalar dt, scalar command, scalar rate, state& now) const noexcept {
-    brake_resistance<scalar> result;
-    with_model([&](const auto& model, auto i) {
-      result = model.advance(dt, command, rate, std::get<decltype(i)::value>(now));
-    });
-    return result;
+    const auto advance = [&]<class Model>(const Model& model) {
+      return model.advance(dt, command, rate, std::get<state_of<Model>>(now).value);
+    };
+    return std::visit(advance, model_);
   }
 
   /// See BrakeModel.
   scalar torque_limit_at(scalar rate) const noexcept {
-    scalar limit{};
-    with_model([&](const auto& model, auto) { limit = model.torque_limit_at(rate); });
-    return limit;
+    return std::visit([&](const auto& model) { return model.torque_limit_at(rate); }, model_);
   }
 
  private:
-  // f(the model, its number)
-  template <class F>
-  void with_model(F&& f) const noexcept {
-    with_model(std::index_sequence_for<Models...>(), f);
-  }
-  template <std::size_t... I, class F>
-  void with_model(std::index_sequence<I...>, F&& f) const noexcept {
-    const auto if_in_use = [&](auto i) {
-      if (const auto* model = std::get_if<decltype(i)::value>(&model_)) f(*model, i);
-    };
-    (if_in_use(std::integral_constant<std::size_t, I>()), ...);
-  }
-
   std::variant<Models...> model_;
 };
 
