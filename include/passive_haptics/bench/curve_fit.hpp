@@ -7,6 +7,7 @@
 #include <passive_haptics/core/scalar/dual_number.hpp>
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 
 namespace passive_haptics {
@@ -43,51 +44,45 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
   using variable = dual_number<double, N>;
   constexpr int max_steps = 100;
   constexpr double no_gain = 1e-12;
-  const auto cost = [&](const vector<double, N>& p) {
-    double sum = 0;
+  // [J r]^T [J r]
+  const auto squares_at = [&](const vector<double, N>& value) {
+    vector<variable, N> p;
+    for (int i = 0; i < N; ++i) p[i] = variable::variable(value[i], i);
+    matrix<double, N + 1, N + 1> squares = matrix<double, N + 1, N + 1>::Zero();
     for (const auto& s : samples) {
-      const double r = residual(s, p);
-      sum += r * r;
+      const variable r = residual(s, p);
+      vector<double, N + 1> row;
+      row << r.derivatives(), r.value();
+      squares += row * row.transpose();
     }
-    return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+    return squares;
   };
 
   curve_fit<N> fit{.value = start};
-  matrix<double, N, N> A;
-  vector<double, N> g;
-  double least = cost(start), lambda = 1e-3;
-  const auto linearise = [&] {
-    vector<variable, N> p;
-    for (int i = 0; i < N; ++i) p[i] = variable::variable(fit.value[i], i);
-    A.setZero();
-    g.setZero();
-    for (const auto& s : samples) {
-      const variable r = residual(s, p);
-      A += r.derivatives() * r.derivatives().transpose();
-      g += r.value() * r.derivatives();
-    }
-  };
-  linearise();
+  matrix<double, N + 1, N + 1> least = squares_at(start);
+  double lambda = 1e-3;
   for (int step = 0; step < max_steps && lambda < 1e12; ++step) {
-    matrix<double, N, N> damped = A;
+    matrix<double, N, N> damped = least.template topLeftCorner<N, N>();
     damped.diagonal() *= 1 + lambda;
+    const vector<double, N> g = least.template topRightCorner<N, 1>();
     const vector<double, N> next = fit.value - vector<double, N>(cholesky<double, N>(damped).solve(g));
-    const double there = cost(next);
-    if (!(there <= least)) {
+    const auto there = squares_at(next);
+    const double gain = least(N, N) - there(N, N);
+    if (!(gain >= 0)) {
       lambda *= 10;
       continue;
     }
-    const bool settled = least - there <= no_gain * least;
+    const bool settled = gain <= no_gain * least(N, N);
     fit.value = next;
     least = there;
     lambda /= 10;
-    linearise();
     if (settled) break;
   }
 
   const auto freedom = static_cast<double>(std::ssize(samples)) - N;
-  fit.deviation = std::sqrt(least / freedom);
+  fit.deviation = std::sqrt(least(N, N) / freedom);
   // Of unit columns: whether it is singular does not depend on units
+  const matrix<double, N, N> A = least.template topLeftCorner<N, N>();
   const vector<double, N> size = A.diagonal().cwiseSqrt();
   const matrix<double, N, N> scale = size.cwiseInverse().asDiagonal();
   const cholesky<double, N> scaled(matrix<double, N, N>(scale * A * scale));
@@ -98,5 +93,15 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
   else fit.covariance.setConstant(std::numeric_limits<double>::infinity());
   return fit;
 }
+
+namespace detail {
+
+// The closest of these fits.
+template <int N>
+curve_fit<N> best_of(std::initializer_list<curve_fit<N>> fits) {
+  return std::min(fits, [](const auto& a, const auto& b) { return a.deviation < b.deviation; });
+}
+
+}  // namespace detail
 
 }  // namespace passive_haptics

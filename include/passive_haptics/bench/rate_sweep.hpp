@@ -90,18 +90,16 @@ struct stribeck_friction {
 /// std::invalid_argument where nothing turns.
 inline stribeck_friction fit_stribeck_friction(std::span<const rate_and_torque> means) {
   const double fast = detail::fastest(means), strength = fit_viscous_friction(means).strength.value;
-  curve_fit<4> best;
-  best.deviation = std::numeric_limits<double>::infinity();
-  for (const double share : {0.003, 0.01, 0.03, 0.1, 0.3}) {
-    const auto fit = detail::fit_against_rate<4>(
-        means, {strength, 1.2, share * fast, 0}, []<class S>(double w, const vector<S, 4>& p) -> S {
-          using std::exp;
-          if (!(p[2] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
-          const S ratio = w / p[2];
-          return p[0] * (S(1) + (p[1] - S(1)) * exp(-ratio * ratio)) + p[3] * w;
-        });
-    if (fit.deviation < best.deviation) best = fit;
-  }
+  const auto torque = []<class S>(double w, const vector<S, 4>& p) -> S {
+    using std::exp;
+    if (!(p[2] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
+    const S ratio = w / p[2];
+    return p[0] * (S(1) + (p[1] - S(1)) * exp(-ratio * ratio)) + p[3] * w;
+  };
+  const auto from = [&](double share) {
+    return detail::fit_against_rate<4>(means, {strength, 1.2, share * fast, 0}, torque);
+  };
+  const auto best = detail::best_of({from(0.003), from(0.01), from(0.03), from(0.1), from(0.3)});
   return {best[0], best[1], best[2], best[3], best.deviation};
 }
 
@@ -120,19 +118,16 @@ inline eddy_current_torque fit_eddy_current_torque(std::span<const rate_and_torq
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const double fast = detail::fastest(means);
   // In 1 / critical_rate^2, in which the formula is almost linear, also at 0
-  curve_fit<3> fit;
-  fit.deviation = infinite;
-  for (const double share : {0.3, 1.0, 3.0, 10.0}) {
+  const auto torque = []<class S>(double w, const vector<S, 3>& p) -> S {
+    const S weakened = S(1) + p[2] * w * w;
+    if (!(weakened > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
+    return p[0] + p[1] * w / weakened;
+  };
+  const auto from = [&](double share) {
     const double bend = share / fast;
-    const auto found = detail::fit_against_rate<3>(means, bend * bend * vector<double, 3>::UnitZ(),
-                                                   []<class S>(double w, const vector<S, 3>& p) -> S {
-                                                     const S weakened = S(1) + p[2] * w * w;
-                                                     if (!(weakened > S(0)))
-                                                       return S(std::numeric_limits<double>::quiet_NaN());
-                                                     return p[0] + p[1] * w / weakened;
-                                                   });
-    if (found.deviation < fit.deviation) fit = found;
-  }
+    return detail::fit_against_rate<3>(means, bend * bend * vector<double, 3>::UnitZ(), torque);
+  };
+  const auto fit = detail::best_of({from(0.3), from(1), from(3), from(10)});
   eddy_current_torque told{fit[0], fit[1], {infinite, infinite}, {infinite, infinite}, fit.deviation};
   constexpr double sure = 4;  // standard errors from 0
   if (!(fit[2].value > sure * fit[2].standard_error)) return told;

@@ -72,12 +72,10 @@ inline step_response fit_step_response(std::span<const bench_sample> samples) {
   };
   // The dead time has a kink in the formula: the best of several starts within the first sample
   const double late = samples[step].time - t_step;
-  curve_fit<4> best;
-  best.deviation = std::numeric_limits<double>::infinity();
-  for (const double share : {0.02, 0.1, 0.3, 0.6, 0.9}) {
-    const auto fit = fit_curve<4>(samples, {before, change, (1 - share) * late, share * late}, residual);
-    if (fit.deviation < best.deviation) best = fit;
-  }
+  const auto from = [&](double share) {
+    return fit_curve<4>(samples, {before, change, (1 - share) * late, share * late}, residual);
+  };
+  const auto best = detail::best_of({from(0.02), from(0.1), from(0.3), from(0.6), from(0.9)});
 
   constexpr double sure = 5;  // standard errors
   if (!(std::abs(best.value[1]) > sure * best.deviation / std::sqrt(static_cast<double>(end - tail))))
