@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace passive_haptics {
 
@@ -76,69 +75,56 @@ class contact_meter {
       in_contact_ = true;
       ++result_.recontacts;
     }
-    ++samples_;
     if (std::abs(now.rate) < stick_rate) ++stuck_;
-    force_sum_ += now.retarding_force;
+    retarding_force_.add(now.retarding_force);
     hand_force_.add(now.hand_force);
     result_.brake_energy += now.brake_energy;
     result_.largest_brake_power = std::max(result_.largest_brake_power, now.brake_power);
     result_.depth_max = std::max(result_.depth_max, depth);
-    if (progress >= settled_at_) add_settled(depth);
+    if (progress >= settled_at_) settled_depth_.add(depth);
   }
 
   /// The figures so far.
   contact_metrics result() const {
     contact_metrics r = result_;
-    if (samples_ > 0) {
-      r.stick_share = static_cast<double>(stuck_) / static_cast<double>(samples_);
-      r.retarding_force = force_sum_ / static_cast<double>(samples_);
+    if (hand_force_.count > 0) {
+      r.stick_share = stuck_ / hand_force_.count;
+      r.retarding_force = retarding_force_.mean;
       r.hand_force_std = hand_force_.standard_deviation();
-      r.duration = static_cast<double>(samples_) * dt_;
+      r.duration = hand_force_.count * dt_;
     }
-    if (settled_.count() > 0) {
-      r.depth_mean = settled_.mean();
-      r.depth_std = settled_.standard_deviation();
-      r.depth_range = deepest_ - shallowest_;
-      r.depth_drift = last_ - first_;
+    if (settled_depth_.count > 0) {
+      r.depth_mean = settled_depth_.mean;
+      r.depth_std = settled_depth_.standard_deviation();
+      r.depth_range = settled_depth_.largest - settled_depth_.least;
+      r.depth_drift = settled_depth_.last - settled_depth_.first;
     }
     return r;
   }
 
  private:
-  // Stable mean and sum of squared deviations, after Welford
-  class statistics {
-   public:
+  // Mean and sum of squared deviations are stable, after Welford
+  struct statistics {
+    double count = 0, mean = 0, squares = 0, least = 0, largest = 0, first = 0, last = 0;
+
     void add(double x) {
-      ++count_;
-      const double before = x - mean_;
-      mean_ += before / static_cast<double>(count_);
-      squares_ += before * (x - mean_);
+      if (count == 0) first = least = largest = x;
+      last = x;
+      least = std::min(least, x);
+      largest = std::max(largest, x);
+      const double before = x - mean;
+      mean += before / ++count;
+      squares += before * (x - mean);
     }
-    std::size_t count() const { return count_; }
-    double mean() const { return mean_; }
-    double standard_deviation() const { return std::sqrt(squares_ / static_cast<double>(count_)); }
-
-   private:
-    std::size_t count_ = 0;
-    double mean_ = 0, squares_ = 0;
+    double standard_deviation() const { return std::sqrt(squares / count); }
   };
-
-  void add_settled(double depth) {
-    const bool is_first = settled_.count() == 0;
-    settled_.add(depth);
-    deepest_ = is_first ? depth : std::max(deepest_, depth);
-    first_ = is_first ? depth : first_;
-    last_ = depth;
-    shallowest_ = is_first ? depth : std::min(shallowest_, depth);
-  }
 
   double path_end_, dt_;
   contact_metrics result_;
   bool in_contact_ = false;
   double settled_at_ = 0;
-  std::size_t samples_ = 0, stuck_ = 0;
-  statistics settled_, hand_force_;
-  double force_sum_ = 0, deepest_ = 0, shallowest_ = 0, first_ = 0, last_ = 0;
+  int stuck_ = 0;
+  statistics settled_depth_, hand_force_, retarding_force_;
 };
 
 }  // namespace passive_haptics
