@@ -92,15 +92,15 @@ std::string to_text(const P& p) {
 }
 
 /// A line for each number that looks as if it was meant in another unit, "length_1 [m] = 150, usually within
-/// 5 m: millimetres?"; empty if there is none. See usual_range(); nothing is refused for it.
+/// 5 m: millimetres?", with `part` in front; empty if there is none. See usual_range(); nothing is refused
+/// for it.
 template <Parameters P>
-std::string remarks(const P& p) {
+std::string remarks(const P& p, const std::string& part = "") {
   std::string text;
-  detail::for_each_value(p,
-                         [&]<class T>(const member_description& about, const std::string& name, const T& x) {
-                           if constexpr (std::is_arithmetic_v<T>)
-                             text.append(detail::remark_on(name, about.unit, x));
-                         });
+  const auto add = [&]<class T>(const member_description& about, const std::string& name, const T& x) {
+    if constexpr (std::is_arithmetic_v<T>) text.append(detail::remark_on(part + name, about.unit, x));
+  };
+  detail::for_each_value(p, add);
   return text;
 }
 

@@ -6,7 +6,6 @@
 #include <passive_haptics/mechanism/mechanism.hpp>
 #include <passive_haptics/scene/scene.hpp>
 
-#include <sstream>
 #include <string>
 #include <type_traits>
 
@@ -16,16 +15,10 @@ namespace detail {
 // Remarks on each part that has parameters, the part named before.
 template <class X>
 std::string remarks_on(const std::string& part, const X& x) {
-  std::string all;
-  const auto add = [&](const auto& parameters) {
-    std::istringstream lines(remarks(parameters));
-    for (std::string line; std::getline(lines, line);)
-      all.append(part).append(": ").append(line).append("\n");
-  };
-  if constexpr (Parameters<X>) add(x);
+  if constexpr (Parameters<X>) return remarks(x, part + ": ");
   else if constexpr (requires { requires Parameters<std::remove_cvref_t<decltype(x.parameters())>>; })
-    add(x.parameters());
-  return all;
+    return remarks(x.parameters(), part + ": ");
+  else return "";
 }
 
 }  // namespace detail
