@@ -35,14 +35,13 @@ inline std::string number_text(long double value) {
   std::string digits = std::to_string(rounded);
   digits.erase(digits.find_last_not_of('0') + 1);
   const bool scientific = exponent < -4 || exponent >= digit_count;
-  const int before_point = scientific ? 1 : exponent + 1;
-  if (before_point <= 0) digits.insert(0, static_cast<std::size_t>(1 - before_point), '0');
-  const auto point = static_cast<std::size_t>(before_point <= 0 ? 1 : before_point);
-  if (digits.size() < point) digits.append(point - digits.size(), '0');
+  const int shift = scientific ? 0 : exponent;
+  if (shift < 0) digits.insert(0, static_cast<std::size_t>(-shift), '0');
+  const std::size_t point = shift < 0 ? 1 : static_cast<std::size_t>(shift) + 1;
+  if (digits.size() < point) digits.resize(point, '0');
   if (digits.size() > point) digits.insert(point, 1, '.');
-  text.append(digits);
-  if (!scientific) return text;
-  return text.append("e").append(std::to_string(exponent));
+  if (scientific) digits.append("e").append(std::to_string(exponent));
+  return text.append(digits);
 }
 
 /// A number, true or false, or the text itself.
