@@ -109,12 +109,13 @@ inline double hot_share(const brake_curve& p, double temperature) noexcept {
   return 1 - p.loss_per_kelvin * std::max(above, 0.0);
 }
 
-// The piece of the table whose upper end first has member >= value, or the last one
-template <double current_torque::* Member>
-std::size_t piece_of_table(const brake_curve& p, double value) noexcept {
+// To where From is value, on the piece of the table whose upper end first has From >= value, or the last one
+template <double current_torque::* From, double current_torque::* To>
+double on_table(const brake_curve& p, double value) noexcept {
   std::size_t i = 1;
-  while (i + 1 < static_cast<std::size_t>(p.points) && p.table[i].*Member < value) ++i;
-  return i;
+  while (i + 1 < static_cast<std::size_t>(p.points) && p.table[i].*From < value) ++i;
+  const current_torque &low = p.table[i - 1], &high = p.table[i];
+  return low.*To + (value - low.*From) * ((high.*To - low.*To) / (high.*From - low.*From));
 }
 
 }  // namespace detail
@@ -137,12 +138,9 @@ inline constexpr double unknown_temperature = std::numeric_limits<double>::quiet
 inline double torque_of_current(const brake_curve& p, double current,
                                 double temperature = unknown_temperature) noexcept {
   double made = p.torque_per_ampere * current;
-  if (p.points > 0) {
-    const std::size_t i = detail::piece_of_table<&current_torque::current>(p, current);
-    const current_torque &low = p.table[i - 1], &high = p.table[i];
-    made = low.torque - p.residual_torque +
-           (current - low.current) * ((high.torque - low.torque) / (high.current - low.current));
-  }
+  if (p.points > 0)
+    made =
+        detail::on_table<&current_torque::current, &current_torque::torque>(p, current) - p.residual_torque;
   return p.residual_torque + detail::hot_share(p, temperature) * made;
 }
 
@@ -157,12 +155,9 @@ inline double current_of_torque(const brake_curve& p, double torque,
   if (!(torque > p.residual_torque)) return 0;
   const double made = (torque - p.residual_torque) / detail::hot_share(p, temperature);
   double current = made / p.torque_per_ampere;
-  if (p.points > 0) {
-    const double cold = p.residual_torque + made;
-    const std::size_t i = detail::piece_of_table<&current_torque::torque>(p, cold);
-    const current_torque &low = p.table[i - 1], &high = p.table[i];
-    current = low.current + (cold - low.torque) * ((high.current - low.current) / (high.torque - low.torque));
-  }
+  if (p.points > 0)
+    current =
+        detail::on_table<&current_torque::torque, &current_torque::current>(p, p.residual_torque + made);
   return std::clamp(current, 0.0, p.current_limit);
 }
 
