@@ -6,7 +6,6 @@
 #include <passive_haptics/driver/calibration/brake_curve.hpp>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace passive_haptics {

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <concepts>
 #include <string>
-#include <tuple>
 #include <type_traits>
 
 namespace passive_haptics {

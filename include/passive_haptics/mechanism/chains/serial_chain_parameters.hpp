@@ -7,7 +7,6 @@
 
 #include <array>
 #include <limits>
-#include <string>
 
 namespace passive_haptics {
 

@@ -4,7 +4,6 @@
 
 #include <passive_haptics/scene/files/ply_header.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

@@ -4,7 +4,6 @@
 
 #include <passive_haptics/scene/files/mesh_source.hpp>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>

@@ -9,7 +9,6 @@
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <array>
-#include <string>
 #include <utility>
 
 namespace passive_haptics {
