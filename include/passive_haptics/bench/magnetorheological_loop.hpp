@@ -32,15 +32,15 @@ auto magnetorheological_torque(const vector<S, 4>& p, const M& m) {
 /// for the greatest one, m = max(j - c, 0) on the way up and m = min(j + c, 1 - c) on the way down.
 inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& ramp) {
   const double greatest = ramp.greatest_current, residual = ramp.residual_torque.value;
-  const auto fit = fit_curve<4>(ramp.samples, {ramp.rising.back().value - residual, 1.0, 0.02, residual},
-                                [greatest]<class S>(const branch_sample& s, const vector<S, 4>& p) -> S {
-                                  if (!(p[1] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
-                                  const double j = s.current / greatest;
-                                  const S up = j - p[2], down = j + p[2], limit = S(1) - p[2];
-                                  const S m =
-                                      s.falling ? (down < limit ? down : limit) : (up > S(0) ? up : S(0));
-                                  return detail::magnetorheological_torque(p, m) - s.torque;
-                                });
+  const auto left_over = [greatest]<class S>(const branch_sample& s, const vector<S, 4>& p) -> S {
+    if (!(p[1] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
+    const double j = s.current / greatest;
+    const S up = j - p[2], down = j + p[2], limit = S(1) - p[2];
+    const S m = s.falling ? (down < limit ? down : limit) : (up > S(0) ? up : S(0));
+    return detail::magnetorheological_torque(p, m) - s.torque;
+  };
+  const auto fit =
+      fit_curve<4>(ramp.samples, {ramp.rising.back().value - residual, 1.0, 0.02, residual}, left_over);
   return {greatest, fit[0], fit[1], fit[2], fit[3], fit.deviation};
 }
 
@@ -65,17 +65,16 @@ inline magnetorheological_step fit_magnetorheological_step(std::span<const bench
   const vector<double, 4> constants(loop.torque_limit.value, loop.saturation.value,
                                     loop.coercive_current.value, loop.residual_torque.value);
   const double c = constants[2];
-  const auto fit = fit_curve<2>(samples, {torque.time_constant.value, torque.dead_time.value},
-                                [&]<class S>(const bench_sample& s, const vector<S, 2>& p) -> S {
-                                  using std::exp;
-                                  if (!(p[0] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
-                                  const S since = s.time - last_before.time - p[1];
-                                  const S left = since > S(0) ? S(exp(-since / p[0])) : S(1);
-                                  const S up = J * (S(1) - left) - c, fallen = J * left + c, limit = S(J - c);
-                                  const S m =
-                                      down ? (fallen < limit ? fallen : limit) : (up > S(0) ? up : S(0));
-                                  return detail::magnetorheological_torque<double>(constants, m) - s.torque;
-                                });
+  const auto left_over = [&]<class S>(const bench_sample& s, const vector<S, 2>& p) -> S {
+    using std::exp;
+    if (!(p[0] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
+    const S since = s.time - last_before.time - p[1];
+    const S left = since > S(0) ? S(exp(-since / p[0])) : S(1);
+    const S up = J * (S(1) - left) - c, fallen = J * left + c, limit = S(J - c);
+    const S m = down ? (fallen < limit ? fallen : limit) : (up > S(0) ? up : S(0));
+    return detail::magnetorheological_torque<double>(constants, m) - s.torque;
+  };
+  const auto fit = fit_curve<2>(samples, {torque.time_constant.value, torque.dead_time.value}, left_over);
   return {fit[0], fit[1], fit.deviation};
 }
 
