@@ -132,7 +132,7 @@ class mesh {
     }
 
     void find_edges() {
-      const auto ridges = detail::sorted_ridges<D>(vertices, vertex_normals.size());
+      const auto ridges = detail::sorted_ridges<D>(vertices);
       for (auto r = ridges.data(), end = r + ridges.size(); r != end;) {
         const auto first = r;
         point<D> sum = point<D>::Zero();

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace passive_haptics::detail {
@@ -42,37 +42,22 @@ struct ridge {
   bool same_place(const ridge& other) const { return low == other.low && high == other.high; }
 };
 
-/// Calls f(ridge) for each, facet by facet.
-template <int D, class F>
-void for_each_ridge(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets, const F& f) {
+/// All of them, those in the same place one after the other, facet by facet.
+template <int D>
+std::vector<ridge<D>> sorted_ridges(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets) {
+  std::vector<ridge<D>> all;
+  all.reserve(facets.size() * D);
   for (std::size_t k = 0; k < facets.size(); ++k) {
     for (int i = 0; i < D; ++i) {
       const int from = facets[k][static_cast<std::size_t>(i)];
       const int to = D == 2 ? from : facets[k][static_cast<std::size_t>((i + 1) % D)];
       const int turn = D == 2 ? 1 - 2 * i : (from < to ? 1 : -1);
-      f(ridge<D>{std::min(from, to), std::max(from, to), static_cast<int>(k), i, turn});
+      all.push_back({std::min(from, to), std::max(from, to), static_cast<int>(k), i, turn});
     }
   }
-}
-
-/// All of them, those in the same place one after the other, facet by facet. O(n): a vertex has few.
-template <int D>
-std::vector<ridge<D>> sorted_ridges(const std::vector<std::array<int, static_cast<std::size_t>(D)>>& facets,
-                                    std::size_t vertex_count) {
-  // Where those of each low vertex begin; once they are placed, where they end
-  std::vector<std::size_t> at(vertex_count + 1);
-  for_each_ridge<D>(facets, [&](const ridge<D>& r) { ++at[static_cast<std::size_t>(r.low) + 1]; });
-  for (std::size_t v = 0; v < vertex_count; ++v) at[v + 1] += at[v];
-  std::vector<ridge<D>> all(at.back());
-  for_each_ridge<D>(facets, [&](const ridge<D>& r) { all[at[static_cast<std::size_t>(r.low)]++] = r; });
-  auto begin = all.begin();
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    const auto end = all.begin() + static_cast<std::ptrdiff_t>(at[v]);
-    std::sort(begin, end, [](const ridge<D>& a, const ridge<D>& b) {
-      return std::pair(a.high, a.facet) < std::pair(b.high, b.facet);
-    });
-    begin = end;
-  }
+  std::sort(all.begin(), all.end(), [](const ridge<D>& a, const ridge<D>& b) {
+    return std::tie(a.low, a.high, a.facet) < std::tie(b.low, b.high, b.facet);
+  });
   return all;
 }
 
