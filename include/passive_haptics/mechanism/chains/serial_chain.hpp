@@ -31,7 +31,10 @@ class serial_chain {
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit serial_chain(const serial_chain_parameters<T, N, D>& p)
-      : p_(require_valid(p)), joints_(joints_of(p)), tip_(tip_of(p)), frames_(joints_, tip_) {}
+      : p_(require_valid(p)),
+        joints_(joints_of(p)),
+        tip_(p.handle - zero_point(size - 1)),
+        frames_(joints_, tip_) {}
 
   /// No copy of a class that is made of this one: what that class adds would be lost.
   template <detail::extends<serial_chain> Larger>
@@ -126,14 +129,6 @@ class serial_chain {
       previous = point;
     }
     return all;
-  }
-
-  static vector<T, D> tip_of(const serial_chain_parameters<T, N, D>& p) {
-    vector<T, D> last = vector<T, D>::Zero();
-    for (const auto& j : p.joints) {
-      if (j.kind == joint_kind::revolute) last = j.point;
-    }
-    return p.handle - last;
   }
 
   serial_chain_parameters<T, N, D> p_;
