@@ -81,10 +81,8 @@ T least_resistance(const matrix<T, D, Brakes>& E, const torque_box<T, Brakes>& b
 // Largest k for which torques k t are within the limits.
 template <class T, int Brakes>
 T largest_share(const vector<T, Brakes>& t, const vector<T, Brakes>& limit) {
-  T share = std::numeric_limits<T>::infinity();
-  for (int i = 0; i < Brakes; ++i)
-    if (t[i] != T(0)) share = std::min(share, limit[i] / std::abs(t[i]));
-  return share;
+  const auto shares = limit.array() / t.array().abs();
+  return (t.array() != T(0)).select(shares, std::numeric_limits<T>::infinity()).minCoeff();
 }
 
 template <class M, class Force>
