@@ -50,13 +50,9 @@ inline int one_of(random_source& random, int count) {
 // Commands as a controller gives them, now and then one that it should not.
 template <class T>
 T some_command(random_source& random, T limit) {
-  constexpr std::array<T, 7> odd{std::numeric_limits<T>::quiet_NaN(),
-                                 -T(1),
-                                 -std::numeric_limits<T>::infinity(),
-                                 std::numeric_limits<T>::infinity(),
-                                 std::numeric_limits<T>::max(),
-                                 std::numeric_limits<T>::denorm_min(),
-                                 T(0)};
+  using real = std::numeric_limits<T>;
+  constexpr std::array<T, 7> odd{real::quiet_NaN(),  -T(1), -real::infinity(), real::infinity(), real::max(),
+                                 real::denorm_min(), T(0)};
   const int k = one_of(random, 14);
   return k < 7 ? odd[static_cast<std::size_t>(k)] : random.uniform(T(0), T(1.5) * limit);
 }

@@ -160,29 +160,27 @@ TYPED_TEST_P(mechanism_properties, jacobian_is_the_derivative_of_position) {
 /// there is one, jacobian() returns it.
 TYPED_TEST_P(mechanism_properties, given_and_automatic_jacobian_agree) {
   using M = typename TestFixture::model;
-  using dense = matrix<typename TestFixture::number, M::task_dimension, M::dof>;
   const auto size = this->size();
   this->for_each_pose([&](const joint_vector<M>& q) {
-    const dense J = this->dense_jacobian(q);
+    const auto J = this->dense_jacobian(q);
     if constexpr (passive_haptics::detail::differentiates_itself<M>)
       ASSERT_LE(this->largest_entry(J - automatic_jacobian(this->mechanism, q)), this->rounding_at(q, size));
     else if constexpr (passive_haptics::detail::jacobian_is_constant<M>)
-      ASSERT_EQ(J, dense(this->mechanism.jacobian()));
-    else ASSERT_EQ(J, dense(this->mechanism.jacobian(q)));
+      ASSERT_EQ(J, jacobian_matrix<M>(this->mechanism.jacobian()));
+    else ASSERT_EQ(J, jacobian_matrix<M>(this->mechanism.jacobian(q)));
   });
 }
 
 /// position and jacobian of pose(q) are those of q, to rounding; without a pose of its own, q is the pose.
 TYPED_TEST_P(mechanism_properties, pose_has_the_position_and_jacobian_of_q) {
   using M = typename TestFixture::model;
-  using dense = matrix<typename TestFixture::number, M::task_dimension, M::dof>;
   const auto size = this->size();
   this->for_each_pose([&](const joint_vector<M>& q) {
     const mechanism_pose<M> pose(this->mechanism, q);
     const auto tolerance = this->rounding_at(q, size);
     const task_vector<M> x = pose.position(), expected = this->mechanism.position(q);
     ASSERT_LE(this->largest_entry(x - expected), tolerance);
-    ASSERT_LE(this->largest_entry(dense(pose.jacobian()) - this->dense_jacobian(q)), tolerance);
+    ASSERT_LE(this->largest_entry(jacobian_matrix<M>(pose.jacobian()) - this->dense_jacobian(q)), tolerance);
   });
 }
 

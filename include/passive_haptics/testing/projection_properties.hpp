@@ -38,9 +38,8 @@ class projection_properties : public ::testing::Test {
     const model mechanism = Case::make();
     random_source random(seed);
     for_each_sign_pattern<model::brake_count>([&](const auto& signs) {
-      brake_vector<model> s;
-      for (int i = 0; i < model::brake_count; ++i)
-        s[i] = static_cast<number>(signs[static_cast<std::size_t>(i)]);
+      const brake_vector<model> s =
+          vector<int, model::brake_count>::Map(signs.data()).template cast<number>();
       for (int k = 0; k < each; ++k) {
         if (::testing::Test::HasFatalFailure()) return;
         const joint_vector<model> q = random.between<number, model::dof>(Case::lower(), Case::upper());

@@ -51,17 +51,13 @@ class random_source {
   /// Entries uniform between those of low and high.
   template <class T, int N>
   vector<T, N> between(const vector<T, N>& low, const vector<T, N>& high) {
-    vector<T, N> x;
-    for (int i = 0; i < N; ++i) x[i] = uniform(low[i], high[i]);
-    return x;
+    return vector<T, N>::NullaryExpr([&](Eigen::Index i) { return uniform(low[i], high[i]); });
   }
 
   /// Normal entries.
   template <class T, int N>
   vector<T, N> normal_vector() {
-    vector<T, N> x;
-    for (int i = 0; i < N; ++i) x[i] = normal<T>();
-    return x;
+    return vector<T, N>::NullaryExpr([&] { return normal<T>(); });
   }
 
   /// Unit vector, every direction alike.
