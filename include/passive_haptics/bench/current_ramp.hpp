@@ -63,9 +63,8 @@ inline estimate torque_near(std::span<const branch_sample> all, bool falling, do
   std::vector<branch_sample> near;
   for (const auto& s : all)
     if (s.falling == falling && std::abs(s.current - current) <= width) near.push_back(s);
-  if (near.size() < 8)
-    require_no_error(error_text(indexed("samples near ", current, " A"), near.size(),
-                                "at least 8: ramp more slowly, and up to the same current and down to 0"));
+  require(near.size() >= 8, indexed("samples near ", current, " A"), near.size(),
+          "at least 8: ramp more slowly, and up to the same current and down to 0");
   const auto parabola = fit_curve<3>(near, vector<double, 3>::Zero(),
                                      [&]<class S>(const branch_sample& s, const vector<S, 3>& p) -> S {
                                        const double x = (s.current - current) / width;
@@ -89,13 +88,8 @@ inline ramp_corners corners_of_ramp(std::span<const bench_sample> samples) {
   at.end = at.leave;
   while (at.end + 1 < samples.size() && samples[at.end].current > 0) ++at.end;
   const std::size_t pause = samples[0].current == 0 ? at.start + 1 : 0;
-  require_no_error(first_error(
-      samples[at.top].current > 0
-          ? std::string()
-          : error_text("greatest current [A]", samples[at.top].current, "> 0: ramp up"),
-      pause >= 8
-          ? std::string()
-          : error_text("samples at 0 A before the ramp", pause, "at least 8: begin with a pause at 0 A")));
+  require(samples[at.top].current > 0, "greatest current [A]", samples[at.top].current, "> 0: ramp up");
+  require(pause >= 8, "samples at 0 A before the ramp", pause, "at least 8: begin with a pause at 0 A");
   return at;
 }
 
@@ -141,9 +135,7 @@ inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, cons
   const detail::ramp_corners at = detail::corners_of_ramp(samples);
   const double share =
       std::max(delay.rising, delay.falling) / (samples[at.top].time - samples[at.start].time);
-  if (!(share < 0.02))
-    require_no_error(
-        detail::error_text("delay over the time of the ramp", share, "less than 0.02: ramp more slowly"));
+  detail::require(share < 0.02, "delay over the time of the ramp", share, "less than 0.02: ramp more slowly");
 
   current_ramp found;
   found.greatest_current = samples[at.top].current;

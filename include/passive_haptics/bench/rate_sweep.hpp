@@ -24,9 +24,8 @@ inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_samp
   require_samples(samples, 2);
   std::vector<rate_and_torque> all;
   for (std::size_t first = 0, k = 0; k < samples.size(); ++k) {
-    if (samples[k].current != samples[0].current)
-      require_no_error(detail::error_text(detail::indexed("samples[", k, "].current [A]"), samples[k].current,
-                                          "that of the first: a sweep of the rate is at one current"));
+    detail::require(samples[k].current == samples[0].current, detail::indexed("samples[", k, "].current [A]"),
+                    samples[k].current, "that of the first: a sweep of the rate is at one current");
     const double elapsed = samples[k].time - samples[first].time;
     if (elapsed < duration) continue;
     double sum = 0;
@@ -35,9 +34,7 @@ inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_samp
         {(samples[k].position - samples[first].position) / elapsed, sum / static_cast<double>(k - first)});
     first = k;
   }
-  if (all.size() < 8)
-    require_no_error(
-        detail::error_text("windows", all.size(), "at least 8: record longer, or shorter windows"));
+  detail::require(all.size() >= 8, "windows", all.size(), "at least 8: record longer, or shorter windows");
   return all;
 }
 
@@ -55,8 +52,7 @@ curve_fit<N> fit_against_rate(std::span<const rate_and_torque> means, const vect
 inline double fastest(std::span<const rate_and_torque> means) {
   double fastest_rate = 0;
   for (const auto& s : means) fastest_rate = std::max(fastest_rate, std::abs(s.rate));
-  if (!(fastest_rate > 0))
-    require_no_error(error_text("fastest rate [rad/s]", fastest_rate, "> 0: turn the axis, slowly and fast"));
+  require(fastest_rate > 0, "fastest rate [rad/s]", fastest_rate, "> 0: turn the axis, slowly and fast");
   return fastest_rate;
 }
 

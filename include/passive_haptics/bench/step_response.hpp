@@ -28,16 +28,8 @@ inline std::size_t step_of_current(std::span<const bench_sample> samples) {
     step = k;
     ++steps;
   }
-  if (steps != 1)
-    require_no_error(error_text("steps of the current", steps, "1: record one up and one down, apart"));
+  require(steps == 1, "steps of the current", steps, "1: record one up and one down, apart");
   return step;
-}
-
-inline void require_end_of_response(double recorded, double time_constant, double dead_time) {
-  const double needed = dead_time + 5 * time_constant;
-  if (!(recorded >= needed))
-    require_no_error(error_text("record after the step [s]", recorded,
-                                indexed("at least t_d + 5 T = ", needed, ": record longer")));
 }
 
 }  // namespace detail
@@ -78,10 +70,12 @@ inline step_response fit_step_response(std::span<const bench_sample> samples) {
   const auto best = detail::best_of({from(0.02), from(0.1), from(0.3), from(0.6), from(0.9)});
 
   constexpr double sure = 5;  // standard errors
-  if (!(std::abs(best.value[1]) > sure * best.deviation / std::sqrt(static_cast<double>(end - tail))))
-    require_no_error(detail::error_text("change of the torque [N m]", best.value[1],
-                                        "a step beyond the noise: step to a larger current"));
-  detail::require_end_of_response(samples.back().time - t_step, best.value[2], best.value[3]);
+  const double noise = best.deviation / std::sqrt(static_cast<double>(end - tail));
+  detail::require(std::abs(best.value[1]) > sure * noise, "change of the torque [N m]", best.value[1],
+                  "a step beyond the noise: step to a larger current");
+  const double recorded = samples.back().time - t_step, needed = best.value[3] + 5 * best.value[2];
+  detail::require(recorded >= needed, "record after the step [s]", recorded,
+                  detail::indexed("at least t_d + 5 T = ", needed, ": record longer"));
   return {best[0], best[1], best[2], best[3], best.deviation};
 }
 

@@ -60,6 +60,12 @@ error_message error_text(std::string_view name, T value, std::string_view expect
   });
 }
 
+// Ends as require_no_error() does if a condition does not hold.
+template <class T>
+void require(bool holds, std::string_view name, T value, std::string_view expected) {
+  if (!holds) require_no_error(error_text(name, value, expected));
+}
+
 /// "before i after". (A literal + std::string makes g++ 12 warn of overlapping memory at -O3.)
 template <class Index>
 std::string indexed(std::string_view before, Index i, std::string_view after) {
