@@ -52,7 +52,8 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
     for (const auto& s : samples) {
       const variable r = residual(s, p);
       vector<double, N + 1> row;
-      row << r.derivatives(), r.value();
+      row.template head<N>() = r.derivatives();
+      row[N] = r.value();
       squares += row * row.transpose();
     }
     return squares;
