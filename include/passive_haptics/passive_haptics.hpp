@@ -62,6 +62,7 @@
 #include <passive_haptics/design/description.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/plausibility.hpp>
+#include <passive_haptics/design/recorded_motion.hpp>
 #include <passive_haptics/design/undisplayable_share.hpp>
 
 #include <passive_haptics/plant/simulated_device_declaration.hpp>

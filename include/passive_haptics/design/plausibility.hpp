@@ -39,15 +39,26 @@ std::string plausibility(const M& mechanism, const B& brakes, const Scene& scene
   return all;
 }
 
-/// The same, and whether joint positions q look like degrees and the end effector there like millimetres.
-/// Knows nothing but the mechanism's position, so it also is for one without a table.
+/// Beside these remarks: whether joint positions q look like degrees, the end effector there like
+/// millimetres, and whether it lies deep inside a wall, whose normal then may point the wrong way. Reads
+/// nothing but the mechanism's position, so that it serves a mechanism without a table.
 template <class M, class B, class Scene>
 std::string plausibility(const M& mechanism, const B& brakes, const Scene& scene, const joint_vector<M>& q) {
   std::string all = plausibility(mechanism, brakes, scene);
   for (int i = 0; i < M::dof; ++i)
     all += detail::remark_on("q[" + std::to_string(i) + "] [rad or m]", "rad", q[i]);
   const double reach = as<double>(mechanism.position(q)).norm();
-  return all + detail::remark_on("mechanism: distance of the end effector from the base [m]", "m", reach);
+  all += detail::remark_on("mechanism: distance of the end effector from the base [m]", "m", reach);
+  if constexpr (requires { scene.for_each([](int, const auto&) {}); })
+    scene.for_each([&](int number, const auto& w) {
+      const double distance = w.shape.distance(as<double>(mechanism.position(q)));
+      const std::string part = "wall " + std::to_string(number) + ": distance of the end effector [m]";
+      constexpr double deep = 0.01;  // [m]
+      all += distance < -deep ? part + " = " + detail::value_text(distance) +
+                                    ", usually outside at the start: a normal that points into the wall?\n"
+                              : detail::remark_on(part, "m", distance);
+    });
+  return all;
 }
 
 }  // namespace passive_haptics

@@ -1,0 +1,105 @@
+/// @file
+/// What looks odd about the states that a loop gives its controller.
+#pragma once
+
+#include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/core/text.hpp>
+#include <passive_haptics/mechanism/jacobian.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace passive_haptics {
+
+namespace detail {
+
+// Sums over a recorded motion.
+struct motion_sums {
+  double time_steps = 0, longest_step = 0;                  // [s]
+  int standing = 0, backward = 0;                           // time steps that are 0, or negative
+  double rate_squares = 0, slope_squares = 0, product = 0;  // of qd and of the slopes of q
+  double force_squares = 0, acceleration_squares = 0, force_by_acceleration = 0;
+};
+
+template <class M, class State>
+motion_sums sums_of(const M& mechanism, const std::vector<State>& states) {
+  motion_sums s;
+  const auto velocity = [&](const State& at) -> point<M::task_dimension> {
+    return as<double>(mechanism_pose<M>(mechanism, at.q).velocity(at.qd));
+  };
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    const State &before = states[k - 1], &now = states[k];
+    const double dt = now.time - before.time;
+    s.standing += dt == 0;
+    s.backward += dt < 0;
+    if (!(dt > 0)) continue;
+    s.time_steps += dt;
+    s.longest_step = std::max(s.longest_step, dt);
+    const vector<double, M::dof> slope = (as<double>(now.q) - as<double>(before.q)) / dt;
+    const vector<double, M::dof> rate = (as<double>(now.qd) + as<double>(before.qd)) / 2;
+    s.rate_squares += rate.squaredNorm();
+    s.slope_squares += slope.squaredNorm();
+    s.product += rate.dot(slope);
+    if constexpr (HandForceState<State, M>) {
+      const point<M::task_dimension> a = (velocity(now) - velocity(before)) / dt;
+      const point<M::task_dimension> F = (as<double>(now.hand_force) + as<double>(before.hand_force)) / 2;
+      s.force_squares += F.squaredNorm();
+      s.acceleration_squares += a.squaredNorm();
+      s.force_by_acceleration += F.dot(a);
+    }
+  }
+  return s;
+}
+
+}  // namespace detail
+
+/// A line for each thing that looks odd about the states of a loop, one a cycle: a time that stands still,
+/// runs backwards or looks like milliseconds, rates that are not the slopes of the positions (degrees, a
+/// wrong sign, no rates at all), a hand force that does not push where the handle accelerates (a wrong sign,
+/// another frame). Empty if there is none.
+///
+/// Record some seconds in which a hand moves the handle to and fro with the brakes released. Not for the
+/// loop: it allocates.
+template <class M, class State>
+std::string plausibility(const M& mechanism, const std::vector<State>& states) {
+  static_assert(DeviceState<State, M>, "passive_haptics: the states must be device_state<M>.");
+  const detail::motion_sums s = detail::sums_of(mechanism, states);
+  std::string all;
+  const auto remark = [&](const std::string& what, double value, const char* usually) {
+    all.append(what)
+        .append(" = ")
+        .append(detail::value_text(value))
+        .append(", usually ")
+        .append(usually)
+        .append("\n");
+  };
+  const auto cycles = static_cast<double>(states.size());
+  if (s.standing > 0.1 * cycles)
+    remark("cycles in which the time stands still", s.standing, "none: is the state filled anew in each?");
+  if (s.backward > 0) remark("cycles in which the time runs backwards", s.backward, "none: another clock?");
+  if (s.longest_step > 0.5) remark("longest time step [s]", s.longest_step, "0.0001 to 0.01: milliseconds?");
+
+  const double slope = s.slope_squares > 0 ? s.product / s.slope_squares : 1;  // of the rates for those of q
+  constexpr double degrees = 180 / std::numbers::pi;
+  if (s.slope_squares > 0 && s.rate_squares == 0)
+    remark("rates qd for each slope of q", 0, "1: is qd never filled?");
+  else if (slope < 0) remark("rates qd for each slope of q", slope, "1: a wrong sign?");
+  else if (slope > degrees / 2 || slope < 2 / degrees)
+    remark("rates qd for each slope of q", slope, "1: degrees, or another unit of time?");
+
+  const double force = std::sqrt(s.force_squares * s.acceleration_squares);
+  const double along = s.force_by_acceleration / force;  // a cosine
+  if (force > 0 && along < -0.3)
+    remark("cosine of hand force and acceleration", along,
+           "over 0.3: the force on the hand, not on the handle?");
+  else if (force > 0 && along < 0.3)
+    remark("cosine of hand force and acceleration", along,
+           "over 0.3: of the sensor's frame, not the base's?");
+  return all;
+}
+
+}  // namespace passive_haptics
