@@ -104,10 +104,10 @@ void print_line(double environment_rate, const char* law_name, const ph::contact
 
 std::string plot_script(const std::string& name, double environment_rate) {
   std::ostringstream script;
-  script << "set terminal svg size 900,1000 font 'sans,12' background 'white'\nset output output\n"
+  script << "set terminal svg noenhanced size 900,1000 font 'sans,12' background 'white'\nset output output\n"
          << "set datafile separator ','\n"
          << "none = '" << name << "_no_direct_control.csv'\ndirect = '" << name
-         << "_direct_control.csv'\nvelocity = '" << name << "_velocity_direct_control.csv'\n"
+         << "_saturated_direct_control.csv'\nvelocity = '" << name << "_velocity_direct_control.csv'\n"
          << "set multiplot layout 5,1 margins 0.105,0.97,0.06,0.92 spacing 0.03 title 'Along the wall y = "
             "0.225 m, environment at "
          << environment_rate << " Hz'\n"
@@ -121,9 +121,9 @@ set style line 3 lw 1.5 lc rgb '#009e73'
 set key at screen 0.48,screen 0.957 center center maxrows 1
 set ytics nomirror
 set format x ''
-all(y) = sprintf("none every 5 using 'x':(%s) ls 1 title 'no direct control', \
-direct every 5 using 'x':(%s) ls 2 title 'direct control', \
-velocity every 5 using 'x':(%s) ls 3 title 'velocity direct control'", y, y, y)
+all(y) = sprintf("none every 5 using 'x':(%s) ls 1 title 'no_direct_control', \
+direct every 5 using 'x':(%s) ls 2 title 'saturated_direct_control', \
+velocity every 5 using 'x':(%s) ls 3 title 'velocity_direct_control'", y, y, y)
 set ylabel 'depth [mm]'
 set yrange [*:*] reverse
 eval "plot 0 lc rgb '#999999' dt 2 notitle, ".all("1e3*column('depth')")
@@ -165,19 +165,18 @@ int main(int argc, char** argv) try {
   double most_power = 0;  // that any brake gave to the device [W]
   constexpr double drawn = 20;
   for (const double rate : {1000.0, drawn}) {
-    const auto run = [&](const char* law_name, const char* file_name, auto law, double margin = 0) {
+    const auto run = [&](const char* law_name, auto law, double margin = 0) {
       run_log log(rate == drawn ? live_port : 0);
       const ph::contact_metrics figures = follow(law, rate, margin, log);
       print_line(rate, law_name, figures);
       most_power = std::max(most_power, figures.largest_brake_power);
       if (rate == drawn)
-        example::write_file(directory / std::string("wall_following_").append(file_name).append(".csv"),
+        example::write_file(directory / std::string("wall_following_").append(law_name).append(".csv"),
                             log.text());
     };
-    run("no direct control", "no_direct_control", ph::no_direct_control());
-    run("direct control", "direct_control", ph::saturated_direct_control());
-    run("velocity direct control", "velocity_direct_control",
-        ph::velocity_direct_control({.margin = seen_before}), seen_before);
+    run("no_direct_control", ph::no_direct_control());
+    run("saturated_direct_control", ph::saturated_direct_control());
+    run("velocity_direct_control", ph::velocity_direct_control({.margin = seen_before}), seen_before);
   }
   std::puts(
       "\nDirect control as the paper's experiments read it: brakes just strong enough, cut to their limit "

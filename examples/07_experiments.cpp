@@ -73,7 +73,7 @@ void follow_walls(report& table, page_tables& page) {
                    run.figures, run.energy.imbalance()});
       });
 
-  std::printf("\nThe least alpha of direct control:");
+  std::printf("\nThe least alpha of direct_control:");
   for (std::size_t k = 0; k < cells.size(); ++k)
     if (cells[k].which == law::direct)
       std::printf("  %s, %s: %.1e", cells[k].wall->name.c_str(), hertz(cells[k].rate).c_str(),
@@ -202,7 +202,7 @@ void penetration(const std::filesystem::path& directory) {
   for (const law which : {law::none, law::velocity_on_touch, law::velocity})
     for (const double speed : speeds)
       for (const double lag : lags) cells.push_back({which, speed, lag});
-  std::printf("\nDeepest point [mm] at the first contact, planar wall, 1 kHz\n%-26s",
+  std::printf("\nDeepest point [mm] at the first contact, planar wall, 1 kHz\n%-35s",
               "lag of the brakes [ms]");
   for (const double lag : lags) std::printf("%8.0f", 1e3 * lag);
   std::printf("\n");
@@ -217,8 +217,7 @@ void penetration(const std::filesystem::path& directory) {
       },
       [&](std::size_t k, double depth) {
         const auto& [which, speed, lag] = cells[k];
-        if (k % lags.size() == 0)
-          std::printf("%-15.15s %4.0f mm/s ", text(name_of(which)).c_str(), 1e3 * speed);
+        if (k % lags.size() == 0) std::printf("%-24s %4.0f mm/s ", text(name_of(which)).c_str(), 1e3 * speed);
         std::printf("%8.3f%s", 1e3 * depth, (k + 1) % lags.size() == 0 ? "\n" : "");
         rows.push_back({text(name_of(which)), lag, speed, depth});
       });
@@ -303,7 +302,7 @@ void wide_devices(page_tables& page) {
   page["wide_devices"] = wide_table(follow_with_wide_devices(seed, belief::data_sheet));
   page["wide_beliefs"] = wide_table(follow_with_wide_devices(seed, belief::wrong, 0.4));
   std::printf(
-      "\nWide devices under velocity direct control, seed %llu, limits and rise times as in the data "
+      "\nWide devices under velocity_direct_control, seed %llu, limits and rise times as in the data "
       "sheet\n\n%s"
       "\nThe same with believed lag x 0.3 to 3 and believed inertia x 0.5 to 2\n\n%s",
       static_cast<unsigned long long>(seed), page["wide_devices"].c_str(), page["wide_beliefs"].c_str());
@@ -408,7 +407,7 @@ bool bands() {
                        slow = arm(law::none, planar.wall, 20, step);
          return fast.separations >= 10 && slow.separations >= 4 && slow.depth_range >= 2 * fast.depth_range;
        }},
-      {"direct control as printed: brake 2 sticks less, std lower, at both rates",
+      {"direct_control, as printed: brake 2 sticks less, std lower, at both rates",
        [&](double step) {
          return at_both_rates([&](double rate) {
            const figures off = arm(law::none, planar.wall, rate, step),
@@ -431,7 +430,7 @@ bool bands() {
                   arm(law::none, planar.wall, rate, step, 0.3, 0.97).separations >= 4;
          });
        }},
-      {"velocity direct control, planar and concave: 0, std < 0.05, range < 0.2 mm",
+      {"velocity_direct_control, planar and concave: 0, std < 0.05, range < 0.2 mm",
        [&](double step) {
          return at_both_rates([&](double rate) {
            for (const auto* wall : {&planar, &concave}) {
@@ -441,7 +440,7 @@ bool bands() {
            return true;
          });
        }},
-      {"velocity direct control, convex: 0 separations, range < 2.5 mm",
+      {"velocity_direct_control, convex: 0 separations, range < 2.5 mm",
        [&](double step) {
          return at_both_rates([&](double rate) {
            const figures f = arm(law::velocity, convex.wall, rate, step);

@@ -123,7 +123,7 @@ inline std::vector<rung> rungs() {
        [=](place p) { return cycles<unsensed>(table(), sticking_brakes(), one(p), whole); }},
       {"hand_force", "hand force, for brakes at rest",
        [=](place p) { return cycles<sensed>(table(), ph::brakes_of<table>(), one(p), whole); }},
-      {"direct_control", "direct control",
+      {"direct_control", "direct_control",
        [=](place p) { return cycles<sensed>(table(), ph::brakes_of<table>(), one(p), direct); }},
       {"second_wall", "a second wall, not touched",
        [=](place p) { return cycles<sensed>(table(), ph::brakes_of<table>(), two(p), direct); }},
@@ -137,7 +137,7 @@ inline std::vector<rung> rungs() {
        [=](place p) {
          return cycles<ph::device_state<tendons>>(tendons(), ph::brakes_of<tendons>(), moving(p), direct);
        }},
-      {"velocity_control", "velocity direct control",
+      {"velocity_control", "velocity_direct_control",
        [=](place p) {
          return cycles<ph::device_state<tendons>>(tendons(), ph::brakes_of<tendons>(), moving(p),
                                                   ph::velocity_direct_control());

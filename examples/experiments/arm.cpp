@@ -5,17 +5,17 @@ namespace experiments {
 
 std::string_view name_of(law which) {
   switch (which) {
-    case law::none: return "no direct control";
-    case law::direct: return "direct control";
-    case law::saturated: return "direct, limits first";
-    case law::direct_dead_band: return "direct, dead band";
-    case law::velocity: return "velocity direct control";
-    case law::velocity_on_touch: return "velocity, on touch";
-    case law::coercive: return "coercive";
-    case law::single_degree_of_freedom: return "single deg. of freedom";
-    case law::velocity_ratio: return "velocity ratio";
-    case law::on_off: return "on-off";
-    case law::bang_bang: return "bang-bang";
+    case law::none: return "no_direct_control";
+    case law::direct: return "direct_control";
+    case law::saturated: return "saturated_direct_control";
+    case law::direct_dead_band: return "direct_control, dead band";
+    case law::velocity: return "velocity_direct_control";
+    case law::velocity_on_touch: return "velocity_direct_control, on touch";
+    case law::coercive: return "coercive_force_approximation";
+    case law::single_degree_of_freedom: return "single_degree_of_freedom_control";
+    case law::velocity_ratio: return "velocity_ratio_control";
+    case law::on_off: return "on_off_control";
+    case law::bang_bang: return "bang_bang_control";
   }
   return "unknown law";
 }

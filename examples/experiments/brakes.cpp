@@ -82,7 +82,7 @@ run_result follow_with(const brake_case& what, law which, double time_step = set
   how.hand.push = what.push;
   device<arm, known_brakes, some_brake> d{arm(),
                                           arm(),
-                                          {{}, {what.limit_at, what.limit_at}},
+                                          known_brakes({}, {what.limit_at, what.limit_at}),
                                           {what.real, what.real},
                                           ph::encoder_parameters().resolution,
                                           {}};
@@ -137,7 +137,7 @@ void laws_and_brakes(page_tables& page) {
   page["told_of_brakes"] = told(beliefs());
   std::printf(
       "\nLaws and brakes: separations / standard deviation [mm]\n\n%s\nDeepest [mm] / drag [N]\n\n%s"
-      "\nVelocity direct control, by what is known of its brakes\n\n%s",
+      "\nvelocity_direct_control, by what is known of its brakes\n\n%s",
       hold.c_str(), feel.c_str(), page["told_of_brakes"].c_str());
   std::fflush(stdout);
 }

@@ -4,6 +4,8 @@
 
 #include <log/log_row.hpp>
 
+#include <passive_haptics/control/step_result.hpp>
+
 #include <vector>
 
 namespace example {
@@ -36,7 +38,7 @@ void put_decision(log_row& row, const joint_kinds& joints, const Decision& r, bo
   row.blank(!was_asked);
   row.put("status", to_string(r.outcome));
   row.put("power", to_string(r.power));
-  row.put("display", display_text(r));
+  row.put("display", passive_haptics::display_text(r));
   row.put("gamma", "rad", r.approximation_angle());
   row.put("alpha", "1", r.alpha);
   row.put_axes("Fd", "N", r.desired_force);

@@ -32,7 +32,8 @@ replay_options parse(int argc, char** argv, const std::vector<std::string>& mech
             "hollow:CENTRE,RADIUS  round, free inside [m]\n"
             "coordinates x,y or x,y,z; default plane:0,0.225,0,-1 (in space plane:0,0,-0.15,0,0,1)");
   line.positive("--stiffness", chosen.stiffness, "of the wall [N/m]");
-  line.choice("--law", chosen.law, {"direct_control", "velocity_direct_control", "no_direct_control"},
+  line.choice("--law", chosen.law,
+              {"direct_control", "saturated_direct_control", "velocity_direct_control", "no_direct_control"},
               "the control law");
   line.not_negative("--margin", chosen.margin, "by which velocity_direct_control sees the wall early [m]");
   line.positive("--limit", chosen.limit, "torque limit of each brake [N m; N for a slide]");

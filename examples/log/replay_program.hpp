@@ -75,12 +75,13 @@ void take_parameters(P& parameters, std::map<std::string, std::string>& given, s
 }
 
 /// The paper's law, or none: chosen at run time, for one controller less of the compiler.
-struct direct_control_or_not : ph::direct_control {
+struct direct_control_or_not {
+  static constexpr bool needs_hand_force = true, nulls_normal_force = true;
   bool on = true;
 
   template <class T, int D>
   T scale(const ph::contact_situation<T, D>& c) const noexcept {
-    return on ? ph::direct_control::scale(c) : T(1);
+    return on ? ph::direct_control().scale(c) : T(1);
   }
 };
 
@@ -127,7 +128,8 @@ replay_job replay_of() {
     if (options.law == "velocity_direct_control")
       throw std::invalid_argument(
           "--law: velocity_direct_control, expected another one: this mechanism has no mass_matrix");
-    return under(direct_control_or_not{{}, options.law == "direct_control"});
+    if (options.law == "saturated_direct_control") return under(ph::saturated_direct_control());
+    return under(direct_control_or_not{options.law == "direct_control"});
   };
 }
 

@@ -27,7 +27,7 @@ TEST(pages, readme_shows_what_the_main_example_prints) {
   }
   std::filesystem::remove_all(directory);
   const std::string table = printed.substr(0, printed.find("\n\n"));
-  ASSERT_NE(table.find("velocity direct control"), std::string::npos) << printed;
+  ASSERT_NE(table.find("velocity_direct_control"), std::string::npos) << printed;
 
   std::ifstream in(PASSIVE_HAPTICS_SOURCE_DIR "/README.md");
   const std::string readme{std::istreambuf_iterator<char>(in), {}};

@@ -264,7 +264,9 @@ configuration read_configuration(const std::string& path) {
     c.safety.hold_over = c.supervisor.timeout = 0.2;  // simulated, on a desktop that may be late
   read_mechanism(file.section("mechanism"), c);
   read_walls(file, c);
-  file.read("law", c.law, {"direct_control", "velocity_direct_control", "no_direct_control"});
+  file.read("law", c.law,
+            {"velocity_direct_control", "on_off_control", "saturated_direct_control", "direct_control",
+             "no_direct_control"});
   file.read("log", c.log);
   read_loop(file.section("loop"), c);
   read_encoders(file.section("encoders"), c);
@@ -290,10 +292,12 @@ configuration read_configuration(const std::string& path) {
   if (c.safety.hold_over < 2 * c.loop.period || c.supervisor.timeout < 4 * c.loop.period)
     file.require(
         "[safety] hold_over and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");
-  if (c.sensor == "none" && c.law != "no_direct_control")
+  // As recommended_law: the mechanisms have inertia, the brakes lags, so that the sensor decides
+  if (c.law.empty()) c.law = c.sensor == "none" ? "on_off_control" : "velocity_direct_control";
+  if (c.sensor == "none" && c.law != "no_direct_control" && c.law != "on_off_control")
     file.require("law = \"" + c.law +
                  "\" needs a force sensor, expected [sensor] type other than \"none\", or law = "
-                 "\"no_direct_control\"");
+                 "\"on_off_control\"");
   if ((c.sensor == "simulated") != (c.port == "simulated") && c.sensor != "none")
     file.require("[port] type = \"" + c.port + "\" and [sensor] type = \"" + c.sensor +
                  "\", expected both simulated or none");

@@ -54,8 +54,8 @@ struct configuration {
   ph::xy_table_parameters<double> xy_table;
   ph::five_bar_parameters<double> five_bar;
 
-  std::string law = "direct_control";  ///< Or velocity_direct_control, no_direct_control.
-  std::string wall_remarks;            // for remarks()
+  std::string law;           ///< By its name in the library. If the file has none: the recommended one.
+  std::string wall_remarks;  // for remarks()
   ph::world_walls<2> walls;
   std::vector<named_wall> named_walls;        ///< The walls in the order of the file.
   wall_normal first_normal;                   ///< Of the first of them.

@@ -12,11 +12,14 @@ namespace example {
 
 template <class M, class Law>
 class mechanism_device final : public haptic_device {
+  // One wall at a time for a law that knows no more
+  using walls = ph::world<2, ph::saturates_before_scaling<Law> ? 1 : 3>;
+
  public:
   mechanism_device(const M& mechanism, const Law& law, const configuration& c)
       : configuration_(c),
         calibration_(mechanism, {c.encoders, c.rates, c.curves, c.force}, c.sensor_frame),
-        control_(mechanism, c.brakes, ph::world<2>(c.walls), law),
+        control_(mechanism, c.brakes, walls(c.walls), law),
         homing_(calibration_.encoders, calibration_.axis_positions(c.home), c.homing),
         tare_({.duration = c.homing.duration,
                .tolerance = c.tare_tolerance,
@@ -103,13 +106,20 @@ class mechanism_device final : public haptic_device {
 
   configuration configuration_;
   ph::device_calibration<M, sensor_channels, ph::planar_sensor_frame<2>> calibration_;
-  ph::controller<M, ph::world<2>, Law> control_;
+  ph::controller<M, walls, Law> control_;
   ph::homing<axes> homing_;
   ph::steady_mean<sensor_channels> tare_;
   ph::steady_status hindered_ = ph::steady_status::collecting;  // the last that was not this
   phase doing_ = phase::homing;
   std::shared_ptr<simulation<M>> plant_;
 };
+
+/// on_off_control, which leads by the lag of the slowest brake.
+inline ph::on_off_control on_off_law(const configuration& c) {
+  ph::on_off_control law;
+  law.parameters.lead = c.brakes.time_constant.maxCoeff();
+  return law;
+}
 
 /// Mechanism M under the law that the configuration names.
 template <class M>
@@ -118,6 +128,8 @@ std::unique_ptr<haptic_device> device_of(const M& mechanism, const configuration
     return std::make_unique<mechanism_device<M, std::decay_t<decltype(law)>>>(mechanism, law, c);
   };
   if (c.law == "velocity_direct_control") return under(ph::velocity_direct_control());
+  if (c.law == "on_off_control") return under(on_off_law(c));
+  if (c.law == "saturated_direct_control") return under(ph::saturated_direct_control());
   if (c.law == "no_direct_control") return under(ph::no_direct_control());
   return under(ph::direct_control());
 }

@@ -14,17 +14,18 @@ namespace experiments::style {
 
 // Colours that the colour-blind tell apart (Okabe and Ito 2008); a law has the same one in every picture.
 inline std::string colour_of(const std::string& law) {
-  constexpr std::array<std::pair<const char*, const char*>, 11> known{{{"no direct control", "#d55e00"},
-                                                                       {"direct control", "#0072b2"},
-                                                                       {"velocity direct control", "#009e73"},
-                                                                       {"direct, limits first", "#cc79a7"},
-                                                                       {"direct, dead band", "#56b4e9"},
-                                                                       {"velocity, on touch", "#000000"},
-                                                                       {"coercive", "#994f00"},
-                                                                       {"single deg. of freedom", "#e69f00"},
-                                                                       {"velocity ratio", "#7f6000"},
-                                                                       {"on-off", "#888888"},
-                                                                       {"bang-bang", "#aaaa00"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 11> known{
+      {{"no_direct_control", "#d55e00"},
+       {"direct_control", "#0072b2"},
+       {"velocity_direct_control", "#009e73"},
+       {"saturated_direct_control", "#cc79a7"},
+       {"direct_control, dead band", "#56b4e9"},
+       {"velocity_direct_control, on touch", "#000000"},
+       {"coercive_force_approximation", "#994f00"},
+       {"single_degree_of_freedom_control", "#e69f00"},
+       {"velocity_ratio_control", "#7f6000"},
+       {"on_off_control", "#888888"},
+       {"bang_bang_control", "#aaaa00"}}};
   for (const auto& [name, colour] : known)
     if (law == name) return colour;
   return "#666666";

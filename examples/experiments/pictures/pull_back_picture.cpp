@@ -149,8 +149,8 @@ unset key
                            {"producible", "#c6e6da", "solid", style::area_width},
                            {"wall", style::wall_colour, "solid", style::area_width}},
                           0.925, 0.06);
-  const char* titles[] = {"(a) no direct control: brake 2 stays locked, Fr = Fh + Fc points out of the wall",
-                          "(b) direct control: brake 2 gives way, Fr lies along the wall"};
+  const char* titles[] = {"(a) no_direct_control: brake 2 stays locked, Fr = Fh + Fc points out of the wall",
+                          "(b) direct_control: brake 2 gives way, Fr lies along the wall"};
   for (std::size_t k = 0; k < stills.size(); ++k) {
     const auto block = [&](int i) {
       return "data index " + std::to_string(blocks_of_still * static_cast<int>(k) + i) + " using ";

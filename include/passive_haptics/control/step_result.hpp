@@ -93,7 +93,7 @@ using step_result_for = typename detail::result_of<M, Contacts>::type;
 /// How Fd is displayed, for people to read: "no force demanded" where no wall demands one.
 template <class Result>
 constexpr std::string_view display_text(const Result& r) {
-  const bool is_demanded = r.outcome != status::ok || !r.desired_force.isZero(0);
+  const bool is_demanded = r.outcome != status::ok || r.power != power_class::none;
   return is_demanded ? to_string(r.display) : "no force demanded";
 }
 

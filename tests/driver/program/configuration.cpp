@@ -37,7 +37,7 @@ TEST_F(a_configuration, of_another_mechanism_or_without_a_file_is_right) {
       check("[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\n[sensor]\nlink = [0, 0]\n");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(o.out.starts_with(
-      "c.toml is right: five_bar, simulated device, simulated force sensor, direct_control\n"))
+      "c.toml is right: five_bar, simulated device, simulated force sensor, velocity_direct_control\n"))
       << o.out;
 }
 
@@ -97,7 +97,7 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
             " [homing] pose is missing, expected the joint positions at the start"},
            {"[[wall]]\ntype = \"ball\"\nradius = 0", "3: [wall[1]] "},
            {"[[wall]]\n[[wall]]\nnormal = [0, 0]", "3: [wall[2]] "},
-           {"law = \"direct\"", "1: law = 'direct', expected one of \"direct_control\", "},
+           {"law = \"direct\"", "1: law = 'direct', expected one of \"velocity_direct_control\", "},
            {"law = \"direct_control\"\n[sensor]\ntype = \"none\"",
             "1: law = \"direct_control\" needs a force sensor"},
            {"[port]\ntype = \"serial\"",

@@ -163,7 +163,7 @@ struct an_emulated_board : a_driver {
       ASSERT_NE(text.find(old), std::string::npos) << old;
       text.replace(text.find(old), old.size(), now);
     };
-    put("law = \"direct_control\"", "law = \"no_direct_control\"");
+    put("law = \"velocity_direct_control\"", "law = \"no_direct_control\"");
     put("\"/dev/ttyACM0\"", "\"" + line->path() + "\"");
     put("open_timeout = 3", "open_timeout = 20");
     put("pose = ", "longest_gap = 5\nduration = 0.1\npose = ");

@@ -121,8 +121,8 @@ TEST_F(a_log, that_is_wrong_is_named_with_file_line_and_column) {
             "error: --parameter: 'up', expected one of left, right\n"},
            {words{"--wall=cube:1"}, 2, "error: --wall: shape 'cube', expected plane:, solid: or hollow:\n"},
            {words{"--law=direct"}, 2,
-            "error: --law: 'direct', expected one of direct_control, velocity_direct_control, "
-            "no_direct_control; --help lists the options\n"},
+            "error: --law: 'direct', expected one of direct_control, saturated_direct_control, "
+            "velocity_direct_control, no_direct_control; --help lists the options\n"},
        }) {
     const outcome o = replay(arguments);
     EXPECT_EQ(o.status, status) << message;

@@ -40,6 +40,9 @@ TYPED_TEST(control_step, in_free_space_releases_the_brakes_and_asks_for_nothing)
   EXPECT_EQ(result.power, ph::power_class::none);
   EXPECT_EQ(result.display, ph::display_class::exact);
   EXPECT_TRUE(result.capacity.isZero(0) && result.torque.isZero(0) && result.desired_force.isZero(0));
+  EXPECT_EQ(ph::display_text(result), "no force demanded");
+  EXPECT_EQ(ph::display_text(ph::released<ph::step_result<M>>(ph::status::scene_stale)), "none");
+  EXPECT_EQ(ph::display_text(on_the_floor<ph::no_direct_control, TypeParam>(1, -1, {0, 0})), "exact");
 }
 
 TYPED_TEST(control_step, a_state_is_at_rest_and_has_no_time_until_it_is_filled) {

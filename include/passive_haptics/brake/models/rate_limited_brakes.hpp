@@ -29,8 +29,10 @@ class rate_limited_brakes : brakes_of<M> {
 
   std::array<Model, std::size_t(M::brake_count)> models = {};  ///< One for each brake.
 
+  /// With all default values.
+  rate_limited_brakes() = default;
   /// As these brakes, with the models' default values.
-  rate_limited_brakes(const brakes_of<M>& brakes = {}) : brakes_of<M>(brakes) {}
+  rate_limited_brakes(const brakes_of<M>& brakes) : brakes_of<M>(brakes) {}
   /// As these brakes, each limited by its model.
   rate_limited_brakes(const brakes_of<M>& brakes, const decltype(models)& each)
       : brakes_of<M>(brakes), models(each) {}

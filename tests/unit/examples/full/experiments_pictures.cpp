@@ -178,8 +178,8 @@ TEST_F(picture, in_space_draws_both_walls_of_an_edge) {
 }
 
 TEST_F(picture, a_run_in_space_may_be_missing) {
-  draw_in_space(directory(), {{"delta", "plane", "direct control", {{0, {0}}, {0.1, {1e-3}}}},
-                              {"arm", "sphere", "direct control", {{0, {0}}, {0.1, {1e-3}}}}});
+  draw_in_space(directory(), {{"delta", "plane", "direct_control", {{0, {0}}, {0.1, {1e-3}}}},
+                              {"arm", "sphere", "direct_control", {{0, {0}}, {0.1, {1e-3}}}}});
   EXPECT_EQ(curves(svg("in_space"), law::direct), 2);
 }
 

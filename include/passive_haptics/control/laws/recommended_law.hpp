@@ -1,0 +1,64 @@
+/// @file
+/// The law for a device whose user has not chosen one.
+#pragma once
+
+#include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
+#include <passive_haptics/mechanism/dynamics.hpp>
+
+#include <string_view>
+
+namespace passive_haptics {
+
+namespace detail {
+template <class B>
+concept names_limit_and_lag = names_torque_limit<B> && names_time_constant<B>;
+template <class M, class B, class State>
+concept meets_needs_of_velocity_control = Dynamics<M> && HandForceState<State, M> && names_limit_and_lag<B>;
+}  // namespace detail
+
+/// velocity_direct_control, where the mechanism has Dynamics, the state a hand force and the brakes limits
+/// and lags. Else on_off_control, which needs none of them, with the lag of the slowest brake as its lead.
+///
+/// Of all laws these two separate least from a wall (docs/results.md, table of laws and brakes): 0 times on
+/// each of eight kinds of brakes, and 0 to 8 times, where direct_control separates 5 to 25 times. State: that
+/// which the loop gives the controller, `recommended_law<State>(mechanism, brakes)`.
+template <class State, class M, class B>
+auto recommended_law(const M&, [[maybe_unused]] const B& brakes) {
+  if constexpr (detail::meets_needs_of_velocity_control<M, B, State>) {
+    return velocity_direct_control();
+  } else {
+    on_off_control relay;
+    if constexpr (detail::names_time_constant<B>)
+      relay.parameters.lead = static_cast<double>(brakes.time_constant.maxCoeff());
+    return relay;
+  }
+}
+
+/// recommended_law for a device with a force sensor, device_state<M>.
+template <class M, class B>
+auto recommended_law(const M& mechanism, const B& brakes) {
+  return passive_haptics::recommended_law<device_state<M>>(mechanism, brakes);
+}
+
+/// Why recommended_law<State> returns this law, in a sentence that names what a better one lacks.
+template <class State, class M, class B>
+constexpr std::string_view reason_for_law(const M&, const B&) {
+  if constexpr (!Dynamics<M>)
+    return "on_off_control: velocity_direct_control needs the mechanism's inertia (mass_matrix, bias_torque, "
+           "bias_acceleration)";
+  else if constexpr (!HandForceState<State, M>)
+    return "on_off_control: velocity_direct_control needs a force sensor (state.hand_force)";
+  else if constexpr (!detail::names_limit_and_lag<B>)
+    return "on_off_control: velocity_direct_control needs the brakes' torque_limit and time_constant";
+  else return "velocity_direct_control: inertia, hand force, limits and lags of the brakes are there";
+}
+
+/// reason_for_law of a device with a force sensor, device_state<M>.
+template <class M, class B>
+constexpr std::string_view reason_for_law(const M& mechanism, const B& brakes) {
+  return passive_haptics::reason_for_law<device_state<M>>(mechanism, brakes);
+}
+
+}  // namespace passive_haptics
