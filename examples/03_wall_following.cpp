@@ -1,5 +1,5 @@
 // The main job: a hand moves the paper's device along a virtual wall (section 5) without direct control, with
-// it, and with velocity direct control; the environment at 1 kHz and at 20 Hz. Prints a table, leaves logs
+// it, and with velocity_direct_control; the environment at 1 kHz and at 20 Hz. Prints a table, leaves logs
 // and a plot.
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
@@ -28,7 +28,7 @@ namespace {
 const ph::half_space<2> surface({0, 0.225}, {0, -1});
 const plane_vector start(0.045, 0.221);        // 4 mm off the wall [m]
 const plane_vector start_velocity(0.05, 0.1);  // along the wall and into it [m/s]
-constexpr double seen_before = 0.006;          // velocity direct control sees the wall so early [m]
+constexpr double seen_before = 0.006;          // velocity_direct_control sees the wall so early [m]
 
 // A hand that yields: it aims 3 mm beyond where 300 N/m push with 1.75 N.
 ph::following_hand_parameters<double> yielding_hand() {

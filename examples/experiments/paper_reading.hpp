@@ -17,7 +17,7 @@ struct reading_cell {
   double rate;  // of the environment [Hz]
   law which;
   std::vector<ph::contact_metrics> figures;  // one a hand
-  int reproduced;  // hands that show what the paper reports, beside no direct control
+  int reproduced;  // hands that show what the paper reports, beside no_direct_control
 };
 
 // What the paper reports of a hand: without the law 3 separations or more, with it at most 1; the depth and

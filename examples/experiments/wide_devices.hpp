@@ -27,7 +27,7 @@ enum class belief {
   wrong,       // lag 0.3 to 3 times, inertia 0.5 to 2 times the true one, together
 };
 
-// 300 (scaled by `share`) tendon devices, 60 of each other kind under velocity direct control.
+// 300 (scaled by `share`) tendon devices, 60 of each other kind under velocity_direct_control.
 std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, double share = 1,
                                                double time_step = 1e-4);
 
