@@ -58,7 +58,11 @@ struct random_device {
   double wall_stiffness;                   ///< [N/m]
 };
 
-/// Device number k of this seed: the same on every platform.
+/// Device number k of this seed, equal on every platform.
+///
+/// What is not drawn: along the whole way the condition of J is at most 8 (workspace::max_condition), at its
+/// start some brake pulls within 80 degrees of the normal (workspace::least_cosine), the elbow stays on one
+/// side, all brakes of a device have one lag and one limit, and a run ends where the hand is 50 mm deep.
 template <class M>
 random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::uint64_t seed, std::uint64_t k,
                              const device_ranges& r = {}) {
