@@ -264,6 +264,7 @@ configuration read_configuration(const std::string& path) {
     c.safety.hold_over = c.supervisor.timeout = 0.2;  // simulated, on a desktop that may be late
   read_mechanism(file.section("mechanism"), c);
   read_walls(file, c);
+  const bool has_law = file.has("law");
   file.read("law", c.law,
             {"velocity_direct_control", "on_off_control", "saturated_direct_control", "direct_control",
              "no_direct_control"});
@@ -293,7 +294,7 @@ configuration read_configuration(const std::string& path) {
     file.require(
         "[safety] hold_over and supervisor_timeout, expected at least 2 and 4 times the period of [loop]");
   // As recommended_law: the mechanisms have inertia, the brakes lags, so that the sensor decides
-  if (c.law.empty()) c.law = c.sensor == "none" ? "on_off_control" : "velocity_direct_control";
+  if (!has_law && c.sensor == "none") c.law = "on_off_control";
   if (c.sensor == "none" && c.law != "no_direct_control" && c.law != "on_off_control")
     file.require("law = \"" + c.law +
                  "\" needs a force sensor, expected [sensor] type other than \"none\", or law = "

@@ -54,8 +54,8 @@ struct configuration {
   ph::xy_table_parameters<double> xy_table;
   ph::five_bar_parameters<double> five_bar;
 
-  std::string law;           ///< By its name in the library. If the file has none: the recommended one.
-  std::string wall_remarks;  // for remarks()
+  std::string law = "velocity_direct_control";  ///< By its name in the library; see read_configuration().
+  std::string wall_remarks;                     // for remarks()
   ph::world_walls<2> walls;
   std::vector<named_wall> named_walls;        ///< The walls in the order of the file.
   wall_normal first_normal;                   ///< Of the first of them.
@@ -90,8 +90,9 @@ struct configuration {
   std::string log = "brake_driver.csv";  ///< Empty for none.
 };
 
-/// Of a file; of the default without one. Throws std::invalid_argument that names file, line, key, value and
-/// expectation.
+/// Of a file; of the default without one. Where the file names no law, it is the recommended one: without a
+/// force sensor on_off_control, else velocity_direct_control. Throws std::invalid_argument that names file,
+/// line, key, value and expectation.
 configuration read_configuration(const std::string& path);
 
 /// A line for each value that is allowed but unusual; empty if there is none.
