@@ -67,11 +67,10 @@ TEST_F(a_log, names_its_version_and_units) {
 
 TEST_F(a_log, replays_to_the_same_decisions_to_the_last_digit) {
   for (const char* law : {"direct_control", "velocity_direct_control"}) {
-    file("c.toml",
-         std::string("law = \"") + law + "\"\n" +
-             settings{.hand_start = 0.5,
-                      .sections = "[mechanism]\nlength_1 = 0.151\n[brakes]\nrate_dead_band = 0.03\n"}
-                 .text());
+    file("c.toml", settings{.hand_start = 0.5,
+                            .top = std::string("law = \"") + law + "\"",
+                            .sections = "[mechanism]\nlength_1 = 0.151\n[brakes]\nrate_dead_band = 0.03\n"}
+                       .text());
     ASSERT_EQ(run({"--config=c.toml", "--seconds=2", "--quiet"}).status, 0);
     const words arguments{"--input=brake_driver.csv", std::string("--law=") + law, "--dead-band=0.03",
                           "--output=once"};

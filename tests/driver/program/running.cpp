@@ -107,7 +107,7 @@ TEST_F(a_running_driver, replaces_no_device_by_its_log) {
   fs::create_symlink("/dev/null", directory / "null.csv");
   ASSERT_EQ(mkfifo((directory / "fifo.csv").c_str(), 0600), 0);
   for (const auto& [name, kind] : {std::pair{"null.csv", "a device"}, {"fifo.csv", "a FIFO"}}) {
-    file("c.toml", std::string("log = \"") + name + "\"" + settings{}.text());
+    file("c.toml", std::string("log = \"") + name + "\"\n" + settings{}.text());
     const outcome o = run({"--config", "c.toml", "--seconds", "0.1"});
     EXPECT_EQ(o.status, 1) << o.out;
     EXPECT_TRUE(o.err.ends_with(std::string("error: cannot write '") + name + "': it is " + kind +
