@@ -5,18 +5,21 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 
 namespace passive_haptics {
 
 /// Up to Capacity values of X; no allocation. Room that is not used costs nothing: no value is made there.
 template <class X, int Capacity>
 class static_vector {
+  static_assert(std::is_trivially_destructible_v<X>);
+
  public:
   /// Empty.
   static_vector() {}
   /// A copy of each value.
   static_vector(const static_vector& other) { *this = other; }
-  /// A copy of each value. No value is destroyed: X has nothing to give back.
+  /// A copy of each value.
   static_vector& operator=(const static_vector& other) {
     size_ = other.size_;
     std::uninitialized_copy_n(other.data(), size_, data());

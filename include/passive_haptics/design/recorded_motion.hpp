@@ -19,25 +19,29 @@ namespace detail {
 
 // Sums over a recorded motion.
 struct motion_sums {
-  double time_steps = 0, longest_step = 0;                  // [s]
+  double longest_step = 0;                                  // [s]
   int standing = 0, backward = 0;                           // time steps that are 0, or negative
   double rate_squares = 0, slope_squares = 0, product = 0;  // of qd and of the slopes of q
-  double force_squares = 0, acceleration_squares = 0, force_by_acceleration = 0;
+  // Of the hand's impulse [N s] and the change of the velocity [m/s], window by window
+  double impulse_squares = 0, change_squares = 0, impulse_by_change = 0;
 };
 
 template <class M, class State>
 motion_sums sums_of(const M& mechanism, const std::vector<State>& states) {
   motion_sums s;
-  const auto velocity = [&](const State& at) -> point<M::task_dimension> {
+  using vec = vector<double, M::task_dimension>;
+  const auto velocity = [&](const State& at) -> vec {
     return as<double>(mechanism_pose<M>(mechanism, at.q).velocity(at.qd));
   };
+  constexpr double window = 0.05;  // [s], over which the noise of encoders is small beside a hand's motion
+  std::size_t first = 0;           // of the window
+  vec impulse = vec::Zero();
   for (std::size_t k = 1; k < states.size(); ++k) {
     const State &before = states[k - 1], &now = states[k];
     const double dt = now.time - before.time;
     s.standing += dt == 0;
     s.backward += dt < 0;
     if (!(dt > 0)) continue;
-    s.time_steps += dt;
     s.longest_step = std::max(s.longest_step, dt);
     const vector<double, M::dof> slope = (as<double>(now.q) - as<double>(before.q)) / dt;
     const vector<double, M::dof> rate = (as<double>(now.qd) + as<double>(before.qd)) / 2;
@@ -45,11 +49,14 @@ motion_sums sums_of(const M& mechanism, const std::vector<State>& states) {
     s.slope_squares += slope.squaredNorm();
     s.product += rate.dot(slope);
     if constexpr (HandForceState<State, M>) {
-      const point<M::task_dimension> a = (velocity(now) - velocity(before)) / dt;
-      const point<M::task_dimension> F = (as<double>(now.hand_force) + as<double>(before.hand_force)) / 2;
-      s.force_squares += F.squaredNorm();
-      s.acceleration_squares += a.squaredNorm();
-      s.force_by_acceleration += F.dot(a);
+      impulse += dt / 2 * vec(as<double>(now.hand_force) + as<double>(before.hand_force));
+      if (now.time - states[first].time < window) continue;
+      const vec change = velocity(now) - velocity(states[first]);
+      s.impulse_squares += impulse.squaredNorm();
+      s.change_squares += change.squaredNorm();
+      s.impulse_by_change += impulse.dot(change);
+      impulse.setZero();
+      first = k;
     }
   }
   return s;
@@ -91,12 +98,12 @@ std::string plausibility(const M& mechanism, const std::vector<State>& states) {
   else if (slope > degrees / 2 || slope < 2 / degrees)
     remark("rates qd for each slope of q", slope, "1: degrees, or another unit of time?");
 
-  const double force = std::sqrt(s.force_squares * s.acceleration_squares);
-  const double along = s.force_by_acceleration / force;  // a cosine
-  if (force > 0 && along < -0.3)
+  const double size = std::sqrt(s.impulse_squares * s.change_squares);
+  const double along = s.impulse_by_change / size;  // a cosine
+  if (size > 0 && along < -0.3)
     remark("cosine of hand force and acceleration", along,
            "over 0.3: the force on the hand, not on the handle?");
-  else if (force > 0 && along < 0.3)
+  else if (size > 0 && along < 0.3)
     remark("cosine of hand force and acceleration", along,
            "over 0.3: of the sensor's frame, not the base's?");
   return all;

@@ -2,10 +2,12 @@
 #include <passive_haptics/design/recorded_motion.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
+#include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,18 @@ std::string said_after(const Change& change) {
   recording states = to_and_fro();
   for (auto& s : states) change(s);
   return ph::plausibility(device(), states);
+}
+
+// Positions in counts of 4096 a turn, rates as their differences, a noisy sensor.
+TEST(recorded_motion, of_real_sensors_has_nothing_odd) {
+  recording states = to_and_fro();
+  const double count = 2 * std::numbers::pi / 4096;
+  for (auto& s : states) s.q = count * (s.q / count).array().floor().matrix();
+  for (std::size_t k = states.size() - 1; k >= 10; --k)
+    states[k].qd = (states[k].q - states[k - 10].q) / (states[k].time - states[k - 10].time);
+  ph::testing::random_source random(20040627);
+  for (auto& s : states) s.hand_force += 0.02 * random.normal_vector<double, 2>();
+  EXPECT_EQ(ph::plausibility(device(), states), "");
 }
 
 TEST(recorded_motion, has_nothing_odd) {
