@@ -24,8 +24,8 @@ int main() {
   state.hand_force = {0.8, 1.5};                             // [N]
   const auto all = control(state);
   const auto only = control.command(state);  // the same capacities and outcome, faster
-  std::cout << all.capacity.transpose() << " N m, " << to_string(all.outcome) << ", "
-            << display_text(all) << ", alpha " << all.alpha << "\n";
+  std::cout << all.capacity.transpose() << " N m, " << to_string(all.outcome) << ", " << display_text(all)
+            << ", alpha " << all.alpha << "\n";
 
   // The stages one by one
   const auto J = ph::jacobian(arm, state.q);

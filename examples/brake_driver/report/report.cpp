@@ -193,8 +193,9 @@ void report_sink::show() {
         "most%s\n",
         r.time, state.c_str(), number("%.4f", r.x[0]).c_str(), number("%.4f", r.x[1]).c_str(),
         number("%.2f", r.hand_force[0]).c_str(), number("%.2f", r.hand_force[1]).c_str(),
-        displays(r) ? ph::display_text(r.decision).data() : "no display", number("%.3f", r.current[0]).c_str(),
-        number("%.3f", r.current[1]).c_str(), ampere, duration(static_cast<double>(late_.largest())).c_str(),
+        displays(r) ? ph::display_text(r.decision).data() : "no display",
+        number("%.3f", r.current[0]).c_str(), number("%.3f", r.current[1]).c_str(), ampere,
+        duration(static_cast<double>(late_.largest())).c_str(),
         loss().empty() ? "" : ("  " + loss()).c_str());
     write_shown();
     return;
@@ -212,8 +213,8 @@ void report_sink::show() {
   xy("hand", "%.3f", r.hand_force, "N");
   table += displays(r) ? text("wall     x %8.1f N    y %8.1f N    %s, %s, gamma %.0f deg, alpha %.2f\n",
                               r.decision.desired_force[0], r.decision.desired_force[1],
-                              to_string(r.decision.power).data(), ph::display_text(r.decision).data(), degrees,
-                              r.decision.alpha)
+                              to_string(r.decision.power).data(), ph::display_text(r.decision).data(),
+                              degrees, r.decision.alpha)
                        : "wall     not displayed\n";
   for (std::size_t i = 0; i < r.current.size(); ++i)
     table += text("brake %zu  %9s /s  may hold %6.3f %s  %6s %s  ", i + 1, number("%.4f", r.qd[i]).c_str(),

@@ -5,6 +5,7 @@
 
 namespace passive_haptics::detail {
 
+/// @cond
 // misspells_name<X>: X has no member `name`, but one that lacks a letter or an underscore of it. A member
 // that is overloaded or a template is not found.
 #define PASSIVE_HAPTICS_MISSPELT(name, ...) \
@@ -104,6 +105,7 @@ PASSIVE_HAPTICS_MISSPELT(hand_force, and_force, hnd_force, had_force, han_force,
 #undef PASSIVE_HAPTICS_3
 #undef PASSIVE_HAPTICS_2
 #undef PASSIVE_HAPTICS_1
+/// @endcond
 
 // The names of the optional members of a mechanism, one short message for each.
 template <class X>

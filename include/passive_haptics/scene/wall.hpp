@@ -50,6 +50,7 @@ class wall {
   double stiffness_;
 };
 
+/// Not in this order: meets the message about it.
 template <class S>
 wall(double, S) -> wall<S>;
 

@@ -44,8 +44,10 @@ class leg_chain {
 
  protected:
   leg_chain() = default;
-  leg_chain(const leg_chain&) = default;             // of a whole Model alone
-  leg_chain& operator=(const leg_chain&) = default;  // of a whole Model alone
+  /// Of a whole Model alone.
+  leg_chain(const leg_chain&) = default;
+  /// Of a whole Model alone.
+  leg_chain& operator=(const leg_chain&) = default;
 };
 
 }  // namespace passive_haptics

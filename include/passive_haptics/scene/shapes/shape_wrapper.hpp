@@ -40,8 +40,10 @@ class shape_wrapper {
  protected:
   /// Of the shape.
   explicit shape_wrapper(S shape) : shape_(std::move(shape)) {}
-  shape_wrapper(const shape_wrapper&) = default;             // of a whole wrapper alone
-  shape_wrapper& operator=(const shape_wrapper&) = default;  // of a whole wrapper alone
+  /// Of a whole wrapper alone.
+  shape_wrapper(const shape_wrapper&) = default;
+  /// Of a whole wrapper alone.
+  shape_wrapper& operator=(const shape_wrapper&) = default;
 
   S shape_;  ///< The shape.
 };
