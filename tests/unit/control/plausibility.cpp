@@ -22,12 +22,17 @@ TEST(plausibility, names_each_part_and_value) {
   const device arm({.length_1 = 150});
   const auto walls = ph::scene(ph::wall(ph::half_space<2>({0, 0.2}, {0, -1})),
                                ph::wall(ph::half_space<2>({0, 0.2}, {0, -1}), 1));
-  EXPECT_EQ(ph::plausibility(arm, ph::brakes_of<device>(), walls, {90, 0.1}),
-            "mechanism: length_1 [m] = 150, usually within 5 m: millimetres?\n"
-            "wall 1: stiffness of a wall [N/m] = 1, usually 100 to 1e9: N/mm?\n"
-            "q[0] [rad or m] = 90, usually within two turns: degrees?\n"
-            "mechanism: distance of the end effector from the base [m] = 150.149, usually within 5 m: "
-            "millimetres?\n");
+  EXPECT_EQ(
+      ph::plausibility(arm, ph::brakes_of<device>(), walls, {90, 0.1}),
+      "mechanism: length_1 [m] = 150, usually within 5 m: millimetres?\n"
+      "wall 1: stiffness of a wall [N/m] = 1, usually 100 to 1e9: N/mm?\n"
+      "q[0] [rad or m] = 90, usually within two turns: degrees?\n"
+      "mechanism: distance of the end effector from the base [m] = 150.149, usually within 5 m: "
+      "millimetres?\n"
+      "wall 0: distance of the end effector [m] = -134.026, usually outside at the start: a normal that "
+      "points into the wall?\n"
+      "wall 1: distance of the end effector [m] = -134.026, usually outside at the start: a normal that "
+      "points into the wall?\n");
 }
 
 // 4 pi = 12.566

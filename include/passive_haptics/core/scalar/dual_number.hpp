@@ -47,7 +47,7 @@ class dual_number {
     static_assert(!std::same_as<X, X>,
                   "passive_haptics: this drops the derivatives of position(q): write `using std::cos, "
                   "std::sin;` and then `cos(q[0])` in place of `std::cos(q[0])`, and `S x = q[0]` or `auto` "
-                  "in place of `double x = q[0]`.");
+                  "in place of `double x(q[0])`.");
     return static_cast<X>(x_);
   }
 
