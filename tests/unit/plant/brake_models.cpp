@@ -16,12 +16,20 @@ namespace {
 using M = ph::xy_table<double>;
 using pair = ph::vector<double, 2>;
 
+// That of the model, or of the one inside.
+template <class Model>
+ph::brake_resistance<double>& residual_in(Model& model) {
+  if constexpr (requires { model.model; }) return residual_in(model.model);
+  else if constexpr (requires { model.coulomb; }) return model.coulomb.residual;
+  else return model.residual;
+}
+
 template <class Model>
 struct simulated_model : ::testing::Test {
   // Where the handle is after 0.5 s under a push that swings and commands that change in steps
   static ph::simulated_device<M, Model> run(double dt) {
     Model strong;
-    strong.residual = {0.05, 0.1};
+    residual_in(strong) = {0.05, 0.1};
     ph::simulated_device device(M(), ph::brake_models_of<M, Model>{strong, strong}, 0.3, {0, 0});
     const long steps = std::lround(0.5 / dt);
     for (long k = 0; k < steps; ++k) {
