@@ -13,6 +13,8 @@ s#\bbrake/models/eddy_current_brake\.hpp#plant/brakes/eddy_current_brake.hpp#g
 s#\bbrake/models/magnetorheological_brake\.hpp#plant/brakes/magnetorheological_brake.hpp#g
 s#\bbrake/models/stribeck_brake\.hpp#plant/brakes/stribeck_brake.hpp#g
 s#\bbrake/models/first_order_lag\.hpp#core/scalar/first_order_lag.hpp#g
+s#\bcontrol/step_options\.hpp#control/cycle_inputs.hpp#g
+s#\bcore/linear/orthogonalisation\.hpp#core/linear/orthogonal_decomposition.hpp#g
 s#\bcontact_not_finite\b#contact_invalid#g
 s#\bcontrol/effects/walls_and_effects\.hpp#control/ways/walls_and_effects.hpp#g
 s#\bcontrol/effects/with_effects\.hpp#control/ways/with_effects.hpp#g

@@ -2,12 +2,15 @@
 /// What the end effector touches, as a value: all that a control step knows of a scene.
 #pragma once
 
-#include <passive_haptics/core/static_vector.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory>
+#include <type_traits>
 
 namespace passive_haptics {
 
@@ -30,6 +33,69 @@ template <int D>
 bool is_unit(const point<D>& direction) {
   return std::abs(direction.squaredNorm() - 1) <= 2e-6;
 }
+
+namespace detail {
+
+// Up to Capacity values of X; no allocation. Room that is not used costs nothing: no value is made there.
+template <class X, int Capacity>
+class static_vector {
+  static_assert(std::is_trivially_destructible_v<X>);
+
+ public:
+  // Empty.
+  static_vector() {}
+  // A copy of each value.
+  static_vector(const static_vector& other) { *this = other; }
+  // A copy of each value.
+  static_vector& operator=(const static_vector& other) {
+    size_ = other.size_;
+    std::uninitialized_copy_n(other.data(), size_, data());
+    return *this;
+  }
+
+  // Adds a value. Fewer than Capacity must be there.
+  X& append(const X& x) { return *std::construct_at(data() + size_++, x); }
+  // Empties it.
+  void clear() { size_ = 0; }
+  // How many values there are.
+  int size() const { return size_; }
+  // The first value.
+  const X* data() const { return items_.data(); }
+  // The first value, to change it.
+  X* data() { return items_.data(); }
+
+ private:
+  union {
+    std::array<X, static_cast<std::size_t>(Capacity)> items_;
+  };
+  int size_ = 0;
+};
+
+// At most one value, which is made in advance: the optimiser sees through it, but not through a union.
+template <class X>
+class static_vector<X, 1> {
+ public:
+  // Sets the value. None must be there.
+  X& append(const X& x) {
+    item_ = x;
+    size_ = 1;
+    return item_;
+  }
+  // Empties it.
+  void clear() { size_ = 0; }
+  // 0 or 1.
+  int size() const { return size_; }
+  // The value.
+  const X* data() const { return &item_; }
+  // The value, to change it.
+  X* data() { return &item_; }
+
+ private:
+  X item_{};
+  int size_ = 0;
+};
+
+}  // namespace detail
 
 /// Up to Capacity touched walls; no allocation.
 template <int D, int Capacity>
@@ -75,7 +141,7 @@ class contacts {
   contact<D>* end() { return items_.data() + items_.size(); }
 
  private:
-  static_vector<contact<D>, Capacity> items_;
+  detail::static_vector<contact<D>, Capacity> items_;
 };
 
 /// One of several walls, the only one that is touched: a view of its contact.

@@ -52,7 +52,7 @@ ph::contact_metrics along_the_wall() {
   ph::brakes_of<M> brakes;
   const auto law = ph::recommended_law<State>(M(), brakes);
   ph::controller control(M(), brakes, ph::held_scene(ph::scene(ph::wall(wall)), 1e-3), law);
-  const auto told = [&](const ph::device_state<arm>& s) {
+  const auto controller = [&](const ph::device_state<arm>& s) {
     State state;
     state.time = s.time;
     state.q = s.q;
@@ -64,7 +64,7 @@ ph::contact_metrics along_the_wall() {
     same.wall_number = result.wall_number;
     return same;
   };
-  return ph::follow_wall(e.device, told, wall, e.hand, {});
+  return ph::follow_wall(e.device, controller, wall, e.hand, {});
 }
 
 TEST(recommended_law, lets_the_hand_glide_whatever_the_device_has) {

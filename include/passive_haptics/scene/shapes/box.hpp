@@ -2,7 +2,7 @@
 /// A rectangular wall: rectangle (2-D) or box (3-D), aligned with any orthonormal frame.
 #pragma once
 
-#include <passive_haptics/core/linear/orthogonalisation.hpp>
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 #include <passive_haptics/scene/shapes/directions.hpp>

@@ -2,7 +2,7 @@
 /// Seeded random data for property suites.
 #pragma once
 
-#include <passive_haptics/core/linear/orthogonalisation.hpp>
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 
 #include <cmath>
