@@ -68,9 +68,14 @@ ph::contact_metrics along_the_wall() {
 }
 
 TEST(recommended_law, lets_the_hand_glide_whatever_the_device_has) {
-  EXPECT_EQ((along_the_wall<arm, ph::device_state<arm>>().separations), 0);
-  EXPECT_EQ((along_the_wall<light_arm, ph::device_state<light_arm>>().separations), 0);
-  EXPECT_EQ((along_the_wall<arm, ph::sensorless_device_state<arm>>().separations), 0);
+  for (const ph::contact_metrics& figures : {along_the_wall<arm, ph::device_state<arm>>(),
+                                             along_the_wall<light_arm, ph::device_state<light_arm>>(),
+                                             along_the_wall<arm, ph::sensorless_device_state<arm>>()}) {
+    EXPECT_EQ(figures.separations, 0);
+    EXPECT_TRUE(figures.arrived) << "the hand goes the whole way";
+    EXPECT_GT(figures.depth_mean, 0.5e-3) << "it is in contact";
+    EXPECT_LT(figures.depth_max, 3e-3) << "and held";
+  }
 }
 
 }  // namespace
