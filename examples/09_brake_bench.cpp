@@ -1,14 +1,18 @@
 // Three tests on a bench tell what a brake is: steps of the current, a slow ramp of it, a sweep of the rate.
 // Here the bench is simulated, behind the same port and torque sensor as a real one, so that what is found
 // can be compared.
+#include <brakes_section.hpp>
 #include <command_line.hpp>
 #include <output.hpp>
 #include <simulated_bench.hpp>
 
 #include <passive_haptics/bench/bench_run.hpp>
 #include <passive_haptics/bench/magnetorheological_loop.hpp>
+#include <passive_haptics/bench/measured_brake.hpp>
 #include <passive_haptics/bench/rate_sweep.hpp>
 #include <passive_haptics/core/parameter_text.hpp>
+#include <passive_haptics/driver/rate_estimator.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/plant/brakes/coulomb_brake.hpp>
 #include <passive_haptics/plant/brakes/delayed_brake.hpp>
 #include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
@@ -24,6 +28,8 @@
 namespace ph = passive_haptics;
 
 namespace {
+
+using device = ph::tendon_two_link<double>;  // which gets two such brakes
 
 constexpr double current = 0.5, steady_rate = 2, pause = 0.5, ramp_time = 10;  // [A, rad/s, s, s]
 constexpr double slowest = 0.02, fastest = 20, sweep_time = 40;                // [rad/s, rad/s, s]
@@ -124,6 +130,19 @@ void identify(const Model& brake, const Torque& torque_at, const std::filesystem
   print("drag", eddy.drag, "N m s");
   print("critical_rate", eddy.critical_rate, "rad/s");
   print("peak_torque", eddy.peak_torque, "N m");
+
+  // What a controller and brake_driver take of two such brakes
+  if (eddy.deviation < 0.5 * std::min(viscous.deviation, stribeck.deviation)) {
+    std::printf("\nno brakes.toml: the torque depends on the rate, see rate_limited_brakes\n");
+    return;
+  }
+  const double dead_band = ph::rate_dead_band(how.resolution, 16, how.period);
+  const bool has_loop = loop.hysteresis.value > 10 * loop.hysteresis.standard_error;
+  const ph::measured_brake measured = has_loop ? ph::measured_brake_of(magnetic, dead_band)
+                                               : ph::measured_brake_of(up, down, loop, dead_band);
+  const ph::brakes_of<device> brakes = ph::measured_brakes<device>({measured, measured});
+  std::printf("\nbrakes.toml, and brakes of a controller:\n%s", ph::to_text(brakes).c_str());
+  example::write_file(directory / "brakes.toml", example::brakes_section<device>({measured, measured}));
 }
 
 }  // namespace
@@ -132,7 +151,9 @@ int main(int argc, char** argv) try {
   std::string which = "magnetorheological";
   std::filesystem::path directory;
   example::command_line line(
-      "brake_bench", "What three tests on a bench tell of a brake: its constants, and the samples as CSV.");
+      "brake_bench",
+      "What three tests on a bench tell of a brake: its constants, the samples as CSV, and brakes.toml "
+      "for brake_driver.");
   line.choice("--brake", which, {"coulomb", "magnetorheological", "stribeck", "eddy_current"},
               "on the bench");
   line.output(directory);

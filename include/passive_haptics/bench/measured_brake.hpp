@@ -1,0 +1,140 @@
+/// @file
+/// What a controller, a driver and a simulation take of the brakes, from what their bench found.
+#pragma once
+
+#include <passive_haptics/bench/magnetorheological_loop.hpp>
+#include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/driver/calibration/brake_calibration.hpp>
+#include <passive_haptics/plant/brakes/coulomb_brake.hpp>
+
+#include <array>
+#include <limits>
+#include <string>
+
+namespace passive_haptics {
+
+/// Results of one brake's tests; a default-constructed one is of no test. Make it by measured_brake_of().
+struct measured_brake {
+  estimate time_constant;       ///< Of a rising torque, or of the coil of a magnetorheological brake [s].
+  estimate fall_time_constant;  ///< Of a falling one [s].
+  current_ramp ramp;            ///< With the delays of both.
+  /// Of the device's encoder on this axis: rate_dead_band(resolution, window, period) [rad/s].
+  double rate_dead_band = std::numeric_limits<double>::quiet_NaN();
+};
+
+namespace detail {
+
+inline std::string check_measured(const char* name, const estimate& found, const char* fix) {
+  const std::string error = check_value(name, found.value, "", range::positive);
+  if (!error.empty()) return std::string(error).append(": ").append(fix);
+  if (found.standard_error < found.value) return {};
+  return error_text(std::string(name).append(".standard_error"), found.standard_error,
+                    std::string("less than the value: ").append(fix));
+}
+
+}  // namespace detail
+
+/// What of the results is missing or cannot be, with what to do; empty if nothing.
+inline std::string validate(const measured_brake& found) {
+  const char *const step_up = "record a larger step up, and give its fit_step_response",
+                    *const step_down = "record a larger step down, and give its fit_step_response";
+  const current_ramp& ramp = found.ramp;
+  const estimate& top = ramp.rising.back();
+  if (std::string text = detail::check_measured("time_constant [s]", found.time_constant, step_up);
+      !text.empty())
+    return text;
+  if (std::string text =
+          detail::check_measured("fall_time_constant [s]", found.fall_time_constant, step_down);
+      !text.empty())
+    return text;
+  if (!(ramp.greatest_current > 0))
+    return detail::error_text("ramp.greatest_current [A]", ramp.greatest_current,
+                              "> 0: record a ramp, and give its fit_current_ramp");
+  constexpr double sure = 3;  // standard errors
+  if (!(top.value > ramp.residual_torque.value + sure * top.standard_error))
+    return detail::error_text("ramp.rising[10] [N m]", top.value,
+                              "more than ramp.residual_torque: ramp up to a larger current");
+  if (ramp.residual_torque.value < 0)
+    return detail::error_text("ramp.residual_torque [N m]", ramp.residual_torque.value,
+                              ">= 0: set torque_at_zero of the bench while nothing pulls");
+  if (std::string text = validate(ramp.curve()); !text.empty())
+    return std::string("ramp.curve().").append(text).append(": ramp more slowly, and up to a larger current");
+  const std::string error = check_value("rate_dead_band", found.rate_dead_band, "rad/s", range::positive);
+  if (error.empty()) return {};
+  return std::string(error).append(": give rate_dead_band(resolution, window, period) of its encoder");
+}
+
+/// The results of a step up, a step down and a ramp. rate_dead_band: see the member [rad/s]. Throws
+/// std::invalid_argument with the text of validate(), or where the steps are not one up and one down.
+inline measured_brake measured_brake_of(const step_response& up, const step_response& down,
+                                        const current_ramp& ramp, double rate_dead_band) {
+  detail::require(up.change.value > 0, "up.change [N m]", up.change.value,
+                  "> 0: give the step up first, then that down");
+  detail::require(down.change.value < 0, "down.change [N m]", down.change.value,
+                  "< 0: give the step up first, then that down");
+  return require_valid(measured_brake{up.time_constant, down.time_constant, ramp, rate_dead_band});
+}
+
+/// The results of a brake with hysteresis, whose torque is no first-order lag of its current. rate_dead_band:
+/// see the member [rad/s]. Throws std::invalid_argument with the text of validate().
+inline measured_brake measured_brake_of(const magnetorheological_identification& found,
+                                        double rate_dead_band) {
+  return require_valid(
+      measured_brake{found.rising.time_constant, found.falling.time_constant, found.ramp, rate_dead_band});
+}
+
+/// What is wrong with the results, with the brake's number; empty if nothing.
+template <std::size_t Brakes>
+std::string validate(const std::array<measured_brake, Brakes>& found) {
+  for (std::size_t i = 0; i < Brakes; ++i)
+    if (const std::string text = validate(found[i]); !text.empty())
+      return detail::indexed("brakes[", i, "].").append(text);
+  return {};
+}
+
+/// The results of the brakes of mechanism M.
+template <class M>
+using measured_brakes_of = std::array<measured_brake, static_cast<std::size_t>(M::brake_count)>;
+
+/// The brakes of mechanism M as a controller and its law take them: torque_limit, that of the rising branch
+/// at the greatest current; time_constant, that of the rise, as a law that counts on the fall bounces
+/// (docs/results.md); rate_dead_band. The torque_dead_band is the default. Throws std::invalid_argument with
+/// the text of validate(found).
+///
+/// A brake whose torque depends on its rate has no such torque_limit: see rate_limited_brakes.
+template <class M>
+brakes_of<M> measured_brakes(const measured_brakes_of<M>& found) {
+  require_valid(found);
+  using T = typename M::scalar;
+  brakes_of<M> brakes;
+  for (int i = 0; i < M::brake_count; ++i) {
+    const measured_brake& one = found[static_cast<std::size_t>(i)];
+    brakes.torque_limit[i] = static_cast<T>(one.ramp.rising.back().value);
+    brakes.time_constant[i] = static_cast<T>(one.time_constant.value);
+    brakes.rate_dead_band[i] = static_cast<T>(one.rate_dead_band);
+  }
+  return require_valid(brakes);
+}
+
+/// The curves of the brakes, for a brake_calibration. Throws std::invalid_argument with the text of
+/// validate(found).
+template <std::size_t Brakes>
+std::array<brake_curve, Brakes> measured_curves(const std::array<measured_brake, Brakes>& found) {
+  require_valid(found);
+  std::array<brake_curve, Brakes> curves;
+  for (std::size_t i = 0; i < Brakes; ++i) curves[i] = found[i].ramp.curve();
+  return curves;
+}
+
+/// The brake in a simulation, without its hysteresis. Its command is what the curve makes without the
+/// residual torque [N m], so its gain is 1. Throws std::invalid_argument with the text of validate(found).
+inline coulomb_brake<double> simulated_brake(const measured_brake& found) {
+  require_valid(found);
+  const double residual = found.ramp.residual_torque.value, rise = found.time_constant.value;
+  return {.torque_limit = found.ramp.rising.back().value - residual,
+          .time_constant = rise,
+          .fall_ratio = found.fall_time_constant.value / rise,
+          .residual = {.strength = residual}};
+}
+
+}  // namespace passive_haptics
