@@ -36,7 +36,7 @@ std::vector<ph::device_state<M>> random_states(const M& mechanism) {
   std::vector<ph::device_state<M>> states;
   while (states.size() < inputs) {
     ph::device_state<M> s;
-    s.time = 0;
+    s.time = 1e-3 * static_cast<double>(states.size());
     s.q = T(1.2) * random.direction<T, n>();
     s.qd = random.direction<T, n>();
     s.hand_force = T(2) * random.direction<T, d>();
@@ -46,11 +46,10 @@ std::vector<ph::device_state<M>> random_states(const M& mechanism) {
 }
 
 // Everything lies behind the walls, or nothing.
-template <account Account = account::whole, class M, class... Walls>
+template <account Account = account::whole, class Law = ph::direct_control, class M, class... Walls>
 row cycles(const M& mechanism, const Walls&... walls) {
   const auto states = random_states(mechanism);
-  ph::controller control(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(walls, 1e3)...),
-                         ph::direct_control());
+  ph::controller control(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(walls, 1e3)...), Law());
   return [states, control]() mutable {
     for (const auto& s : states) {
       if constexpr (Account == account::whole) use(control(s));
@@ -129,6 +128,10 @@ std::map<std::string, std::function<row()>> all_rows() {
   };
   const auto a = wall_around(10), b = wall_around(115), c = wall_around(200), d = wall_around(300);
   rows["tendon_two_link/command"] = [=] { return commands(wall_around(0)); };
+  rows["tendon_two_link/command_of_velocity_control"] = [=] {
+    return cycles<account::command_alone, ph::velocity_direct_control>(ph::tendon_two_link<double>(),
+                                                                       wall_around(0));
+  };
   rows["tendon_two_link/command_of_2_walls"] = [=] { return commands(a, b); };
   rows["tendon_two_link/command_of_3_walls"] = [=] { return commands(a, b, c); };
   rows["tendon_two_link/command_of_4_walls"] = [=] { return commands(a, b, c, d); };

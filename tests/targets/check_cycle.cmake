@@ -1,5 +1,5 @@
 # A control cycle on a Cortex-M7: no heap, and no more instructions and flash than its row of docs/numerics.md states, to 2 %.
-# Needs: what build.cmake needs; size, nm, scalar, row (how it begins).
+# Needs: what build.cmake needs; size, nm, scalar, law, row (how it begins).
 set(platform cortex_m7)
 include(${CMAKE_CURRENT_LIST_DIR}/build.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../driver/firmware_arm/small.cmake)
@@ -11,9 +11,9 @@ math(EXPR most_instructions "${CMAKE_MATCH_1} * 102 / 100")
 math(EXPR most_flash "${CMAKE_MATCH_2} * 102 / 100")
 
 set(elf ${directory}/cycle.elf)
-build(cycle.cpp ${elf} -O2 -DSCALAR=${scalar})
+build(cycle.cpp ${elf} -O2 -DSCALAR=${scalar} -DLAW=${law})
 require_no_heap("a control cycle" ${elf})
-require_small("a control cycle in ${scalar}" ${elf} ${most_flash} 1024)
+require_small("a control cycle of ${law} in ${scalar}" ${elf} ${most_flash} 1024)
 run(${elf} said)
 message("${said}")
 if(NOT said MATCHES "instructions a cycle: ([0-9]+)" OR CMAKE_MATCH_1 GREATER most_instructions)
