@@ -2,6 +2,7 @@
 /// The wall calculator: how stiff, how shallow and how still a wall made of brakes can be.
 #pragma once
 
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/core/scalar/first_order_lag.hpp>
@@ -33,7 +34,9 @@ struct braked_wall {
   /// Over which rates are averaged [s]: the window of a difference, or twice the time constant of a low-pass.
   /// Here that of encoder_parameters, 50 Hz, and of velocity_direct_control.
   double averaging_time = 2 * (low_pass_time_constant(50.0) + velocity_direct_control_parameters().rate_lag);
-  double rest_depth = velocity_direct_control_parameters().rest_depth;  ///< d_0 of the law [m].
+  double rest_depth = velocity_direct_control_parameters().rest_depth;  ///< d_0 of the law [m],
+  /// or this many times the depth_resolution [1], where the law has coarse encoders.
+  double depth_per_jump = velocity_direct_control_parameters().depth_per_jump;
 
   static constexpr const char* type_name = "a braked_wall";  ///< In errors.
   /// The table of core/parameters.hpp.
@@ -53,7 +56,8 @@ struct braked_wall {
                         member("scene_period", &p::scene_period, "s", range::not_negative),
                         member("reaction_time", &p::reaction_time, "s", range::not_negative),
                         member("averaging_time", &p::averaging_time, "s", range::positive),
-                        member("rest_depth", &p::rest_depth, "m", range::not_negative));
+                        member("rest_depth", &p::rest_depth, "m", range::not_negative),
+                        member("depth_per_jump", &p::depth_per_jump, "1", range::not_negative));
   }
 };
 
@@ -97,6 +101,12 @@ inline double landing_depth(const braked_wall& wall, double force, double delay)
   return std::numeric_limits<double>::infinity();
 }
 
+// Where velocity_direct_control lets the hand rest [m]: the depth jumps by a count of the encoders.
+inline double resting_depth(const braked_wall& wall) {
+  return std::max(wall.rest_depth, std::min(wall.depth_per_jump * wall.depth_resolution,
+                                            velocity_direct_control::deepest_rest));
+}
+
 }  // namespace detail
 
 /// What this wall can be. Bands over random devices, and what is left out: docs/guide/wall_limits.md.
@@ -106,9 +116,10 @@ inline double landing_depth(const braked_wall& wall, double force, double delay)
 ///
 ///     Lambda_n x'' = P - K_h x - B_h x' - R - f,    T_b f' + f = F,    f = 0 until T,
 ///
-/// but under velocity_direct_control not less than its rest_depth. T is half a period of the control, or of a
-/// slower scene, and the law's reaction_time. With a hand that brings no force, and brakes that are quick
-/// (T_b -> 0) or slow beside the landing, it is
+/// but under velocity_direct_control not less than where the law rests: at its rest_depth, or with coarse
+/// encoders at depth_per_jump times the depth_resolution, up to velocity_direct_control::deepest_rest. T is
+/// half a period of the control, or of a slower scene, and the law's reaction_time. With a hand that brings
+/// no force, and brakes that are quick (T_b -> 0) or slow beside the landing, it is
 ///
 ///     v T + Lambda_n v^2 / (2 F)    or    v T + 2/3 v sqrt(2 Lambda_n v T_b / F).
 ///
@@ -126,7 +137,7 @@ inline wall_limits limits_of(const braked_wall& wall) {
   const double late = std::max(wall.control_period, wall.scene_period) / 2;
   const double held = detail::landing_depth(wall, wall.force, late + wall.reaction_time);
   const double rigid = detail::landing_depth(wall, wall.approximated_force, late);
-  return {std::max(held, wall.rest_depth), rigid, wall.approximated_force / rigid,
+  return {std::max(held, detail::resting_depth(wall)), rigid, wall.approximated_force / rigid,
           wall.depth_resolution / (2 * wall.averaging_time)};
 }
 

@@ -24,7 +24,7 @@ ph::braked_wall bare_wall() {
   wall.approach_speed = 0.1;
   wall.time_constant = wall.push = wall.hand_damping = 0;
   wall.control_period = 1e-9;
-  wall.scene_period = wall.reaction_time = wall.rest_depth = 0;
+  wall.scene_period = wall.reaction_time = wall.rest_depth = wall.depth_per_jump = 0;
   return wall;
 }
 
@@ -120,6 +120,23 @@ TEST(wall_limits, a_hand_that_does_not_come_rests_where_the_law_holds_it) {
   wall.push = -1;
   EXPECT_EQ(limits_of(wall).depth, wall.rest_depth);
   EXPECT_EQ(limits_of(wall).rigid_depth, 0);
+}
+
+TEST(wall_limits, coarse_encoders_let_the_hand_rest_deeper) {
+  ph::braked_wall wall;
+  wall.approach_speed = 0;
+  wall.push = -1;
+  const ph::velocity_direct_control_parameters law;
+  wall.depth_resolution = 0.9 * law.rest_depth / law.depth_per_jump;
+  EXPECT_EQ(limits_of(wall).depth, law.rest_depth);
+  wall.depth_resolution = 2 * law.rest_depth / law.depth_per_jump;
+  EXPECT_DOUBLE_EQ(limits_of(wall).depth, 2 * law.rest_depth);
+  wall.depth_per_jump /= 1.5;
+  EXPECT_DOUBLE_EQ(limits_of(wall).depth, 2 * law.rest_depth / 1.5);
+  wall.depth_resolution = 1;
+  EXPECT_EQ(limits_of(wall).depth, ph::velocity_direct_control::deepest_rest);
+  wall.rest_depth = 2 * ph::velocity_direct_control::deepest_rest;
+  EXPECT_EQ(limits_of(wall).depth, wall.rest_depth);
 }
 
 TEST(wall_limits, a_drift_is_told_by_a_count_in_twice_the_time_averaged) {
