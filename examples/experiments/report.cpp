@@ -27,7 +27,7 @@ void report::add(const table_row& row) {
               row.device.c_str(), row.wall.c_str(), row.environment.c_str(), row.law.c_str(), f.separations,
               1e3 * f.depth_std, 1e3 * f.depth_range, 1e3 * f.depth_mean, 1e3 * f.depth_max,
               100 * f.stick_share, f.retarding_force, 1e3 * f.brake_energy,
-              f.arrived ? "" : "  (did not arrive)");
+              f.arrived ? "" : ("  (" + std::string(to_string(f.end)) + ")").c_str());
   std::fflush(stdout);
   csv_ << row.device << ", " << row.wall << ", " << row.environment << ", " << row.law << ", "
        << f.separations << ", " << 1e3 * f.depth_std << ", " << 1e3 * f.depth_range << ", "

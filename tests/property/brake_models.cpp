@@ -7,6 +7,7 @@
 #include <passive_haptics/plant/brakes/delayed_brake.hpp>
 #include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
 #include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/presliding_brake.hpp>
 #include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/testing/brake_model_properties.hpp>
 
@@ -61,7 +62,8 @@ using models =
                  case_of<ph::eddy_current_brake<float>>, case_of<ph::eddy_current_brake<double>>,
                  case_of<ph::magnetorheological_brake<float>>, case_of<ph::magnetorheological_brake<double>>,
                  without_lag<double>, late<ph::coulomb_brake<float>>, late<ph::coulomb_brake<double>>,
-                 late<ph::eddy_current_brake<double>>, case_of<compensated<double>>,
+                 late<ph::eddy_current_brake<double>>,
+                 case_of<ph::presliding_brake<ph::coulomb_brake<double>>>, case_of<compensated<double>>,
                  case_of<ph::compensated_brake<ph::eddy_current_brake<double>>>, late<compensated<double>>,
                  chosen<ph::coulomb_brake<double>>, chosen<ph::eddy_current_brake<double>>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(models, brake_model_properties, models);

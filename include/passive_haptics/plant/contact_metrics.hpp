@@ -4,26 +4,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace passive_haptics {
 
+/// How a run along a wall ended.
+enum class run_end {
+  time_over,  ///< Its longest time was over.
+  arrived,    ///< The end of the path was reached.
+  too_deep,   ///< The handle was deeper than the run allows.
+  not_finite  ///< The depth was not a finite number.
+};
+
+/// In words.
+constexpr std::string_view to_string(run_end e) {
+  switch (e) {
+    case run_end::time_over: return "time over";
+    case run_end::arrived: return "arrived";
+    case run_end::too_deep: return "too deep";
+    case run_end::not_finite: return "depth not finite";
+  }
+  return "unknown run_end";
+}
+
 /// Figures of one run along a wall, counted from the first contact.
 struct contact_metrics {
-  int separations = 0;             ///< Contact followed by a depth under -10 um.
-  int recontacts = 0;              ///< Separation followed by a depth over +10 um.
-  double depth_mean = 0;           ///< Mean depth after the first 10 % of the path [m].
-  double depth_std = 0;            ///< Standard deviation of the depth there [m].
-  double depth_range = 0;          ///< Largest less smallest depth there [m].
-  double depth_drift = 0;          ///< Last less first depth there [m]; < 0 moves out of the wall.
-  double depth_max = 0;            ///< Largest depth on the whole path [m].
-  double stick_share = 0;          ///< Share of time that the watched brake is slower than 1e-3 rad/s [1].
-  double hand_force_std = 0;       ///< Standard deviation of the hand's force into the wall [N].
-  double retarding_force = 0;      ///< Mean force of the brakes against the motion along the wall [N].
-  double brake_energy = 0;         ///< Dissipated by the friction of all brakes [J].
-  double largest_brake_power = 0;  ///< Largest that one brake gave to the device in a step [W]; 0 if none.
-  double duration = 0;             ///< From the first contact to the end [s].
-  bool arrived = false;            ///< The end of the path was reached.
-  bool touched = false;            ///< The wall was touched at all.
+  int separations = 0;               ///< Contact followed by a depth under -10 um.
+  int recontacts = 0;                ///< Separation followed by a depth over +10 um.
+  double depth_mean = 0;             ///< Mean depth after the first 10 % of the path [m].
+  double depth_std = 0;              ///< Standard deviation of the depth there [m].
+  double depth_range = 0;            ///< Largest less smallest depth there [m].
+  double depth_drift = 0;            ///< Last less first depth there [m]; < 0 moves out of the wall.
+  double depth_max = 0;              ///< Largest depth on the whole path [m].
+  double stick_share = 0;            ///< Share of time that the watched brake is slower than 1e-3 rad/s [1].
+  double hand_force_std = 0;         ///< Standard deviation of the hand's force into the wall [N].
+  double retarding_force = 0;        ///< Mean force of the brakes against the motion along the wall [N].
+  double brake_energy = 0;           ///< Dissipated by the friction of all brakes [J].
+  double largest_brake_power = 0;    ///< Largest that one brake gave to the device in a step [W]; 0 if none.
+  double duration = 0;               ///< From the first contact to the end [s].
+  bool arrived = false;              ///< The end of the path was reached.
+  bool touched = false;              ///< The wall was touched at all.
+  run_end end = run_end::time_over;  ///< How the run ended; follow_wall sets it.
 
   static constexpr double floating_depth = -0.5e-3;  ///< A mean depth [m] under which the handle floats.
   static constexpr double deep_depth = 10e-3;        ///< A depth [m] over which it is deep.

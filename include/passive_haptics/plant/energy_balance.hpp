@@ -22,16 +22,18 @@ namespace passive_haptics {
 /// hold k = 1 for tendon_two_link, five_bar, delta and a serial chain. It is O(dt): halving dt halves it. It
 /// is rounding where M is constant.
 struct energy_balance {
-  double start = 0;              ///< Kinetic energy of device and hand when its motion was set.
-  double hand = 0;               ///< Work of the hand's muscles, in.
-  double gravity = 0;            ///< Work of gravity, in.
-  double brakes = 0;             ///< Dissipated by what was commanded of the brakes.
+  double start = 0;    ///< Kinetic energy of device and hand when its motion was set.
+  double hand = 0;     ///< Work of the hand's muscles, in.
+  double gravity = 0;  ///< Work of gravity, in.
+  /// Dissipated by what was commanded of the brakes, or stored by their compliance.
+  double brakes = 0;
   double residual_friction = 0;  ///< Dissipated by the brakes' residual friction.
   double drag = 0;               ///< Dissipated by the brakes' residual drag.
   double kinetic = 0;            ///< Kinetic energy of device and hand now.
   /// Largest power that one brake's friction gave to the device in one step [W], t_i w_i with the rates at
   /// the end of the step; 0 if none ever gave any. Friction is implicit, so it is 0 to rounding: at most
-  /// rounding_tolerance(m) torque_i (|w_i| + A |torque| dt), see solve_box_friction.
+  /// rounding_tolerance(m) torque_i (|w_i| + A |torque| dt), see solve_box_friction. A brake with compliance
+  /// gives back what its spring took.
   double largest_brake_power = 0;
 
   /// Dissipated by the brakes, all but their residual drag.

@@ -21,7 +21,8 @@ namespace passive_haptics {
 struct detail::simulated_device_header {};
 
 /// Simulated device: M qdd + c = J^T Fh + T^T t, where the brakes are Coulomb friction with exact stick and
-/// viscous drag, both as the Model of each brake says. Any m, n, d of a Mechanism.
+/// viscous drag, both as the Model of each brake says. A compliance of the Model is a spring in series with
+/// the friction (presliding_brake). Any m, n, d of a Mechanism.
 ///
 /// Semi-implicit Euler on impulses, first order in dt: what the models resist with at the old rates, then the
 /// new rates (friction and drag implicit), then positions with the new rates. The hand's mass moves with the
@@ -60,6 +61,7 @@ class simulated_device {
     q_ = q;
     qd_ = qd;
     measure_pose();
+    friction_.setZero();
     energy_ = energy_balance();
     energy_.start = energy_.kinetic = kinetic_energy();
   }
@@ -77,9 +79,14 @@ class simulated_device {
     const cholesky<scalar, M::dof> inverse_mass(mass_ + Tt * drag);
 
     const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(mass_ * qd_ + dt * drive));
-    const matrix<scalar, M::brake_count, M::brake_count> A = T * inverse_mass.solve(Tt);
+    const brake_matrix A = T * inverse_mass.solve(Tt);
     const brake_vector<M> limit = dt * (strength_ + now.residual_strength);
-    const brake_vector<M> impulse = friction(A, T * free, limit);
+    // A shaft of compliance c does not slip where w = -c (p / dt - t) / dt, with t the friction before:
+    // the condition of stick with A + c / dt^2 for A and w0 - c t / dt for w0
+    const brake_vector<M> give = now.compliance / (dt * dt);
+    const brake_vector<M> impulse =
+        friction(A + brake_matrix(give.asDiagonal()), T * free - dt * give.cwiseProduct(friction_), limit);
+    friction_ = impulse / dt;
 
     const joint_vector<M> next = free + inverse_mass.solve(joint_vector<M>(Tt * impulse));
     sensed_force_ = handle_force - hand_mass_ / dt * (J_ * (next - qd_));
@@ -123,7 +130,8 @@ class simulated_device {
   const task_vector<M>& sensed_force() const { return sensed_force_; }
   /// Mean torque of the brakes in the last step [N m]: friction, commanded and residual, and commanded drag.
   const brake_vector<M>& brake_torque() const { return brake_torque_; }
-  /// t_i w_i of it with the rates at the end of the last step [W]: <= 0 to rounding.
+  /// t_i w_i of it with the rates at the end of the last step [W]: <= 0 to rounding, but for what a
+  /// compliance gives back.
   const brake_vector<M>& brake_power() const { return brake_power_; }
   /// What the brakes could hold at rest now by command [N m], without residual friction.
   const brake_vector<M>& brake_strength() const { return strength_; }
@@ -148,10 +156,11 @@ class simulated_device {
  private:
   using joint_matrix = matrix<scalar, M::dof, M::dof>;
   using task_matrix = jacobian_matrix<M>;
+  using brake_matrix = matrix<scalar, M::brake_count, M::brake_count>;
 
   // Of the brakes, beside strength_.
   struct resistances {
-    brake_vector<M> commanded_drag, residual_strength, residual_drag;
+    brake_vector<M> commanded_drag, residual_strength, residual_drag, compliance;
   };
 
   static double as_double(scalar x) { return static_cast<double>(x); }
@@ -167,6 +176,7 @@ class simulated_device {
       all.commanded_drag[i] = commanded.drag;
       all.residual_strength[i] = residual.strength;
       all.residual_drag[i] = residual.drag;
+      all.compliance[i] = compliance_of(brakes_[k]);
     }
     return all;
   }
@@ -180,8 +190,8 @@ class simulated_device {
 
   double kinetic_energy() const { return as_double(qd_.dot(mass_ * qd_)) / 2; }
 
-  static brake_vector<M> friction(const matrix<scalar, M::brake_count, M::brake_count>& A,
-                                  const brake_vector<M>& w0, const brake_vector<M>& limit) {
+  static brake_vector<M> friction(const brake_matrix& A, const brake_vector<M>& w0,
+                                  const brake_vector<M>& limit) {
     if constexpr (M::brake_count > M::dof)
       return solve_redundant_box_friction<scalar, M::brake_count>(A, w0, limit).impulse;
     else return solve_box_friction<scalar, M::brake_count>(A, w0, limit).impulse;
@@ -191,6 +201,7 @@ class simulated_device {
   brake_models_of<M, Model> brakes_;
   std::array<typename Model::state, static_cast<std::size_t>(M::brake_count)> states_{};
   brake_vector<M> strength_ = brake_vector<M>::Zero();
+  brake_vector<M> friction_ = brake_vector<M>::Zero();  // commanded and residual, without drag [N m]
   scalar hand_mass_;
   joint_vector<M> q_, qd_;
   task_vector<M> x_;

@@ -89,7 +89,8 @@ struct no_observer {
 }  // namespace detail
 
 /// Runs the experiment: the hand moves the device beside `shape` (the wall whose depth is measured) until the
-/// end of the path, for at most `longest`, while the depth is finite and at most `deepest`.
+/// end of the path, for at most `longest`, while the depth is finite and at most `deepest`. So each run ends,
+/// and contact_metrics::end says how.
 ///
 /// control(device_state<M>) is called once a control period with what encoders and force sensor read, the
 /// first time at once, and returns a step_result<M>, or any default-constructible value with a
@@ -115,6 +116,7 @@ contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& contro
 
   using decision_type = detail::decision_of<M, Control>;
   decision_type decision{};
+  run_end end = run_end::time_over;
   double depth = -shape.distance(device.position().template cast<double>());
   for (long k = 0; k < steps; ++k) {
     const double time = static_cast<double>(k) * p.time_step;
@@ -151,9 +153,14 @@ contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& contro
                .brake_power = static_cast<double>(now.brake_power.maxCoeff()),
                .hand_force = -static_cast<double>(device.sensed_force().dot(normal))});
     observe(now);
-    if (progress >= p.path_end || !(depth <= p.deepest)) break;
+    if (progress >= p.path_end) end = run_end::arrived;
+    else if (!std::isfinite(depth)) end = run_end::not_finite;
+    else if (depth > p.deepest) end = run_end::too_deep;
+    if (end != run_end::time_over) break;
   }
-  return meter.result();
+  contact_metrics figures = meter.result();
+  figures.end = end;
+  return figures;
 }
 
 }  // namespace passive_haptics

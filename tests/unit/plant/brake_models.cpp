@@ -2,14 +2,18 @@
 #include "../support.hpp"
 
 #include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/plant/brakes/any_brake.hpp>
 #include <passive_haptics/plant/brakes/compensated_brake.hpp>
 #include <passive_haptics/plant/brakes/delayed_brake.hpp>
 #include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
 #include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/presliding_brake.hpp>
 #include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -63,6 +67,74 @@ TYPED_TEST(simulated_model, only_takes_energy) {
   EXPECT_GT(energy.residual_friction, 0);
   EXPECT_GT(energy.drag, 0);
   EXPECT_LE(std::abs(energy.imbalance()), 1e-12) << "its mass matrix is constant";
+}
+
+// A spring in series with friction: it turns by compliance times torque, swings there without loss, slips at
+// its strength and keeps the rest of its twist.
+TEST(simulated_presliding, is_a_spring_that_slips_at_its_strength) {
+  using model = ph::presliding_brake<ph::coulomb_brake<double>>;
+  model brake;
+  brake.model = {.torque_limit = 10, .time_constant = 0};
+  brake.presliding = 2e-3;
+  EXPECT_DOUBLE_EQ(brake.compliance(), 2e-4);
+  ph::simulated_device device(M(), ph::brake_models_of<M, model>{brake, brake}, 0.5, {0, 0});
+  const auto run = [&](double force, double time, double dt) {
+    double most = 0, sum = 0;
+    const long steps = std::lround(time / dt);
+    for (long k = 0; k < steps; ++k) {
+      device.advance(dt, {10, 10}, {force, 0});
+      most = std::max(most, device.q()[0]);
+      sum += device.q()[0];
+    }
+    return std::pair(most, sum / static_cast<double>(steps));
+  };
+  const double dt = 1e-6;
+  const auto [most, mean] = run(4, 0.5, dt);
+  EXPECT_NEAR(mean, 4 * brake.compliance(), 0.05 * mean) << "about where it balances the hand";
+  EXPECT_NEAR(most, 8 * brake.compliance(), 0.02 * most) << "twice as far, as an undamped spring";
+  EXPECT_LE(std::abs(device.energy().imbalance()), 1e-12);
+  EXPECT_GT(device.energy().largest_brake_power, 0) << "it gives back";
+
+  device.set_motion({0, 0}, {0, 0});
+  run(20, 0.1, dt);
+  const double slipped = device.q()[0];
+  EXPECT_GT(slipped, 10 * brake.presliding) << "it slips";
+  EXPECT_NEAR(device.brake_torque()[0], -10, 1e-9);
+  device.set_motion({0, 0}, {0, 0});
+  device.advance(dt, {10, 10}, {0, 0});
+  EXPECT_EQ(device.brake_torque()[0], 0) << "a new motion begins without twist";
+}
+
+TEST(simulated_presliding, of_nothing_is_the_brake_itself) {
+  using model = ph::presliding_brake<ph::coulomb_brake<double>>;
+  const ph::coulomb_brake<double> plain{.residual = {0.05, 0.1}};
+  model stiff;
+  stiff.model = plain;
+  stiff.presliding = 0;
+  ph::simulated_device one(M(), ph::brake_models_of<M>{plain, plain}, 0.3, {0, 0});
+  ph::simulated_device other(M(), ph::brake_models_of<M, model>{stiff, stiff}, 0.3, {0, 0});
+  for (int k = 0; k < 5000; ++k) {
+    const pair capacity = pair::Constant(0.5 + 0.4 * std::sin(1e-2 * k)), force(std::sin(3e-3 * k), 0.7);
+    one.advance(1e-4, capacity, force);
+    other.advance(1e-4, capacity, force);
+    ASSERT_EQ(one.q(), other.q()) << k;
+  }
+  stiff.model.torque_limit = 0;
+  stiff.presliding = 0.01;
+  EXPECT_EQ(stiff.compliance(), 0);
+}
+
+TEST(simulated_presliding, is_kept_by_what_holds_a_model) {
+  using model = ph::presliding_brake<ph::coulomb_brake<double>>;
+  const model brake;
+  EXPECT_GT(brake.compliance(), 0);
+  EXPECT_EQ(ph::compliance_of(ph::coulomb_brake<double>()), 0);
+  ph::delayed_brake<model> late;
+  EXPECT_EQ(ph::compliance_of(late), brake.compliance());
+  ph::compensated_brake<model> inverted;
+  EXPECT_EQ(ph::compliance_of(inverted), brake.compliance());
+  const ph::any_brake<ph::coulomb_brake<double>, model> any = brake;
+  EXPECT_EQ(ph::compliance_of(any), brake.compliance());
 }
 
 // m dv/dt = -c v with c of the command: commanded drag is the brakes' work and their torque.

@@ -4,6 +4,7 @@
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace {
 
@@ -108,7 +109,23 @@ TEST(wall_following_run, stops_at_the_end_of_the_path) {
         last = s.position[0];
       });
   EXPECT_TRUE(figures.arrived);
+  EXPECT_EQ(figures.end, ph::run_end::arrived);
   EXPECT_GE(last, T(0.06));
+}
+
+TEST(wall_following_run, says_how_it_ended) {
+  using M = ph::xy_table<double>;
+  const auto released = [](const auto&) { return ph::step_result<M>(); };
+  const auto end_of = [&](const ph::wall_following_parameters& p) {
+    auto e = table<double>();
+    return ph::follow_wall(e.device, released, wall, e.hand, p).end;
+  };
+  EXPECT_EQ(end_of({.longest = 0.05}), ph::run_end::time_over);
+  EXPECT_EQ(end_of({.path_end = 1, .deepest = 0.002}), ph::run_end::too_deep);
+  auto lost = table<double>();
+  lost.device.set_motion({0, std::numeric_limits<double>::quiet_NaN()}, {0, 0});
+  EXPECT_EQ(ph::follow_wall(lost.device, released, wall, lost.hand, {}).end, ph::run_end::not_finite);
+  EXPECT_EQ(to_string(ph::run_end::too_deep), "too deep");
 }
 
 }  // namespace

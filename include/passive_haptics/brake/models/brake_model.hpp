@@ -61,6 +61,8 @@ concept limits_brake = names_brake_scalar<B> && requires(const B brake, typename
 /// Optional:
 ///   - `brake_resistance<scalar> residual`, a member or a function: what is there without a command and adds
 ///     to it;
+///   - `scalar compliance` [rad/(N m)], a member or a function, constant and >= 0: how far the axis turns
+///     elastically for each N m of friction before the brake slips;
 ///   - members(), the table of core/parameters.hpp: who takes the model then checks its parameters.
 ///
 /// Refinement: InvertibleBrakeModel.
@@ -98,6 +100,15 @@ template <class B>
 brake_resistance<typename B::scalar> residual_of(const B& brake) {
   if constexpr (requires { brake.residual(); }) return brake.residual();
   else if constexpr (requires { brake.residual; }) return brake.residual;
+  else return {};
+}
+
+/// Elastic turn of a brake's axis for each N m of friction [rad/(N m)]; 0 where its model names no
+/// compliance.
+template <class B>
+typename B::scalar compliance_of(const B& brake) {
+  if constexpr (requires { brake.compliance(); }) return brake.compliance();
+  else if constexpr (requires { brake.compliance; }) return brake.compliance;
   else return {};
 }
 

@@ -26,11 +26,13 @@ class any_brake {
   using state = std::tuple<state_of<Models>...>;
 
   brake_resistance<scalar> residual;  ///< That of the model.
+  scalar compliance;                  ///< That of the model [rad/(N m)].
 
   /// A copy of this model. Implicit, so that it stands wherever an any_brake does.
   template <class Model>
     requires(std::same_as<Model, Models> || ...)
-  any_brake(const Model& model) : residual(residual_of(model)), model_(model) {}
+  any_brake(const Model& model)
+      : residual(residual_of(model)), compliance(compliance_of(model)), model_(model) {}
 
   /// See BrakeModel.
   brake_resistance<scalar> advance(scalar dt, scalar command, scalar rate, state& now) const noexcept {

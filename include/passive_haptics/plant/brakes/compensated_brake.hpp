@@ -27,6 +27,8 @@ struct compensated_brake {
 
   /// That of the brake.
   brake_resistance<scalar> residual() const { return residual_of(model); }
+  /// That of the brake [rad/(N m)].
+  scalar compliance() const { return compliance_of(model); }
 
   /// The table of core/parameters.hpp, of a model that has one.
   static constexpr auto members()
