@@ -8,6 +8,7 @@
 #include "experiments/planar.hpp"
 #include "experiments/plants.hpp"
 #include "experiments/report.hpp"
+#include "experiments/soft_brakes.hpp"
 #include "experiments/space.hpp"
 #include "experiments/wide_devices.hpp"
 
@@ -31,8 +32,8 @@ namespace {
 
 constexpr std::uint64_t seed = 20040627;
 constexpr std::size_t plant_count = 300;
-constexpr std::size_t few_plants = 60;      // of laws that bounce on all of them
-constexpr std::size_t planned_runs = 9721;  // of all that run on all cores
+constexpr std::size_t few_plants = 60;       // of laws that bounce on all of them
+constexpr std::size_t planned_runs = 10141;  // of all that run on all cores
 
 std::string text(std::string_view view) { return std::string(view); }
 std::string milliseconds(double time) {
@@ -309,6 +310,14 @@ void wide_devices(page_tables& page) {
   std::fflush(stdout);
 }
 
+// Brakes that twist before they slip, or drag without current.
+void brakes_of_another_kind(page_tables& page) {
+  page["soft_brakes"] = soft_brakes(seed + 1);
+  std::printf("\nPresliding and residual torque under velocity_direct_control, seed %llu\n\n%s",
+              static_cast<unsigned long long>(seed + 1), page["soft_brakes"].c_str());
+  std::fflush(stdout);
+}
+
 // Three degrees of freedom.
 void in_space(report& table, page_tables& page, const std::filesystem::path& directory) {
   struct cell {
@@ -534,6 +543,7 @@ int main(int argc, char** argv) try {
   random_plants(page, directory);
   wide_devices(page);
   laws_and_brakes(page);
+  brakes_of_another_kind(page);
   const bool hold = bands();
   const bool agrees = is_told(page);
   if (const std::size_t runs = progress_bar::done_of_all(); hold && runs != planned_runs)

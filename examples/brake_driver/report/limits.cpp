@@ -44,6 +44,10 @@ void print(const M& mechanism, const configuration& c) {
     else std::printf("%14g  %19s  ", approach, "not held");
     std::printf("%30.2g\n", limits.stiffness);
   }
+  if (limits_of(wall).pushed_out)
+    std::printf(
+        "\nWithout current the brakes hold the hand off: they push it out with %.2g N where it slides.\n",
+        wall.sliding_residual);
   std::printf(
       "\nDepth: velocity_direct_control that sees the wall once it is touched. Stiffness: the laws that use "
       "it,\nwhich get half as deep again into it as into a rigid wall. Bands: docs/guide/wall_limits.md.\n");

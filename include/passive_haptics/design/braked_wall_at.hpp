@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
 #include <passive_haptics/design/displayable.hpp>
@@ -16,6 +17,19 @@ namespace passive_haptics {
 /// One count of each encoder of mechanism M [rad, or m of a slide]; see encoder_axes.
 template <class M>
 using encoder_resolution = vector<typename M::scalar, encoder_axes<M>::count>;
+
+/// What the residual torques [N m] push a handle along the unit normal n with [N] that slides with a velocity
+/// along the wall: n . F of F = -G s t_r (4), as long as nothing accelerates. 0 for a handle that rests.
+template <Dynamics M>
+typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q,
+                                    const task_vector<M>& velocity, const task_vector<M>& n,
+                                    const brake_vector<M>& residual_torque) {
+  const task_vector<M> along = velocity - n * n.dot(velocity);
+  const brake_vector<M> t = displayable(mechanism, q, along, n).signs.cwiseProduct(residual_torque);
+  if constexpr (M::dof == M::task_dimension)
+    return -n.dot(passive_haptics::force_generators(mechanism, q) * t);
+  else return -n.dot(passive_haptics::inertial_force_generators(mechanism, q) * t);
+}
 
 /// The wall of unit normal n (base frame, out of the wall) that these brakes can make at joint positions q,
 /// touched with `velocity` [m/s]; a hand of this mass [kg] moves with the handle, the encoders have this
@@ -46,6 +60,8 @@ braked_wall braked_wall_at(const M& mechanism, const joint_vector<M>& q, const t
   wall.approximated_force = static_cast<double>(found.strongest_nearest);
   wall.residual_force -=
       static_cast<double>(along.inertia * along.g.dot(found.signs.cwiseProduct(residual_torque)));
+  wall.sliding_residual =
+      static_cast<double>(passive_haptics::sliding_residual(mechanism, q, velocity, n, residual_torque));
   wall.inertia = static_cast<double>(along.inertia);
   wall.approach_speed = std::max(0.0, -static_cast<double>(outward));
   wall.time_constant = static_cast<double>(brakes.time_constant.maxCoeff());

@@ -13,11 +13,13 @@
 namespace passive_haptics {
 
 /// A wall at one place of a device, the hand that comes, and the control, along the wall's normal.
-/// braked_wall_at() takes the first six from a mechanism.
+/// braked_wall_at() takes the first seven from a mechanism.
 struct braked_wall {
-  double force = 10;               ///< F, the most that the brakes make out of the wall [N].
-  double approximated_force = 8;   ///< The most that force approximation makes of it, strongest_nearest [N].
-  double residual_force = 0;       ///< R, what the residual torques add [N]; < 0 pulls the hand in.
+  double force = 10;              ///< F, the most that the brakes make out of the wall [N].
+  double approximated_force = 8;  ///< The most that force approximation makes of it, strongest_nearest [N].
+  double residual_force = 0;      ///< R, what the residual torques add [N]; < 0 pulls the hand in.
+  /// What the residual torques push out with while the handle slides along the wall [N].
+  double sliding_residual = 0;
   double inertia = 0.7;            ///< Lambda_n of the device with the hand [kg].
   double depth_resolution = 1e-4;  ///< What the depth changes by at a count of an encoder, at most [m].
   double approach_speed = 0.1;     ///< v at the surface, into the wall [m/s].
@@ -45,6 +47,7 @@ struct braked_wall {
     return member_table(member("force", &p::force, "N", range::not_negative),
                         member("approximated_force", &p::approximated_force, "N", range::not_negative),
                         member("residual_force", &p::residual_force, "N", range::finite),
+                        member("sliding_residual", &p::sliding_residual, "N", range::finite),
                         member("inertia", &p::inertia, "kg", range::positive),
                         member("depth_resolution", &p::depth_resolution, "m", range::not_negative),
                         member("approach_speed", &p::approach_speed, "m/s", range::not_negative),
@@ -74,6 +77,9 @@ struct wall_limits {
   /// Least noticeable drift off the wall or into it [m/s]: the ripple of its measured rate is as large as
   /// itself.
   double drift;
+  /// The residual torques alone push out a hand that slides along the wall, with its push or more: here
+  /// brakes without current hold it off.
+  bool pushed_out;
 
   /// The brakes stop the hand.
   bool holds() const { return depth < std::numeric_limits<double>::infinity(); }
@@ -130,6 +136,8 @@ inline double resting_depth(const braked_wall& wall) {
 /// apart, their mean square is v c / T_a (Campbell's theorem), their variance v c / T_a - v^2. That is v^2 at
 /// v = c / (2 T_a).
 ///
+/// **Residual torque.** A hand that slides is pushed_out where sliding_residual > 0 is at least P.
+///
 /// Throws std::invalid_argument with the text of validate(wall). Depths are those of the
 /// equation to 0.1 % and 1 um. Cost: twice up to 100 000 steps of ten operations and an exponential.
 inline wall_limits limits_of(const braked_wall& wall) {
@@ -138,7 +146,8 @@ inline wall_limits limits_of(const braked_wall& wall) {
   const double held = detail::landing_depth(wall, wall.force, late + wall.reaction_time);
   const double rigid = detail::landing_depth(wall, wall.approximated_force, late);
   return {std::max(held, detail::resting_depth(wall)), rigid, wall.approximated_force / rigid,
-          wall.depth_resolution / (2 * wall.averaging_time)};
+          wall.depth_resolution / (2 * wall.averaging_time),
+          wall.sliding_residual > 0 && wall.sliding_residual >= wall.push};
 }
 
 }  // namespace passive_haptics

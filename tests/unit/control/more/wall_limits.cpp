@@ -175,6 +175,7 @@ void an_xy_table_by_hand() {
   EXPECT_NEAR(wall.force, 12, 12 * rounding);
   EXPECT_NEAR(wall.approximated_force, 12, 12 * rounding);
   EXPECT_NEAR(wall.residual_force, 0.25, rounding);
+  EXPECT_EQ(wall.sliding_residual, 0) << "the brake of y rests while the handle slides along x";
   EXPECT_NEAR(wall.inertia, double(table.mass_matrix(V(0, 0))(1, 1)) + 0.5, 10 * rounding);
   EXPECT_NEAR(wall.depth_resolution, 2e-5, 1e-5 * rounding);
   EXPECT_NEAR(wall.approach_speed, 0.15, rounding);
@@ -188,6 +189,37 @@ void an_xy_table_by_hand() {
 TEST(wall_limits, are_those_of_a_slide_by_hand) {
   an_xy_table_by_hand<double>();
   an_xy_table_by_hand<float>();
+}
+
+// Power of the hand: while it slides, its force along takes what the brakes dissipate, and what they push
+// out.
+TEST(wall_limits, residual_torques_that_push_out_more_than_the_hand_pushes_in_are_told) {
+  using M = ph::tendon_two_link<double>;
+  using V = ph::vector<double, 2>;
+  const M arm;
+  const V n(0, -1), residual(0.1, 0.1), along(0.05, 0);
+  int out = 0, in = 0;
+  for (const double x : {-0.05, 0.02, 0.1, 0.15, 0.18}) {
+    const V q = arm.inverse({x, 0.2}, ph::elbow::left).q;
+    const ph::matrix<double, 2, 2> J(ph::jacobian(arm, q));
+    const V w = ph::brake_rates(arm, q, V(J.inverse() * along));
+    const V t(-residual[0] * (w[0] > 0 ? 1 : -1), -residual[1] * (w[1] > 0 ? 1 : -1));
+    // Forces by virtual work: F . v = t . w for each v
+    const auto force_along = [&](const V& v) { return t.dot(ph::brake_rates(arm, q, V(J.inverse() * v))); };
+    ph::braked_wall wall =
+        ph::braked_wall_at(arm, q, V(along - 0.1 * n), n, ph::brakes_of<M>(), residual, V(0, 0), 0.5);
+    EXPECT_NEAR(wall.sliding_residual, force_along(n), 1e-12);
+    EXPECT_LT(force_along({1, 0}), 0) << "along the wall it drags";
+    (wall.sliding_residual > 0 ? out : in) += 1;
+    wall.push = 1.01 * wall.sliding_residual;
+    EXPECT_FALSE(limits_of(wall).pushed_out);
+    wall.push = 0.99 * wall.sliding_residual;
+    EXPECT_EQ(limits_of(wall).pushed_out, wall.sliding_residual > 0);
+  }
+  EXPECT_GT(out, 0);
+  EXPECT_GT(in, 0);
+  EXPECT_EQ(ph::sliding_residual(arm, arm.inverse({0.1, 0.2}, ph::elbow::left).q, n, n, residual), 0)
+      << "at rest along the wall";
 }
 
 // A brake that turns round half-way through the landing: before it by a little, and after.
