@@ -12,6 +12,7 @@
 #include <passive_haptics/plant/brakes/delayed_brake.hpp>
 #include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
 #include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/presliding_brake.hpp>
 #include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 
@@ -146,9 +147,9 @@ int main(int count, char** arguments) {
         ph::single_degree_of_freedom_parameters, ph::velocity_ratio_parameters,
         ph::momentum_observer_parameters, ph::release_probe_parameters, ph::sensorless_parameters>("Control");
   stage<ph::brake_resistance<T>, ph::coulomb_brake<T>, ph::stribeck_brake<T>, ph::magnetorheological_brake<T>,
-        ph::eddy_current_brake<T>, ph::delayed_brake<ph::coulomb_brake<T>>, ph::encoder_parameters,
-        ph::force_sensor_parameters, ph::following_hand_parameters<T>, ph::wall_following_parameters>(
-      "Simulation");
+        ph::eddy_current_brake<T>, ph::delayed_brake<ph::coulomb_brake<T>>,
+        ph::presliding_brake<ph::coulomb_brake<T>>, ph::encoder_parameters, ph::force_sensor_parameters,
+        ph::following_hand_parameters<T>, ph::wall_following_parameters>("Simulation");
   stage<ph::control_loop_parameters, ph::real_time_parameters, ph::supervisor_parameters,
         ph::polling_parameters, ph::encoder_limits, ph::sensor_limits<2>, ph::current_limits<2>,
         ph::release_parameters, ph::safe_port_parameters<2, 2>, ph::encoder_calibration_parameters<2>,
