@@ -191,8 +191,7 @@ TEST(wall_limits, are_those_of_a_slide_by_hand) {
   an_xy_table_by_hand<float>();
 }
 
-// Power of the hand: while it slides, its force along takes what the brakes dissipate, and what they push
-// out.
+// The force of the residual torques on a sliding handle, by virtual work.
 TEST(wall_limits, residual_torques_that_push_out_more_than_the_hand_pushes_in_are_told) {
   using M = ph::tendon_two_link<double>;
   using V = ph::vector<double, 2>;
