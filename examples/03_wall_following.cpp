@@ -28,7 +28,6 @@ namespace {
 const ph::half_space<2> surface({0, 0.225}, {0, -1});
 const plane_vector start(0.045, 0.221);        // 4 mm off the wall [m]
 const plane_vector start_velocity(0.05, 0.1);  // along the wall and into it [m/s]
-constexpr double seen_before = 0.006;          // velocity_direct_control sees the wall so early [m]
 
 // A hand that yields: it aims 3 mm beyond where 300 N/m push with 1.75 N.
 ph::following_hand_parameters<double> yielding_hand() {
@@ -75,11 +74,11 @@ class run_log {
 
 // One run under a law.
 template <class Law>
-ph::contact_metrics follow(Law law, double environment_rate, double margin, run_log& log) {
+ph::contact_metrics follow(Law law, double environment_rate, run_log& log) {
   const device arm;
   const auto brakes = weak_brakes();
   const auto q = arm.inverse(start, ph::elbow::left).q;
-  const auto seen = ph::scene(ph::wall(ph::offset(surface, margin)));
+  const auto seen = ph::scene(ph::wall(surface));
   ph::controller control(arm, brakes, ph::held_scene(seen, 1 / environment_rate), law);
   const ph::following_hand<double, 2> hand({1, 0}, start, yielding_hand());
   ph::simulated_device plant(arm, brakes, hand.parameters().mass, q);
@@ -165,9 +164,9 @@ int main(int argc, char** argv) try {
   double most_power = 0;  // that any brake gave to the device [W]
   constexpr double drawn = 20;
   for (const double rate : {1000.0, drawn}) {
-    const auto run = [&](const char* law_name, auto law, double margin = 0) {
+    const auto run = [&](const char* law_name, auto law) {
       run_log log(rate == drawn ? live_port : 0);
-      const ph::contact_metrics figures = follow(law, rate, margin, log);
+      const ph::contact_metrics figures = follow(law, rate, log);
       print_line(rate, law_name, figures);
       most_power = std::max(most_power, figures.largest_brake_power);
       if (rate == drawn)
@@ -176,7 +175,7 @@ int main(int argc, char** argv) try {
     };
     run("no_direct_control", ph::no_direct_control());
     run("saturated_direct_control", ph::saturated_direct_control());
-    run("velocity_direct_control", ph::velocity_direct_control({.margin = seen_before}), seen_before);
+    run("velocity_direct_control", ph::velocity_direct_control());
   }
   std::puts(
       "\nDirect control as the paper's experiments read it: brakes just strong enough, cut to their limit "

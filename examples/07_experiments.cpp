@@ -33,7 +33,7 @@ namespace {
 constexpr std::uint64_t seed = 20040627;
 constexpr std::size_t plant_count = 300;
 constexpr std::size_t few_plants = 60;       // of laws that bounce on all of them
-constexpr std::size_t planned_runs = 10141;  // of all that run on all cores
+constexpr std::size_t planned_runs = 13741;  // of all that run on all cores
 
 std::string text(std::string_view view) { return std::string(view); }
 std::string milliseconds(double time) {
@@ -310,6 +310,20 @@ void wide_devices(page_tables& page) {
   std::fflush(stdout);
 }
 
+// How deep the law has to rest, by what is known of a device. True where what docs/results.md claims holds.
+bool rest_depths(page_tables& page) {
+  const std::vector<rest_depth_row> rows = follow_at_rest_depths();
+  page["rest_depths"] = rest_depth_table(rows);
+  std::printf("\nDepth of rest of velocity_direct_control, seeds 20261 and 31337\n\n%s",
+              page["rest_depths"].c_str());
+  const rest_depth_row &by_default = rows[1], &deep = rows[2];
+  const bool hold =
+      by_default.first_seed <= 5 && by_default.second_seed <= 5 && by_default.wrong <= 3 && deep.extreme <= 5;
+  if (!hold) std::puts("FAILS: of 300 at most 5, 5, 3 at 2 mm, and 5 extreme ones at 4 mm");
+  std::fflush(stdout);
+  return hold;
+}
+
 // Brakes that twist before they slip, or drag without current.
 void brakes_of_another_kind(page_tables& page) {
   page["soft_brakes"] = soft_brakes(seed + 1);
@@ -542,9 +556,10 @@ int main(int argc, char** argv) try {
   draw_pull_back(directory);
   random_plants(page, directory);
   wide_devices(page);
+  const bool rest = rest_depths(page);
   laws_and_brakes(page);
   brakes_of_another_kind(page);
-  const bool hold = bands();
+  const bool hold = bands() && rest;
   const bool agrees = is_told(page);
   if (const std::size_t runs = progress_bar::done_of_all(); hold && runs != planned_runs)
     throw std::logic_error("planned_runs, expected " + std::to_string(runs));

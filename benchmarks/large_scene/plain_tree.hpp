@@ -37,7 +37,7 @@ class tree_of_walls {
  private:
   void look(std::size_t i, const ph::point<3>& x) {
     touched_.clear();
-    walls_[i].look(x, x, nullptr, touched_);
+    walls_[i].look(x, x, 0, nullptr, touched_);
     for (ph::contact<3>& c : touched_) {
       c.wall_number = static_cast<int>(i);
       c.sensed_at = x;

@@ -35,11 +35,10 @@ int main() {
               << report.displayed << " N\n";
   }
 
-  // 6 mm before it is touched the wall is known, so that lagging brakes begin in time
-  ph::velocity_direct_control_parameters constants;
-  constants.margin = 0.006;
-  ph::controller gliding(arm, brakes, ph::scene(ph::wall(ph::offset(top, constants.margin))),
-                         ph::velocity_direct_control(constants));
+  // It sees walls before they are touched, so that lagging brakes begin in time: here for hands of up to 0.2
+  // m/s
+  ph::controller gliding(arm, brakes, ph::scene(ph::wall(top)),
+                         ph::velocity_direct_control({.approach_speed = 0.2}));
 
   ph::on_off_control relay;
   relay.parameters = {.reference_depth = 1e-3, .hysteresis = 0.1e-3, .lead = 0.02};

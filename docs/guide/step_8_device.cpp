@@ -68,12 +68,9 @@ int main() {
   const double wall = hardware.device.position()[1] + 0.002;  // 2 mm before the handle
 
   ph::device_calibration calibration(arm, measured(), on_the_last_link);
-  ph::velocity_direct_control_parameters constants;
-  constants.margin = 0.001;
-  ph::controller control(
-      arm, ph::brakes_of<scara>(),
-      ph::scene(ph::wall(ph::offset(ph::half_space<2>({0, wall}, {0, -1}), constants.margin))),
-      ph::velocity_direct_control(constants));
+  ph::controller control(arm, ph::brakes_of<scara>(),
+                         ph::scene(ph::wall(ph::half_space<2>({0, wall}, {0, -1}))),
+                         ph::velocity_direct_control());
   ph::safe_port<board, force_sensor> port(
       {&hardware}, {&hardware},
       {.sensor = {.range = {50, 50}}, .currents = {.largest = {0.5, 0.5}}, .hold_over = 1});

@@ -10,7 +10,6 @@
 
 namespace experiments {
 
-inline constexpr double margin = 0.006;                 // of law::velocity [m]
 inline constexpr double start_x = 0.045, end_x = 0.17;  // [m]
 inline constexpr double trace_period = 5e-3;            // [s]
 
@@ -24,26 +23,21 @@ struct device {
   ph::joint_vector<M> start;  // joint positions
 };
 
-// f(law, margin of its walls) for the law.
+// f(law) for the law.
 template <class F>
 auto with_law(law which, const setup& how, F&& f) {
   switch (which) {
-    case law::none: return f(ph::no_direct_control(), 0.0);
-    case law::direct: return f(ph::direct_control(), 0.0);
-    case law::saturated: return f(ph::saturated_direct_control(), 0.0);
-    case law::direct_dead_band:
-      return f(ph::direct_control{.velocity_dead_band = how.velocity_dead_band}, 0.0);
-    case law::velocity: {
-      ph::velocity_direct_control_parameters p;
-      p.margin = margin;
-      return f(ph::velocity_direct_control(p), margin);
-    }
-    case law::velocity_on_touch: return f(ph::velocity_direct_control(), 0.0);
-    case law::coercive: return f(ph::coercive_force_approximation(), 0.0);
-    case law::single_degree_of_freedom: return f(ph::single_degree_of_freedom_control(), 0.0);
-    case law::velocity_ratio: return f(ph::velocity_ratio_control(), 0.0);
-    case law::on_off: return f(ph::on_off_control(), 0.0);
-    case law::bang_bang: return f(ph::bang_bang_control(), 0.0);
+    case law::none: return f(ph::no_direct_control());
+    case law::direct: return f(ph::direct_control());
+    case law::saturated: return f(ph::saturated_direct_control());
+    case law::direct_dead_band: return f(ph::direct_control{.velocity_dead_band = how.velocity_dead_band});
+    case law::velocity: return f(ph::velocity_direct_control());
+    case law::velocity_on_touch: return f(ph::velocity_direct_control({.approach_speed = 0}));
+    case law::coercive: return f(ph::coercive_force_approximation());
+    case law::single_degree_of_freedom: return f(ph::single_degree_of_freedom_control());
+    case law::velocity_ratio: return f(ph::velocity_ratio_control());
+    case law::on_off: return f(ph::on_off_control());
+    case law::bang_bang: return f(ph::bang_bang_control());
   }
   throw std::logic_error("a law without a case");
 }
@@ -71,10 +65,9 @@ run_result follow(const device<M, Brakes, Model>& d, law which, const test_wall&
   p.path_end = end_x;
 
   run_result result;
-  result.figures = with_law(which, how, [&](auto control_law, double grown) {
-    ph::controller control(
-        d.believed, d.brakes,
-        ph::held_scene(ph::scene(ph::wall(ph::offset(wall, grown))), 1 / how.environment_rate), control_law);
+  result.figures = with_law(which, how, [&](auto control_law) {
+    ph::controller control(d.believed, d.brakes,
+                           ph::held_scene(ph::scene(ph::wall(wall)), 1 / how.environment_rate), control_law);
     double kept = -trace_period;
     return ph::follow_wall(plant, control, wall, hand, p, [&](const ph::wall_following_sample<M>& s) {
       if (s.control->wall_number >= 0) result.least_alpha = std::min(result.least_alpha, s.control->alpha);

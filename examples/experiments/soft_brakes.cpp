@@ -80,13 +80,10 @@ outcome follow_one(const brake_row& row, std::uint64_t seed, std::size_t number)
   ph::device_ranges ranges;
   ranges.residual_torque = {row.residual, row.residual};
   const device_here d = ph::draw_device(tendon_of(1), where, seed, number, ranges);
-  ph::velocity_direct_control_parameters constants;
-  constants.margin = margin;
   const ph::half_space<2> wall(d.plane.surface, d.plane.normal);
-  ph::controller control(
-      tendon_of(1), d.known_brakes,
-      ph::held_scene(ph::scene(ph::wall(ph::offset(wall, margin), d.wall_stiffness)), 1 / d.environment_rate),
-      ph::velocity_direct_control(constants));
+  ph::controller control(tendon_of(1), d.known_brakes,
+                         ph::held_scene(ph::scene(ph::wall(wall, d.wall_stiffness)), 1 / d.environment_rate),
+                         ph::velocity_direct_control());
   outcome o{follow_plane(d, row.presliding, control), false, pushed_out_share(d, row.residual)};
   const auto released =
       follow_plane(d, row.presliding, [](const auto&) { return ph::step_result<tendon>(); });

@@ -13,9 +13,8 @@ namespace {
 
 using space_vector = ph::vector<double, 3>;
 constexpr double gap = 0.004, approach = 0.1,
-                 speed = 0.05;    // at the start [m], [m/s], and along the wall [m/s]
-constexpr double margin = 0.006;  // of law::velocity [m]
-constexpr double longest = 8;     // [s]
+                 speed = 0.05;  // at the start [m], [m/s], and along the wall [m/s]
+constexpr double longest = 8;   // [s]
 
 // Three revolute joints, 0.1 m of column, two links of 0.15 m: uniform rods of 0.2 kg, 0.1 kg at the handle.
 using arm = ph::serial_chain_with_inertia<double, 3, 3>;
@@ -157,12 +156,8 @@ space_result follow_shapes(const place<M>& at, law which, const setup& how, cons
   switch (which) {
     case law::none: return follow(at, walls, ph::scene(ph::wall(shapes)...), ph::no_direct_control(), how);
     case law::direct: return follow(at, walls, ph::scene(ph::wall(shapes)...), ph::direct_control(), how);
-    case law::velocity: {
-      ph::velocity_direct_control_parameters p;
-      p.margin = margin;
-      return follow(at, walls, ph::scene(ph::wall(ph::offset(shapes, margin))...),
-                    ph::velocity_direct_control(p), how);
-    }
+    case law::velocity:
+      return follow(at, walls, ph::scene(ph::wall(shapes)...), ph::velocity_direct_control(), how);
     default: throw std::logic_error("not one of space_laws");
   }
 }

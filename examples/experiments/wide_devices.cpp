@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
 
 namespace experiments {
 
@@ -54,26 +57,53 @@ double share_without(const M& real, const kind<M>& k, const ph::random_device<M>
   return ph::undisplayable_share<M>(real, path, limits, push, 40);
 }
 
+// A controller whose commands come this many cycles late.
+template <class Control>
+class late {
+ public:
+  late(Control control, std::size_t cycles) : control_(std::move(control)), results_(cycles + 1) {}
+  template <class State>
+  const auto& operator()(const State& state) {
+    results_[now_] = control_(state);
+    now_ = (now_ + 1) % results_.size();
+    return results_[now_];
+  }
+
+ private:
+  Control control_;
+  std::vector<typename Control::result_type> results_;
+  std::size_t now_ = 0;
+};
+
+template <class M>
+ph::contact_metrics follow_under_law(const kind<M>& k, const ph::random_device<M>& d, std::uint64_t seed,
+                                     std::size_t number, belief what,
+                                     const ph::velocity_direct_control_parameters& constants = {}) {
+  auto brakes = d.known_brakes;
+  double inertia = 1;
+  std::size_t late_cycles = 0;
+  if (what != belief::data_sheet) {
+    std::mt19937_64 bits = ph::random_bits(seed + 1, number);  // others than those of the device
+    brakes.time_constant *= 0.3 * std::pow(10.0, ph::uniform_number(bits));
+    inertia = d.inertia * 0.5 * std::pow(4.0, ph::uniform_number(bits));
+    constexpr double longest_dead_time = 0.010;  // [s]
+    if (what == belief::extreme)
+      late_cycles = static_cast<std::size_t>(
+          std::lround(longest_dead_time * ph::uniform_number(bits) / d.run.control_period));
+  }
+  const ph::half_space<M::task_dimension> wall(d.plane.surface, d.plane.normal);
+  ph::controller control(k.make(inertia), brakes,
+                         ph::held_scene(ph::scene(ph::wall(wall, d.wall_stiffness)), 1 / d.environment_rate),
+                         ph::velocity_direct_control(constants));
+  return follow_plane(k.make(d.inertia), d, late(control, late_cycles));
+}
+
 template <class M>
 outcome follow_one(const kind<M>& k, std::uint64_t seed, std::size_t number, belief what, double time_step) {
   auto d = ph::draw_device(k.make(1), k.where, seed, number);
   d.run.time_step = time_step;
-  auto brakes = d.known_brakes;
-  double inertia = 1;
-  if (what == belief::wrong) {
-    std::mt19937_64 bits = ph::random_bits(seed + 1, number);  // others than those of the device
-    brakes.time_constant *= 0.3 * std::pow(10.0, ph::uniform_number(bits));
-    inertia = d.inertia * 0.5 * std::pow(4.0, ph::uniform_number(bits));
-  }
-  ph::velocity_direct_control_parameters constants;
-  constants.margin = margin;
-  const ph::half_space<M::task_dimension> wall(d.plane.surface, d.plane.normal);
-  ph::controller control(
-      k.make(inertia), brakes,
-      ph::held_scene(ph::scene(ph::wall(ph::offset(wall, margin), d.wall_stiffness)), 1 / d.environment_rate),
-      ph::velocity_direct_control(constants));
   const M real = k.make(d.inertia);
-  outcome o{follow_plane(real, d, control)};
+  outcome o{follow_under_law(k, d, seed, number, what)};
   if (o.figures.separates() || o.figures.floats() || o.figures.never_touches()) {
     const auto released = follow_plane(real, d, [](const auto&) { return ph::step_result<M>(); });
     o.held = released.never_touches() || released.separates() || released.depth_mean < 0;
@@ -165,13 +195,58 @@ ph::xy_table<double> table_of(double s) {
   return ph::xy_table<double>(p);
 }
 
+const kind<tendon> tendons{"tendon", tendon_of, {{-3.1, -2.5}, {3.1, -0.6}, 0.1}};
+
+// Separating ones of 300 tendon devices, and the median of their largest depths [m].
+std::pair<int, double> separating(std::uint64_t seed, belief what, double rest_depth) {
+  ph::device_ranges ranges;
+  if (what == belief::extreme) {
+    ranges.gain = {0.5, 1.5};
+    ranges.rise_time_constant = {0.001, 0.1};
+  }
+  const auto figures = on_all_cores("depths of rest", 300, [&](std::size_t number) -> ph::contact_metrics {
+    auto d = ph::draw_device(tendon_of(1), tendons.where, seed, number, ranges);
+    d.run.time_step = 2e-4;
+    return follow_under_law(tendons, d, seed, number, what, {.rest_depth = rest_depth});
+  });
+  std::vector<double> deepest;
+  int count = 0;
+  for (const ph::contact_metrics& f : figures) {
+    count += f.separates();
+    deepest.push_back(f.depth_max);
+  }
+  std::sort(deepest.begin(), deepest.end());
+  return {count, deepest[deepest.size() / 2]};
+}
+
 }  // namespace
+
+std::vector<rest_depth_row> follow_at_rest_depths() {
+  constexpr std::uint64_t first_seed = 20261, second_seed = 31337;
+  std::vector<rest_depth_row> rows;
+  for (const double depth : {1e-3, 2e-3, 4e-3}) {
+    const auto [known, deepest] = separating(first_seed, belief::data_sheet, depth);
+    rows.push_back({depth, known, separating(second_seed, belief::data_sheet, depth).first,
+                    separating(first_seed, belief::wrong, depth).first,
+                    separating(first_seed, belief::extreme, depth).first, deepest});
+  }
+  return rows;
+}
+
+std::string rest_depth_table(const std::vector<rest_depth_row>& rows) {
+  std::string table = markdown_head({"depth of rest [mm]", "separating of 300", "other 300", "wrong beliefs",
+                                     "extreme devices, wrong beliefs", "median of the largest depths [mm]"});
+  for (const rest_depth_row& r : rows)
+    table += markdown_row({written("%g", 1e3 * r.rest_depth), written("%d", r.first_seed),
+                           written("%d", r.second_seed), written("%d", r.wrong), written("%d", r.extreme),
+                           written("%.1f", 1e3 * r.median_deepest)});
+  return table;
+}
 
 std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, double share,
                                                double time_step) {
   const auto count = [&](double all) { return static_cast<std::size_t>(std::ceil(share * all)); };
   const std::size_t few = count(60);
-  const kind<tendon> tendons{"tendon", tendon_of, {{-3.1, -2.5}, {3.1, -0.6}, 0.1}};
   const kind<ph::delta<double>> deltas{"delta", delta_of, {{-0.2, -0.2, -0.2}, {1.1, 1.1, 1.1}, 0.05}};
   const kind<arm_3r> arms{"3R arm", arm_of, {{-3, 0, -2.4}, {3, 1.6, -0.6}, 0.1}};
   const kind<ph::five_bar<double, 2>> fives{"five-bar", five_bar_of<2>, {{1.5, 0}, {3.1, 1.6}, 0.04}};

@@ -25,11 +25,21 @@ struct wide_row {
 enum class belief {
   data_sheet,  // nominal inertia, true limits and rise times
   wrong,       // lag 0.3 to 3 times, inertia 0.5 to 2 times the true one, together
+  extreme,     // the same of devices with gains of 0.5 to 1.5, lags of 1 to 100 ms and dead times up to 10 ms
 };
 
 // 300 (scaled by `share`) tendon devices, 60 of each other kind under velocity_direct_control.
 std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, double share = 1,
                                                double time_step = 1e-4);
+
+// How many of 300 tendon devices separate, by the depth at which the law lets the handle rest.
+struct rest_depth_row {
+  double rest_depth = 0;  // [m]
+  int first_seed = 0, second_seed = 0, wrong = 0, extreme = 0;
+  double median_deepest = 0;  // of the devices of the first seed [m]
+};
+std::vector<rest_depth_row> follow_at_rest_depths();
+std::string rest_depth_table(const std::vector<rest_depth_row>& rows);
 
 // The ranges, and the rows, as tables of Markdown.
 std::string range_table();

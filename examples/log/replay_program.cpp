@@ -35,7 +35,6 @@ replay_options parse(int argc, char** argv, const std::vector<std::string>& mech
   line.choice("--law", chosen.law,
               {"direct_control", "saturated_direct_control", "velocity_direct_control", "no_direct_control"},
               "the control law");
-  line.not_negative("--margin", chosen.margin, "by which velocity_direct_control sees the wall early [m]");
   line.positive("--limit", chosen.limit, "torque limit of each brake [N m; N for a slide]");
   line.not_negative("--dead-band", chosen.dead_band,
                     "rate under which a brake counts as at rest [rad/s; m/s for a slide]");
@@ -91,9 +90,7 @@ ph::wall<any_shape<D>> wall_of(const replay_options& options) {
     throw std::invalid_argument("--wall: " + std::to_string(values.size()) + " numbers in '" + text +
                                 "', expected " + std::to_string(wanted));
   const ph::point<D> first(values.data());
-  const auto seen = [&](const auto& shape) {
-    return ph::wall(any_shape<D>(ph::offset(shape, options.margin)), options.stiffness);
-  };
+  const auto seen = [&](const auto& shape) { return ph::wall(any_shape<D>(shape), options.stiffness); };
   if (plane) return seen(ph::half_space<D>(first, ph::point<D>(values.data() + D)));
   return seen(ph::ball<D>(first, values.back(), kind == "solid" ? ph::filling::solid : ph::filling::hollow));
 }

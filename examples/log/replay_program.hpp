@@ -25,7 +25,7 @@ namespace example {
 struct replay_options {
   std::string mechanism, wall, law = "direct_control", input;
   std::vector<std::string> parameters;
-  double stiffness = 1e7, limit = 1, dead_band = 0.02, margin = 0;
+  double stiffness = 1e7, limit = 1, dead_band = 0.02;
   std::filesystem::path directory = ".";
 };
 
@@ -122,8 +122,7 @@ replay_job replay_of() {
       return replay(log, out, control, options.law != "no_direct_control", progress);
     };
     if constexpr (ph::Dynamics<M>) {
-      if (options.law == "velocity_direct_control")
-        return under(ph::velocity_direct_control({.margin = options.margin}));
+      if (options.law == "velocity_direct_control") return under(ph::velocity_direct_control());
     }
     if (options.law == "velocity_direct_control")
       throw std::invalid_argument(

@@ -22,7 +22,7 @@ namespace ph = passive_haptics;
 using example::log_reader;
 using fuzz::require;
 
-// Of "# replay MECHANISM LAW WALL STIFFNESS LIMIT DEAD_BAND MARGIN NAME=VALUE ...", or as much of it as there
+// Of "# replay MECHANISM LAW WALL STIFFNESS LIMIT DEAD_BAND NAME=VALUE ...", or as much of it as there
 // is.
 example::replay_options options_of(const std::string& log) {
   constexpr std::array laws{"direct_control", "velocity_direct_control", "no_direct_control"};
@@ -34,7 +34,7 @@ example::replay_options options_of(const std::string& log) {
   words >> o.mechanism >> law >> o.wall;
   o.law = laws[law % laws.size()];
   // As its command line asks of them
-  for (double* const at : {&o.stiffness, &o.limit, &o.dead_band, &o.margin}) {
+  for (double* const at : {&o.stiffness, &o.limit, &o.dead_band}) {
     double value = 0;
     if (words >> value && std::isfinite(value) && value > 0) *at = value;
   }

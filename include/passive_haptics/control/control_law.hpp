@@ -85,6 +85,9 @@ using law_memory = typename detail::memory_of<L>::type;
 ///     space, faults), so that the law knows what its brakes were told;
 ///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag, needs_torque_limit`: what it
 ///     reads of the state, the mechanism and the brakes. False where they are not named;
+///   - `double margin(const B& brakes) const noexcept`: how far off a wall it needs to see it [m], >= 0. A
+///   scene
+///     that can (SeesAhead) then gives contacts from there on; their depth is < 0 until the touch;
 ///   - `static constexpr int most_contacts`: walls that it takes at once; in a cycle that touches more the
 ///     brakes are released. Any number where it is not named.
 template <class L>
@@ -109,6 +112,9 @@ inline constexpr bool needs_dynamics = requires { requires L::needs_dynamics; };
 /// Whether a law reads the brakes' time constants.
 template <class L>
 inline constexpr bool needs_brake_lag = requires { requires L::needs_brake_lag; };
+/// Whether a law needs to see walls before they are touched.
+template <class L, class B>
+inline constexpr bool has_margin = requires(const L law, const B brakes) { law.margin(brakes); };
 /// Most walls that a law takes at once.
 template <class L>
 inline constexpr int most_contacts = [] {

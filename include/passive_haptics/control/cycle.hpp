@@ -60,6 +60,7 @@ PASSIVE_HAPTICS_PART Result cycle(const Setup& setup, S& scene, const State& sta
   if (!ph::is_usable_position<M>(scene, x))
     return ph::released<Result>(setup, state.time, status::pose_undefined, memory);
 
+  ph::see_ahead(scene, setup.law, setup.brakes);
   const auto& touched = ph::walls_at(scene, x, state.time);
   if (const status s = ph::status_of(scene); s != status::ok)
     return ph::released<Result>(setup, state.time, s, memory);

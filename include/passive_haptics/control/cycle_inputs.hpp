@@ -60,6 +60,12 @@ decltype(auto) walls_at(S& scene, const point<D>& x, double time) {
   else return (scene);
 }
 
+/// Lets a scene give contacts from the law's margin on, where both have one.
+template <class S, class L, class B>
+void see_ahead([[maybe_unused]] S& scene, [[maybe_unused]] const L& law, [[maybe_unused]] const B& brakes) {
+  if constexpr (SeesAhead<S> && has_margin<L, B>) scene.set_margin(law.margin(brakes));
+}
+
 namespace detail {
 template <class S>
 struct contacts_given : std::type_identity<S> {};

@@ -2,7 +2,6 @@
 /// The wall calculator: how stiff, how shallow and how still a wall made of brakes can be.
 #pragma once
 
-#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/core/scalar/first_order_lag.hpp>
@@ -110,7 +109,7 @@ inline double landing_depth(const braked_wall& wall, double force, double delay)
 // Where velocity_direct_control lets the hand rest [m]: the depth jumps by a count of the encoders.
 inline double resting_depth(const braked_wall& wall) {
   return std::max(wall.rest_depth, std::min(wall.depth_per_jump * wall.depth_resolution,
-                                            velocity_direct_control::deepest_rest));
+                                            velocity_direct_control_parameters::deepest_rest));
 }
 
 }  // namespace detail
@@ -123,7 +122,7 @@ inline double resting_depth(const braked_wall& wall) {
 ///     Lambda_n x'' = P - K_h x - B_h x' - R - f,    T_b f' + f = F,    f = 0 until T,
 ///
 /// but under velocity_direct_control not less than where the law rests: at its rest_depth, or with coarse
-/// encoders at depth_per_jump times the depth_resolution, up to velocity_direct_control::deepest_rest. T is
+/// encoders at depth_per_jump times the depth_resolution, up to the law's deepest_rest. T is
 /// half a period of the control, or of a slower scene, and the law's reaction_time. With a hand that brings
 /// no force, and brakes that are quick (T_b -> 0) or slow beside the landing, it is
 ///

@@ -176,6 +176,11 @@ auto sense(const Scene& scene, const point<Scene::dimension>& x, Time... time) {
   return scene.touched_at(x, time...);
 }
 
+/// A scene that can give contacts before the touch: `void set_margin(double margin)`, the distance off each
+/// wall from which on it gives them [m]; their depth is < 0 until the touch.
+template <class S>
+concept SeesAhead = requires(S& scene, double margin) { scene.set_margin(margin); };
+
 /// The wall, where one is touched.
 template <int D, int Capacity>
 single_contact<D> as_single(const contacts<D, Capacity>& touched) {

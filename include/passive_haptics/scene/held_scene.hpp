@@ -44,6 +44,13 @@ class held_scene {
     return contacts_;
   }
 
+  /// As of the scene, from its next sample on.
+  void set_margin(double margin)
+    requires SeesAhead<Scene>
+  {
+    scene_.set_margin(margin);
+  }
+
   /// The scene, for example to move a wall of it before it is sampled.
   Scene& scene() { return scene_; }
 

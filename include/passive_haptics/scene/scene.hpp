@@ -29,15 +29,15 @@ class static_scene {
   explicit static_scene(wall<First> first, wall<Rest>... rest)
       : walls_(std::move(first), std::move(rest)...) {}
 
-  /// The walls touched at x [m] (distance < 0), each with the velocity of its surface. A NaN in x gives a
-  /// contact with a NaN depth, which the step reports. Cost: one distance for each wall, one gradient for
-  /// each contact.
+  /// The walls touched at x [m] (distance < 0, or < margin after set_margin), each with the velocity of its
+  /// surface. A NaN in x gives a contact with a NaN depth, which the step reports. Cost: one distance for
+  /// each wall, one gradient for each contact.
   contacts_type touched_at(const point<dimension>& x) const {
     contacts_type touched;
     int number = 0;
     detail::for_each(walls_, [&](const auto& w) {
       const double distance = w.shape.distance(x);
-      if (!(distance >= 0)) {
+      if (!(distance >= margin_)) {
         contact<dimension> c = contact_of(w, x, distance);
         c.wall_number = number;
         touched.append_unchecked(c);
@@ -46,6 +46,9 @@ class static_scene {
     });
     return touched;
   }
+
+  /// Gives contacts from this distance [m] off each wall on, with a depth < 0 before the touch.
+  void set_margin(double margin) { margin_ = margin; }
 
   /// Calls f(number, wall) for each wall.
   template <class F>
@@ -71,6 +74,7 @@ class static_scene {
 
  private:
   boost::hana::basic_tuple<wall<First>, wall<Rest>...> walls_;
+  double margin_ = 0;  // [m]
 };
 
 /// The scene of these walls, in the order of their numbers: `scene(wall(shape, stiffness), ...)`. (A

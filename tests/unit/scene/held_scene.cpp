@@ -33,6 +33,14 @@ TEST(held_scene, samples_every_fiftieth_cycle_without_drift) {
   }
 }
 
+TEST(held_scene, has_another_margin_from_its_next_sample_on) {
+  ph::held_scene held(walls, 1.0);
+  EXPECT_EQ(shown(held, -0.5, 0), 0);
+  held.set_margin(0.75);
+  EXPECT_EQ(shown(held, -0.5, 0.5), 0);
+  EXPECT_EQ(shown(held, -0.5, 1), -0.5);
+}
+
 TEST(held_scene, samples_once_a_period_where_the_loop_does_not_divide_it) {
   ph::held_scene held(walls, 1.0);
   EXPECT_EQ(shown(held, 1, 10.0), 1);

@@ -64,14 +64,14 @@ struct shapes {
   }
 };
 
-// The contacts of a look at everything.
+// The contacts of a look at everything, from a margin [m] off each wall on.
 template <int Capacity, int D>
-ph::contacts<D, Capacity> scan(const shapes<D>& all, const ph::point<D>& x) {
+ph::contacts<D, Capacity> scan(const shapes<D>& all, const ph::point<D>& x, double margin = 0) {
   ph::strongest_contacts<D, Capacity> found;
   int number = 0;
   all.for_each([&](const auto& shape) {
     const double distance = shape.distance(x);
-    if (!(distance >= 0)) {
+    if (!(distance >= margin)) {
       auto c = ph::contact_of(ph::wall(shape), x, distance);
       c.wall_number = number;
       found.add(c);

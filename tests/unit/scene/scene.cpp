@@ -118,6 +118,24 @@ TEST(sensing, gives_exactly_the_touched_walls_in_the_order_of_construction) {
   EXPECT_EQ(std::popcount(seen), 10) << "all combinations that this room allows";
 }
 
+TEST(sensing, begins_at_the_margin_with_a_depth_below_zero) {
+  auto scene = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1}), 5.0),
+                         ph::wall(ph::half_space<2>({0, 1}, {0, -1}), 7.0));
+  scene.set_margin(0.25);
+  for (const double y : {0.2, 1e-9, -1e-9, -3.0}) {
+    const auto touched = sense(scene, {0, y});
+    ASSERT_EQ(touched.size(), 1) << y;
+    EXPECT_EQ(touched[0].depth, -y);
+    EXPECT_EQ(touched[0].stiffness, 5);
+  }
+  EXPECT_EQ(sense(scene, {0, 0.25}).size(), 0) << "not on the margin itself";
+  EXPECT_EQ(sense(scene, {0, 0.8}).size(), 1);
+  scene.set_margin(0.75);
+  EXPECT_EQ(sense(scene, {0, 0.5}).size(), 2);
+  scene.set_margin(0);
+  EXPECT_EQ(sense(scene, {0, 1e-9}).size(), 0);
+}
+
 TEST(sensing, a_position_that_is_not_finite_touches_with_a_depth_that_is_not) {
   const auto walls = ph::scene(ph::wall(floor_below), ph::wall(ph::disc({0, 0}, 1)));
   const auto touched = sense(walls, {0.0, std::numeric_limits<double>::quiet_NaN()});

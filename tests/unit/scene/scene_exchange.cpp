@@ -2,6 +2,7 @@
 // handle.
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
@@ -101,6 +102,19 @@ TEST(a_latest_scene, carries_moving_walls_on_only_if_asked) {
   ph::world<2> world(walls);
   world.set_motion(lid, 0.2 * up, 0.5 * up);
   expect_carried_on(world);
+}
+
+TEST(a_latest_scene, has_the_margin_of_the_law_in_each_scene_that_comes) {
+  ph::scene_exchange<floor_scene> exchange(floor_at(0), 0.0);
+  ph::controller control(M(), ph::brakes_of<M>(), ph::latest_scene(exchange, {.stale_after = 1}),
+                         ph::velocity_direct_control());
+  for (int k = 0; k < 5; ++k) {
+    const double y = 0.01 * k;
+    exchange.publish(floor_at(y), k * 1e-3);
+    const auto result = control(falling(y + 2e-3, k * 1e-3));
+    EXPECT_EQ(result.wall_number, 0) << k;
+    EXPECT_GT(result.capacity[1], 0) << "2 mm before the touch, scene " << k;
+  }
 }
 
 // Knows no more than its number and which scene it took over from.

@@ -98,6 +98,31 @@ TYPED_TEST(world, is_touched_as_a_scan_says_after_jumps_near_and_far) {
   EXPECT_GT(touched, 1000);
 }
 
+TYPED_TEST(world, is_touched_from_its_margin_on_as_a_scan_says) {
+  constexpr int D = TestFixture::dimension;
+  ph::testing::random_source random(seed);
+  const many_shapes::shapes<D> all(D == 2 ? 300 : 8'000, random);
+  ph::world<D, 8> w(counted_walls(all));
+  many_shapes::wandering_hand<D> hand(5e-4, random);
+  constexpr int cycles = 6000;
+  int before_touch = 0;
+  looks = 0;
+  double margin = 0.003;
+  w.set_margin(margin);
+  for (int k = 0; k < cycles; ++k) {
+    if (k % 1000 == 999) w.set_margin(margin = random.uniform(0.0, 0.006));
+    ph::point<D> x = hand.next();
+    if (k % 500 == 499) x += random.direction<double, D>();  // a jump
+    const auto& found = ph::sense(w, x);
+    ASSERT_TRUE(many_shapes::same(found, many_shapes::scan<8>(all, x, margin)))
+        << "seed " << seed << ", cycle " << k;
+    for (const auto& c : found) before_touch += c.depth < 0;
+  }
+  EXPECT_GT(before_touch, 100);
+  EXPECT_LT(looks, 2 * cycles);
+  std::printf("contacts before the touch: %d, looks: %ld\n", before_touch, looks);
+}
+
 // The bound of a cycle: 64 looks beyond the contacts, at any speed.
 TYPED_TEST(world, looks_at_few_in_the_worst_cycle) {
   constexpr int D = TestFixture::dimension;
@@ -470,10 +495,10 @@ TEST(any_wall, tells_what_its_wall_tells) {
   EXPECT_EQ(wall.tracker_size(), 0u);
   EXPECT_EQ(wall.bounds().lower, ph::point<2>(0.5, 1.5));
   ph::contacts<2, 2> found;
-  EXPECT_EQ(wall.look({9, 9}, {1, 3}, nullptr, found), 0.5);
-  EXPECT_EQ(wall.look({9, 9}, {1, 2.5}, nullptr, found), 0);
+  EXPECT_EQ(wall.look({9, 9}, {1, 3}, 0, nullptr, found), 0.5);
+  EXPECT_EQ(wall.look({9, 9}, {1, 2.5}, 0, nullptr, found), 0);
   EXPECT_TRUE(found.empty()) << "not on the surface itself";
-  EXPECT_EQ(wall.look({9, 9}, {1, 2.25}, nullptr, found), 0);
+  EXPECT_EQ(wall.look({9, 9}, {1, 2.25}, 0, nullptr, found), 0);
   ASSERT_EQ(found.size(), 1);
   EXPECT_EQ(found[0].depth, 0.25);
   EXPECT_EQ(found[0].stiffness, 300);

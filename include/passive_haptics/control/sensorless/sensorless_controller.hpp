@@ -63,7 +63,8 @@ class sensorless_controller {
     result_type result =
         controller_(device_state<M>{state.time, state.q, state.qd, believed_force(hand, state.q)});
     make_up(state.time, result);
-    if (result.outcome == status::ok && result.wall_number >= 0) probe(state.time, state.q, state.qd, result);
+    const bool in_wall = (result.desired_force.array() != scalar(0)).any();
+    if (result.outcome == status::ok && in_wall) probe(state.time, state.q, state.qd, result);
     else forget_rest();
     tell(result.capacity);
     return result;

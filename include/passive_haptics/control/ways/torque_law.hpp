@@ -10,6 +10,9 @@
 #include <passive_haptics/force/torques/force_map.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 
+#include <algorithm>
+#include <type_traits>
+
 namespace passive_haptics {
 
 /// Torques of a law, which sees all walls by itself.
@@ -36,8 +39,8 @@ struct torques_of_law {
   const int governing = governing_contact(touched);     ///< The one that demands most; -1 if there is none.
   const desired_force<T, d> Fd = force_of_governing();  ///< What it demands.
 
-  /// Whether there is a force to display.
-  bool demands_force() const { return is_nonzero(Fd); }
+  /// Whether there is a force to display, or soon will be: a law with a margin gets walls before the touch.
+  bool demands_force() const { return is_nonzero(Fd) || is_near(); }
 
   /// The law in place of steps 1 to 3. Then 4, where each torque is cut alone, as the law has chosen each.
   template <class Device>
@@ -69,20 +72,31 @@ struct torques_of_law {
     }
     memory.law = done.memory;
     if constexpr (is_account)
-      result.power = classify_power(Fd.direction.dot(device.v), can_be_displayed(device));
+      result.power = is_nonzero(Fd) ? classify_power(Fd.direction.dot(device.v), can_be_displayed(device))
+                                    : power_class::none;
     return result;
   }
 
  private:
+  // Whether a wall is nearer than the law's margin
+  bool is_near() const {
+    if constexpr (has_margin<L, std::remove_cvref_t<decltype(setup.brakes)>>)
+      return !touched.empty() && touched[governing].stiffness > 0 &&
+             touched[governing].depth > -setup.law.margin(setup.brakes);
+    else return false;
+  }
+
   status check() const {
     if (touched.size() > most_contacts<L>) return status::too_many_contacts;
     return check_contacts<T>(touched);
   }
 
-  // No force in free space
+  // No force in free space, nor before the touch
   desired_force<T, d> force_of_governing() const {
     if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
-    return force_of<T>(touched[governing]);
+    desired_force<T, d> force = force_of<T>(touched[governing]);
+    force.magnitude = std::max(force.magnitude, T(0));  // NaN stays
+    return force;
   }
 
   template <class Device>

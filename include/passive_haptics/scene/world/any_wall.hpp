@@ -37,11 +37,13 @@ class any_wall {
   /// Makes a tracker of a handle that was not seen yet, in tracker_size() bytes aligned for any type.
   void start_tracker(void* storage) const { held_->start_tracker(storage); }
 
-  /// How far [m] the handle may go from x without touching the wall; in the cycle before it was at `from`.
-  /// 0 if it touches it: then its contacts are added to `found`, which has been empty. They lack what the
-  /// shape does not know: the wall's number and, of a TrackedShape, the position.
-  double look(const point<D>& from, const point<D>& x, void* tracker, contacts<D, D>& found) const {
-    return held_->look(from, x, tracker, found);
+  /// How far [m] the handle may go from x without coming nearer than `margin` [m] to the wall; in the cycle
+  /// before it was at `from`. 0 if it is nearer: then its contacts are added to `found`, which has been
+  /// empty. They lack what the shape does not know: the wall's number and, of a TrackedShape, the position. A
+  /// TrackedShape gives contacts from the touch on, whatever the margin.
+  double look(const point<D>& from, const point<D>& x, double margin, void* tracker,
+              contacts<D, D>& found) const {
+    return held_->look(from, x, margin, tracker, found);
   }
 
  private:
@@ -58,7 +60,7 @@ class any_wall {
     virtual const bounding_box<D>& bounds() const = 0;
     virtual std::size_t tracker_size() const = 0;
     virtual void start_tracker(void* storage) const = 0;
-    virtual double look(const point<D>& from, const point<D>& x, void* tracker,
+    virtual double look(const point<D>& from, const point<D>& x, double margin, void* tracker,
                         contacts<D, D>& found) const = 0;
   };
 
@@ -77,7 +79,7 @@ class any_wall {
     void start_tracker(void* storage) const override {
       if constexpr (TrackedShape<S>) ::new (storage) typename S::tracker();
     }
-    double look(const point<D>& from, const point<D>& x, void* tracker,
+    double look(const point<D>& from, const point<D>& x, double margin, void* tracker,
                 contacts<D, D>& found) const override {
       if constexpr (TrackedShape<S>) {
         const auto add = [&](const point<D>& normal, double depth) {
@@ -86,7 +88,7 @@ class any_wall {
         return held.shape.follow(from, x, *std::launder(static_cast<typename S::tracker*>(tracker)), add);
       } else {
         const double distance = held.shape.distance(x);
-        if (distance >= 0) return distance;
+        if (distance >= margin) return distance - margin;
         found.append_unchecked(contact_of(held, x, distance));
         return 0;
       }

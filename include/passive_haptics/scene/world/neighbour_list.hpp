@@ -85,6 +85,13 @@ class neighbour_list {
     squared_clearance_ = left > 0 ? left * left : 0;
   }
 
+  /// Items are touched from this distance [m] >= 0 on, as look() has it.
+  void set_margin(double margin) {
+    if (margin == margin_) return;
+    margin_ = margin;
+    reset();
+  }
+
   /// Forgets where the handle was.
   void reset() {
     squared_clearance_ = 0;
@@ -135,8 +142,9 @@ class neighbour_list {
   }
 
   template <class Look>
-  static void look_about(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
-    tree.visit_within(squared_distance_from<D>(x), 0.0, [&](int item, double) { look(item); });
+  void look_about(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) const {
+    const double within = margin_ * (1 + relative_rounding);
+    tree.visit_within(squared_distance_from<D>(x), within * within, [&](int item, double) { look(item); });
   }
 
   // Of a distance at x, beside its own share, and of the way [m]
@@ -175,7 +183,7 @@ class neighbour_list {
     next().size = 0;
     // A list half full is found fastest: nothing has to give way
     const double reach = (Listed / 2 > near().size ? 1.25 : 0.8) * near().reach;
-    squared_limit_ = reach > 0 ? reach * reach : unbounded;
+    squared_limit_ = reach > 0 ? (reach + margin_) * (reach + margin_) : unbounded;
     started_at_ = travelled_;
     search_ = tree.start();
   }
@@ -208,12 +216,12 @@ class neighbour_list {
     for (double& due : others_) due -= started_at_;
     first_other_ -= started_at_;
     travelled_ -= started_at_;
-    next().reach = std::sqrt(squared_limit_);
+    next().reach = std::max(std::sqrt(squared_limit_) - margin_, 0.0);
     if (next().reach == 0) next().size = 0;
     else usual_reach_ = next().reach;
     current_ = 1 - current_;
-    const double slack = rounding(near().centre);
-    for (neighbour& n : near()) n.due -= slack;
+    const double early = margin_ + rounding(near().centre);
+    for (neighbour& n : near()) n.due -= early;
     std::sort(near().begin(), near().end());
   }
 
@@ -226,6 +234,7 @@ class neighbour_list {
   std::vector<double> others_;      // when each is due [m]
   double first_other_ = 0;          // the least of them
   double scale_ = 0;
+  double margin_ = 0;         // [m]
   double squared_limit_ = 0;  // of the search for the next list [m^2]
   search search_;
   double started_at_ = 0;  // travelled_ when the next list was begun

@@ -103,7 +103,15 @@ class latest_scene {
     if constexpr (can_extrapolate) {
       if (parameters_.extrapolate && is_current()) exchange_->scene().extrapolate(age_);
     }
+    if constexpr (SeesAhead<Scene>) exchange_->scene().set_margin(margin_);
     return sense(exchange_->scene(), x);
+  }
+
+  /// As of the scene: of that of now and of those to come.
+  void set_margin(double margin)
+    requires SeesAhead<Scene>
+  {
+    margin_ = margin;
   }
 
   /// scene_stale if the scene of the latest cycle was too old, or published in the future: by a clock that is
@@ -119,7 +127,8 @@ class latest_scene {
 
   scene_exchange<Scene>* exchange_;
   latest_scene_parameters parameters_;
-  double age_ = 0;  // of the scene in the latest cycle [s]
+  double age_ = 0;     // of the scene in the latest cycle [s]
+  double margin_ = 0;  // [m]
 };
 
 }  // namespace passive_haptics

@@ -54,6 +54,13 @@ class world {
     return found_.in_order();
   }
 
+  /// Gives contacts from this distance [m] >= 0 off each wall on, with a depth < 0 before the touch; of a
+  /// TrackedShape only from the touch on. Another margin than before costs the search of a jump.
+  void set_margin(double margin) {
+    margin_ = margin;
+    near_.set_margin(margin);
+  }
+
   /// How many contacts at the latest x found no room.
   int left_out() const { return found_.left_out(); }
 
@@ -178,14 +185,14 @@ class world {
     const auto& [wall, number] = item >= 0 ? geometry_->in_tree[k] : geometry_->others[k];
     double distance;
     if (item >= 0) {
-      distance = wall.look(x, x, nullptr, touched_);
+      distance = wall.look(x, x, margin_, nullptr, touched_);
     } else if (k < motions_.size()) {
       motion& m = motions_[k];
-      distance = wall.look(previous_ - m.seen, x - m.now, tracker(k), touched_);
+      distance = wall.look(previous_ - m.seen, x - m.now, margin_, tracker(k), touched_);
       for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
       m.seen = m.now;
     } else {
-      distance = wall.look(previous_, x, tracker(k), touched_);
+      distance = wall.look(previous_, x, margin_, tracker(k), touched_);
     }
     for (contact<D>& c : touched_) {
       c.wall_number = number;
@@ -200,6 +207,7 @@ class world {
   point<D> previous_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());  // x of the cycle before
   std::vector<motion> motions_;  // in the order of walls.moving()
   std::vector<tracker_bytes> trackers_;
+  double margin_ = 0;       // [m]
   contacts<D, D> touched_;  // of one wall
   strongest_contacts<D, Capacity> found_;
 };

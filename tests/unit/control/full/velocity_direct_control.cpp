@@ -125,11 +125,12 @@ TEST(least_power_torques, of_several_walls_are_those_of_least_power) {
 
 TEST(velocity_direct_control, never_holds_a_handle_that_leaves) {
   for (const double Fh : {-2.0, 0.0, 2.0}) {
-    const auto leaving = once(law(), -1e-3, {0, 0.05}, {0, Fh});
+    const auto leaving = once(law(), -constants().rest_depth, {0, 0.05}, {0, Fh});
     EXPECT_TRUE(leaving.capacity.isZero(0)) << "hand force " << Fh;
   }
-  EXPECT_TRUE(once(law(), -1e-3, {0, 0}, {0, 1}).capacity.isZero(0)) << "a pull at rest";
-  EXPECT_GT(once(law(), -1e-3, {0, 0}, {0, -1}).capacity[1], 0) << "a push at rest";
+  const double y = -constants().rest_depth;
+  EXPECT_TRUE(once(law(), y, {0, 0}, {0, 1}).capacity.isZero(0)) << "a pull at rest";
+  EXPECT_GT(once(law(), y, {0, 0}, {0, -1}).capacity[1], 0) << "a push at rest";
 }
 
 // The law on a slide that is held in one state, a cycle each millisecond.
@@ -286,7 +287,7 @@ TEST(velocity_direct_control, rests_deeper_where_it_sees_coarsely) {
     slide.control = law(slide.p);
     slide.cycle(depth, v);
     const double f = slide.cycle(depth + jump - 2 * v * dt, v);
-    const double rest = std::max(p.rest_depth, std::min(p.depth_per_jump * jump, law::deepest_rest));
+    const double rest = std::max(p.rest_depth, std::min(p.depth_per_jump * jump, constants::deepest_rest));
     const double wanted = p.depth_gain * (depth + jump - 2 * v * dt - rest);
     EXPECT_NEAR(f, (wanted - v) * force_per_speed(p), 1e-9) << jump;
   }
@@ -297,6 +298,7 @@ TEST(velocity_direct_control, forgets_how_coarsely_it_saw) {
   constexpr double depth = 0.004, v = -0.05, dt = 1e-3, jump = 0.5e-3, forgotten_in = 2;
   held_slide slide;
   slide.p.depth_per_jump = constants().depth_per_jump;
+  slide.p.rest_depth = 1e-3;
   slide.p.integral_time = 1e9;  // nothing is learned
   slide.control = law(slide.p);
   const auto rest = [&] {
@@ -336,17 +338,34 @@ TEST(velocity_direct_control, sees_the_wall_from_where_the_handle_is_and_how_it_
   EXPECT_NEAR(braked(-0.011, 0, 1.9e-3), braked(-0.011, 0, 0), 1e-9);
 }
 
-TEST(velocity_direct_control, with_a_margin_depth_counts_from_the_shapes_own_surface) {
+TEST(velocity_direct_control, brakes_before_the_touch_within_its_margin) {
   constants p;
-  p.margin = 0.005;
   const law control(p);
-  // 2 mm off the surface: the wall grown by 5 mm is 3 mm deep
-  const auto approaching = [&](double speed) {
-    return once(control, -0.003, {0, -speed}, {0, 0}).capacity[1];
-  };
+  const double margin = control.margin(without_lag());
+  EXPECT_NEAR(margin, p.approach_speed / p.depth_gain, 1e-15);
+  // 2 mm off the surface
+  const auto approaching = [&](double speed, double off) { return once(control, off, {0, -speed}, {0, 0}); };
   const double allowed = p.depth_gain * (p.rest_depth + 0.002);
-  EXPECT_EQ(approaching(0.99 * allowed), 0);
-  EXPECT_NEAR(approaching(allowed + 0.02), 0.02 * force_per_speed(p), 1e-9);
+  EXPECT_EQ(approaching(0.99 * allowed, 0.002).capacity[1], 0);
+  const auto result = approaching(allowed + 0.02, 0.002);
+  EXPECT_NEAR(result.capacity[1], 0.02 * force_per_speed(p), 1e-9);
+  EXPECT_EQ(result.wall_number, 0);
+  EXPECT_EQ(result.desired_force, pair(0, 0)) << "before the touch the wall demands nothing";
+  EXPECT_EQ(result.power, ph::power_class::none);
+  EXPECT_GT(approaching(0.5, 0.99 * margin).capacity[1], 0);
+  EXPECT_EQ(approaching(0.5, 1.01 * margin).capacity[1], 0);
+  EXPECT_EQ(approaching(0.5, 1.01 * margin).wall_number, -1);
+}
+
+TEST(velocity_direct_control, has_a_margin_by_the_slowest_lag_and_none_at_an_approach_speed_of_0) {
+  auto brakes = ph::brakes_of<table>();
+  brakes.time_constant = {0.005, 0.02};
+  EXPECT_NEAR(law().margin(brakes), 0.011, 1e-15);
+  EXPECT_NEAR(law({.approach_speed = 0.2}).margin(brakes), 0.022, 1e-15);
+  const law late({.approach_speed = 0});
+  EXPECT_EQ(late.margin(brakes), 0);
+  EXPECT_EQ(once(late, 1e-6, {0, -0.5}, {0, 0}).wall_number, -1);
+  EXPECT_EQ(once(late, -1e-6, {0, -0.5}, {0, 0}).wall_number, 0);
 }
 
 TEST(velocity_direct_control, a_held_contact_is_carried_on_to_second_order) {
@@ -363,15 +382,16 @@ TEST(velocity_direct_control, a_held_contact_is_carried_on_to_second_order) {
 
 // Along a circle it takes v^2 / R to stay at one depth.
 TEST(velocity_direct_control, brakes_for_the_curvature_of_a_wall) {
+  const double depth = constants().rest_depth;
   for (const auto side : {ph::filling::hollow, ph::filling::solid}) {
     const bool concave = side == ph::filling::hollow;
     const ph::disc round({0, concave ? 0.5 : -0.5}, 0.5, side);
-    const auto touched = ph::sense(ph::scene(ph::wall(round)), {0, -1e-3});
+    const auto touched = ph::sense(ph::scene(ph::wall(round)), {0, -depth});
     ASSERT_EQ(touched.size(), 1);
     ph::step_memory<law> memory;
     const auto result = ph::step(table(), without_lag(), touched, law(),
-                                 state_of<table>({0, -1e-3}, {0.2, 0}, {0, -2}), memory);
-    const double curving = (concave ? 1 : -1) * 0.2 * 0.2 / (concave ? 0.501 : 0.499);
+                                 state_of<table>({0, -depth}, {0.2, 0}, {0, -2}), memory);
+    const double curving = (concave ? 1 : -1) * 0.2 * 0.2 / (concave ? 0.5 + depth : 0.5 - depth);
     EXPECT_NEAR(result.capacity[1], 2 * constants().force_share + slide_mass() * curving, 1e-9);
   }
 }
@@ -411,11 +431,8 @@ TEST(velocity_direct_control, holds_in_the_corner_of_two_walls) {
   using M = ph::tendon_two_link<double>;
   const M arm;
   constants p;
-  p.margin = 0.006;
   const ph::half_space<2> ceiling({0, 0.2}, {0, -1}), side({0.1, 0}, {-1, 0});
-  ph::controller control(
-      arm, ph::brakes_of<M>(),
-      ph::scene(ph::wall(ph::offset(ceiling, p.margin)), ph::wall(ph::offset(side, p.margin))), law(p));
+  ph::controller control(arm, ph::brakes_of<M>(), ph::scene(ph::wall(ceiling), ph::wall(side)), law(p));
   const pair q = arm.inverse({0.095, 0.192}, ph::elbow::left).q;
   ph::simulated_device device(arm, ph::brakes_of<M>(), 0.5, q);
   ph::first_order_lag<double, 2> sensor(pair::Constant(ph::low_pass_time_constant(200.0)));
@@ -434,7 +451,7 @@ TEST(velocity_direct_control, holds_in_the_corner_of_two_walls) {
     }
   }
   EXPECT_GT(shallowest, 1e-4);
-  EXPECT_LT(deepest, 2e-3);
+  EXPECT_LT(deepest, p.rest_depth + 1e-3);
 }
 
 // More brakes than the least squares eliminate in closed form, fewer walls than brakes.
@@ -538,11 +555,9 @@ TEST(velocity_direct_control, knows_that_a_brake_at_rest_only_holds) {
   using M = ph::tendon_two_link<double>;
   const M arm;
   constants p;
-  p.margin = 0.006;
   const ph::half_space<2> ceiling({0, 0.225}, {0, -1});
   for (const double x : {0.08, 0.11, 0.14, 0.165}) {
-    ph::controller control(arm, ph::brakes_of<M>(), ph::scene(ph::wall(ph::offset(ceiling, p.margin))),
-                           law(p));
+    ph::controller control(arm, ph::brakes_of<M>(), ph::scene(ph::wall(ceiling)), law(p));
     const pair q = arm.inverse({x, 0.221}, ph::elbow::left).q;
     ph::simulated_device device(arm, ph::brakes_of<M>(), 0.5, q);
     ph::first_order_lag<double, 2> sensor(pair::Constant(ph::low_pass_time_constant(200.0)));
@@ -639,7 +654,7 @@ TEST(least_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_tha
       range.largest[turns] = 1;
       range.A.diagonal().setConstant(2);
       range.A(held, turns) = range.A(turns, held) = -sign;
-      range.any_at_rest = range.at_rest[held] = true;
+      range.any_at_rest = range.at_rest[held] = range.held[held] = true;
       range.sign_is_lasting.setConstant(true);
       const double alone = 3 - 0.2 * 0.1, beside = 0.5 - 0.2;
       for (const auto& [wanted, torque] : {std::pair(alone, 0.1), std::pair(alone + 0.5 * beside, 0.6),
@@ -661,7 +676,7 @@ TEST(least_power_torques, ask_nobody_beside_a_brake_that_is_not_held) {
     range.smallest = V(std::min(0.1, most), 0.2);
     range.largest = V(most, 5);
     range.A << 2, -1, -1, 2;
-    range.any_at_rest = range.at_rest[0] = true;
+    range.any_at_rest = range.at_rest[0] = range.held[0] = true;
     range.sign_is_lasting.setConstant(true);
     return ph::least_power_torques<double, 2>(V(1, -0.2), 10, range, V(0, 0));
   };
@@ -679,7 +694,7 @@ TEST(least_power_torques, ask_brakes_beside_one_that_is_held_in_turn) {
   range.largest = V(0.5, 5, 1, 5);
   range.A.setConstant(-1);
   range.A.diagonal().setConstant(2);  // 0.3 for each N m of the others
-  range.any_at_rest = range.at_rest[0] = range.at_rest[1] = true;
+  range.any_at_rest = range.at_rest[0] = range.at_rest[1] = range.held[0] = true;
   range.sign_is_lasting.setConstant(true);
   const auto torques = [&](double wanted) {
     return ph::least_power_torques<double, 4>(V(1, -0.2, -0.2, -0.2), wanted, range, V::Zero());

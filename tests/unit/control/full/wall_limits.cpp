@@ -142,7 +142,7 @@ TEST(wall_limits, are_within_their_bands_on_90_percent_of_300_random_devices) {
   for (std::uint64_t k = 0; stiffness.of < 300; ++k) {
     const device d = ph::draw_device(tendon_of(1), where, seed, k);
     const double slow = 1 / d.environment_rate;
-    const landing law = land(d, ph::velocity_direct_control(), rigid, slow, 0.8);
+    const landing law = land(d, ph::velocity_direct_control({.approach_speed = 0}), rigid, slow, 0.8);
     if (!law.touched) continue;  // the residual torque keeps the hand off it so long
     const ph::braked_wall wall = wall_of(d, law);
     const ph::wall_limits limits = limits_of(wall);

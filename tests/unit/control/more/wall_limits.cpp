@@ -134,8 +134,8 @@ TEST(wall_limits, coarse_encoders_let_the_hand_rest_deeper) {
   wall.depth_per_jump /= 1.5;
   EXPECT_DOUBLE_EQ(limits_of(wall).depth, 2 * law.rest_depth / 1.5);
   wall.depth_resolution = 1;
-  EXPECT_EQ(limits_of(wall).depth, ph::velocity_direct_control::deepest_rest);
-  wall.rest_depth = 2 * ph::velocity_direct_control::deepest_rest;
+  EXPECT_EQ(limits_of(wall).depth, ph::velocity_direct_control_parameters::deepest_rest);
+  wall.rest_depth = 2 * ph::velocity_direct_control_parameters::deepest_rest;
   EXPECT_EQ(limits_of(wall).depth, wall.rest_depth);
 }
 

@@ -5,7 +5,10 @@
 #include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace passive_haptics {
 
@@ -16,7 +19,7 @@ void beside_held(const vector<T, Brakes>& g, T missing, const torque_range<T, Br
                  vector<T, Brakes>& t) {
   if (!range.any_at_rest) return;
   for (int i = 0; i < Brakes; ++i) {
-    if (!range.at_rest[i] || !(range.sign[i] * g[i] > T(0)) || !(t[i] > T(0))) continue;
+    if (!range.held[i] || !(range.sign[i] * g[i] > T(0)) || !(t[i] > T(0))) continue;
     for (int j = 0; j < Brakes; ++j) {
       const T gain = range.sign[j] * (g[j] - g[i] * range.A(i, j) / range.A(i, i));
       if (range.at_rest[j] || !(gain > T(0)) || !(missing > T(0))) continue;
@@ -62,7 +65,7 @@ vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
   return t;
 }
 
-/// The same for `count` walls together: forces [N] as near to the wanted ones as may be, sum of squares, of
+/// Torques for several walls together: forces [N] as near to the wanted ones as may be, sum of squares, of
 /// these the least power. A wall that wants nothing is not left to the others' forces: coupled forces are met
 /// together. rows: Lambda_j g_j. Cost: core/linear/least_squares_by_priority.hpp, two
 /// levels.
@@ -76,6 +79,23 @@ vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, cons
   return range.sign.cwiseProduct(least_squares_by_priority(
       vector<T, Brakes>(one.cwiseMin(other)), vector<T, Brakes>(one.cwiseMax(other)),
       least_squares_level{rows, wanted}, least_squares_level{power}));
+}
+
+/// Torques for the first `count` of these walls, each with its `force` [N] and its response `along` the
+/// normal (acceleration_display.hpp). No wall holds a handle that leaves it: a force < 0 counts as none.
+template <class Wall, std::size_t Capacity, class T, int Brakes>
+vector<T, Brakes> least_power_torques(const std::array<Wall, Capacity>& walls, int count,
+                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w) {
+  constexpr int capacity = static_cast<int>(Capacity);
+  matrix<T, capacity, Brakes> rows = matrix<T, capacity, Brakes>::Zero();
+  vector<T, capacity> wanted = vector<T, capacity>::Zero();
+  for (int j = 0; j < count; ++j) {
+    const Wall& wall = walls[std::size_t(j)];
+    rows.row(j) = wall.along.inertia * wall.along.g.transpose();
+    wanted[j] = std::max(wall.force, T(0));
+  }
+  if (!(wanted.array() > T(0)).any()) return range.smallest;
+  return least_power_torques<T, Brakes, capacity>(rows, wanted, range, w);
 }
 
 }  // namespace passive_haptics

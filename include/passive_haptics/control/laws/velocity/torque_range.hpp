@@ -23,7 +23,10 @@ struct torque_range {
   vector<T, Brakes> largest;               ///< [N m], >= smallest.
   matrix<T, Brakes, Brakes> A;             ///< T M^-1 T^T, where any is at rest [rad/s^2 per N m].
   bool any_at_rest = false;                ///< Some brake is at rest.
-  flags at_rest = flags::Constant(false);  ///< It is at rest.
+  flags at_rest = flags::Constant(false);  ///< It is at rest,
+  flags held = flags::Constant(false);     ///< and within its limit: it can make twice what holds it.
+  vector<T, Brakes>
+      kept;  ///< What one at rest makes now, if letting it go may let the handle in; else 0 [N m].
   flags sign_is_lasting;  ///< It can push so as long as the handle slides, not only while it lands.
 };
 
@@ -94,10 +97,13 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
     range.lag_share[i] = horizon > 0 ? lag_share(static_cast<T>(horizon), lag) : T(1);
     range.smallest[i] = strength[i] * (T(1) - range.lag_share[i]);
     range.largest[i] = passive_haptics::torque_limit_of<T>(device.brakes, i);
-    if (range.at_rest[i])
-      range.largest[i] = holding[i] * range.sign[i] > T(0)
-                             ? std::min(range.largest[i], max_held * std::abs(holding[i]))
-                             : T(0);
+    range.kept[i] = T(0);
+    if (range.at_rest[i]) {
+      const T enough = std::max(max_held * holding[i] * range.sign[i], T(0));
+      range.held[i] = enough > T(0) && enough <= range.largest[i];
+      if (enough > T(0)) range.kept[i] = strength[i];
+      range.largest[i] = std::min(range.largest[i], enough);
+    }
     range.largest[i] = std::max(range.smallest[i], range.largest[i]);
   });
   return range;

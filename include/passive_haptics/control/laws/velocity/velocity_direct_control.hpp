@@ -33,18 +33,20 @@ namespace passive_haptics {
 /// least power, and nothing where it would have to push the handle in. Their lag is inverted over a horizon.
 ///
 /// **Brakes that come to rest.** In steady sliding the torque that cancels the push is the torque that
-/// sticks. A brake that sticks holds, whatever it is told: then b does not grow, and while the handle leaves
+/// sticks. A brake that sticks holds, whatever its command: then b does not grow, and while the handle leaves
 /// it falls to a 1/e of itself on release_length, until the brake slips again and its torque is known. A
 /// brake at rest is counted for twice what holds it at most, the rest is up to the others, and for nothing
-/// where it would hold the handle in. Which way a brake can push is told by its rate once the handle no
-/// longer sinks, not by the rate now, which may only be that of the landing (torque_range).
+/// where it would hold the handle in. While the handle sinks, no brake at rest is let go to less than it
+/// makes: gains and a sensor that are off may hide what holds it. The way in which a brake can push is that
+/// of its rate once the handle no longer sinks: the rate now may only be that of the landing (torque_range).
 ///
 /// **The depth of rest** d_ref is rest_depth on fine encoders; on coarse ones, whose counts let the depth
-/// jump, it is a multiple of these jumps.
+/// jump, it is a multiple of these jumps. The less is known of lags and dead times, the deeper it has to be:
+/// docs/results.md has the separations for 1 to 4 mm.
 ///
-/// A handle that comes at 0.1 m/s is over a millimetre deep before lagging brakes hold it. So that they begin
-/// before, grow the walls, `wall(offset(shape, margin))`, and give the same margin here: depths count from
-/// the shape's own surface. A contact held by a slow virtual environment is carried on to second order from
+/// **The margin.** A handle that comes at 0.1 m/s is over a millimetre deep before lagging brakes hold it. So
+/// that they begin before, scenes give contacts from margin() on: approach_speed (1 / k_d + 3 T_b), T_b that
+/// of the slowest brake. A contact held by a slow virtual environment is carried on to second order from
 /// where it was sensed; with a margin it is known in time.
 ///
 /// Needs the hand force, the inertia and the brakes' lag. Cost: a Cholesky of n x n; one more solution with
@@ -56,9 +58,6 @@ class velocity_direct_control {
   static constexpr bool needs_brake_lag = true;   ///< Needs the brakes' time constants.
   static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
   static constexpr int most_contacts = 8;         ///< Walls that it remembers at once.
-
-  static constexpr double jump_time = 2;        ///< In which a jump of the depth is forgotten [s].
-  static constexpr double deepest_rest = 5e-3;  ///< d_ref at most [m].
 
   /// Of one wall.
   struct contact_state {
@@ -80,6 +79,12 @@ class velocity_direct_control {
 
   /// The constants as given.
   const velocity_direct_control_parameters& parameters() const { return p_; }
+
+  /// How far off a wall its contact is needed [m].
+  template <class B>
+  double margin(const B& brakes) const noexcept {
+    return p_.margin(slowest_lag(brakes));
+  }
 
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
@@ -106,10 +111,12 @@ class velocity_direct_control {
         device, dynamics, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
     brake_vector<M> t = alone ? least_power_torques<T, m>(walls[0].along.g,
                                                           walls[0].force / walls[0].along.inertia, brakes, w)
-                              : for_several(walls, touched.size(), brakes, w);
+                              : least_power_torques(walls, touched.size(), brakes, w);
     for (int j = 0; j < touched.size(); ++j) learn(walls[std::size_t(j)], brakes, t, dt);
 
+    const bool sinks = alone && walls[0].speed_error > T(0);
     unrolled<m>([&](auto i) {
+      if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
       const T u = remembered.brakes.command(i, t[i], passive_haptics::torque_limit_of<T>(device.brakes, i),
                                             brakes.lag_share[i]);
       t[i] = device.s[i] > T(0) ? -u : u;
@@ -131,6 +138,7 @@ class velocity_direct_control {
     normal_response<T, D, Brakes> along;
     T speed_error;  // v_ref - n . v [m/s]: > 0 where the handle shall leave faster
     T stop_speed;   // -n . v [m/s]
+    T damping;      // Lambda_n / tau_v [N s/m]
     T feedforward;  // f_ff [N]
     T force;        // f [N]
     contact_state* state;
@@ -157,29 +165,29 @@ class velocity_direct_control {
     using T = typename M::scalar;
     const point<D> moved = device.x - c.sensed_at, relative = as<double>(dynamics.velocity) - c.wall_velocity;
     const point<D> n = (c.normal + c.curvature * moved).normalized();
-    const double depth = c.depth - p_.margin - moved.dot(c.normal + 0.5 * (c.curvature * moved));
+    const double depth = c.depth - moved.dot(c.normal + 0.5 * (c.curvature * moved));
     const double outward = n.dot(relative), curving = relative.dot(c.curvature * relative);
 
     contact_state& state = remembered.walls.of(c.wall_number);
     // A jump is what the depth changed by more than its motion explains; a NaN, of the first cycle, is none
-    state.jump = std::max(state.jump * (1 - std::min(dt / jump_time, 1.0)),
+    state.jump = std::max(state.jump * (1 - std::min(dt / p_.jump_time, 1.0)),
                           std::abs(depth - state.depth) - 2 * dt * std::abs(outward));
     state.depth = depth;
-    const double d_ref = std::max(p_.rest_depth, std::min(p_.depth_per_jump * state.jump, deepest_rest));
+    const double d_ref = std::max(p_.rest_depth, std::min(p_.depth_per_jump * state.jump, p_.deepest_rest));
     const double v_ref = std::clamp(p_.depth_gain * (depth - d_ref), -p_.velocity_limit, p_.velocity_limit);
 
     const auto along = passive_haptics::response_along(as<T>(n), dynamics, Fh);
     const T speed_error = static_cast<T>(v_ref - outward);
     const T feedforward = -along.inertia * (static_cast<T>(curving) + along.free);
-    const T force = feedforward + static_cast<T>(state.bias) + stiffness(along.inertia) * speed_error;
-    return wall_demand<T, D, M::brake_count>{along,       speed_error, static_cast<T>(-outward),
-                                             feedforward, force,       &state};
+    const T damping = along.inertia / static_cast<T>(p_.velocity_lag_for(slowest_lag(device.brakes)));
+    const T force = feedforward + static_cast<T>(state.bias) + damping * speed_error;
+    return wall_demand<T, D, M::brake_count>{
+        along, speed_error, static_cast<T>(-outward), damping, feedforward, force, &state};
   }
 
-  // Lambda_n / tau_v [N s/m]
-  template <class T>
-  T stiffness(T inertia) const {
-    return inertia / static_cast<T>(p_.velocity_lag);
+  template <class B>
+  static double slowest_lag(const B& brakes) {
+    return static_cast<double>(brakes.time_constant.maxCoeff());
   }
 
   // w* = w + sum_j g_j p_j, the rates when normal impulses p have brought the handle to v_ref at each wall:
@@ -202,21 +210,6 @@ class velocity_direct_control {
     return w;
   }
 
-  template <class Walls, class T, int Brakes>
-  static vector<T, Brakes> for_several(const Walls& walls, int count, const torque_range<T, Brakes>& range,
-                                       const vector<T, Brakes>& w) {
-    constexpr int capacity = static_cast<int>(std::tuple_size_v<Walls>);
-    matrix<T, capacity, Brakes> rows = matrix<T, capacity, Brakes>::Zero();
-    vector<T, capacity> wanted = vector<T, capacity>::Zero();
-    for (int j = 0; j < count; ++j) {
-      const auto& wall = walls[std::size_t(j)];
-      rows.row(j) = wall.along.inertia * wall.along.g.transpose();
-      wanted[j] = std::max(wall.force, T(0));  // no wall holds a handle that leaves it
-    }
-    if (!(wanted.array() > T(0)).any()) return range.smallest;
-    return least_power_torques<T, Brakes, capacity>(rows, wanted, range, w);
-  }
-
   // The bias, after torques of these magnitudes [N m]
   template <class Wall, class T, int Brakes>
   void learn(const Wall& wall, const torque_range<T, Brakes>& brakes, const vector<T, Brakes>& t,
@@ -226,13 +219,12 @@ class velocity_direct_control {
     bool sticks = true;
     unrolled<Brakes>([&](auto i) {
       made += gain[i] * t[i];
-      largest += std::max(gain[i], T(0)) * brakes.largest[i];
+      if (gain[i] > T(0)) largest += gain[i] * brakes.largest[i];  // a limit may be infinite
       if (gain[i] > T(0) && t[i] > T(0) && !brakes.at_rest[i]) sticks = false;
     });
     double& bias = wall.state->bias;
     const double feedforward = static_cast<double>(wall.feedforward);
-    const double rate =
-        static_cast<double>(stiffness(wall.along.inertia) * wall.speed_error) / p_.integral_time;
+    const double rate = static_cast<double>(wall.damping * wall.speed_error) / p_.integral_time;
     const bool saturated = made < T(0.999) * wall.force;
     const double speed_error = static_cast<double>(wall.speed_error);
     const double let_go = std::min(-dt * speed_error / p_.release_length, 1.0) * (feedforward + bias);

@@ -4,6 +4,8 @@
 
 #include <passive_haptics/core/parameters.hpp>
 
+#include <algorithm>
+
 namespace passive_haptics {
 
 /// Constants of velocity_direct_control, tuned in simulation on random devices (docs/results.md).
@@ -17,10 +19,19 @@ struct velocity_direct_control_parameters {
   double force_share = 0.22;       ///< phi [1] of the measured hand force, fed forward.
   double rate_lag = 0.004;         ///< Low-pass of the joint rates, behind that of the encoders [s].
   double horizon = 0.005;          ///< eta [s], over which the brakes' lag is inverted.
-  double rest_depth = 1e-3;        ///< d_0, at which the handle shall rest [m];
+  double rest_depth = 2e-3;        ///< d_0, at which the handle shall rest [m];
   double depth_per_jump = 4.5;  ///< or this many times what the depth jumps by a count of the encoders [1].
-  /// By which the scene's walls are grown (scene/shapes/offset.hpp) to be seen beforehand [m].
-  double margin = 0;
+  double approach_speed = 0.1;  ///< Of a hand that comes to a wall [m/s]: it gives the margin; 0: none.
+
+  static constexpr double jump_time = 2;        ///< In which a jump of the depth is forgotten [s].
+  static constexpr double deepest_rest = 5e-3;  ///< d_ref at most, for the sake of jumps [m].
+
+  /// How far off a wall its contact is needed [m], with brakes of this lag [s].
+  constexpr double margin(double lag) const { return approach_speed * (1 / depth_gain + 3 * lag); }
+  /// tau_v [s] with brakes of this lag [s]: longer for slow ones, which would overshoot.
+  constexpr double velocity_lag_for(double lag) const {
+    return std::max(velocity_lag, std::min(0.3 * lag, 0.0125));
+  }
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -36,7 +47,7 @@ struct velocity_direct_control_parameters {
                         member("horizon", &p::horizon, "s", range::not_negative),
                         member("rest_depth", &p::rest_depth, "m", range::not_negative),
                         member("depth_per_jump", &p::depth_per_jump, "1", range::not_negative),
-                        member("margin", &p::margin, "m", range::not_negative));
+                        member("approach_speed", &p::approach_speed, "m/s", range::not_negative));
   }
 };
 
