@@ -35,8 +35,7 @@ int main() {
               << report.displayed << " N\n";
   }
 
-  // It sees walls before they are touched, so that lagging brakes begin in time: here for hands of up to 0.2
-  // m/s
+  // It sees walls before they are touched, so that lagging brakes begin in time: here for hands of 0.2 m/s
   ph::controller gliding(arm, brakes, ph::scene(ph::wall(top)),
                          ph::velocity_direct_control({.approach_speed = 0.2}));
 
