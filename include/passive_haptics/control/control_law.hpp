@@ -85,9 +85,9 @@ using law_memory = typename detail::memory_of<L>::type;
 ///     space, faults), so that the law knows what its brakes were told;
 ///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag, needs_torque_limit`: what it
 ///     reads of the state, the mechanism and the brakes. False where they are not named;
-///   - `double margin(const B& brakes) const noexcept`: how far off a wall it needs to see it [m], >= 0. A
-///   scene
-///     that can (SeesAhead) then gives contacts from there on; their depth is < 0 until the touch;
+///   - `double margin(const B& brakes) const noexcept`: how far off a wall it needs its contact [m], >= 0.
+///     From there on a scene that can (SeesAhead) gives it, with a depth < 0 until the touch. Where more
+///     than most_contacts are so near, the law gets those that are touched;
 ///   - `static constexpr int most_contacts`: walls that it takes at once; in a cycle that touches more the
 ///     brakes are released. Any number where it is not named.
 template <class L>

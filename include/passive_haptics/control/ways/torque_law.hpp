@@ -87,8 +87,21 @@ struct torques_of_law {
   }
 
   status check() const {
-    if (touched.size() > most_contacts<L>) return status::too_many_contacts;
+    if (walls_of_law().size() > most_contacts<L>) return status::too_many_contacts;
     return check_contacts<T>(touched);
+  }
+
+  // All contacts; those that are touched alone, where a law with a margin does not take as many
+  decltype(auto) walls_of_law() const {
+    if constexpr (Walls::capacity > most_contacts<L>) {
+      if (touched.size() <= most_contacts<L>) return Walls(touched);
+      Walls deep;
+      for (const auto& c : touched)
+        if (!(c.depth <= 0)) deep.append_unchecked(c);
+      return deep;
+    } else {
+      return (touched);
+    }
   }
 
   // No force in free space, nor before the touch
@@ -106,9 +119,9 @@ struct torques_of_law {
           requires { setup.law.torque(device, touched, memory); },
           "passive_haptics: torque() of this law takes brakes_of<M> alone; let it take a brake_situation<M, "
           "E, B> of any brakes B, or give the step brakes_of<M>.");
-      return setup.law.torque(device, touched, memory);
+      return setup.law.torque(device, walls_of_law(), memory);
     } else {
-      return setup.law.torque(device, touched);
+      return setup.law.torque(device, walls_of_law());
     }
   }
 

@@ -813,10 +813,11 @@ TEST(contact_memory, that_is_full_is_taken_from_a_wall_that_is_touched_no_more) 
 // Beyond most_contacts a law would share a memory between two walls.
 TEST(a_law_with_a_memory_of_walls, releases_the_brakes_where_more_are_touched) {
   using M = ph::tendon_two_link<double>;
-  const auto outcome = [](int walls) {
+  const auto outcome = [](int walls, int near = 0) {
     ph::contacts<2, 12> touched;
-    for (int k = 0; k < walls; ++k)
-      touched.push_back({.normal = {0, -1}, .depth = 1e-3, .stiffness = 1e3, .wall_number = k});
+    for (int k = 0; k < walls + near; ++k)
+      touched.push_back(
+          {.normal = {0, -1}, .depth = k < near ? -1e-3 : 1e-3, .stiffness = 1e3, .wall_number = k});
     ph::step_memory<ph::velocity_direct_control> memory;
     const auto result = ph::step(M(), ph::brakes_of<M>(), touched, ph::velocity_direct_control(),
                                  state_of<M>({0.2, 0.4}, {0.3, 2}, {0.1, 1}), memory);
@@ -826,6 +827,9 @@ TEST(a_law_with_a_memory_of_walls, releases_the_brakes_where_more_are_touched) {
   EXPECT_EQ(outcome(8), ph::status::ok);
   EXPECT_EQ(outcome(9), ph::status::too_many_contacts);
   EXPECT_EQ(outcome(12), ph::status::too_many_contacts);
+  EXPECT_EQ(outcome(1, 11), ph::status::ok) << "only near, not touched";
+  EXPECT_EQ(outcome(8, 4), ph::status::ok);
+  EXPECT_EQ(outcome(9, 3), ph::status::too_many_contacts);
 }
 
 }  // namespace

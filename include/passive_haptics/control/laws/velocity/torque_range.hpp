@@ -25,8 +25,8 @@ struct torque_range {
   bool any_at_rest = false;                ///< Some brake is at rest.
   flags at_rest = flags::Constant(false);  ///< It is at rest,
   flags held = flags::Constant(false);     ///< and within its limit: it can make twice what holds it.
-  vector<T, Brakes>
-      kept;  ///< What one at rest makes now, if letting it go may let the handle in; else 0 [N m].
+  /// What one at rest makes now, where letting it go may let the handle in; else 0 [N m].
+  vector<T, Brakes> kept;
   flags sign_is_lasting;  ///< It can push so as long as the handle slides, not only while it lands.
 };
 
