@@ -522,7 +522,7 @@ bool bands() {
 }
 
 // Whether docs/results.md tells these tables. PASSIVE_HAPTICS_WRITE_PAGES=1 writes them there.
-bool is_told(const page_tables& tables) {
+bool is_printed(const page_tables& tables) {
   const std::filesystem::path path = PASSIVE_HAPTICS_SOURCE_DIR "/docs/results.md";
   example::page_of_tables page(path);
   bool all = true;
@@ -560,7 +560,7 @@ int main(int argc, char** argv) try {
   laws_and_brakes(page);
   brakes_of_another_kind(page);
   const bool hold = bands() && rest;
-  const bool agrees = is_told(page);
+  const bool agrees = is_printed(page);
   if (const std::size_t runs = progress_bar::done_of_all(); hold && runs != planned_runs)
     throw std::logic_error("planned_runs, expected " + std::to_string(runs));
   std::printf(

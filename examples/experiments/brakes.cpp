@@ -31,12 +31,12 @@ using some_brake =
                   inverted<eddy_current>, ph::delayed_brake<coulomb>>;
 using known_brakes = ph::rate_limited_brakes<arm, some_brake>;
 
-// A brake, and what its controller is told.
+// A brake, and what its controller knows of it.
 struct brake_case {
   std::string name;
   some_brake real;
-  double lag = 0.020;                                          // told [s]
-  double limit = 1;                                            // told [N m],
+  double lag = 0.020;                                          // known [s]
+  double limit = 1;                                            // known [N m],
   some_brake limit_at = coulomb{.torque_limit = 1000};         // and that of the moment
   double push = ph::following_hand_parameters<double>().push;  // of the hand [N]
 };
@@ -62,17 +62,17 @@ std::vector<brake_case> kinds() {
 }
 
 std::vector<brake_case> beliefs() {
-  return {{"lag of 20 ms: told", coulomb()},
-          {"falls in 60 ms: told 20 ms", slow_fall},
-          {"falls in 60 ms: told 60 ms", slow_fall, 0.060},
-          {"dead time of 5 ms: not told", late(0.005)},
-          {"dead time of 5 ms: told a lag of 25 ms", late(0.005), 0.025},
-          {"Stribeck: not told", stribeck()},
+  return {{"lag of 20 ms: known", coulomb()},
+          {"falls in 60 ms: taken for 20 ms", slow_fall},
+          {"falls in 60 ms: taken for 60 ms", slow_fall, 0.060},
+          {"dead time of 5 ms: not known", late(0.005)},
+          {"dead time of 5 ms: taken for a lag of 25 ms", late(0.005), 0.025},
+          {"Stribeck: not known", stribeck()},
           {"Stribeck: inverted", inverted<stribeck>()},
-          {"MR: not told", magnetorheological()},
+          {"MR: not known", magnetorheological()},
           {"MR: inverted", inverted<magnetorheological>()},
           {"eddy: inverted", eddy},
-          {"eddy: inverted, limit told", eddy, 0.020, 1, eddy}};
+          {"eddy: inverted, limit known", eddy, 0.020, 1, eddy}};
 }
 
 run_result follow_with(const brake_case& what, law which, double time_step = setup().time_step) {
@@ -92,8 +92,8 @@ run_result follow_with(const brake_case& what, law which, double time_step = set
   return follow(d, which, wall, how);
 }
 
-std::string told(const std::vector<brake_case>& cases) {
-  const auto runs = on_all_cores("told of brakes", cases.size(),
+std::string known_of(const std::vector<brake_case>& cases) {
+  const auto runs = on_all_cores("known of brakes", cases.size(),
                                  [&](std::size_t k) { return follow_with(cases[k], law::velocity).figures; });
   std::string table = markdown_head(
       {"brake: what is known of it", "separations", "standard deviation [mm]", "deepest [mm]", "drag [N]"});
@@ -134,11 +134,11 @@ void laws_and_brakes(page_tables& page) {
     hold += markdown_row(holds);
     feel += markdown_row(feels);
   }
-  page["told_of_brakes"] = told(beliefs());
+  page["known_of_brakes"] = known_of(beliefs());
   std::printf(
       "\nLaws and brakes: separations / standard deviation [mm]\n\n%s\nDeepest [mm] / drag [N]\n\n%s"
       "\nvelocity_direct_control, by what is known of its brakes\n\n%s",
-      hold.c_str(), feel.c_str(), page["told_of_brakes"].c_str());
+      hold.c_str(), feel.c_str(), page["known_of_brakes"].c_str());
   std::fflush(stdout);
 }
 

@@ -5,8 +5,8 @@
 
 namespace experiments {
 
-// Every law with every kind of brake, and the recommended law told more or less of its brakes: the tables
-// laws_and_brakes_hold, laws_and_brakes_feel and told_of_brakes.
+// Every law with every kind of brake, and the recommended law that knows more or less of its brakes: the
+// tables laws_and_brakes_hold, laws_and_brakes_feel and known_of_brakes.
 void laws_and_brakes(page_tables& page);
 
 // Whether the recommended law leaves the wall with no kind of brake.

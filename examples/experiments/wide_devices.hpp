@@ -25,7 +25,7 @@ struct wide_row {
 enum class belief {
   data_sheet,  // nominal inertia, true limits and rise times
   wrong,       // lag 0.3 to 3 times, inertia 0.5 to 2 times the true one, together
-  extreme,     // the same of devices with gains of 0.5 to 1.5, lags of 1 to 100 ms and dead times up to 10 ms
+  extreme,  // as wrong, of devices with gains of 0.5 to 1.5, lags of 1 to 100 ms and dead times up to 10 ms
 };
 
 // 300 (scaled by `share`) tendon devices, 60 of each other kind under velocity_direct_control.

@@ -43,9 +43,9 @@ struct records {
   std::vector<ph::bench_sample> up, down, ramp;
 };
 template <class Model>
-records record(const Model& brake, const command_of_current& told) {
+records record(const Model& brake, const command_of_current& torque_of) {
   const auto of = [&](const auto& current_at, double duration) {
-    const auto bench = std::make_shared<example::simulated_bench<Model>>(brake, told, steady);
+    const auto bench = std::make_shared<example::simulated_bench<Model>>(brake, torque_of, steady);
     example::simulated_bench_port<Model> port{bench};
     example::simulated_torque_sensor<Model> sensor{bench};
     ph::bench_parameters p;
@@ -64,7 +64,7 @@ ph::measured_brake measured(const records& all) {
 
 // A hand along the wall, at a device with two such brakes behind currents and their calibration.
 template <class Model>
-ph::contact_metrics along_the_wall(const Model& brake, const command_of_current& told,
+ph::contact_metrics along_the_wall(const Model& brake, const command_of_current& torque_of,
                                    const ph::brakes_of<device>& brakes, const ph::brake_curves<2>& curves) {
   const device arm;
   const auto start = arm.inverse({0.045, 0.221}, ph::elbow::left).q;
@@ -77,7 +77,7 @@ ph::contact_metrics along_the_wall(const Model& brake, const command_of_current&
   const auto loop = [&](const ph::device_state<device>& state) {
     auto result = control(state);
     const auto currents = calibration.currents(result.capacity);
-    result.capacity = {told(currents[0]), told(currents[1])};
+    result.capacity = {torque_of(currents[0]), torque_of(currents[1])};
     return result;
   };
   return ph::follow_wall(plant, loop, wall, hand, {});
@@ -118,10 +118,10 @@ TEST(a_bench, fills_what_a_controller_a_driver_and_a_simulation_take) {
 }
 
 TEST(a_bench, leads_to_a_hand_that_glides_along_a_wall) {
-  const auto glides = [](const auto& brake, const command_of_current& told) {
-    const auto all = record(brake, told);
+  const auto glides = [](const auto& brake, const command_of_current& torque_of) {
+    const auto all = record(brake, torque_of);
     const ph::measured_brake found = measured(all);
-    expect_gliding(along_the_wall(brake, told, ph::measured_brakes<device>({found, found}),
+    expect_gliding(along_the_wall(brake, torque_of, ph::measured_brakes<device>({found, found}),
                                   {found.ramp.curve(), found.ramp.curve()}));
   };
   ph::delayed_brake<ph::coulomb_brake<double>> late;
@@ -135,12 +135,12 @@ TEST(a_bench, leads_to_a_hand_that_glides_along_a_wall) {
 TEST(a_bench, leads_to_a_hand_that_glides_with_a_brake_that_has_hysteresis) {
   ph::magnetorheological_brake<double> brake;
   brake.residual.strength = 0.02;
-  const auto told = [&](double current) { return brake.torque_of(current / greatest); };
-  const auto all = record(brake, told);
+  const auto torque_of = [&](double current) { return brake.torque_of(current / greatest); };
+  const auto all = record(brake, torque_of);
   const auto found =
       ph::measured_brake_of(ph::fit_magnetorheological_brake(all.up, all.down, all.ramp), dead_band);
   EXPECT_NEAR(found.time_constant.value, brake.time_constant, 0.001) << "of the coil, not of the torque";
-  expect_gliding(along_the_wall(brake, told, ph::measured_brakes<device>({found, found}),
+  expect_gliding(along_the_wall(brake, torque_of, ph::measured_brakes<device>({found, found}),
                                 {found.ramp.curve(), found.ramp.curve()}));
 }
 
@@ -148,11 +148,11 @@ TEST(a_bench, leads_to_a_hand_that_glides_with_a_brake_that_has_hysteresis) {
 // learns what it needs, so that the hand glides with the bench's values and with the defaults.
 TEST(a_bench, leads_to_a_hand_that_glides_with_a_weak_and_quick_brake) {
   const ph::coulomb_brake<double> brake{.time_constant = 0.005, .residual = {.strength = 0.02}};
-  const auto told = [](double current) { return 0.2 * current; };
-  const ph::measured_brake found = measured(record(brake, told));
+  const auto torque_of = [](double current) { return 0.2 * current; };
+  const ph::measured_brake found = measured(record(brake, torque_of));
   const ph::brake_curves<2> curves{found.ramp.curve(), found.ramp.curve()};
-  expect_gliding(along_the_wall(brake, told, ph::measured_brakes<device>({found, found}), curves));
-  expect_gliding(along_the_wall(brake, told, {}, curves));
+  expect_gliding(along_the_wall(brake, torque_of, ph::measured_brakes<device>({found, found}), curves));
+  expect_gliding(along_the_wall(brake, torque_of, {}, curves));
 }
 
 // ---- what is refused

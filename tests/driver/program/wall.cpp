@@ -43,10 +43,8 @@ way_along_the_wall first_way(const log_file& log) {
 }
 
 struct a_hand_at_the_wall : a_driver {
-  static constexpr const char* stalled = "in each of five runs the machine stalled";
-
   way_along_the_wall along_the_wall(const settings& s) {
-    constexpr int most_runs = 5;
+    constexpr int most_runs = 10;
     way_along_the_wall found;
     file("c.toml", s.text());
     for (int k = 0; k == 0 || (k < most_runs && !found.is_telling()); ++k) {
@@ -54,6 +52,7 @@ struct a_hand_at_the_wall : a_driver {
       EXPECT_EQ(o.status, 0) << o.err;
       found = first_way(log());
     }
+    EXPECT_TRUE(found.is_telling()) << "in each of " << most_runs << " runs the machine stalled";
     return found;
   }
   static void expect_gliding(const way_along_the_wall& found) {
@@ -66,14 +65,12 @@ struct a_hand_at_the_wall : a_driver {
 
 TEST_F(a_hand_at_the_wall, stays_there_where_the_configuration_names_no_law) {
   const auto found = along_the_wall({.hand_start = 0.5, .top = ""});
-  if (!found.is_telling()) GTEST_SKIP() << stalled;
   expect_gliding(found);
 }
 
 // That the log shows it.
 TEST_F(a_hand_at_the_wall, bounces_off_under_the_law_of_the_paper) {
   const auto found = along_the_wall({.hand_start = 0.5, .top = "law = \"direct_control\""});
-  if (!found.is_telling()) GTEST_SKIP() << stalled;
   EXPECT_GT(found.cycles, 500u);
   EXPECT_GE(found.separations, 3);
 }
@@ -85,7 +82,6 @@ TEST_F(a_hand_at_the_wall, stays_there_with_the_brakes_that_a_bench_measured) {
   EXPECT_EQ(whole.status, 0) << whole.err;
   const auto found =
       along_the_wall({.hand_start = 0.5, .top = "", .sections = text_of(directory / "brakes.toml")});
-  if (!found.is_telling()) GTEST_SKIP() << stalled;
   expect_gliding(found);
 }
 
