@@ -7,6 +7,7 @@
 #include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/core/version.hpp>
 
+#include <passive_haptics/mechanism/braked_joints.hpp>
 #include <passive_haptics/mechanism/chains/denavit_hartenberg.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
@@ -14,6 +15,7 @@
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/mechanism/with_self_motion.hpp>
 
 #include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/brake/models/rate_limited_brakes.hpp>
@@ -56,6 +58,7 @@
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 

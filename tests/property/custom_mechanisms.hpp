@@ -13,7 +13,6 @@ template <class T, int Dof, int TaskDimension>
 struct sizes {
   using scalar = T;
   static constexpr int dof = Dof, task_dimension = TaskDimension, brake_count = Dof;
-  static constexpr bool inertial_forces = false;  // only asked of those with self-motion
 };
 
 // The least that is asked: nothing can be done with it but what the concept names.

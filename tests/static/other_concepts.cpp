@@ -230,7 +230,7 @@ inline constexpr bool step_is_noexcept = noexcept(ph::step(
     std::declval<const ph::step_options<typename M::scalar>&>()));
 static_assert(step_is_noexcept<arm, ph::direct_control> &&
               step_is_noexcept<ph::xy_table<float>, ph::no_direct_control>);
-static_assert(sizeof(ph::step_memory<ph::direct_control>) == sizeof(ph::half_space_start));
+static_assert(sizeof(ph::step_memory<ph::direct_control>) == sizeof(ph::approximation_start));
 static_assert(std::is_trivially_destructible_v<free_space> &&
               std::is_trivially_destructible_v<ph::step_result<arm>>);
 

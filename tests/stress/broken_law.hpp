@@ -4,6 +4,7 @@
 
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/force/torques/force_map.hpp>
@@ -45,7 +46,16 @@ bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const
   const scaled_vector<T, d> F(result.control_force);
   if (F.size < std::numeric_limits<T>::min() / tolerance)
     return true;  // denormal: signs are all that is left
-  if constexpr (inertial || m > M::dof) {
+  if constexpr (ph::Settles<M>) {  // T^T c = J^T F
+    const ph::matrix<T, M::dof, m> Tt = ph::transposed_transmission(mechanism, q);
+    const ph::matrix<T, M::dof, d> Jt = ph::transposed(ph::jacobian_matrix<M>(ph::jacobian(mechanism, q)));
+    const scaled_vector<T, m> t(result.cone_coefficients);
+    const ph::vector<T, M::dof> left = Jt * F.unit - Tt * (t.unit * (t.size / F.size));
+    const T terms = Jt.norm() + (Tt.cwiseAbs() * t.unit.cwiseAbs()).norm() * (t.size / F.size);
+    const T condition = T(1) / ph::settled_rates<M>::default_share;
+    const T cosine = projected ? result.approximation_cosine : T(1);
+    return !(left.norm() * cosine > (F.rounding(tolerance) + t.rounding(tolerance)) * condition * terms);
+  } else if constexpr (ph::displays_by_generators<M>) {
     ph::matrix<T, d, m> G;
     if constexpr (inertial) G = ph::inertial_force_generators(mechanism, q);
     else G = ph::force_generators(mechanism, q);
@@ -102,7 +112,11 @@ const char* broken_law(const M& mechanism, const ph::brakes_of<M>& brakes, const
   // Over that, E^T F may overflow
   const bool moderate = F.cwiseAbs().maxCoeff() < std::sqrt(std::numeric_limits<T>::max());
   if (moderate && !ph::all_finite(c)) return "coefficients are finite";
-  if ((result.signs.array() * c.array() > T(0)).any()) return "s_i c_i <= 0";
+  const auto& of_cone = [&]() -> const ph::brake_vector<M>& {
+    if constexpr (ph::Settles<M>) return result.settled_signs;
+    else return result.signs;
+  }();
+  if ((of_cone.array() * c.array() > T(0)).any()) return "s_i c_i <= 0";
   const bool projected = contact_count == 1;
   const T invisible = projected ? T(0) : std::sqrt(std::numeric_limits<T>::min());  // its norm is 0
   if (!ph::is_displayed(result.display) && F.cwiseAbs().maxCoeff() > invisible)

@@ -5,7 +5,7 @@
 #include "../property/closed_chain_cases.hpp"
 #include "../property/device_cases.hpp"
 
-#include <passive_haptics/mechanism/self_motion.hpp>
+#include <passive_haptics/mechanism/with_self_motion.hpp>
 
 #include <cmath>
 
@@ -28,7 +28,7 @@ template <class T, int N, int D>
 struct linear_device {
   using scalar = T;
   static constexpr int dof = N, task_dimension = D, brake_count = N;
-  static constexpr bool inertial_forces = false;
+  static constexpr auto self_motion = ph::self_motion_form::kinetostatic;
   ph::matrix<T, D, N> J;
 
   linear_device(double condition, ph::testing::random_source& random) {

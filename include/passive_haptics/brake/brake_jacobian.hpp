@@ -15,7 +15,9 @@ class brake_jacobian_evaluator;
 
 /// E = J T^+ (d x m, base frame), T^+ = T^-1 for square T: v = E w and, by virtual work, t = E^T F balances
 /// F. Needs no inverse of J, which may be singular. For redundant brakes T^+ = (T^T T)^-1 T^T, so t = E^T F
-/// has the least norm of all torques that balance F.
+/// has the least norm of all torques that balance F. For fewer brakes than joints, T^+ = T^T (T T^T)^-1, v =
+/// E w only of joints that no brake sits on at rest, and t = E^T F balances F only where F leaves these
+/// alone.
 ///
 /// A diagonal_matrix where J and T are; J itself where the mechanism names no transmission. Not finite where
 /// J is undefined or T singular. Cost: T^+ and a product; a loop keeps a brake_jacobian_evaluator instead.
@@ -38,12 +40,14 @@ vector<T, D> brake_torque(const diagonal_matrix<T, D>& E, const vector<T, D>& F)
   return E * F;
 }
 
-/// T^+ (n x m) of a transmission T (m x n): T^-1 for square T, else (T^T T)^-1 T^T. NaN where T has not full
-/// column rank. Cost: one orthogonal decomposition of n x m.
+/// T^+ (n x m) of a transmission T (m x n): T^-1 for square T, (T^T T)^-1 T^T for redundant brakes, T^T (T
+/// T^T)^-1 for fewer brakes than joints. NaN where T has not full rank. Cost: one orthogonal decomposition of
+/// n x m.
 template <class T, int Brakes, int Dof>
 matrix<T, Dof, Brakes> pseudo_inverse(const matrix<T, Brakes, Dof>& transmission) {
   const orthogonal_decomposition<T, Dof, Brakes> decomposition(transposed(transmission), T(0));
-  if (decomposition.rank() == Dof) return transposed(decomposition.pseudo_inverse());
+  if (decomposition.rank() == (Brakes < Dof ? Brakes : Dof))
+    return transposed(decomposition.pseudo_inverse());
   return matrix<T, Dof, Brakes>::Constant(std::numeric_limits<T>::quiet_NaN());
 }
 

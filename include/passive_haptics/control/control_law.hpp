@@ -27,7 +27,7 @@ struct brake_situation {
   const point<M::task_dimension>& x;  ///< the end effector [m].
   const EMatrix& E;                   ///< E = J T^+.
   const brake_vector<M>& w;           ///< Rates of the brakes [rad/s or m/s].
-  const task_vector<M>& v;            ///< Velocity of the end effector [m/s], E w.
+  const task_vector<M>& v;            ///< Velocity of the end effector [m/s].
   const brake_vector<M>& s;           ///< Signs of the brakes.
   const task_vector<M>& hand_force;   ///< Fh [N]; zero where the state has none.
 };

@@ -37,7 +37,7 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
   const auto E = setup.brake_jacobian(pose);
   const brake_vector<M> w = pose.brake_rates(state.qd);
   const auto& brakes = ph::brakes_at(setup.brakes, w);
-  const task_vector<M> v = times(E, w), Fh = ph::hand_force<M>(state);
+  const task_vector<M> v = ph::velocity_of(pose, E, w, state.qd), Fh = ph::hand_force<M>(state);
   const brake_vector<M> th = ph::hand_torque<M>(state, E, brakes);
   const brake_vector<M> s = ph::brake_signs(w, th, brakes);
   const brake_situation<M, decltype(E), std::remove_cvref_t<decltype(brakes)>> device{
@@ -45,7 +45,7 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
 
   // Section 4, and what the mechanism will feel of it
   const auto steps = way.command(device, memory);
-  const brake_vector<M> t = ph::passive_torque(steps.td.torque, w, th, s, brakes);
+  const brake_vector<M> t = ph::passive_torque(ph::resisting<M>(steps.td.torque, s), w, th, s, brakes);
   return way.result(device, steps, t, memory);
 }
 

@@ -32,11 +32,17 @@ struct step_options {
   saturation limits = saturation::keep_direction;  ///< What gives way at a torque limit.
 };
 
+/// Where the next approximation begins.
+struct approximation_start {
+  half_space_start half_spaces = {};  ///< Of the search among half-spaces.
+  unsigned held = 0;                  ///< n > d: the brakes that come to rest, a bit for each; 0: none known.
+};
+
 /// What a step remembers; start a motion with a fresh one.
 template <class L>
 struct step_memory {
   [[no_unique_address]] law_memory<L> law = {};  ///< The law's own part.
-  half_space_start start = {};                   ///< Where the next approximation begins.
+  approximation_start start = {};                ///< Where the next approximation begins.
 };
 
 /// What stays from cycle to cycle, but for the scene and the memory: owned by a controller, given to step().
@@ -77,6 +83,22 @@ struct contacts_given<S> : std::type_identity<typename S::contacts_type> {};
 /// The contacts that a scene gives; contacts give themselves.
 template <class S>
 using contacts_of = typename detail::contacts_given<S>::type;
+
+/// v [m/s]: E w, but J qd where joints without a brake move, too.
+template <class M, class EMatrix>
+task_vector<M> velocity_of(const mechanism_pose<M>& pose, const EMatrix& E, const brake_vector<M>& w,
+                           const joint_vector<M>& qd) {
+  if constexpr (M::brake_count < M::dof) return pose.velocity(qd);
+  else return times(E, w);
+}
+
+/// Commanded torques td [N m] in the sense in which brakes of signs s make them now: as they are, but where
+/// the self-motion settles they are capacities, and each brake resists its rate of now.
+template <class M>
+brake_vector<M> resisting(const brake_vector<M>& td, const brake_vector<M>& s) {
+  if constexpr (Settles<M>) return -s.cwiseProduct(td.cwiseAbs());
+  else return td;
+}
 
 /// Fh [N]; zero where the state has none.
 template <class M, class State>

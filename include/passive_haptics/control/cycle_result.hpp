@@ -47,30 +47,36 @@ status check_command(const Contacts& touched, const Outward& outward, bool is_sh
 /// How Fd is displayed: where it is not, whether any force could be. That is a question of self-motion.
 template <class M, class Device, class Force>
 display_class display_of(const Device& device, const Force& Fc) {
-  if constexpr (M::dof > M::task_dimension && !has_inertial_forces<M>)
+  if constexpr (M::dof > M::task_dimension && self_motion_of<M> == self_motion_form::kinetostatic)
     if (Fc.display == display_class::none && cone_is_zero(device.E, device.s))
       return display_class::empty_cone;
   return Fc.display;
 }
 
-/// Steps 1 to 4 of section 4 for one desired force.
-template <class T, int D, int Brakes>
-struct display_steps {
-  using force = approximated_force<T, D, Brakes>;  ///< With the torques that make it.
+/// A force of M's brakes with the torques that make it, and with the signs of brakes that have settled.
+template <class M>
+using force_of_brakes =
+    std::conditional_t<Settles<M>, settled_force<typename M::scalar, M::task_dimension, M::brake_count>,
+                       approximated_force<typename M::scalar, M::task_dimension, M::brake_count>>;
 
-  force Fc = {};                                                        ///< 1: before alpha and limits.
-  T alpha = T(1);                                                       ///< 2
-  force Fc_scaled = {};                                                 ///< 3: Fc' = alpha Fc.
-  saturated_torque<T, Brakes> td = {vector<T, Brakes>::Zero(), false};  ///< 4
+/// Steps 1 to 4 of section 4 for one desired force.
+template <class M>
+struct display_steps {
+  using T = typename M::scalar;      ///< Scalar.
+  using force = force_of_brakes<M>;  ///< With the torques that make it.
+
+  force Fc = {};                                                              ///< 1: before alpha and limits.
+  T alpha = T(1);                                                             ///< 2
+  force Fc_scaled = {};                                                       ///< 3: Fc' = alpha Fc.
+  saturated_torque<T, M::brake_count> td = {brake_vector<M>::Zero(), false};  ///< 4
 };
 
 /// The result of these steps for Fd, which wall `wall` demands. t: what the mechanism will feel [N m]. What
 /// Result has no member for is not computed.
-template <class Result, class Device, class Walls, class T, int D, int Brakes>
+template <class Result, class M, class Device, class Walls, class T, int D>
 PASSIVE_HAPTICS_PART Result result_of(const Device& device, const Walls& touched, int wall,
-                                      const desired_force<T, D>& Fd, const display_steps<T, D, Brakes>& steps,
-                                      const vector<T, Brakes>& t) {
-  using M = typename Device::mechanism_type;
+                                      const desired_force<T, D>& Fd, const display_steps<M>& steps,
+                                      const brake_vector<M>& t) {
   const auto& [Fc, alpha, Fc_scaled, td] = steps;
   const bool is_share = alpha >= T(0) && alpha <= T(1);
   const T leaving = outward(Fd, device.v);
@@ -95,6 +101,10 @@ PASSIVE_HAPTICS_PART Result result_of(const Device& device, const Walls& touched
     result.control_force = Fc.force;
     result.cone_coefficients = Fc.torque;
     result.signs = device.s;
+    if constexpr (Settles<M>) {
+      result.settled_signs = Fc.signs;
+      result.settled_velocity = Fc.velocity;
+    }
   }
   return result;
 }

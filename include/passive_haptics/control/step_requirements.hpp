@@ -64,9 +64,12 @@ struct law_brake_requirements {
           is_included<torques_of_law<brake_command<M>, cycle_setup<M, B, L>, contacts<M::task_dimension, 1>>>,
       "passive_haptics: a TorqueLaw needs <passive_haptics/control/ways/torque_law.hpp>.");
   static_assert(self_motion_requirements<M>::met);
-  static_assert(!displays_by_generators<M> || is_included<approximation_for<M>>,
-                "passive_haptics: redundant brakes and inertial forces need "
+  static_assert(!displays_by_generators<M> || is_included<display_form<M>>,
+                "passive_haptics: redundant brakes, fewer brakes than joints and inertial forces need "
                 "<passive_haptics/control/ways/generator_form.hpp>.");
+  static_assert(!Settles<M> || is_included<display_form<M>>,
+                "passive_haptics: mechanisms with dof > task_dimension need "
+                "<passive_haptics/control/ways/settled_form.hpp>.");
   static_assert(brake_requirements<B, M>::met);
   static_assert(!needs_brake_lag<L> || names_time_constant<B>,
                 "passive_haptics: this law needs the brakes' lag: give the brakes a time_constant "

@@ -4,7 +4,7 @@
 
 #include <passive_haptics/core/status.hpp>
 #include <passive_haptics/force/classification.hpp>
-#include <passive_haptics/mechanism/mechanism.hpp>
+#include <passive_haptics/mechanism/self_motion.hpp>
 
 #include <array>
 #include <cmath>
@@ -31,9 +31,20 @@ struct brake_command {
   status outcome = status::ok;  ///< ok, or why the brakes were released.
 };
 
+/// What a result has besides of a device whose self-motion settles (n > d).
+template <class M>
+struct settled_part {};
+template <Settles M>
+struct settled_part<M> {
+  /// s* (m): the signs of the brakes once the self-motion has settled, 0 for those that have come to rest.
+  brake_vector<M> settled_signs = brake_vector<M>::Zero();
+  /// v' [m/s], the velocity that gave them: of a handle that no longer sinks, and goes where the hand pushes.
+  task_vector<M> settled_velocity = task_vector<M>::Zero();
+};
+
 /// Result of step(). Unless outcome is ok, capacity and torque are zero and the rest has no meaning.
 template <class M>
-struct step_result {
+struct step_result : settled_part<M> {
   static_assert(mechanism_requirements<M>::met);
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
@@ -54,9 +65,12 @@ struct step_result {
   scalar alpha = scalar(1);                               ///< Scale factor of the law (12).
   scalar approximation_cosine = scalar(1);                ///< cos(gamma); 0 where nothing is displayed.
   task_vector<M> desired_force = task_vector<M>::Zero();  ///< Fd [N], base frame.
-  task_vector<M> control_force = task_vector<M>::Zero();  ///< Fc [N], base frame, before alpha and limits.
+  /// Fc [N], base frame, before alpha and limits; for n > d that which is felt once the self-motion has
+  /// settled.
+  task_vector<M> control_force = task_vector<M>::Zero();
   /// Brake torques that make Fc [N m], before alpha and limits: its coefficients on the reference forces,
-  /// Fc = sum_i c_i R_i+; those of a brake with sign s_i fulfil s_i c_i <= 0.
+  /// Fc = sum_i c_i R_i+; those of a brake with sign s_i fulfil s_i c_i <= 0. Where the self-motion settles
+  /// it is s*_i c_i <= 0 (settled_signs).
   brake_vector<M> cone_coefficients = brake_vector<M>::Zero();
   brake_vector<M> signs = brake_vector<M>::Zero();  ///< s: -1, 0 or 1 for each brake.
 

@@ -48,9 +48,8 @@ PASSIVE_HAPTICS_MISSPELT(inverse_transposed_jacobian, nverse_transposed_jacobian
     inverse_transposed_acobian, inverse_transposed_jcobian, inverse_transposed_jaobian,
     inverse_transposed_jacbian, inverse_transposed_jacoian, inverse_transposed_jacoban,
     inverse_transposed_jacobin, inverse_transposed_jacobia)
-PASSIVE_HAPTICS_MISSPELT(inertial_forces, nertial_forces, iertial_forces, inrtial_forces, inetial_forces,
-    inerial_forces, inertal_forces, inertil_forces, inertia_forces, inertialforces, inertial_orces,
-    inertial_frces, inertial_foces, inertial_fores, inertial_forcs)
+PASSIVE_HAPTICS_MISSPELT(self_motion, elf_motion, slf_motion, sef_motion, sel_motion, selfmotion, self_otion,
+    self_mtion, self_moion, self_moton, self_motin, self_motio)
 PASSIVE_HAPTICS_MISSPELT(torque_limit, orque_limit, trque_limit, toque_limit, torue_limit, torqe_limit,
     torqu_limit, torquelimit, torque_imit, torque_lmit, torque_liit, torque_limt, torque_limi)
 PASSIVE_HAPTICS_MISSPELT(rate_dead_band, ate_dead_band, rte_dead_band, rae_dead_band, rat_dead_band,
@@ -131,8 +130,8 @@ struct mechanism_spelling {
   static_assert(!misspells_inverse_transposed_jacobian<X>,
                 "passive_haptics: a member of the mechanism is spelt almost as "
                 "`inverse_transposed_jacobian`, which it lacks: correct the name.");
-  static_assert(!misspells_inertial_forces<X>,
-                "passive_haptics: a member of the mechanism is spelt almost as `inertial_forces`, which it "
+  static_assert(!misspells_self_motion<X>,
+                "passive_haptics: a member of the mechanism is spelt almost as `self_motion`, which it "
                 "lacks: correct the name.");
   static constexpr bool met = true;
 };

@@ -25,8 +25,13 @@ typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q
                                     const task_vector<M>& velocity, const task_vector<M>& n,
                                     const brake_vector<M>& residual_torque) {
   const task_vector<M> along = velocity - n * n.dot(velocity);
-  const brake_vector<M> t = displayable(mechanism, q, along, n).signs.cwiseProduct(residual_torque);
-  if constexpr (M::dof == M::task_dimension)
+  const auto found = displayable(mechanism, q, along, n);
+  const brake_vector<M> t = found.signs.cwiseProduct(residual_torque);
+  if constexpr (Settles<M>) {
+    typename settled_rates<M>::rate_map W;
+    if (!settled_rates<M>(mechanism_pose<M>(mechanism, q)).find(found.held, W)) return 0;
+    return -n.dot(W.transpose() * t);
+  } else if constexpr (M::dof == M::task_dimension)
     return -n.dot(passive_haptics::force_generators(mechanism, q) * t);
   else return -n.dot(passive_haptics::inertial_force_generators(mechanism, q) * t);
 }

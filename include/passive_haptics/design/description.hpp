@@ -49,8 +49,6 @@ std::string to_text(const description<N>& all) {
 }
 
 namespace detail {
-template <class M>
-concept names_inertial_forces = requires { M::inertial_forces; };
 template <class L>
 concept names_most_contacts = requires { L::most_contacts; };
 template <class L>
@@ -69,7 +67,7 @@ constexpr description<9> describe() {
             {"bias_acceleration", detail::has_bias_acceleration<M>},
             {"inverse_jacobian", detail::has_inverse_jacobian<M>},
             {"inverse_transposed_jacobian", detail::has_inverse_transposed_jacobian<M>},
-            {"inertial_forces", detail::names_inertial_forces<M>}}}};
+            {"self_motion", detail::names_self_motion<M>}}}};
 }
 
 /// The optional members of brakes.

@@ -7,6 +7,7 @@
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/core/status.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>
+#include <passive_haptics/force/torques/settled_approximation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +36,10 @@ struct displayable_force {
   /// Largest n . F [N] along the nearest force, by its own torques: what a force approximation, cut to the
   /// limits, displays at most.
   scalar strongest_nearest = scalar(0);
-  /// s (m) of the brakes in this motion: -1, 0 or 1.
+  /// s (m) of the brakes in this motion, once it has settled: -1, 0 or 1.
   brake_vector<M> signs = brake_vector<M>::Zero();
+  /// S of the nearest force, a bit for each brake that comes to rest where a self-motion settles; else 0.
+  brake_set held = 0;
 };
 
 namespace detail {
@@ -96,7 +99,7 @@ void tell(displayable_force<M>& found, const task_vector<M>& n, const Force& Fc,
   found.strongest_nearest = largest_share(Fc.torque, limit);
 }
 
-// By half-spaces: as many brakes as joints.
+// By half-spaces: as many brakes as joints, and a self-motion that is left alone.
 template <class M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
                       const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
@@ -117,7 +120,39 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
     found.display = display_class::empty_cone;
 }
 
-// By generators: redundant brakes, and inertial forces.
+// Of a self-motion that settles, by the best set of brakes at rest. With the signs of a set, the easiest way
+// into the wall, like any least sum of |w_i|, has as many brakes at rest as can be: it is W_S n of some set.
+template <Settles M>
+void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
+                      const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
+                      const brake_vector<M>& limit) {
+  using T = typename M::scalar;
+  using rate_map = typename settled_rates<M>::rate_map;
+  constexpr int m = M::brake_count;
+  constexpr T tolerance = rounding_tolerance<T>(M::dof + m);
+  const settled_rates<M> rates(mechanism_pose<M>(mechanism, q), tolerance);
+  unlimited_brake_parameters<T, m> brakes;
+  brakes.rate_dead_band.setConstant(tolerance * rates.least_rates().norm());
+  const settled_forces forces(rates, E, brakes, v);
+  const auto Fc = forces.nearest(n, T(0));
+  T strongest = T(0);
+  rates.for_each([&](brake_set, const rate_map& W) {
+    const torque_box<T, m> box = torques_within<T, m>(forces.signs_of(W), limit);
+    T least = std::numeric_limits<T>::infinity();
+    if (rates.held_by_structure(n).norm() <= tolerance)
+      rates.for_each([&](brake_set, const rate_map& other) {
+        least = std::min(least, largest_resistance<T, m>(box, other * n));
+        return false;
+      });
+    strongest = std::max(strongest, least);
+    return false;
+  });
+  found.signs = Fc.signs;
+  found.held = Fc.held;
+  tell(found, n, Fc, strongest, limit);
+}
+
+// By generators: other than n brakes where n = d, and inertial forces.
 template <displays_by_generators M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
                       const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
@@ -143,9 +178,10 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
 ///
 /// The motion decides the signs: w = T J^+ v, s = sgn(w), and brake i makes s_i t_i <= 0 (3). A brake that
 /// rests in this motion (|w_i| of rounding size) can hold either way, so s_i = 0. Of a direction that a
-/// singular pose does not allow, the part that it does counts. With self-motion (n > d) the joint rates are
-/// taken for the least that make the motion, J^+ v; with inertial forces, for those of a handle that is
-/// pulled along, M^-1 J^T Lambda v. More brakes than joints leave nothing to assume.
+/// singular pose does not allow, the part that it does counts. With self-motion (n > d) the rates are those
+/// once it has settled, with the brakes at rest that let most be displayed. Where it is left alone
+/// (kinetostatic) they are taken for the least that make the motion, J^+ v; with inertial forces, for those
+/// of a handle that is pulled along, M^-1 J^T Lambda v. More brakes than joints leave nothing to assume.
 ///
 /// The strongest normal force has any tangential part. By virtual work,
 ///

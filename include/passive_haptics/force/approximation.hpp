@@ -41,10 +41,26 @@ struct approximated_force {
   T cosine() const { return sqrt(lanes<T, 1>(cosine_squared))[0]; }
 };
 
+/// The same of a device whose self-motion settles, where F = W_S^T t (brake/settled_rates.hpp).
+template <class T, int D, int Brakes>
+struct settled_force : approximated_force<T, D, Brakes> {
+  unsigned held = 0;                                    ///< S, a bit for each brake that comes to rest.
+  vector<T, Brakes> signs = vector<T, Brakes>::Zero();  ///< s* once settled; s*_i t_i <= 0 exactly.
+  vector<T, D> velocity = vector<T, D>::Zero();         ///< v' [m/s] that they belong to; F . v' <= 0.
+};
+
 /// a F: the force a Fc has the torques a t, as t = E^T F. The angle stays.
 template <class T, int D, int Brakes>
 approximated_force<T, D, Brakes> operator*(T a, const approximated_force<T, D, Brakes>& F) {
   return {F.display, lanes(F.force) * a, lanes(F.torque) * a, F.cosine_squared};
+}
+
+/// a F of a settled force.
+template <class T, int D, int Brakes>
+settled_force<T, D, Brakes> operator*(T a, settled_force<T, D, Brakes> F) {
+  static_cast<approximated_force<T, D, Brakes>&>(F) =
+      a * static_cast<const approximated_force<T, D, Brakes>&>(F);
+  return F;
 }
 
 /// cos^2 of the angle between a force [N] and the unit direction n; 0 from 90 degrees on. For accounts: it

@@ -3,8 +3,9 @@
 ///
 /// Minimal complete definition (n = dof, d = task_dimension, m = brake_count):
 ///   - `using scalar`: float, double or long double;
-///   - `static constexpr int dof, task_dimension, brake_count`: m = n >= d, or redundant brakes, m > n = d;
-///     d is 1, 2 or 3;
+///   - `static constexpr int dof, task_dimension, brake_count`: m = n >= d; with a transmission also
+///   redundant
+///     brakes, m > n = d, or fewer brakes than joints, m < n >= d. d is 1, 2 or 3;
 ///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`: end effector, base frame. All its
 ///     components are lengths [m] along orthogonal axes: with an angle among them, such as (x, y, L phi), the
 ///     nearest force would depend on the unit of L.
@@ -12,8 +13,11 @@
 ///
 /// Optional. One that takes no q is constant; a matrix may be a diagonal_matrix. Both save work:
 ///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
-///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of rank n, with
-///     w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n);
+///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of full rank,
+///     with w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n); brakes on some
+///     of the joints are given by braked_joints (mechanism/braked_joints.hpp);
+///   - `static constexpr self_motion_form self_motion`, for n > d: what becomes of the joints that the hand
+///     does not lead (mechanism/self_motion.hpp);
 ///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines.
 ///     Both then take it in place of q as well; transmission and the members of Dynamics may. A control cycle
 ///     computes it once.
@@ -81,7 +85,8 @@ template <class M>
 concept has_supported_sizes =
     names_sizes<M> && M::task_dimension <= 3 &&
     ((M::brake_count == M::dof && M::dof >= M::task_dimension) ||
-     (M::brake_count > M::dof && M::dof == M::task_dimension && names_transmission<M>));
+     (M::brake_count > M::dof && M::dof == M::task_dimension && names_transmission<M>) ||
+     (M::brake_count < M::dof && M::dof >= M::task_dimension && names_transmission<M>));
 
 template <class M>
 concept has_position = names_sizes<M> && requires(const M mechanism, const joint_vector<M> q) {
@@ -158,9 +163,9 @@ struct mechanism_requirements {
       "Leave the orientation out: joints that only turn the handle are self-motion (dof > task_dimension).");
   static_assert(
       !detail::names_sizes<M> || M::task_dimension > 3 || detail::has_supported_sizes<M>,
-      "passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension, or "
-      "brake_count > dof == task_dimension with a transmission. A joint without a brake gives way to "
-      "any force that loads it: the others then hold none in most directions.");
+      "passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension or, with a "
+      "transmission, brake_count > dof == task_dimension or brake_count < dof (for brakes on some of the "
+      "joints see mechanism/braked_joints.hpp).");
   static_assert(
       !detail::has_supported_sizes<M> || detail::has_position<M>,
       "passive_haptics: position(q) must be const and return vector<scalar, task_dimension> exactly "

@@ -10,7 +10,7 @@ namespace {
 static_assert(ph::describe<ph::tendon_two_link<double>>().has("transmission"));
 static_assert(ph::describe<ph::tendon_two_link<double>>().has("pose"));
 static_assert(ph::describe<ph::tendon_two_link<double>>().has("mass_matrix"));
-static_assert(!ph::describe<ph::tendon_two_link<double>>().has("inertial_forces"));
+static_assert(!ph::describe<ph::tendon_two_link<double>>().has("self_motion"));
 static_assert(ph::describe<ph::direct_control>().has("needs_hand_force"));
 static_assert(!ph::describe<ph::direct_control>().has("memory"));
 static_assert(ph::describe<ph::velocity_direct_control>().has("memory"));
@@ -30,10 +30,10 @@ struct not_const : position_alone {
 TEST(a_description, lists_what_was_found_and_what_was_not) {
   EXPECT_EQ(to_text(ph::describe(ph::tendon_two_link<double>())),
             "jacobian, transmission, pose, mass_matrix, bias_torque, bias_acceleration, "
-            "inverse_transposed_jacobian; not found: inverse_jacobian, inertial_forces");
+            "inverse_transposed_jacobian; not found: inverse_jacobian, self_motion");
   EXPECT_EQ(to_text(ph::describe(position_alone())),
             "none; not found: jacobian, transmission, pose, mass_matrix, bias_torque, bias_acceleration, "
-            "inverse_jacobian, inverse_transposed_jacobian, inertial_forces");
+            "inverse_jacobian, inverse_transposed_jacobian, self_motion");
   EXPECT_FALSE(ph::describe<not_const>().has("mass_matrix")) << "a function that is not const";
   EXPECT_EQ(to_text(ph::describe(ph::brakes_of<position_alone>())),
             "torque_limit, rate_dead_band, torque_dead_band, time_constant");

@@ -7,14 +7,15 @@
 namespace passive_haptics {
 
 /// The encoders' axes theta of mechanism M: the brakes' axes where the transmission is constant, theta = T q
-/// and q = T^+ theta (the mean of what redundant brakes tell); the joints where it depends on the pose or
-/// there is none, as a brake's angle is then no function that a controller could invert.
+/// and q = T^+ theta (the mean of what redundant brakes tell); the joints where it depends on the pose, where
+/// there is none, or where not all joints have a brake, as the brakes' angles then do not give those of the
+/// joints.
 template <class M>
 class encoder_axes {
  public:
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
   /// Whether they are the brakes' axes.
-  static constexpr bool on_brakes = detail::transmission_is_constant<M>;
+  static constexpr bool on_brakes = detail::transmission_is_constant<M> && M::brake_count >= M::dof;
   /// How many.
   static constexpr int count = on_brakes ? M::brake_count : M::dof;
 

@@ -74,7 +74,8 @@ struct beside_effects {
       return done;
     }
     const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(device.brakes);
-    done.td.torque = torques_beside(map, torques_within(device.s, limit), done.td.torque, normals(),
+    const vector<T, m> signs = signs_for(device, done, memory.start);
+    done.td.torque = torques_beside(map, torques_within(signs, limit), done.td.torque, normals(),
                                     demand_of(device, done.effects));
     done.td.limited = done.td.limited || (done.td.torque.array().abs() >= limit.array()).any();
     return done;
@@ -110,6 +111,40 @@ struct beside_effects {
   }
 
  private:
+  // J^T F
+  template <class Device>
+  static joint_vector<M> torque_at_joints(const Device& device, const vector<T, d>& F) {
+    if constexpr (m < M::dof) return transposed(jacobian_matrix<M>(device.pose.jacobian())) * F;
+    else return device.pose.transposed_transmission() * brake_torque(device.E, F);
+  }
+
+  // Signs of the brakes: for n > d those of the walls once they have settled, else those for the force of the
+  // effects; brakes that walls leave to joints with a torque of their own resist their rates now
+  template <class Device>
+  vector<T, m> signs_for(const Device& device, [[maybe_unused]] const steps& done,
+                         [[maybe_unused]] approximation_start& start) const {
+    if constexpr (Settles<M>) {
+      vector<T, m> signs = settled_signs(device, done, start);
+      const matrix<T, M::dof, m> Tt = device.pose.transposed_transmission();
+      for (int i = 0; i < m; ++i)
+        if (done.td.torque[i] == T(0) && (Tt.col(i).array() * done.effects.torque.array() != T(0)).any())
+          signs[i] = device.s[i];
+      return signs;
+    } else {
+      return device.s;
+    }
+  }
+  template <class Device>
+  vector<T, m> settled_signs(const Device& device, const steps& done, approximation_start& start) const {
+    if (walls.demands_force() && is_displayed(done.walls.Fc_scaled.display))
+      return done.walls.Fc_scaled.signs;
+    const T size = done.effects.force.norm();
+    if (!(size > T(0))) return device.s;
+    const vector<T, d> n = done.effects.force / size;
+    const auto F = display_form<M>::nearest_at(device, device.v, device.v, n, T(0), start.held);
+    return is_displayed(F.display) ? F.signs : device.s;
+  }
+
   // The forces of effects, and the torques of joints
   template <class Device>
   demands demanded_by_effects(const Device& device) const {
@@ -124,9 +159,7 @@ struct beside_effects {
       } else {
         static_assert(E::dof == M::dof,
                       "passive_haptics: an effect on joints must be of as many as the mechanism has.");
-        const joint_vector<M> hand =
-            device.pose.transposed_transmission() * brake_torque(device.E, device.hand_force);
-        all.torque += effect.torque(device.q, device.qd, hand);
+        all.torque += effect.torque(device.q, device.qd, torque_at_joints(device, device.hand_force));
       }
     });
     return all;
@@ -138,7 +171,13 @@ struct beside_effects {
     effect_demand<T, d, m, M::dof> demand{wanted.force, device.pose.transposed_transmission(), wanted.torque};
     for (int i = 0; i < M::dof; ++i)
       if (wanted.torque[i] == 0) demand.joint_rows.row(i).setZero();
-    demand.joint_torque += demand.joint_rows * brake_torque(device.E, wanted.force);
+    if constexpr (m < M::dof) {
+      const joint_vector<M> of_force = torque_at_joints(device, wanted.force);
+      for (int i = 0; i < M::dof; ++i)
+        if (wanted.torque[i] != 0) demand.joint_torque[i] += of_force[i];
+    } else {
+      demand.joint_torque += demand.joint_rows * brake_torque(device.E, wanted.force);
+    }
     return demand;
   }
 

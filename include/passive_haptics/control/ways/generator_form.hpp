@@ -1,5 +1,6 @@
 /// @file
-/// Step 1 of section 4 for devices whose forces are those of generators: redundant brakes, inertial forces.
+/// Step 1 of section 4 for devices whose forces are those of generators: other than n brakes where
+/// n = d, inertial forces.
 #pragma once
 
 #include <passive_haptics/brake/force_generators.hpp>
@@ -8,14 +9,15 @@
 
 namespace passive_haptics {
 
-/// Fc for a unit desired force n by generators, with torques of least norm.
+/// By generators, with torques of least norm.
 template <displays_by_generators M>
-struct approximation_for<M> {
-  /// Needs no start.
-  template <class Device>
-  static auto of(const Device& device, const task_vector<M>& n, typename M::scalar min_cosine,
-                 half_space_start&) {
-    return approximate_by_generators(passive_haptics::generators_of(device.pose), device.s, n, min_cosine);
+struct display_form<M> {
+  /// Fc for a desired force of 1 N. Needs no start.
+  template <class Device, class T, int D>
+  static auto nearest(const Device& device, const desired_force<T, D>& Fd, T min_cosine,
+                      approximation_start&) {
+    return approximate_by_generators(passive_haptics::generators_of(device.pose), device.s, Fd.direction,
+                                     min_cosine);
   }
 };
 

@@ -8,19 +8,22 @@
 
 namespace passive_haptics {
 
-/// Fc for a unit desired force n: n itself, or the nearest force that the brakes can make with Fc . n = 1.
-/// Here by half-spaces; control/ways/generator_form.hpp has that of redundant brakes and inertial forces.
+/// What the brakes of M can display. Here by half-spaces; control/ways/generator_form.hpp has that of other
+/// than n brakes and of inertial forces, control/ways/settled_form.hpp that of a self-motion which settles.
 template <class M>
-struct approximation_for {
+struct display_form {
+  /// Fc for a desired force of 1 N: n itself, or the nearest force that the brakes can make with Fc . n = 1.
   /// start: where the search begins, left for the next cycle.
-  template <class Device>
-  static auto of(const Device& device, const task_vector<M>& n, typename M::scalar min_cosine,
-                 half_space_start& start) {
-    return approximate(device.E, device.s, n, min_cosine, start);
+  template <class Device, class T, int D>
+  static auto nearest(const Device& device, const desired_force<T, D>& Fd, T min_cosine,
+                      approximation_start& start) {
+    return approximate(device.E, device.s, Fd.direction, min_cosine, start.half_spaces);
   }
 };
 template <displays_by_generators M>
-struct approximation_for<M>;
+struct display_form<M>;
+template <Settles M>
+struct display_form<M>;
 
 /// One wall, or none.
 template <class Result, class Setup, class Walls>
@@ -30,7 +33,7 @@ struct one_wall {
   using T = typename M::scalar;                ///< Scalar.
   static constexpr int d = M::task_dimension;  ///< Task dimensions,
   static constexpr int m = M::brake_count;     ///< brakes.
-  using steps = display_steps<T, d, m>;        ///< Fc, alpha, Fc', td.
+  using steps = display_steps<M>;              ///< Fc, alpha, Fc', td.
 
   const Setup& setup;    ///< Of the cycle.
   const Walls& touched;  ///< The wall.
@@ -50,7 +53,7 @@ struct one_wall {
     const auto Fd = demanded();
     // 1. Fc: Fd itself, or the nearest force that the brakes can make with Fc . n = |Fd|
     const auto Fc =
-        Fd.magnitude * approximation_for<M>::of(device, Fd.direction, setup.options.min_cosine, memory.start);
+        Fd.magnitude * display_form<M>::nearest(device, Fd, setup.options.min_cosine, memory.start);
     // 2. alpha: how much of it is displayed (12)
     const T alpha = setup.law.scale(
         contact_situation<T, d>{Fd.direction, Fd.magnitude, outward(Fd, device.v), device.hand_force});

@@ -5,6 +5,7 @@
 
 #include <passive_haptics/control/cycle_result.hpp>
 #include <passive_haptics/control/way.hpp>
+#include <passive_haptics/control/ways/one_wall.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/force/torques/force_map.hpp>
@@ -25,7 +26,7 @@ struct several_walls {
   static constexpr int d = M::task_dimension;       ///< Task dimensions,
   static constexpr int m = M::brake_count;          ///< brakes.
   static constexpr int capacity = Walls::capacity;  ///< Walls at most.
-  using force = approximated_force<T, d, m>;        ///< With the torques that make it.
+  using force = force_of_brakes<M>;                 ///< With the torques that make it.
   static_assert(!saturates_before_scaling<L>,
                 "passive_haptics: a law that saturates before scaling knows one wall at a time; give this "
                 "scene a law without saturates_before_scaling (control/control_law.hpp).");
@@ -39,6 +40,7 @@ struct several_walls {
   /// From Fd_j to td.
   struct steps {
     scales scale;            ///< 2
+    vector<T, m> signs;      ///< Of the brakes; for n > d once they have settled.
     force_map<T, d, m> map;  ///< F = G t.
     torque_box<T, m> box;    ///< Torques that the brakes can make.
     force Fc_scaled;         ///< 1 and 3: the force that meets all alpha_j Fd_j.
@@ -57,16 +59,19 @@ struct several_walls {
 
   /// Section 4.
   template <class Device>
-  PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>&) const {
+  PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     // 2. alpha_j: how much of what each wall demands is displayed (12), and which walls come first
     const scales scale = scales_of(device);
     // 1. and 3. Fc': the force nearest to all alpha_j Fd_j that the brakes can make within their limits
+    force Fc_scaled = {};
+    const vector<T, m> signs = signs_for(device, scale, memory.start, Fc_scaled);
     const auto map = passive_haptics::force_map_of(device.pose, device.E);
-    const auto box = torques_within(device.s, passive_haptics::torque_limits_of<T, m>(device.brakes));
-    const force Fc_scaled = force_for(scale, map, box);
+    const auto box = torques_within(signs, passive_haptics::torque_limits_of<T, m>(device.brakes));
+    find_force(Fc_scaled, scale, map, box);
     // 4. td: its torques, which are within the limits but for the rounding of a product
-    return {scale, map, box, Fc_scaled,
-            passive_haptics::within_limits(Fc_scaled.torque, device.brakes, setup.options.limits)};
+    return {scale,     signs,
+            map,       box,
+            Fc_scaled, passive_haptics::within_limits(Fc_scaled.torque, device.brakes, setup.options.limits)};
   }
 
   /// The result of a cycle. Its classes and alpha are those of the wall that demands most, display is
@@ -77,7 +82,7 @@ struct several_walls {
     const status outcome = check(done);
     if (outcome != status::ok) return released<Result>(outcome);
     const auto of_governing = [&](const force& Fc) PASSIVE_HAPTICS_INLINE {
-      const display_steps<T, d, m> one{Fc, done.scale.alpha[governing], done.Fc_scaled, done.td};
+      const display_steps<M> one{Fc, done.scale.alpha[governing], done.Fc_scaled, done.td};
       return passive_haptics::result_of<Result>(device, touched, touched[governing].wall_number,
                                                 Fd(governing), one, t);
     };
@@ -108,18 +113,47 @@ struct several_walls {
     return all;
   }
 
-  // The force that gives each wall alpha_j |Fd_j|, in order of priority
-  force force_for(const scales& scale, const force_map<T, d, m>& map, const torque_box<T, m>& box) const {
-    std::array<contact_demand<T, d>, static_cast<std::size_t>(capacity)> demands;
+  // What the walls demand: alpha_j |Fd_j|, the count of them
+  struct demand_list {
+    std::array<contact_demand<T, d>, static_cast<std::size_t>(capacity)> all;
     int count = 0;
+  };
+  demand_list demands_of(const scales& scale) const {
+    demand_list demands;
     for (int j = 0; j < touched.size(); ++j) {
       const auto wanted = Fd(j);
       if (!is_nonzero(wanted)) continue;
-      demands[static_cast<std::size_t>(count++)] = {wanted.direction, scale.alpha[j] * wanted.magnitude,
-                                                    scale.has_priority[static_cast<std::size_t>(j)]};
+      demands.all[static_cast<std::size_t>(demands.count++)] = {
+          wanted.direction, scale.alpha[j] * wanted.magnitude,
+          scale.has_priority[static_cast<std::size_t>(j)]};
     }
-    const auto met = contact_forces<T, d, m, capacity>(map, box, demands, count);
-    return {display_class::approximate, met.force, met.torque};
+    return demands;
+  }
+
+  // Signs of the brakes; for n > d once they have settled, which F tells, too
+  template <class Device>
+  vector<T, m> signs_for(const Device& device, [[maybe_unused]] const scales& scale,
+                         [[maybe_unused]] approximation_start& start, [[maybe_unused]] force& F) const {
+    if constexpr (Settles<M>) {
+      const auto demands = demands_of(scale);
+      const vector<T, d> landed =
+          display_form<M>::landed_velocity(device, touched.size(), [this](int j) { return Fd(j); });
+      F = display_form<M>::template signs_at<capacity>(device, landed, demands.all, demands.count,
+                                                       start.held);
+      return F.signs;
+    } else {
+      return device.s;
+    }
+  }
+
+  // The force that gives each wall alpha_j |Fd_j|, in order of priority
+  void find_force(force& F, const scales& scale, const force_map<T, d, m>& map,
+                  const torque_box<T, m>& box) const {
+    const auto demands = demands_of(scale);
+    const auto met = contact_forces<T, d, m, capacity>(map, box, demands.all, demands.count);
+    F.display = display_class::approximate;
+    F.force = met.force;
+    F.torque = met.torque;
   }
 
   // ok, or why this is no command
@@ -155,9 +189,9 @@ struct several_walls {
     force F = done.Fc_scaled;
     if (!is_whole(done)) {
       const vector<T, m> unlimited = vector<T, m>::Constant(std::numeric_limits<T>::infinity());
-      F = force_for({}, done.map, torques_within(device.s, unlimited));
+      find_force(F, {}, done.map, torques_within(done.signs, unlimited));
     }
-    if (!displays_by_generators<M> && !is_in_cone(device, F.force)) {
+    if (!displays_by_generators<M> && !is_in_cone(device, done.signs, F.force)) {
       F = done.Fc_scaled;
     } else {
       const T size = F.force.norm(), tolerance = rounding_tolerance<T>(m + capacity) * size;
@@ -187,12 +221,12 @@ struct several_walls {
 
   // Whether brakes of these signs can make the force, to rounding: s_i t_i <= 0 for t = E^T F
   template <class Device>
-  static bool is_in_cone(const Device& device, const vector<T, d>& F) {
+  static bool is_in_cone(const Device& device, const vector<T, m>& signs, const vector<T, d>& F) {
     const matrix<T, d, m> E(device.E);
     const vector<T, m> t = E.transpose() * F;
     const T tolerance = rounding_tolerance<T>(1) * F.norm();
     bool all = true;
-    for (int i = 0; i < m; ++i) all = all && device.s[i] * t[i] <= tolerance * E.col(i).norm();
+    for (int i = 0; i < m; ++i) all = all && signs[i] * t[i] <= tolerance * E.col(i).norm();
     return all;
   }
 };

@@ -5,6 +5,7 @@
 #include <passive_haptics/control/cycle_result.hpp>
 #include <passive_haptics/control/way.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
+#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/force/torques/force_map.hpp>
@@ -47,8 +48,9 @@ struct torques_of_law {
   PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     steps done{{}, {}, memory.law};
     done.wanted = torques_wanted(device, done.memory);
-    if (all_finite(done.wanted))  // else a fault of the law, also where it would be released
-      done.wanted = (device.s.array() * done.wanted.array() > T(0)).select(T(0), done.wanted);
+    if constexpr (!Settles<M>)      // whose signs change until it has settled
+      if (all_finite(done.wanted))  // else a fault of the law, also where it would be released
+        done.wanted = (device.s.array() * done.wanted.array() > T(0)).select(T(0), done.wanted);
     done.td = passive_haptics::within_limits(done.wanted, device.brakes, saturation::clamp_each);
     return done;
   }
@@ -60,10 +62,10 @@ struct torques_of_law {
     if (const status s = check(); s != status::ok)
       return passive_haptics::released<Result>(setup, device.time, s, memory);
     constexpr bool is_account = requires(Result result) { result.torque; };
-    display_steps<T, d, m> as_force{.td = done.td};
+    display_steps<M> as_force{.td = done.td};
     as_force.Fc.display = display_class::exact;
     as_force.Fc.torque = as_force.Fc_scaled.torque = done.wanted;
-    if constexpr (is_account) find_force(as_force.Fc, device);
+    if constexpr (is_account) find_force(as_force.Fc, device, done.memory);
     Result result =
         passive_haptics::result_of<Result>(device, touched, touched[governing].wall_number, Fd, as_force, t);
     if (result.outcome != status::ok) {
@@ -125,11 +127,17 @@ struct torques_of_law {
     }
   }
 
-  // F = G t of the law's torques. At a singular pose that is the part that can be observed. Exact
-  // where it is Fd, approximate where it has a component along Fd
+  // F = G t of the law's torques, for n > d once they have settled. At a singular pose that is the part that
+  // can be observed. Exact where it is Fd, approximate where it has a component along Fd
   template <class Device>
-  void find_force(approximated_force<T, d, m>& F, const Device& device) const {
-    F.force = passive_haptics::force_map_of(device.pose, device.E).G * F.torque;
+  void find_force(force_of_brakes<M>& F, const Device& device, const law_memory<L>& memory) const {
+    if constexpr (Settles<M>) {
+      approximation_start start;
+      if constexpr (requires { memory.start; }) start = memory.start;
+      F = display_form<M>::made_by(device, Fd, F.torque, start);
+    } else {
+      F.force = passive_haptics::force_map_of(device.pose, device.E).G * F.torque;
+    }
     F.cosine_squared = cosine_squared(F.force, Fd.direction);
     const T off = (F.force - Fd.magnitude * Fd.direction).norm();
     F.display = off <= rounding_tolerance<T>(d + m) * Fd.magnitude ? display_class::exact
@@ -140,9 +148,9 @@ struct torques_of_law {
   // Whether the brakes could display Fd
   template <class Device>
   bool can_be_displayed(const Device& device) const {
-    half_space_start start;
+    approximation_start start;
     const T min_cosine = setup.options.min_cosine;
-    return approximation_for<M>::of(device, Fd.direction, min_cosine, start).display == display_class::exact;
+    return display_form<M>::nearest(device, Fd, min_cosine, start).display == display_class::exact;
   }
 };
 

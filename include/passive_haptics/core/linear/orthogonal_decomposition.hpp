@@ -96,6 +96,24 @@ class orthogonal_decomposition {
     return b;
   }
 
+  /// Orthonormal x with A x = 0 in the first N - r columns; the others are 0. Each begins as that unit vector
+  /// of which most is left, so that a few roundings of A change little of them.
+  matrix<T, N, N> null_space() const {
+    matrix<T, N, N> basis = matrix<T, N, N>::Zero(), rest;
+    for (int i = 0; i < N; ++i) rest.col(i) = without_row_space(vector<T, N>::Unit(i));
+    for (int k = 0; k < N - rank_; ++k) {
+      int longest = 0;
+      rest.colwise().squaredNorm().maxCoeff(&longest);
+      basis.col(k) = rest.col(longest).normalized();
+      for (int i = 0; i < N; ++i) {
+        vector<T, N> x = rest.col(i);
+        orthogonalise(x, basis, k + 1);
+        rest.col(i) = x;
+      }
+    }
+    return basis;
+  }
+
   /// I - U U^T, the orthogonal projection on the b with A^T b = 0.
   matrix<T, Rows, Rows> left_null_projection() const {
     matrix<T, Rows, Rows> P = matrix<T, Rows, Rows>::Identity();

@@ -5,7 +5,7 @@
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
-#include <passive_haptics/mechanism/self_motion.hpp>
+#include <passive_haptics/mechanism/with_self_motion.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include "../../../property/chain_cases.hpp"

@@ -92,7 +92,7 @@ TEST(displayable, by_generators_adds_up_what_each_brake_resists) {
 struct coupled_slides {
   using scalar = double;
   static constexpr int dof = 3, task_dimension = 2, brake_count = 3;
-  static constexpr bool inertial_forces = false;
+  static constexpr auto self_motion = ph::self_motion_form::kinetostatic;
   ph::vector<double, 2> position(const ph::vector<double, 3>& q) const { return {q[0], q[1]}; }
   ph::matrix<double, 2, 3> jacobian() const { return ph::matrix<double, 2, 3>{{1, 0, 0}, {0, 1, 0}}; }
   ph::matrix<double, 3, 3> transmission() const {

@@ -54,6 +54,7 @@ struct on_off_control {
   /// What it remembers.
   struct memory {
     contact_memory<relay, most_contacts> walls;  ///< The relay of each.
+    approximation_start start;                   ///< Where the next approximation begins.
   };
 
   on_off_parameters parameters = {};  ///< The constants.
@@ -64,42 +65,41 @@ struct on_off_control {
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
     std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)> demands;
+    std::array<desired_force<T, D>, static_cast<std::size_t>(Capacity)> on;
     int count = 0;
     remembered.walls.begin_cycle();
     for (const auto& c : touched) {
       const auto Fd = force_of<T>(c);
       relay& wall = remembered.walls.of(c.wall_number);
       wall.on = switched(wall.on, c.depth, static_cast<double>(outward(Fd, device.v)));
-      if (wall.on) demands[static_cast<std::size_t>(count++)] = {Fd.direction, Fd.magnitude, false};
+      if (!wall.on) continue;
+      on[static_cast<std::size_t>(count)] = Fd;
+      demands[static_cast<std::size_t>(count++)] = {Fd.direction, Fd.magnitude, false};
     }
     if (count == 0) return brake_vector<M>::Zero();
     const auto limits = torque_limits_of<T, M::brake_count>(device.brakes);
-    if (count > 1) {
-      const auto map = passive_haptics::force_map_of(device.pose, device.E);
-      return contact_forces<T, D, M::brake_count, Capacity>(map, torques_within(device.s, limits), demands,
-                                                            count)
-          .torque;
+    if (count == 1) {
+      const T min_cosine = step_options<T>().min_cosine;
+      const auto Fc = on[0].magnitude * display_form<M>::nearest(device, on[0], min_cosine, remembered.start);
+      return saturate(Fc.torque, limits, saturation::keep_direction).torque;
     }
-    return saturate(approximated(device, demands[0]), limits, saturation::keep_direction).torque;
+    brake_vector<M> signs = device.s;
+    if constexpr (Settles<M>) {
+      const auto wall = [&](int j) { return on[static_cast<std::size_t>(j)]; };
+      signs = display_form<M>::template signs_at<Capacity>(
+                  device, display_form<M>::landed_velocity(device, count, wall), demands, count,
+                  remembered.start.held)
+                  .signs;
+    }
+    const auto map = passive_haptics::force_map_of(device.pose, device.E);
+    return contact_forces<T, D, M::brake_count, Capacity>(map, torques_within(signs, limits), demands, count)
+        .torque;
   }
 
   /// Free space or a fault: all relays are off.
   void released(memory& remembered, double) const noexcept { remembered.walls.clear(); }
 
  private:
-  // Torques [N m] of the nearest force
-  template <class M, class EMatrix, class B, class T, int D>
-  static brake_vector<M> approximated(const brake_situation<M, EMatrix, B>& device,
-                                      const contact_demand<T, D>& wanted) {
-    const T min_cosine = step_options<T>().min_cosine;
-    if constexpr (displays_by_generators<M>) {
-      const auto G = passive_haptics::generators_of(device.pose);
-      return wanted.force * approximate_by_generators(G, device.s, wanted.normal, min_cosine).torque;
-    } else {
-      return wanted.force * approximate(device.E, device.s, wanted.normal, min_cosine).torque;
-    }
-  }
-
   bool switched(bool on, double depth, double outward) const {
     const double sigma = depth - parameters.reference_depth - parameters.lead * outward;
     if (sigma > parameters.hysteresis) return true;

@@ -1,11 +1,12 @@
-// expect: passive_haptics: this mechanism has more joints than task dimensions and no inertia. Give it
-// mass_matrix, .*kinetostatic.mechanism.
+// expect: passive_haptics: inertial forces need a mechanism that models Dynamics: give it mass_matrix
 #include <passive_haptics/passive_haptics.hpp>
 
 #include "arm.hpp"
 
 namespace ph = passive_haptics;
-using device = arm<3>;
+struct device : arm<3> {
+  static constexpr auto self_motion = ph::self_motion_form::inertial;
+};
 
 int main() {
   ph::controller control(device(), ph::brakes_of<device>(),

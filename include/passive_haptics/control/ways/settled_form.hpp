@@ -1,0 +1,89 @@
+/// @file
+/// Step 1 of section 4 for devices whose self-motion settles (n > d).
+#pragma once
+
+#include <passive_haptics/brake/settled_rates.hpp>
+#include <passive_haptics/control/ways/one_wall.hpp>
+#include <passive_haptics/force/desired_force.hpp>
+#include <passive_haptics/force/torques/settled_approximation.hpp>
+
+#include <algorithm>
+
+namespace passive_haptics {
+
+/// By the cones of all sets of brakes that can come to rest.
+template <Settles M>
+struct display_form<M> {
+  /// What a push of the hand along the walls counts for in the velocity v' [m/s per N].
+  static constexpr double mobility = 0.005;
+
+  /// The velocity v' [m/s] by whose signs brakes are chosen: that of a handle which no longer sinks into any
+  /// of `count` walls, Fd(j) being what wall j demands, and which goes where the hand pushes along them. The
+  /// velocity now may only be that of the landing; and at rest it would leave all brakes without a sign, so
+  /// that any force looked possible. Cost: some products; four sweeps for several walls.
+  template <class Device, class Demands>
+  static task_vector<M> landed_velocity(const Device& device, int count, const Demands& Fd) {
+    using T = typename M::scalar;
+    task_vector<M> along = device.hand_force, landed = device.v;
+    for (int sweep = 0; sweep < (count > 1 ? 4 : 1); ++sweep) {
+      for (int j = 0; j < count; ++j) {
+        const auto wall = Fd(j);
+        along -= wall.direction.dot(along) * wall.direction;
+        landed += std::max(T(0), -outward(wall, landed)) * wall.direction;
+      }
+    }
+    return landed + T(mobility) * along;
+  }
+
+  /// Fc for a desired force of 1 N, by the signs at the landed velocity; where these display nothing, at the
+  /// velocity now. start: S of the cycle before.
+  template <class Device, class T, int D>
+  static auto nearest(const Device& device, const desired_force<T, D>& Fd, T min_cosine,
+                      approximation_start& start) {
+    const vector<T, D> landed = landed_velocity(device, 1, [&](int) { return Fd; });
+    return nearest_at(device, landed, device.v, Fd.direction, min_cosine, start.held);
+  }
+
+  /// Fc for a unit force n by the signs at a velocity v' [m/s], or where these display nothing at v. held: S,
+  /// in and out.
+  template <class Device, class T, int D>
+  static settled_force<T, D, M::brake_count> nearest_at(const Device& device, const vector<T, D>& landed,
+                                                        const vector<T, D>& v, const vector<T, D>& n,
+                                                        T min_cosine, unsigned& held) {
+    const settled_rates<M> rates(device.pose);
+    auto F = settled_forces(rates, device.E, device.brakes, landed).nearest(n, min_cosine, held);
+    if (!is_displayed(F.display))
+      F = settled_forces(rates, device.E, device.brakes, v).nearest(n, min_cosine, held);
+    held = F.held;
+    return F;
+  }
+
+  /// S, s* and v' for the first `count` of several demands. held: S, in and out.
+  template <int Capacity, class Device, class T, int D>
+  static settled_force<T, D, M::brake_count> signs_at(
+      const Device& device, const vector<T, D>& velocity,
+      const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
+      unsigned& held) {
+    const settled_rates<M> rates(device.pose);
+    const settled_forces forces(rates, device.E, device.brakes, velocity);
+    const auto F = forces.template signs_for<Capacity>(demands, count, held);
+    held = F.held;
+    return F;
+  }
+
+  /// The force that brakes of these capacities [N m] make once settled, with S as in nearest().
+  template <class Device, class T, int D>
+  static settled_force<T, D, M::brake_count> made_by(const Device& device, const desired_force<T, D>& Fd,
+                                                     const brake_vector<M>& capacity,
+                                                     approximation_start start) {
+    auto F = nearest(device, Fd, T(0), start);
+    typename settled_rates<M>::rate_map W;
+    if (!settled_rates<M>(device.pose).find(F.held, W)) W.setZero();
+    for (int i = 0; i < M::brake_count; ++i)
+      F.torque[i] = contains(F.held, i) ? capacity[i] : -F.signs[i] * std::abs(capacity[i]);
+    F.force = W.transpose() * F.torque;
+    return F;
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,196 @@
+/// @file
+/// Force approximation for a device whose self-motion settles: which brakes come to rest, and what the others
+/// then display.
+#pragma once
+
+#include <passive_haptics/brake/settled_rates.hpp>
+#include <passive_haptics/brake/signs.hpp>
+#include <passive_haptics/force/approximation.hpp>
+#include <passive_haptics/force/torques/contact_forces.hpp>
+#include <passive_haptics/force/torques/nearest_torque.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace passive_haptics {
+
+/// What another set of brakes at rest must be better by, in cos(gamma), before it takes over: between sets
+/// that are as good as each other the tangential part of a force would jump with each count of the encoders.
+inline constexpr double settled_gain = 0.1;
+
+/// The forces that brakes can display of a device whose handle moves with v, once its self-motion has
+/// settled: F belongs to them if T^T t = J^T F and if some self-motion z gives t_i (T (qd + N z))_i <= 0 for
+/// all i. They are the cones of all sets of brakes that can come to rest.
+template <class M, class EMatrix, class B>
+class settled_forces {
+  using T = typename M::scalar;
+  static constexpr int d = M::task_dimension, m = M::brake_count, r = M::dof - d;
+
+ public:
+  using force = settled_force<T, d, m>;                  ///< With its signs.
+  using rate_map = typename settled_rates<M>::rate_map;  ///< W_S
+
+  /// Of brakes with these rates, E of the pose and a velocity v [m/s]. Lives no longer than they.
+  settled_forces(const settled_rates<M>& rates, const EMatrix& E, const B& brakes, const vector<T, d>& v)
+      : rates_(rates), E_(E), brakes_(brakes), v_(v) {}
+
+  /// s* where the brakes of S are at rest, from W_S: 0 for these, and for others within their dead band.
+  vector<T, m> signs_of(const rate_map& W) const {
+    return brake_signs<T, m>(W * v_, vector<T, m>::Zero(), brakes_);
+  }
+
+  /// Fc for a unit desired force n, as in approximate(), of the set S for which cos(gamma) is largest: exact
+  /// where n can be displayed by some set. previous: the S of the cycle before, kept until another one gains
+  /// settled_gain; 0 for none. Cost: an elimination and a projection for each set, at most C(m, r); one where
+  /// the previous one is kept by far.
+  force nearest(const vector<T, d>& n, T min_cosine, brake_set previous = 0) const {
+    const T least = std::max(min_cosine, rounding_tolerance<T>(d));
+    candidate kept, best;
+    if (previous != 0 && rates_.find(previous, kept.W)) {
+      kept.S = previous;
+      project(n, least, kept);
+      if (kept.cosine >= T(1 - settled_gain)) return force_of(kept, n);
+    }
+    rates_.for_each([&](brake_set S, const rate_map& W) {
+      candidate other{S, W};
+      project(n, least, other);
+      if (other.cosine > best.cosine) best = other;
+      return best.cosine >= T(1);
+    });
+    return force_of(kept.cosine > T(0) && best.cosine <= kept.cosine + T(settled_gain) ? kept : best, n);
+  }
+
+  /// S, s* and v' for the first `count` of several contacts: those by which brakes without limits leave least
+  /// of the demands that come first, then of the others, then of |F|. Kept as in nearest(). Cost: a
+  /// contact_forces for each set.
+  template <int Capacity>
+  force signs_for(const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
+                  int count, brake_set previous = 0) const {
+    force best, kept;
+    shortfall of_best, of_kept;
+    best.velocity = kept.velocity = v_;
+    const auto weigh = [&](brake_set S, const rate_map& W, force& F) {
+      F.held = S;
+      F.signs = signs_of(W);
+      return shortfall_of<Capacity>(S, W, F.signs, demands, count);
+    };
+    rate_map W;
+    if (previous != 0 && rates_.find(previous, W)) of_kept = weigh(previous, W, kept);
+    rates_.for_each([&](brake_set S, const rate_map& other) {
+      force F = best;
+      const shortfall of_other = weigh(S, other, F);
+      if (!of_other.is_less_than(of_best, rounding_tolerance<T>(16 * m))) return false;
+      best = F;
+      of_best = of_other;
+      return false;
+    });
+    return of_best.is_less_than(of_kept, T(settled_gain)) ? best : kept;
+  }
+
+ private:
+  // What a set leaves of several demands, as shares; of none yet, nothing is met
+  struct shortfall {
+    T first = std::numeric_limits<T>::infinity(), others = first, force = first;
+
+    bool is_less_than(const shortfall& b, T gain) const {
+      if (!(std::abs(first - b.first) <= gain)) return first < b.first;
+      if (!(std::abs(others - b.others) <= gain)) return others < b.others;
+      return force < b.force * (T(1) - gain);
+    }
+  };
+
+  template <int Capacity>
+  shortfall shortfall_of(brake_set S, const rate_map& W, const vector<T, m>& signs,
+                         const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
+                         int count) const {
+    torque_box<T, m> box =
+        torques_within<T, m>(signs, vector<T, m>::Constant(std::numeric_limits<T>::infinity()));
+    for (int i = 0; i < m; ++i)
+      if (contains(S, i)) box.lower[i] = box.upper[i] = T(0);
+    const auto met = contact_forces<T, d, m, Capacity>({W.transpose()}, box, demands, count);
+    T left[2] = {}, wanted[2] = {};
+    for (int j = 0; j < count; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      const int level = demands[at].has_priority ? 0 : 1;
+      left[level] = std::hypot(left[level], demands[at].force - met.displayed[at]);
+      wanted[level] = std::hypot(wanted[level], demands[at].force);
+    }
+    const auto share = [](T part, T whole) { return whole > T(0) ? part / whole : part; };
+    return {share(left[0], wanted[0]), share(left[1], wanted[1]), met.force.norm()};
+  }
+
+  struct candidate {
+    brake_set S = 0;
+    rate_map W = rate_map::Zero();
+    vector<T, m> signs = vector<T, m>::Zero();
+    nearest_torque_result<T, d, m> Fp = {vector<T, m>::Zero(), vector<T, d>::Zero()};
+    T cosine = T(0);  // 0 where nothing is displayed, 1 where n is
+  };
+
+  void project(const vector<T, d>& n, T least, candidate& c) const {
+    c.signs = signs_of(c.W);
+    const vector<T, d> structure = rates_.held_by_structure(n);
+    c.Fp = nearest_force_of(c, vector<T, d>(n - structure));
+    c.Fp.force += structure;
+    const T cosine = c.Fp.force.norm();
+    const bool exact = (n - c.Fp.force).norm() <= rounding_tolerance<T>(d + m);
+    c.cosine = exact ? T(1) : cosine >= least ? std::min(cosine, T(1) - rounding_tolerance<T>(1)) : T(0);
+  }
+
+  // F = W_S^T t: as a rule m - r brakes make it, in columns of their own
+  nearest_torque_result<T, d, m> nearest_force_of(const candidate& c, const vector<T, d>& n) const {
+    constexpr int moving = m - r;
+    if constexpr (moving > 0) {
+      if (std::popcount(c.S) == r) {
+        matrix<T, d, moving> G;
+        vector<T, moving> s;
+        each_moving(c.S, [&](int i, int k) {
+          G.col(k) = c.W.row(i).transpose();
+          s[k] = c.signs[i];
+        });
+        const auto found = nearest_torque(G, s, n);
+        nearest_torque_result<T, d, m> all{vector<T, m>::Zero(), found.force};
+        each_moving(c.S, [&](int i, int k) { all.torque[i] = found.torque[k]; });
+        return all;
+      }
+    }
+    return nearest_torque(matrix<T, d, m>(c.W.transpose()), c.signs, n);
+  }
+
+  template <class Visit>
+  static void each_moving(brake_set S, const Visit& visit) {
+    for (int i = 0, k = 0; i < m; ++i)
+      if (!contains(S, i)) visit(i, k++);
+  }
+
+  // Fc = Fp / |Fp|^2 and t = E^T Fc. Where rounding left a brake a torque that it should not or cannot have,
+  // it is exactly 0
+  force force_of(const candidate& c, const vector<T, d>& n) const {
+    force F;
+    F.velocity = v_;
+    if (!(c.cosine > T(0))) return F;
+    const bool exact = c.cosine == T(1);
+    const T square = exact ? T(1) : c.Fp.force.squaredNorm();
+    F.display = exact ? display_class::exact : display_class::approximate;
+    F.force = exact ? n : vector<T, d>(c.Fp.force / square);
+    F.cosine_squared = square;
+    F.held = c.S;
+    F.signs = c.signs;
+    F.torque = brake_torque(E_, F.force);
+    for (int i = 0; i < m; ++i)
+      if (!contains(c.S, i) && (c.Fp.torque[i] == T(0) || c.signs[i] * F.torque[i] > T(0)))
+        F.torque[i] = T(0);
+    return F;
+  }
+
+  const settled_rates<M>& rates_;
+  const EMatrix& E_;
+  const B& brakes_;
+  vector<T, d> v_;
+};
+
+}  // namespace passive_haptics

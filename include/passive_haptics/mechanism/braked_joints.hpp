@@ -1,0 +1,64 @@
+/// @file
+/// A mechanism with brakes on some of its joints.
+#pragma once
+
+#include <passive_haptics/mechanism/wrapped_mechanism.hpp>
+
+#include <utility>
+
+namespace passive_haptics {
+
+namespace detail {
+template <int Count, int... Chosen>
+inline constexpr bool are_different_numbers = [] {
+  bool seen[Count] = {};
+  const auto is_new = [&](int i) { return 0 <= i && i < Count && !std::exchange(seen[i], true); };
+  return (is_new(Chosen) && ...);
+}();
+}  // namespace detail
+
+/// The mechanism M with some of its brakes alone, by their numbers from 0; the other joints are free:
+///
+///     const ph::braked_joints<decltype(arm), 0, 2> light(arm);  // of three joints the first and the last
+///
+/// A mechanism without a transmission has brake i on joint i; one with tendons keeps those of their brakes.
+/// What can be displayed is less: F must also leave the free joints without torque (design/displayable.hpp).
+template <class M, int... Brakes>
+class braked_joints : public wrapped_mechanism<M> {
+  static_assert(sizeof...(Brakes) > 0 && detail::are_different_numbers<M::brake_count, Brakes...>,
+                "passive_haptics: braked_joints<M, i, j, ...> needs at least one number of a brake, each "
+                "other than the others and from 0 to brake_count - 1.");
+  using T = typename M::scalar;
+  static constexpr int m = static_cast<int>(sizeof...(Brakes));
+
+ public:
+  static constexpr int brake_count = m;  ///< m
+
+  /// Of the mechanism.
+  explicit braked_joints(M mechanism) : wrapped_mechanism<M>(std::move(mechanism)) {}
+
+  /// T (m x n): the chosen rows.
+  matrix<T, m, M::dof> transmission() const
+    requires(!detail::transmission_depends_on_pose<M>)
+  {
+    if constexpr (detail::transmission_is_constant<M>) return chosen(this->mechanism().transmission());
+    else return chosen(matrix<T, M::dof, M::dof>(matrix<T, M::dof, M::dof>::Identity()));
+  }
+  /// T (m x n) of q or of a pose: the chosen rows.
+  template <class Q>
+  matrix<T, m, M::dof> transmission(const Q& q) const
+    requires requires(const M& inner) { inner.transmission(q); }
+  {
+    return chosen(this->mechanism().transmission(q));
+  }
+
+ private:
+  static matrix<T, m, M::dof> chosen(const transmission_matrix<M>& all) {
+    matrix<T, m, M::dof> some;
+    int row = 0;
+    ((some.row(row++) = all.row(Brakes)), ...);
+    return some;
+  }
+};
+
+}  // namespace passive_haptics
