@@ -70,6 +70,9 @@ struct law_brake_requirements {
   static_assert(!Settles<M> || is_included<display_form<M>>,
                 "passive_haptics: mechanisms with dof > task_dimension need "
                 "<passive_haptics/control/ways/settled_form.hpp>.");
+  static_assert(!leaves_free_joints_alone<M> || is_included<display_form<M>>,
+                "passive_haptics: kinetostatic(mechanism) with fewer brakes than joints needs "
+                "<passive_haptics/control/ways/free_joints_form.hpp>.");
   static_assert(brake_requirements<B, M>::met);
   static_assert(!needs_brake_lag<L> || names_time_constant<B>,
                 "passive_haptics: this law needs the brakes' lag: give the brakes a time_constant "

@@ -6,6 +6,7 @@
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/core/status.hpp>
+#include <passive_haptics/force/torques/free_joints.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>
 #include <passive_haptics/force/torques/settled_approximation.hpp>
 
@@ -99,6 +100,37 @@ void tell(displayable_force<M>& found, const task_vector<M>& n, const Force& Fc,
   found.strongest_nearest = largest_share(Fc.torque, limit);
 }
 
+// Largest n . F of torques in a box, of a device with self-motion: what they make against the easiest way
+// into the wall. Like any least sum of |w_i| it has as many brakes at rest as can be: it is W_S n of some
+// set.
+template <class M>
+typename M::scalar strongest_with_self_motion(const settled_rates<M>& rates,
+                                              const torque_box<typename M::scalar, M::brake_count>& box,
+                                              const task_vector<M>& n) {
+  using T = typename M::scalar;
+  T least = std::numeric_limits<T>::infinity();
+  if (rates.held_by_structure(n).norm() > rounding_tolerance<T>(M::dof + M::brake_count)) return least;
+  rates.for_each([&](brake_set, const typename settled_rates<M>::rate_map& W) {
+    least = std::min(least, largest_resistance<T, M::brake_count>(box, W * n));
+    return false;
+  });
+  return least;
+}
+
+// By half-spaces, and fewer brakes than joints: a self-motion that is left alone.
+template <leaves_free_joints_alone M>
+void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
+                      const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
+                      const brake_vector<M>& limit) {
+  using T = typename M::scalar;
+  constexpr int m = M::brake_count;
+  const mechanism_pose<M> pose(mechanism, q);
+  const settled_rates<M> rates(pose, rounding_tolerance<T>(M::dof + m));
+  found.signs = signs_in_motion<T, m, M::task_dimension>(rates.least_rates(), E, v);
+  const auto Fc = approximate_within(forces_of_braked_joints(pose), E, found.signs, n, T(0));
+  tell(found, n, Fc, strongest_with_self_motion<M>(rates, torques_within(found.signs, limit), n), limit);
+}
+
 // By half-spaces: as many brakes as joints, and a self-motion that is left alone.
 template <class M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
@@ -120,8 +152,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
     found.display = display_class::empty_cone;
 }
 
-// Of a self-motion that settles, by the best set of brakes at rest. With the signs of a set, the easiest way
-// into the wall, like any least sum of |w_i|, has as many brakes at rest as can be: it is W_S n of some set.
+// Of a self-motion that settles, by the best set of brakes at rest.
 template <Settles M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
                       const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
@@ -138,13 +169,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   T strongest = T(0);
   rates.for_each([&](brake_set, const rate_map& W) {
     const torque_box<T, m> box = torques_within<T, m>(forces.signs_of(W), limit);
-    T least = std::numeric_limits<T>::infinity();
-    if (rates.held_by_structure(n).norm() <= tolerance)
-      rates.for_each([&](brake_set, const rate_map& other) {
-        least = std::min(least, largest_resistance<T, m>(box, other * n));
-        return false;
-      });
-    strongest = std::max(strongest, least);
+    strongest = std::max(strongest, strongest_with_self_motion<M>(rates, box, n));
     return false;
   });
   found.signs = Fc.signs;

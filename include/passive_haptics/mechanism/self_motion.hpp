@@ -49,6 +49,12 @@ template <class M>
 concept displays_by_generators =
     has_inertial_forces<M> || (M::brake_count != M::dof && M::dof == M::task_dimension);
 
+/// A device with self-motion and fewer brakes than joints, whose brakes leave the self-motion and the other
+/// joints alone.
+template <class M>
+concept leaves_free_joints_alone = (M::dof > M::task_dimension) && (M::brake_count < M::dof) &&
+                                   self_motion_of<M> == self_motion_form::kinetostatic;
+
 /// What must hold of a device with self-motion before its forces are known.
 template <class M>
 struct self_motion_requirements {

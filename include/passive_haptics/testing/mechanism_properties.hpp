@@ -87,6 +87,16 @@ class mechanism_properties : public ::testing::Test {
     }
   }
 
+  /// Random joint rates; with fewer brakes than joints those at which the other joints rest, T^+ T qd.
+  joint_vector<model> braked_rates(const joint_vector<model>& q, random_source& random) const {
+    joint_vector<model> qd = random.normal_vector<number, model::dof>();
+    if constexpr (model::brake_count < model::dof) {
+      const transmission_matrix<model> A(passive_haptics::transmission(mechanism, q));
+      qd = pseudo_inverse(A) * brake_vector<model>(A * qd);
+    }
+    return qd;
+  }
+
   /// dx/dq_i by differences of position.
   vector<reference_scalar, model::task_dimension> difference_column(const joint_vector<model>& q,
                                                                     int i) const {
@@ -184,28 +194,30 @@ TYPED_TEST_P(mechanism_properties, pose_has_the_position_and_jacobian_of_q) {
   });
 }
 
-/// T has full column rank, and E = J T^+ maps the rates of the brakes to the velocity, v = E w.
+/// T has full rank, and E = J T^+ maps the rates of the brakes to the velocity, v = E w, while joints without
+/// a brake rest.
 TYPED_TEST_P(mechanism_properties, brake_jacobian_maps_brake_rates_to_velocity) {
   using M = typename TestFixture::model;
   using T = typename TestFixture::number;
   random_source random(this->seed);
   this->for_each_pose([&](const joint_vector<M>& q) {
-    const joint_vector<M> qd = random.normal_vector<T, M::dof>();
+    const joint_vector<M> qd = this->braked_rates(q, random);
     const task_vector<M> v = brake_jacobian(this->mechanism, q) * brake_rates(this->mechanism, q, qd);
     const T condition = this->transmission_condition(q);
-    ASSERT_TRUE(std::isfinite(condition)) << "the transmission has not full column rank";
+    ASSERT_TRUE(std::isfinite(condition)) << "the transmission has not full rank";
     const auto J = this->dense_jacobian(q);
     ASSERT_LE((v - J * qd).norm(), rounding_tolerance<T>(4 * M::dof) * condition * J.norm() * qd.norm());
   });
 }
 
-/// Virtual work: torques t = E^T F do at the brakes what F does at the end effector, t . w = F . v.
+/// Virtual work: torques t = E^T F do at the brakes what F does at the end effector, t . w = F . v, while
+/// joints without a brake rest.
 TYPED_TEST_P(mechanism_properties, brake_torques_do_the_work_of_the_force) {
   using M = typename TestFixture::model;
   using T = typename TestFixture::number;
   random_source random(this->seed);
   this->for_each_pose([&](const joint_vector<M>& q) {
-    const joint_vector<M> qd = random.normal_vector<T, M::dof>();
+    const joint_vector<M> qd = this->braked_rates(q, random);
     const task_vector<M> F = random.normal_vector<T, M::task_dimension>();
     const brake_vector<M> w = brake_rates(this->mechanism, q, qd);
     const brake_vector<M> t = brake_torque(brake_jacobian(this->mechanism, q), F);

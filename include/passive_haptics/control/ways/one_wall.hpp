@@ -24,6 +24,8 @@ template <displays_by_generators M>
 struct display_form<M>;
 template <Settles M>
 struct display_form<M>;
+template <leaves_free_joints_alone M>
+struct display_form<M>;
 
 /// One wall, or none.
 template <class Result, class Setup, class Walls>

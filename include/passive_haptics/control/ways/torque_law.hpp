@@ -4,6 +4,7 @@
 
 #include <passive_haptics/control/cycle_result.hpp>
 #include <passive_haptics/control/way.hpp>
+#include <passive_haptics/control/ways/free_joints_form.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/core/finite.hpp>

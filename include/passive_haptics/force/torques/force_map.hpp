@@ -9,7 +9,7 @@
 
 namespace passive_haptics {
 
-/// F = G t of a device whose self-motion settles.
+/// F = G t of a device with self-motion.
 template <class M>
 force_map<typename M::scalar, M::task_dimension, M::brake_count> force_map_of(const settled_rates<M>& rates) {
   constexpr int m = M::brake_count, rows = m < M::dof ? m : M::dof;
@@ -20,14 +20,16 @@ force_map<typename M::scalar, M::task_dimension, M::brake_count> force_map_of(co
 
 /// F = G t in the form that fits the mechanism, E from brake_jacobian.
 ///
-/// Of a device whose self-motion settles F = (T J^+)^T t of torques that leave the self-motion alone,
-/// (T N)^T t = 0; which signs they may have depends on S (force/torques/settled_approximation.hpp).
+/// Of a device whose self-motion settles, or with fewer brakes than joints, F = (T J^+)^T t of torques that
+/// leave the self-motion alone, (T N)^T t = 0; where it settles, which signs they may have depends on S
+/// (force/torques/settled_approximation.hpp).
 template <class M, class EMatrix>
 auto force_map_of(const mechanism_pose<M>& pose, const EMatrix& E) {
   if constexpr (displays_by_generators<M>)
     return force_map<typename M::scalar, M::task_dimension, M::brake_count>{
         passive_haptics::generators_of(pose)};
-  else if constexpr (Settles<M>) return passive_haptics::force_map_of(settled_rates<M>(pose));
+  else if constexpr (Settles<M> || leaves_free_joints_alone<M>)
+    return passive_haptics::force_map_of(settled_rates<M>(pose));
   else return invert_brake_jacobian(brake_matrix<M>(E));
 }
 

@@ -1,5 +1,6 @@
 // What can be displayed at all, against brute force over torques, forces and signs.
 #include <passive_haptics/design/displayable.hpp>
+#include <passive_haptics/mechanism/braked_joints.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
@@ -11,6 +12,7 @@
 #include "../../../property/chain_cases.hpp"
 
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace ph = passive_haptics;
 
@@ -107,13 +110,12 @@ best by_torques(const M& mechanism, const ph::joint_vector<M>& q, const ph::task
 // m = n >= d: forces whose torques are at D of the limits (the corners of all that can be displayed), and
 // forces in all directions of the plane.
 template <class M>
-best by_forces(const M& mechanism, const ph::joint_vector<M>& q, const ph::task_vector<M>& v,
-               const ph::task_vector<M>& n, const ph::brake_vector<M>& limit) {
+best by_forces_at(const M& mechanism, const ph::joint_vector<M>& q, const ph::brake_vector<M>& w,
+                  const ph::task_vector<M>& n, const ph::brake_vector<M>& limit) {
   constexpr int m = M::brake_count, d = M::task_dimension;
   using torques = ph::brake_vector<M>;
   using force = ph::task_vector<M>;
   const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, q));
-  const torques w = rates_of(mechanism, q, v);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> Tt(transmission_of(mechanism, q).transpose());
   const ph::matrix<double, m, d> Et = Tt.solve(Eigen::MatrixXd(J.transpose()));
   const auto largest_share = [&](const force& F) {
@@ -156,6 +158,12 @@ best by_forces(const M& mechanism, const ph::joint_vector<M>& q, const ph::task_
     look_at(n);
   }
   return all;
+}
+
+template <class M>
+best by_forces(const M& mechanism, const ph::joint_vector<M>& q, const ph::task_vector<M>& v,
+               const ph::task_vector<M>& n, const ph::brake_vector<M>& limit) {
+  return by_forces_at(mechanism, q, rates_of(mechanism, q, v), n, limit);
 }
 
 template <class M>
@@ -240,6 +248,82 @@ TEST(displayable, is_the_best_of_all_forces) {
       [&](auto& q, auto& v, auto& n, auto& limit, auto&) { return by_forces(planar, q, v, n, limit); });
   EXPECT_GT(seen.nothing, seen.all / 8);
   EXPECT_GT(seen.exact, 20);
+}
+
+// A self-motion that settles: rates T (J^+ v + z N), of which the signs change where a brake comes to rest.
+// The best over all z is the best of one z between each two such points. free: whether a joint has no brake.
+template <class M, class Sample>
+best over_self_motion(const M& mechanism, const ph::joint_vector<M>& q, const ph::task_vector<M>& v,
+                      Sample&& sample) {
+  const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, q));
+  const Eigen::VectorXd least =
+      Eigen::MatrixXd(J).completeOrthogonalDecomposition().solve(Eigen::VectorXd(v));
+  const Eigen::MatrixXd N = Eigen::FullPivLU<Eigen::MatrixXd>(J).kernel();
+  const ph::transmission_matrix<M> T = transmission_of(mechanism, q);
+  const ph::brake_vector<M> a = T * least, b = T * N.col(0);
+  std::vector<double> changes;
+  for (int i = 0; i < M::brake_count; ++i) changes.push_back(-a[i] / b[i]);
+  std::sort(changes.begin(), changes.end());
+  std::vector<double> between = {changes.front() - 1, changes.back() + 1};
+  for (std::size_t k = 1; k < changes.size(); ++k) between.push_back((changes[k - 1] + changes[k]) / 2);
+  best all;
+  for (const double z : between) {
+    const best one = sample(ph::brake_vector<M>(a + z * b));
+    all.angle = std::min(all.angle, one.angle);
+    all.strongest = std::max(all.strongest, one.strongest);
+  }
+  return all;
+}
+
+TEST(displayable, of_a_self_motion_that_settles_is_the_best_over_it) {
+  const auto planar = ph::settled(
+      ph::serial_chain<double, 3, 2>(ph::planar_arm<double>(std::array<double, 3>{0.2, 0.2, 0.2})));
+  const counts seen =
+      compare(planar, {-2, -2, -2}, {2, 2, 2}, 400, 1e-6, [&](auto& q, auto& v, auto& n, auto& limit, auto&) {
+        return over_self_motion(planar, q, v, [&](const ph::vector<double, 3>& w) {
+          return by_forces_at(planar, q, w, n, limit);
+        });
+      });
+  EXPECT_LT(seen.nothing, seen.all / 2);
+  EXPECT_GT(seen.exact, 20);
+}
+
+// With a joint free, only forces along one line leave it without torque.
+TEST(displayable, of_two_brakes_on_three_joints_is_along_one_line) {
+  using arm = ph::serial_chain<double, 3, 2>;
+  const ph::braked_joints<arm, 0, 2> settled(
+      arm(ph::planar_arm<double>(std::array<double, 3>{0.2, 0.2, 0.2})));
+  const auto left_alone = ph::kinetostatic(settled);
+  ph::testing::random_source random(5);
+  int displayed = 0, less = 0;
+  for (int k = 0; k < 400; ++k) {
+    SCOPED_TRACE(::testing::Message() << "seed 5, pose " << k);
+    const auto q = random.between(ph::vector<double, 3>(-2, -2, -2), ph::vector<double, 3>(2, 2, 2));
+    const ph::vector<double, 2> v = random.direction<double, 2>(), n = random.direction<double, 2>(),
+                                limit(random.uniform(0.3, 2.0), random.uniform(0.3, 2.0));
+    const ph::matrix<double, 2, 3> J = ph::jacobian(settled, q);
+    const ph::vector<double, 2> line(-J(1, 1), J(0, 1));  // at right angles to what the free joint moves
+    const auto along_line = [&](const ph::vector<double, 2>& w) {
+      best all;
+      for (const double side : {-1.0, 1.0}) {
+        const ph::vector<double, 2> F = side * line;
+        const ph::vector<double, 3> joints = J.transpose() * F;
+        const ph::vector<double, 2> t(joints[0], joints[2]);
+        if (t[0] * w[0] > 0 || t[1] * w[1] > 0) continue;
+        all.look_at(ph::vector<double, 2>((limit.array() / t.array().abs()).minCoeff() * F), n);
+      }
+      return all;
+    };
+    const auto found = ph::displayable(settled, q, v, n, limit);
+    expect_best(found, over_self_motion(settled, q, v, along_line), 1e-6);
+    const auto by_rates_now = ph::displayable(left_alone, q, v, n, limit);
+    expect_best(by_rates_now, along_line(rates_of(settled, q, v)), 1e-6);
+    if (HasFatalFailure()) return;
+    displayed += ph::is_displayed(found.display);
+    less += ph::is_displayed(found.display) && !ph::is_displayed(by_rates_now.display);
+  }
+  EXPECT_GT(displayed, 100);
+  EXPECT_GT(less, 20);
 }
 
 TEST(displayable, is_the_strongest_of_all_corners_in_space) {
