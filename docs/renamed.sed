@@ -84,6 +84,8 @@ s/\blarge_over\(/suspicious_above(/g
 s/\bgives_way\b/nulls_normal_force/g
 s/\bmost_overruns\b/max_overruns/g
 s/\bmost_missed\b/max_missed/g
+s/static constexpr bool inertial_forces = false/static constexpr auto self_motion = ph::self_motion_form::kinetostatic/g
+s/static constexpr bool inertial_forces = true/static constexpr auto self_motion = ph::self_motion_form::inertial/g
 s/const char\* owner\b/const char* type_name/g
 # A contact's wall, its position and a report's first are words that other types have, too; the compiler finds them:
 # contact::wall, contact_report::wall, step_result::wall -> wall_number, contact::position -> sensed_at,

@@ -15,7 +15,8 @@ namespace passive_haptics {
 /// As printed, (3b) is -th: it assumes that the brake holds. A brake holds up to its command, so this equals
 /// (3b) wherever |td| >= |th|. Brakes without a rate_dead_band only slip.
 ///
-/// Guaranteed: s_i t_i <= 0 and |t_i| <= |td_i| exactly.
+/// Guaranteed: s_i t_i <= 0 and |t_i| <= |td_i| exactly. Where a self-motion settles a cycle gives -s_i
+/// |td_i| for td_i: a brake that is commanded resists the rate that it has.
 /// @equation{3}
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,

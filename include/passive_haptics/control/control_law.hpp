@@ -76,7 +76,8 @@ using law_memory = typename detail::memory_of<L>::type;
 ///   - `static constexpr bool commands_torques = true`;
 ///   - `brake_vector<M> torque(const brake_situation<M, E, B>&, const contacts<d, N>&) const noexcept`, a
 ///     template over mechanisms: the torques [N m] that the brakes shall make, at least one wall being
-///     touched. The cycle cuts them to the limits; a torque that does not oppose its brake releases it.
+///     touched. The cycle cuts them to the limits; a torque that does not oppose its brake releases it, but
+///     where a self-motion settles: there the magnitudes count.
 ///
 /// Its header includes control/ways/torque_law.hpp. Optional:
 ///   - `struct memory`, default-constructible: what it remembers from cycle to cycle. torque() then takes a

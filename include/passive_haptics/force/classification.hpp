@@ -12,7 +12,7 @@ namespace passive_haptics {
 enum class power_class {
   none,       ///< No force is desired.
   active,     ///< Fd . v > 0: only a motor could do it.
-  passive_1,  ///< Every brake alone is passive: s_i td_i <= 0.
+  passive_1,  ///< Every brake alone is passive: s_i td_i <= 0, for n > d by the settled signs.
   passive_2,  ///< Passive in total, but some brake would have to drive.
 };
 
@@ -22,8 +22,8 @@ enum class display_class {
   none,         ///< No producible force has a component along the desired one.
   approximate,  ///< The nearest producible force, scaled so that its component along Fd is |Fd|.
   exact,        ///< Fd itself.
-  empty_cone,   ///< None whatever: leaving its self-motion alone (n > d), the device can produce no force at
-                ///< all.
+  empty_cone,   ///< None whatever: leaving its self-motion alone (n > d, kinetostatic), the device can
+                ///< produce no force at all.
 };
 
 /// The class in words.

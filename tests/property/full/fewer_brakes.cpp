@@ -33,6 +33,6 @@ using cases =
 INSTANTIATE_TYPED_TEST_SUITE_P(fewer_brakes, mechanism_properties, cases);
 INSTANTIATE_TYPED_TEST_SUITE_P(fewer_brakes, dynamics_properties, cases);
 INSTANTIATE_TYPED_TEST_SUITE_P(fewer_brakes, step_properties, cases);
-INSTANTIATE_TYPED_TEST_SUITE_P(fewer_brakes, fault_properties, cases);
+INSTANTIATE_TYPED_TEST_SUITE_P(fewer_brakes, fault_properties, two_of_three);
 
 }  // namespace passive_haptics::testing
