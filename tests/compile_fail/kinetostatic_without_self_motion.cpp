@@ -1,4 +1,4 @@
-// expect: passive_haptics: settled.mechanism., inertial.mechanism. and kinetostatic.mechanism. are for mechanisms with dof > task_dimension
+// expect: passive_haptics: settled.mechanism., inertial.mechanism. and kinetostatic.mechanism. are for
 #include <passive_haptics/passive_haptics.hpp>
 
 #include "arm.hpp"
