@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace passive_haptics {
 
@@ -52,12 +53,12 @@ class settled_forces {
     candidate kept, best;
     if (previous != 0 && rates_.find(previous, kept.W)) {
       kept.S = previous;
-      project(n, least, kept);
+      weigh(n, least, kept);
       if (kept.cosine >= T(1 - settled_gain)) return force_of(kept, n);
     }
     rates_.for_each([&](brake_set S, const rate_map& W) {
       candidate other{S, W};
-      project(n, least, other);
+      weigh(n, least, other);
       if (other.cosine > best.cosine) best = other;
       return best.cosine >= T(1);
     });
@@ -66,23 +67,23 @@ class settled_forces {
 
   /// S, s* and v' for the first `count` of several contacts: those by which brakes without limits leave least
   /// of the demands that come first, then of the others, then of |F|. Kept as in nearest(). Cost: a
-  /// contact_forces for each set.
+  /// contact_forces of m - r brakes for each set.
   template <int Capacity>
   force signs_for(const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
                   int count, brake_set previous = 0) const {
     force best, kept;
     shortfall of_best, of_kept;
     best.velocity = kept.velocity = v_;
-    const auto weigh = [&](brake_set S, const rate_map& W, force& F) {
+    const auto of_set = [&](brake_set S, const rate_map& W, force& F) {
       F.held = S;
       F.signs = signs_of(W);
       return shortfall_of<Capacity>(S, W, F.signs, demands, count);
     };
     rate_map W;
-    if (previous != 0 && rates_.find(previous, W)) of_kept = weigh(previous, W, kept);
+    if (previous != 0 && rates_.find(previous, W)) of_kept = of_set(previous, W, kept);
     rates_.for_each([&](brake_set S, const rate_map& other) {
       force F = best;
-      const shortfall of_other = weigh(S, other, F);
+      const shortfall of_other = of_set(S, other, F);
       if (!of_other.is_less_than(of_best, rounding_tolerance<T>(16 * m))) return false;
       best = F;
       of_best = of_other;
@@ -107,58 +108,60 @@ class settled_forces {
   shortfall shortfall_of(brake_set S, const rate_map& W, const vector<T, m>& signs,
                          const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
                          int count) const {
-    torque_box<T, m> box =
-        torques_within<T, m>(signs, vector<T, m>::Constant(std::numeric_limits<T>::infinity()));
-    for (int i = 0; i < m; ++i)
-      if (contains(S, i)) box.lower[i] = box.upper[i] = T(0);
-    const auto met = contact_forces<T, d, m, Capacity>({W.transpose()}, box, demands, count);
-    T left[2] = {}, wanted[2] = {};
-    for (int j = 0; j < count; ++j) {
-      const auto at = static_cast<std::size_t>(j);
-      const int level = demands[at].has_priority ? 0 : 1;
-      left[level] = std::hypot(left[level], demands[at].force - met.displayed[at]);
-      wanted[level] = std::hypot(wanted[level], demands[at].force);
-    }
-    const auto share = [](T part, T whole) { return whole > T(0) ? part / whole : part; };
-    return {share(left[0], wanted[0]), share(left[1], wanted[1]), met.force.norm()};
+    return with_generators(S, W, signs, [&](const auto& G, const auto& s) {
+      constexpr int brakes = std::remove_cvref_t<decltype(s)>::SizeAtCompileTime;
+      auto box =
+          torques_within<T, brakes>(s, vector<T, brakes>::Constant(std::numeric_limits<T>::infinity()));
+      for (int i = 0; i < brakes; ++i)
+        if (G.col(i).isZero(T(0))) box.lower[i] = box.upper[i] = T(0);
+      const auto met = contact_forces<T, d, brakes, Capacity>({G}, box, demands, count);
+      T left[2] = {}, wanted[2] = {};
+      for (int j = 0; j < count; ++j) {
+        const auto at = static_cast<std::size_t>(j);
+        const int level = demands[at].has_priority ? 0 : 1;
+        left[level] = std::hypot(left[level], demands[at].force - met.displayed[at]);
+        wanted[level] = std::hypot(wanted[level], demands[at].force);
+      }
+      const auto share = [](T part, T whole) { return whole > T(0) ? part / whole : part; };
+      return shortfall{share(left[0], wanted[0]), share(left[1], wanted[1]), met.force.norm()};
+    });
   }
 
   struct candidate {
     brake_set S = 0;
     rate_map W = rate_map::Zero();
     vector<T, m> signs = vector<T, m>::Zero();
-    nearest_torque_result<T, d, m> Fp = {vector<T, m>::Zero(), vector<T, d>::Zero()};
     T cosine = T(0);  // 0 where nothing is displayed, 1 where n is
   };
 
-  void project(const vector<T, d>& n, T least, candidate& c) const {
+  // The angle alone
+  void weigh(const vector<T, d>& n, T least, candidate& c) const {
     c.signs = signs_of(c.W);
-    const vector<T, d> structure = rates_.held_by_structure(n);
-    c.Fp = nearest_force_of(c, vector<T, d>(n - structure));
-    c.Fp.force += structure;
-    const T cosine = c.Fp.force.norm();
-    const bool exact = (n - c.Fp.force).norm() <= rounding_tolerance<T>(d + m);
+    const vector<T, d> structure = rates_.held_by_structure(n), rest = n - structure;
+    const vector<T, d> Fp = structure + with_generators(c.S, c.W, c.signs, [&](const auto& G, const auto& s) {
+                              return nearest_point(G, s, rest);
+                            });
+    const T cosine = Fp.norm();
+    const bool exact = (n - Fp).norm() <= rounding_tolerance<T>(d + m);
     c.cosine = exact ? T(1) : cosine >= least ? std::min(cosine, T(1) - rounding_tolerance<T>(1)) : T(0);
   }
 
-  // F = W_S^T t: as a rule m - r brakes make it, in columns of their own
-  nearest_torque_result<T, d, m> nearest_force_of(const candidate& c, const vector<T, d>& n) const {
+  // F = W_S^T t: visit(G, s) of the brakes that turn, m - r as a rule
+  template <class Visit>
+  static auto with_generators(brake_set S, const rate_map& W, const vector<T, m>& signs, const Visit& visit) {
     constexpr int moving = m - r;
     if constexpr (moving > 0) {
-      if (std::popcount(c.S) == r) {
+      if (std::popcount(S) == r) {
         matrix<T, d, moving> G;
         vector<T, moving> s;
-        each_moving(c.S, [&](int i, int k) {
-          G.col(k) = c.W.row(i).transpose();
-          s[k] = c.signs[i];
+        each_moving(S, [&](int i, int k) {
+          G.col(k) = W.row(i).transpose();
+          s[k] = signs[i];
         });
-        const auto found = nearest_torque(G, s, n);
-        nearest_torque_result<T, d, m> all{vector<T, m>::Zero(), found.force};
-        each_moving(c.S, [&](int i, int k) { all.torque[i] = found.torque[k]; });
-        return all;
+        return visit(G, s);
       }
     }
-    return nearest_torque(matrix<T, d, m>(c.W.transpose()), c.signs, n);
+    return visit(matrix<T, d, m>(W.transpose()), signs);
   }
 
   template <class Visit>
@@ -167,23 +170,42 @@ class settled_forces {
       if (!contains(S, i)) visit(i, k++);
   }
 
+  // The point of nearest_torque without its torques, where that is less work
+  template <int Brakes>
+  static vector<T, d> nearest_point(const matrix<T, d, Brakes>& G, const vector<T, Brakes>& s,
+                                    const vector<T, d>& n) {
+    constexpr T max_square = sizeof(T) > sizeof(float) ? T(1e60) : T(1e15);
+    const T square = G.squaredNorm();
+    if (s.prod() == T(0) || !(square < max_square && square > T(1) / max_square))
+      return nearest_torque(G, s, n).force;
+    return detail::face_of(matrix<T, d, Brakes>(G * (-s).asDiagonal()), n).point;
+  }
+
   // Fc = Fp / |Fp|^2 and t = E^T Fc. Where rounding left a brake a torque that it should not or cannot have,
   // it is exactly 0
   force force_of(const candidate& c, const vector<T, d>& n) const {
     force F;
     F.velocity = v_;
     if (!(c.cosine > T(0))) return F;
+    const vector<T, d> structure = rates_.held_by_structure(n), rest = n - structure;
+    vector<T, m> pushes = vector<T, m>::Zero();
+    const vector<T, d> Fp = structure + with_generators(c.S, c.W, c.signs, [&](const auto& G, const auto& s) {
+                              const auto found = nearest_torque(G, s, rest);
+                              if constexpr (std::remove_cvref_t<decltype(s)>::SizeAtCompileTime == m)
+                                pushes = found.torque;
+                              else each_moving(c.S, [&](int i, int k) { pushes[i] = found.torque[k]; });
+                              return found.force;
+                            });
     const bool exact = c.cosine == T(1);
-    const T square = exact ? T(1) : c.Fp.force.squaredNorm();
+    const T square = exact ? T(1) : Fp.squaredNorm();
     F.display = exact ? display_class::exact : display_class::approximate;
-    F.force = exact ? n : vector<T, d>(c.Fp.force / square);
+    F.force = exact ? n : vector<T, d>(Fp / square);
     F.cosine_squared = square;
     F.held = c.S;
     F.signs = c.signs;
     F.torque = brake_torque(E_, F.force);
     for (int i = 0; i < m; ++i)
-      if (!contains(c.S, i) && (c.Fp.torque[i] == T(0) || c.signs[i] * F.torque[i] > T(0)))
-        F.torque[i] = T(0);
+      if (!contains(c.S, i) && (pushes[i] == T(0) || c.signs[i] * F.torque[i] > T(0))) F.torque[i] = T(0);
     return F;
   }
 
