@@ -8,6 +8,7 @@
 #include <passive_haptics/force/torques/settled_approximation.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace passive_haptics {
 
@@ -58,29 +59,43 @@ struct display_form<M> {
     return F;
   }
 
-  /// S, s* and v' for the first `count` of several demands. held: S, in and out.
+  /// S, s* and v' for the first `count` of several demands: at the landed velocity, or at v where that leaves
+  /// less of them by settled_gain (in a corner no velocity is left by which brakes could be chosen). held: S,
+  /// in and out.
   template <int Capacity, class Device, class T, int D>
   static settled_force<T, D, M::brake_count> signs_at(
-      const Device& device, const vector<T, D>& velocity,
+      const Device& device, const vector<T, D>& landed, const vector<T, D>& v,
       const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
       unsigned& held) {
     const settled_rates<M> rates(device.pose);
-    const settled_forces forces(rates, device.E, device.brakes, velocity);
-    const auto F = forces.template signs_for<Capacity>(demands, count, held);
-    held = F.held;
-    return F;
+    const auto at = [&](const vector<T, D>& velocity) {
+      return settled_forces(rates, device.E, device.brakes, velocity)
+          .template signs_for<Capacity>(demands, count, held);
+    };
+    auto found = at(landed);
+    if (found.left.first + found.left.others > T(settled_gain))
+      if (const auto now = at(v); now.left.is_less_than(found.left, T(settled_gain))) found = now;
+    held = found.signs.held;
+    return found.signs;
   }
 
-  /// The force that brakes of these capacities [N m] make once settled, with S as in nearest().
+  /// The force that brakes of these capacities [N m] make at the velocity now, once settled with the brakes
+  /// at rest of `start`, or with those of nearest() where it has none.
   template <class Device, class T, int D>
   static settled_force<T, D, M::brake_count> made_by(const Device& device, const desired_force<T, D>& Fd,
                                                      const brake_vector<M>& capacity,
                                                      approximation_start start) {
-    auto F = nearest(device, Fd, T(0), start);
+    settled_force<T, D, M::brake_count> F;
+    if (start.held == 0) start.held = nearest(device, Fd, T(0), start).held;
+    const settled_rates<M> rates(device.pose);
     typename settled_rates<M>::rate_map W;
-    if (!settled_rates<M>(device.pose).find(F.held, W)) W.setZero();
+    if (!rates.find(start.held, W)) return F;
+    F.held = start.held;
+    F.velocity = device.v;
+    F.signs = settled_forces(rates, device.E, device.brakes, device.v).signs_of(W);
+    const brake_vector<M> sense = brake_torque(device.E, Fd.direction);  // of those at rest
     for (int i = 0; i < M::brake_count; ++i)
-      F.torque[i] = contains(F.held, i) ? capacity[i] : -F.signs[i] * std::abs(capacity[i]);
+      F.torque[i] = std::copysign(capacity[i], F.signs[i] != T(0) ? -F.signs[i] : sense[i]);
     F.force = W.transpose() * F.torque;
     return F;
   }

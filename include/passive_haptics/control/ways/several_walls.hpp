@@ -138,7 +138,7 @@ struct several_walls {
       const auto demands = demands_of(scale);
       const vector<T, d> landed =
           display_form<M>::landed_velocity(device, touched.size(), [this](int j) { return Fd(j); });
-      F = display_form<M>::template signs_at<capacity>(device, landed, demands.all, demands.count,
+      F = display_form<M>::template signs_at<capacity>(device, landed, device.v, demands.all, demands.count,
                                                        start.held);
       return F.signs;
     } else {

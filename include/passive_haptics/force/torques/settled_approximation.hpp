@@ -65,45 +65,51 @@ class settled_forces {
     return force_of(kept.cosine > T(0) && best.cosine <= kept.cosine + T(settled_gain) ? kept : best, n);
   }
 
-  /// S, s* and v' for the first `count` of several contacts: those by which brakes without limits leave least
-  /// of the demands that come first, then of the others, then of |F|. Kept as in nearest(). Cost: a
-  /// contact_forces of m - r brakes for each set.
-  template <int Capacity>
-  force signs_for(const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
-                  int count, brake_set previous = 0) const {
-    force best, kept;
-    shortfall of_best, of_kept;
-    best.velocity = kept.velocity = v_;
-    const auto of_set = [&](brake_set S, const rate_map& W, force& F) {
-      F.held = S;
-      F.signs = signs_of(W);
-      return shortfall_of<Capacity>(S, W, F.signs, demands, count);
-    };
-    rate_map W;
-    if (previous != 0 && rates_.find(previous, W)) of_kept = of_set(previous, W, kept);
-    rates_.for_each([&](brake_set S, const rate_map& other) {
-      force F = best;
-      const shortfall of_other = of_set(S, other, F);
-      if (!of_other.is_less_than(of_best, rounding_tolerance<T>(16 * m))) return false;
-      best = F;
-      of_best = of_other;
-      return false;
-    });
-    return of_best.is_less_than(of_kept, T(settled_gain)) ? best : kept;
-  }
-
- private:
-  // What a set leaves of several demands, as shares; of none yet, nothing is met
+  /// What a set leaves of several demands, as shares of all of them.
   struct shortfall {
-    T first = std::numeric_limits<T>::infinity(), others = first, force = first;
+    T first = std::numeric_limits<T>::infinity();  ///< Of those that come first.
+    T others = first;                              ///< Of the others.
+    T force = first;                               ///< |F| [N]
 
+    /// Whether it is less by more than a gain, in this order.
     bool is_less_than(const shortfall& b, T gain) const {
       if (!(std::abs(first - b.first) <= gain)) return first < b.first;
       if (!(std::abs(others - b.others) <= gain)) return others < b.others;
       return force < b.force * (T(1) - gain);
     }
   };
+  /// A choice of S for several contacts.
+  struct choice {
+    force signs;     ///< S, s* and v'; no force.
+    shortfall left;  ///< Of the demands; infinite where there is no set.
+  };
 
+  /// S, s* and v' for the first `count` of several contacts: those by which brakes without limits leave least
+  /// of the demands that come first, then of the others, then of |F|. Kept as in nearest(). Cost: a
+  /// contact_forces of m - r brakes for each set.
+  template <int Capacity>
+  choice signs_for(const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
+                   int count, brake_set previous = 0) const {
+    choice best, kept;
+    best.signs.velocity = kept.signs.velocity = v_;
+    const auto consider = [&](brake_set S, const rate_map& W, choice& c, T gain) {
+      const vector<T, m> signs = signs_of(W);
+      const shortfall left = shortfall_of<Capacity>(S, W, signs, demands, count);
+      if (!left.is_less_than(c.left, gain)) return;
+      c.left = left;
+      c.signs.held = S;
+      c.signs.signs = signs;
+    };
+    rate_map W;
+    if (previous != 0 && rates_.find(previous, W)) consider(previous, W, kept, T(0));
+    rates_.for_each([&](brake_set S, const rate_map& of_set) {
+      consider(S, of_set, best, rounding_tolerance<T>(16 * m));
+      return false;
+    });
+    return best.left.is_less_than(kept.left, T(settled_gain)) ? best : kept;
+  }
+
+ private:
   template <int Capacity>
   shortfall shortfall_of(brake_set S, const rate_map& W, const vector<T, m>& signs,
                          const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
@@ -115,15 +121,15 @@ class settled_forces {
       for (int i = 0; i < brakes; ++i)
         if (G.col(i).isZero(T(0))) box.lower[i] = box.upper[i] = T(0);
       const auto met = contact_forces<T, d, brakes, Capacity>({G}, box, demands, count);
-      T left[2] = {}, wanted[2] = {};
+      T left[2] = {}, wanted = T(0);
       for (int j = 0; j < count; ++j) {
         const auto at = static_cast<std::size_t>(j);
-        const int level = demands[at].has_priority ? 0 : 1;
-        left[level] = std::hypot(left[level], demands[at].force - met.displayed[at]);
-        wanted[level] = std::hypot(wanted[level], demands[at].force);
+        T& level = left[demands[at].has_priority ? 0 : 1];
+        level = std::hypot(level, demands[at].force - met.displayed[at]);
+        wanted = std::hypot(wanted, demands[at].force);
       }
-      const auto share = [](T part, T whole) { return whole > T(0) ? part / whole : part; };
-      return shortfall{share(left[0], wanted[0]), share(left[1], wanted[1]), met.force.norm()};
+      const T whole = wanted > T(0) ? wanted : T(1);
+      return shortfall{left[0] / whole, left[1] / whole, met.force.norm()};
     });
   }
 

@@ -87,7 +87,7 @@ struct on_off_control {
     if constexpr (Settles<M>) {
       const auto wall = [&](int j) { return on[static_cast<std::size_t>(j)]; };
       signs = display_form<M>::template signs_at<Capacity>(
-                  device, display_form<M>::landed_velocity(device, count, wall), demands, count,
+                  device, display_form<M>::landed_velocity(device, count, wall), device.v, demands, count,
                   remembered.start.held)
                   .signs;
     }

@@ -1,12 +1,14 @@
 /// @file
-/// A model of the brakes' first-order lag, and its inversion over a short horizon.
+/// A model of the brakes' first-order lag, its inversion over a short horizon, and what to command by it.
 #pragma once
 
+#include <passive_haptics/brake/brake_concepts.hpp>
 #include <passive_haptics/core/scalar/first_order_lag.hpp>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <type_traits>
 
 namespace passive_haptics {
 
@@ -51,5 +53,27 @@ class brake_lag_model {
   std::array<double, max_brakes> torque_{}, command_{};
   double time_ = -std::numeric_limits<double>::infinity();
 };
+
+/// Of the way to a command, what a horizon [s] covers [1], for each brake.
+template <class B>
+auto lag_shares(const B& brakes, double horizon) {
+  using T = typename std::remove_cvref_t<decltype(brakes.time_constant)>::Scalar;
+  auto share = brakes.time_constant;
+  for (T& lag : share) lag = horizon > 0 ? lag_share(static_cast<T>(horizon), lag) : T(1);
+  return share;
+}
+
+/// Torques [N m] to command so that brakes make magnitudes t a horizon from now, each against its brake's
+/// sign.
+template <class Device, class T, int Brakes>
+vector<T, Brakes> torques_to_command(const Device& device, vector<T, Brakes> t,
+                                     const vector<T, Brakes>& lag_share, brake_lag_model& model) {
+  unrolled<Brakes>([&](auto i) {
+    const T limit = passive_haptics::torque_limit_of<T>(device.brakes, i);
+    const T u = model.command(i, t[i], limit, lag_share[i]);
+    t[i] = device.s[i] > T(0) ? -u : u;
+  });
+  return t;
+}
 
 }  // namespace passive_haptics

@@ -5,6 +5,7 @@
 #include <passive_haptics/brake/settled_rates.hpp>
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/control/cycle_inputs.hpp>
+#include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
 #include <passive_haptics/control/ways/one_wall.hpp>
 #include <passive_haptics/force/torques/force_map.hpp>
 
@@ -28,11 +29,10 @@ struct settled_torques {
 };
 
 /// The torques for walls whose demands want n_j . F = force_j >= 0, by the signs of brakes that have settled
-/// at the velocity v' `landed` [m/s]; of one wall at the velocity v `now`, where those display nothing. One
-/// wall gets force_j by the nearest force, several by contact_forces. Cost: display_form, and for several
-/// walls a contact_forces.
+/// at the velocity v' `landed` [m/s], or at v `now`, where those display less. One wall gets force_j by the
+/// nearest force, several by contact_forces. Cost: display_form, and for several walls a contact_forces.
 template <Settles M, int Capacity, class Device, class T, int D>
-settled_torques<T, M::brake_count, Capacity> settled_torques_for(
+settled_torques<T, M::brake_count, Capacity> settled_torques_at(
     const Device& device, const vector<T, D>& landed, const vector<T, D>& now,
     const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
     approximation_start& start) {
@@ -52,7 +52,7 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_for(
     all.capacity = all.made[0] * unit.torque.cwiseAbs();
   } else {
     const auto settled =
-        display_form<M>::template signs_at<Capacity>(device, landed, demands, count, start.held);
+        display_form<M>::template signs_at<Capacity>(device, landed, now, demands, count, start.held);
     held = settled.held;
     const auto map = passive_haptics::force_map_of(device.pose, device.E);
     const auto met =
@@ -71,6 +71,49 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_for(
         slips(device.w[i], passive_haptics::rate_dead_band_of<T>(device.brakes, i)))
       all.sticks = false;
   return all;
+}
+
+/// Normal force [N] that keeps a handle at rest: against the hand's force Fh, and against gravity as far as
+/// the response along the normal has it, which knows a share of Fh.
+template <class T, int D, int Brakes>
+T holding_force(const normal_response<T, D, Brakes>& along, const vector<T, D>& Fh, T share) {
+  return -along.normal.dot(Fh) - along.inertia * (along.free - along.per_newton.dot(share * Fh));
+}
+
+/// The torques for walls as velocity_direct_control has them: with a response `along` the normal, a `force`
+/// [N] that they want, and speeds. The handle shall go with v', once it has the normal velocities that the
+/// walls want and follows the hand along them. At rest no wall gets more than twice what holds the handle, so
+/// that a hand that pulls out is free: what the wall has learned was for another push.
+template <Settles M, class Device, class Wall, std::size_t Capacity, class T = typename M::scalar>
+auto settled_torques_for(const Device& device, const pose_dynamics<M>& dynamics,
+                         const std::array<Wall, Capacity>& walls, int count, T force_share,
+                         approximation_start& start) {
+  constexpr int m = M::brake_count, sweeps = 4;
+  constexpr T max_held(2);
+  bool rests = true;
+  for (int i = 0; i < m; ++i)
+    rests = rests && !slips(dynamics.rates[i], passive_haptics::rate_dead_band_of<T>(device.brakes, i));
+  std::array<contact_demand<T, M::task_dimension>, Capacity> demands;
+  for (std::size_t j = 0; j < std::size_t(count); ++j) {
+    const auto& along = walls[j].along;
+    T wanted = std::max(walls[j].force, T(0));
+    if (rests) {
+      const T holding = passive_haptics::holding_force(along, device.hand_force, force_share);
+      wanted = std::min(wanted, std::max(max_held * holding, T(0)));
+    }
+    demands[j] = {along.normal, wanted, false};
+  }
+  task_vector<M> gained = task_vector<M>::Zero(), follows = device.hand_force;
+  for (int sweep = 0; sweep < (count > 1 ? sweeps : 1); ++sweep) {
+    for (std::size_t j = 0; j < std::size_t(count); ++j) {
+      const task_vector<M>& n = walls[j].along.normal;
+      gained += (std::min(walls[j].speed_error, walls[j].stop_speed) - n.dot(gained)) * n;
+      follows -= n.dot(follows) * n;
+    }
+  }
+  const task_vector<M> landed = dynamics.velocity + gained + T(display_form<M>::mobility) * follows;
+  return passive_haptics::settled_torques_at<M, static_cast<int>(Capacity)>(device, landed, dynamics.velocity,
+                                                                            demands, count, start);
 }
 
 }  // namespace passive_haptics

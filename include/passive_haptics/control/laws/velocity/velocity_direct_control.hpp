@@ -101,15 +101,18 @@ class velocity_direct_control {
     remembered.time = device.time;
     remembered.brakes.advance(device.time, device.brakes.time_constant);
     remembered.walls.begin_cycle();
-
     std::array<wall_demand<T, D, m>, std::size_t(Capacity)> walls;
     const task_vector<M> Fh = static_cast<T>(p_.force_share) * device.hand_force;
     for (int j = 0; j < touched.size(); ++j)
       walls[std::size_t(j)] = demand_of(touched[j], device, dynamics, Fh, dt, remembered);
-
-    if constexpr (Settles<M>)
-      return commanded(device, settled_torques_of(device, dynamics, walls, touched.size(), dt, remembered),
-                       lag_shares(device.brakes), remembered);
+    if constexpr (Settles<M>) {
+      const auto found = passive_haptics::settled_torques_for<M>(
+          device, dynamics, walls, touched.size(), static_cast<T>(p_.force_share), remembered.start);
+      for (auto j = std::size_t(0); j < std::size_t(touched.size()); ++j)
+        learn(walls[j], found.made[j], found.largest[j], found.sticks, dt);
+      return passive_haptics::torques_to_command(
+          device, found.capacity, passive_haptics::lag_shares(device.brakes, p_.horizon), remembered.brakes);
+    }
     const brake_vector<M> w = rates_with(walls, touched.size(), dynamics);
     const bool alone = touched.size() == 1;
     const auto brakes = passive_haptics::torque_ranges_of(
@@ -120,10 +123,9 @@ class velocity_direct_control {
     for (int j = 0; j < touched.size(); ++j) learn(walls[std::size_t(j)], brakes, t, dt);
 
     const bool sinks = alone && walls[0].speed_error > T(0);
-    unrolled<m>([&](auto i) {
+    for (int i = 0; i < m; ++i)
       if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
-    });
-    return commanded(device, t, brakes.lag_share, remembered);
+    return passive_haptics::torques_to_command(device, t, brakes.lag_share, remembered.brakes);
   }
 
   /// Free space or a fault: the walls are forgotten.
@@ -145,56 +147,6 @@ class velocity_direct_control {
     T force;        // f [N]
     contact_state* state;
   };
-
-  // Torques of these magnitudes [N m] a horizon from now, of the command that leads there
-  template <class Device, class T, int Brakes>
-  static vector<T, Brakes> commanded(const Device& device, vector<T, Brakes> t,
-                                     const vector<T, Brakes>& lag_share, memory& remembered) {
-    unrolled<Brakes>([&](auto i) {
-      const T limit = passive_haptics::torque_limit_of<T>(device.brakes, i);
-      const T u = remembered.brakes.command(i, t[i], limit, lag_share[i]);
-      t[i] = device.s[i] > T(0) ? -u : u;
-    });
-    return t;
-  }
-
-  // Of the way to a command, what the horizon covers [1]
-  template <class B>
-  auto lag_shares(const B& brakes) const {
-    auto share = brakes.time_constant;
-    for (auto& lag : share)
-      lag = p_.horizon > 0 ? lag_share(static_cast<std::remove_cvref_t<decltype(lag)>>(p_.horizon), lag) : 1;
-    return share;
-  }
-
-  // The magnitudes [N m] for a self-motion that settles. The handle shall go with v', once it has the normal
-  // velocities that the walls want and follows the hand along them
-  template <class Device, class Dynamics, class T, int D, int Brakes, std::size_t Capacity>
-  vector<T, Brakes> settled_torques_of(const Device& device, const Dynamics& dynamics,
-                                       const std::array<wall_demand<T, D, Brakes>, Capacity>& walls,
-                                       int count, double dt, memory& remembered) const {
-    using M = typename Device::mechanism_type;
-    constexpr int sweeps = 4;
-    std::array<contact_demand<T, D>, Capacity> demands;
-    vector<T, D> gained = vector<T, D>::Zero(), along = device.hand_force;
-    for (int sweep = 0; sweep < (count > 1 ? sweeps : 1); ++sweep) {
-      for (int j = 0; j < count; ++j) {
-        const auto& wall = walls[std::size_t(j)];
-        const vector<T, D>& n = wall.along.normal;
-        demands[std::size_t(j)] = {n, std::max(wall.force, T(0)), false};
-        gained += (std::min(wall.speed_error, wall.stop_speed) - n.dot(gained)) * n;
-        along -= n.dot(along) * n;
-      }
-    }
-    const vector<T, D> landed = dynamics.velocity + gained + T(display_form<M>::mobility) * along;
-    const auto found = passive_haptics::settled_torques_for<M, static_cast<int>(Capacity)>(
-        device, landed, dynamics.velocity, demands, count, remembered.start);
-    for (int j = 0; j < count; ++j) {
-      const auto k = std::size_t(j);
-      learn(walls[k], found.made[k], found.largest[k], found.sticks, dt);
-    }
-    return found.capacity;
-  }
 
   // Low-passed joint rates [rad/s or m/s]
   template <class M>
@@ -277,7 +229,7 @@ class velocity_direct_control {
     learn(wall, made, largest, sticks, dt);
   }
 
-  // The bias, after a normal force `made` of at most `largest` [N]
+  // The bias, after a normal force of at most `largest` [N]
   template <class Wall, class T>
   void learn(const Wall& wall, T made, T largest, bool sticks, double dt) const {
     double& bias = wall.state->bias;
