@@ -45,7 +45,7 @@ bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const
       projected ? ph::rounding_tolerance<T>(d + m) : T(16) * ph::rounding_tolerance<T>(m + m + d + 3);
   const scaled_vector<T, d> F(result.control_force);
   if (F.size < std::numeric_limits<T>::min() / tolerance)
-    return true;  // denormal: signs are all that is left
+    return true;                   // denormal: signs are all that is left
   if constexpr (ph::Settles<M>) {  // T^T c = J^T F
     const ph::matrix<T, M::dof, m> Tt = ph::transposed_transmission(mechanism, q);
     const ph::matrix<T, M::dof, d> Jt = ph::transposed(ph::jacobian_matrix<M>(ph::jacobian(mechanism, q)));

@@ -31,9 +31,10 @@ struct brake_command {
   status outcome = status::ok;  ///< ok, or why the brakes were released.
 };
 
-/// What a result has besides of a device whose self-motion settles (n > d).
+/// What a result has besides of a device whose self-motion settles (n > d): nothing for others.
 template <class M>
 struct settled_part {};
+/// Of a device whose self-motion settles.
 template <Settles M>
 struct settled_part<M> {
   /// s* (m): the signs of the brakes once the self-motion has settled, 0 for those that have come to rest.

@@ -4,10 +4,10 @@
 #include <passive_haptics/control/laws/rivals/on_off_control.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/settled_form.hpp>
-#include <passive_haptics/mechanism/with_self_motion.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
+#include <passive_haptics/mechanism/with_self_motion.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <gtest/gtest.h>
@@ -134,7 +134,9 @@ TEST(self_motion, by_an_inertia_that_is_undefined_is_a_fault) {
     const auto outcome = [&](const auto& touched) {
       ph::step_memory<ph::no_direct_control> memory;
       return ph::step(mechanism, ph::unlimited_brakes(), touched, ph::no_direct_control(),
-                      ph::device_state<std::remove_const_t<decltype(mechanism)>>{0, {q, 1, 1}, {-1, -1, 1}, {0, 0}}, memory)
+                      ph::device_state<std::remove_const_t<decltype(mechanism)>>{
+                          0, {q, 1, 1}, {-1, -1, 1}, {0, 0}},
+                      memory)
           .outcome;
     };
     const ph::status expected = q > 1 ? ph::status::pose_undefined : ph::status::ok;
