@@ -32,6 +32,7 @@ present() {
     libboost-dev) found_by_dpkg "$1" || found_by_cmake Boost ;;
     libgtest-dev) found_by_dpkg "$1" || found_by_cmake GTest ;;
     libassimp-dev) found_by_dpkg "$1" || found_by_cmake assimp ;;
+    libmujoco-dev) found_by_dpkg "$1" || found_by_cmake mujoco ;;
     libcli11-dev) found_by_dpkg "$1" || found_by_cmake CLI11 ;;
     libtomlplusplus-dev) found_by_dpkg "$1" || found_by_cmake tomlplusplus ;;
     *-arm-none-eabi-newlib) found_by_dpkg "$1" ;;
