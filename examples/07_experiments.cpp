@@ -1,7 +1,9 @@
 // The paper's experiments (Figs. 5, 8, 9 and 10, section 6) and some that it could not do, with every law:
 // one table, pictures, CSV. What comes out is discussed in docs/results.md.
+#include "experiments/arms.hpp"
 #include "experiments/batch.hpp"
 #include "experiments/brakes.hpp"
+#include "experiments/felt_forces.hpp"
 #include "experiments/markdown.hpp"
 #include "experiments/paper_reading.hpp"
 #include "experiments/pictures/pictures.hpp"
@@ -32,8 +34,9 @@ namespace {
 
 constexpr std::uint64_t seed = 20040627;
 constexpr std::size_t plant_count = 300;
-constexpr std::size_t few_plants = 60;       // of laws that bounce on all of them
-constexpr std::size_t planned_runs = 13021;  // of all that run on all cores
+constexpr std::size_t few_plants = 60;  // of laws that bounce on all of them
+constexpr std::size_t felt_runs = 8, planned_runs = 13021 + arm_sample_runs + felt_runs;  // on all cores
+const std::filesystem::path results_page = PASSIVE_HAPTICS_SOURCE_DIR "/docs/results.md";
 
 std::string text(std::string_view view) { return std::string(view); }
 std::string milliseconds(double time) {
@@ -390,6 +393,26 @@ void in_space(report& table, page_tables& page, const std::filesystem::path& dir
   }
 }
 
+// Arms with more joints than the task has dimensions, and with brakes on some joints: what a hand feels of
+// their forces, and whether it glides. True where no brake gave power.
+bool arms(page_tables& page, arm_extent extent) {
+  page["felt_forces"] = felt_forces();
+  std::printf("\nWhat a stiff hand feels of 1 N, 50 to 100 ms after it began\n\n%s",
+              page["felt_forces"].c_str());
+  std::printf("\nArms along %zu random walls each; \"-\": not measured without --arms\n\n%s", arm_walls,
+              arm_head().c_str());
+  const std::vector<arm_row> rows = follow_with_arms(extent);
+  page["arms"] = extent == arm_extent::all
+                     ? arm_head() + arm_lines(rows)
+                     : with_rows(example::page_of_tables(results_page).table("arms"), rows);
+  constexpr double rounding = 1e-15;  // [W]
+  const double power = largest_power(rows);
+  std::printf("\nThe most power that a brake gave to its arm in any time step: %.0e W\n", power);
+  if (!(power < rounding)) std::printf("FAILS: over %.0e W\n", rounding);
+  std::fflush(stdout);
+  return power < rounding;
+}
+
 // What is claimed of the runs, asked again with half the time step: bouncing is chaotic, its bands are not.
 bool bands() {
   using figures = ph::contact_metrics;
@@ -523,8 +546,7 @@ bool bands() {
 
 // Whether docs/results.md tells these tables. PASSIVE_HAPTICS_WRITE_PAGES=1 writes them there.
 bool is_printed(const page_tables& tables) {
-  const std::filesystem::path path = PASSIVE_HAPTICS_SOURCE_DIR "/docs/results.md";
-  example::page_of_tables page(path);
+  example::page_of_tables page(results_page);
   bool all = true;
   for (const auto& [name, table] : tables) {
     const std::string difference = page.difference(name, table);
@@ -533,19 +555,29 @@ bool is_printed(const page_tables& tables) {
     page.replace(name, table);
   }
   if (std::getenv("PASSIVE_HAPTICS_WRITE_PAGES") == nullptr) return all;
-  example::write_file(path, page.text());
+  example::write_file(results_page, page.text());
   return true;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const auto directory = example::output_directory(
-      argc, argv, "experiments",
+  std::filesystem::path directory = ".";
+  bool all_arms = false;
+  example::command_line line(
+      "experiments",
       "The paper's experiments and more, minutes of them: a table, experiments.csv and pictures.");
+  line.flag("--arms", all_arms, "no more than the whole table of arms, some minutes; else a sample of it");
+  line.output(directory);
+  line.parse(argc, argv);
+  page_tables page;
+  if (all_arms) {
+    progress_bar::plan(arm_table_runs + felt_runs);
+    const bool hold = arms(page, arm_extent::all);
+    return is_printed(page) && hold ? 0 : 1;
+  }
   progress_bar::plan(planned_runs);
   report table;
-  page_tables page;
   follow_walls(table, page);
   both_readings(page);
   draw_figures(directory);
@@ -559,7 +591,8 @@ int main(int argc, char** argv) try {
   const bool rest = rest_depths(page);
   laws_and_brakes(page);
   brakes_of_another_kind(page);
-  const bool hold = bands() && rest;
+  const bool no_power = arms(page, arm_extent::sample);
+  const bool hold = bands() && rest && no_power;
   const bool agrees = is_printed(page);
   if (const std::size_t runs = progress_bar::done_of_all(); hold && runs != planned_runs)
     throw std::logic_error("planned_runs, expected " + std::to_string(runs));

@@ -55,8 +55,13 @@ class page_of_tables {
 
   /// In what the table of this name differs from what was printed; empty if it agrees.
   std::string difference(const std::string& name, const std::string& printed) const {
+    return first_difference(printed, table(name));
+  }
+
+  /// The table of this name.
+  std::string table(const std::string& name) const {
     const auto [from, length] = place(name);
-    return first_difference(printed, text_.substr(from, length));
+    return text_.substr(from, length);
   }
 
   /// Puts what was printed in its place.

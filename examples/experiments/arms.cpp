@@ -1,0 +1,105 @@
+#include "arms.hpp"
+
+#include "markdown.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace experiments {
+
+namespace {
+
+// "a / b / c" of the settings from `first` on; "-" where one was not measured.
+std::string of_settings(const arm_row& row, std::size_t first, std::size_t count, auto&& text) {
+  std::string all;
+  for (std::size_t i = first; i < first + count; ++i) {
+    if (i > first) all += " / ";
+    all += row.cells[i] ? text(*row.cells[i]) : "-";
+  }
+  return all;
+}
+
+std::string of_encoders(const arm_row& row, auto&& text) {
+  return of_settings(row, 1, 1, text) + " / " + of_settings(row, 1 + arm_lags.size(), 1, text);
+}
+
+// A line of the table up to its numbers: arm, law, forces.
+std::string key_of(const std::string& line) {
+  std::size_t at = 0;
+  for (int bars = 0; bars < 4 && at != std::string::npos; ++bars) at = line.find('|', at) + 1;
+  return line.substr(0, at);
+}
+
+// A line in which what was not measured is that of another line.
+std::string filled(const std::string& line, const std::string& other) {
+  std::istringstream words(line), others(other);
+  std::string filled, word, there;
+  while (words >> word) {
+    others >> there;
+    filled += (filled.empty() ? "" : " ") + (word == "-" ? there : word);
+  }
+  return filled + "\n";
+}
+
+std::string line_of(const arm_row& row) {
+  const auto gliding = [](const arm_cell& c) { return written("%d", c.gliding); };
+  return markdown_row(
+      {row.arm, row.law, row.forces, of_settings(row, 0, arm_lags.size(), gliding),
+       of_settings(row, arm_lags.size(), arm_lags.size(), gliding),
+       of_encoders(row, [](const arm_cell& c) { return written("%d", c.separating); }),
+       of_encoders(row, [](const arm_cell& c) { return written("%.2f", 1e3 * c.median_std); }),
+       of_settings(row, 1, 1, [](const arm_cell& c) { return written("%d", c.too_weak); })});
+}
+
+}  // namespace
+
+std::vector<arm_row> follow_with_arms(arm_extent extent) {
+  std::vector<arm_row> rows;
+  follow_with_3r(rows, extent);
+  follow_with_4r(rows, extent);
+  follow_with_some_brakes(rows, extent);
+  follow_with_4r_in_space(rows, extent);
+  return rows;
+}
+
+double largest_power(const std::vector<arm_row>& rows) {
+  double largest = 0;
+  for (const arm_row& row : rows)
+    for (const auto& cell : row.cells)
+      if (cell) largest = std::max(largest, cell->largest_power);
+  return largest;
+}
+
+std::string arm_head() {
+  return markdown_head({"arm", "law", "forces", "glide of 60: exact encoders, 5 / 20 / 40 ms",
+                        "4096 counts, 5 / 20 / 40 ms", "separate at 20 ms: exact / counts",
+                        "median deviation at 20 ms [mm]: exact / counts", "brakes too weak, exact, 20 ms"});
+}
+
+std::string arm_lines(const std::vector<arm_row>& rows) {
+  std::string lines;
+  for (const arm_row& row : rows) lines += line_of(row);
+  return lines;
+}
+
+std::string with_rows(const std::string& table, const std::vector<arm_row>& rows) {
+  std::istringstream lines(table);
+  std::string all, line;
+  std::vector<bool> found(rows.size());
+  while (std::getline(lines, line)) {
+    if (line.empty()) continue;
+    std::string put = line + "\n";
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const std::string measured = line_of(rows[k]);
+      if (key_of(measured) != key_of(line)) continue;
+      put = filled(measured, line);
+      found[k] = true;
+    }
+    all += put;
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (!found[k]) all += line_of(rows[k]);
+  return all;
+}
+
+}  // namespace experiments

@@ -1,0 +1,53 @@
+// Arms with more joints than the task has dimensions, and arms with brakes on some of their joints.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace experiments {
+
+inline constexpr std::size_t arm_walls = 60;                      // of each arm, random
+inline constexpr std::array arm_lags{0.005, 0.020, 0.040};        // of the brakes [s]
+enum class arm_encoders { exact, counts };                        // 4096 a turn, behind rate_estimator
+inline constexpr std::size_t arm_settings = 2 * arm_lags.size();  // each lag with each encoder
+inline constexpr std::size_t sampled_setting = 1;                 // exact encoders, 20 ms
+
+// What became of the hands at all walls, with one lag and one kind of encoders.
+struct arm_cell {
+  int gliding = 0;  // touched, never separated, depth up to 10 mm, arrived
+  int separating = 0;
+  int too_weak = 0;          // not gliding, and on over a tenth of the way no set of brakes displays 2 N
+  double median_std = 0;     // of the depth [m]
+  double largest_power = 0;  // that a brake gave to the device in a time step [W]
+};
+
+struct arm_row {
+  std::string arm, law, forces;
+  std::array<std::optional<arm_cell>, arm_settings> cells;  // empty where they were not measured
+};
+
+// All rows, or a sample: the recommended law with the default forces of each arm, at one setting.
+enum class arm_extent { sample, all };
+inline constexpr std::size_t arm_table_runs = 54 * arm_settings * arm_walls, arm_sample_runs = 8 * arm_walls;
+std::vector<arm_row> follow_with_arms(arm_extent extent);
+
+// The largest power that a brake gave to its device in a time step of these runs [W].
+double largest_power(const std::vector<arm_row>& rows);
+
+// The rows as a table of Markdown; what was not measured is "-".
+std::string arm_head();
+std::string arm_lines(const std::vector<arm_row>& rows);
+
+// A table with these rows in place of its own; what was not measured stays as it was.
+std::string with_rows(const std::string& table, const std::vector<arm_row>& rows);
+
+// By files, which are compiled side by side.
+void follow_with_3r(std::vector<arm_row>& rows, arm_extent extent);
+void follow_with_4r(std::vector<arm_row>& rows, arm_extent extent);
+void follow_with_some_brakes(std::vector<arm_row>& rows, arm_extent extent);
+void follow_with_4r_in_space(std::vector<arm_row>& rows, arm_extent extent);
+
+}  // namespace experiments

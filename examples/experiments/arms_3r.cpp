@@ -1,0 +1,20 @@
+// A planar arm of three joints, along planes and discs.
+#include "arm_run.hpp"
+
+namespace experiments {
+
+void follow_with_3r(std::vector<arm_row>& rows, arm_extent extent) {
+  arm_kind three{"3R", planar_rods<3>({0.15, 0.15, 0.1})};
+  const auto add = [&](const char* name, arm_wall wall) {
+    three.name = name;
+    three.wall = wall;
+    add_default_forces(rows, three, extent);
+    add_other_forces(rows, three, ph::inertial(three.arm), "inertial", extent);
+    add_other_forces(rows, three, ph::kinetostatic(three.arm), "kinetostatic", extent);
+  };
+  add("3R", arm_wall::plane);
+  add("3R, outside of a disc of 0.1 m", arm_wall::outside_of_disc);
+  add("3R, inside of a disc of 0.3 m", arm_wall::inside_of_disc);
+}
+
+}  // namespace experiments

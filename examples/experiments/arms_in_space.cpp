@@ -1,0 +1,13 @@
+// An arm of four joints in space: yaw, shoulder, elbow and wrist.
+#include "arm_run.hpp"
+
+namespace experiments {
+
+void follow_with_4r_in_space(std::vector<arm_row>& rows, arm_extent extent) {
+  const arm_kind four{"4R in space", spatial_rods<3>({0.2, 0.15, 0.1})};
+  add_default_forces(rows, four, extent);
+  add_other_forces(rows, four, ph::inertial(four.arm), "inertial", extent);
+  add_other_forces(rows, four, ph::kinetostatic(four.arm), "kinetostatic", extent);
+}
+
+}  // namespace experiments
