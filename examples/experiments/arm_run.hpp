@@ -8,7 +8,7 @@
 
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/driver/rate_estimator.hpp>
-#include <passive_haptics/mechanism/with_self_motion.hpp>
+#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 
 #include <Eigen/LU>

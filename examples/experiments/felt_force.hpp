@@ -6,7 +6,7 @@
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>
 #include <passive_haptics/force/torques/settled_approximation.hpp>
-#include <passive_haptics/mechanism/with_self_motion.hpp>
+#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 

@@ -1,7 +1,7 @@
 // Arms of thin rods, for the experiments and the tests that share them.
 #pragma once
 
-#include <passive_haptics/mechanism/braked_joints.hpp>
+#include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 
 #include <array>

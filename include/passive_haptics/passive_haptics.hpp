@@ -7,7 +7,8 @@
 #include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/core/version.hpp>
 
-#include <passive_haptics/mechanism/braked_joints.hpp>
+#include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
+#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/chains/denavit_hartenberg.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
@@ -15,8 +16,8 @@
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
-#include <passive_haptics/mechanism/with_self_motion.hpp>
 
+#include <passive_haptics/brake/at_rest/hand_torque_at_rest.hpp>
 #include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/brake/models/rate_limited_brakes.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>

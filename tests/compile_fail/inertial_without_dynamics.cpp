@@ -1,4 +1,4 @@
-// expect: passive_haptics: inertial.mechanism. needs a mechanism that models Dynamics: give it mass_matrix
+// expect: passive_haptics: inertial forces need a mechanism that models Dynamics: give it mass_matrix
 #include <passive_haptics/passive_haptics.hpp>
 
 #include "arm.hpp"

@@ -1,4 +1,4 @@
-// expect: passive_haptics: unsupported sizes; .* brake_count > dof == task_dimension with a transmission
+// expect: passive_haptics: unsupported sizes; .* brake_count == dof >= task_dimension or, with a
 #include <passive_haptics/passive_haptics.hpp>
 
 #include "arm.hpp"

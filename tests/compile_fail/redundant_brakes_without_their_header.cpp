@@ -1,4 +1,4 @@
-// expect: passive_haptics: redundant brakes and inertial forces need
+// expect: passive_haptics: redundant brakes, fewer brakes than joints and inertial forces need
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>

@@ -1,7 +1,7 @@
 // expect: passive_haptics: forces in space, and of three or more brakes in the plane, need
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/mechanism/with_self_motion.hpp>
+#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 namespace ph = passive_haptics;

@@ -1,6 +1,6 @@
 // The torques on brakes at rest, against those of the friction constraints of MuJoCo: planar arms of two and
 // three joints, brakes on joints or on tendons, all at rest or some, with and without gravity.
-#include <passive_haptics/brake/hand_torque_at_rest.hpp>
+#include <passive_haptics/brake/at_rest/hand_torque_at_rest.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 

@@ -5,7 +5,7 @@
 #include "../property/closed_chain_cases.hpp"
 #include "../property/device_cases.hpp"
 
-#include <passive_haptics/mechanism/with_self_motion.hpp>
+#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 
 #include <cmath>
 

@@ -15,7 +15,7 @@
 ///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
 ///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of full rank,
 ///     with w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n); brakes on some
-///     of the joints are given by braked_joints (mechanism/braked_joints.hpp);
+///     of the joints are given by braked_joints (mechanism/adaptors/braked_joints.hpp);
 ///   - `static constexpr self_motion_form self_motion`, for n > d: what becomes of the joints that the hand
 ///     does not lead (mechanism/self_motion.hpp);
 ///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines.
@@ -165,7 +165,7 @@ struct mechanism_requirements {
       !detail::names_sizes<M> || M::task_dimension > 3 || detail::has_supported_sizes<M>,
       "passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension or, with a "
       "transmission, brake_count > dof == task_dimension or brake_count < dof (for brakes on some of the "
-      "joints see mechanism/braked_joints.hpp).");
+      "joints see mechanism/adaptors/braked_joints.hpp).");
   static_assert(
       !detail::has_supported_sizes<M> || detail::has_position<M>,
       "passive_haptics: position(q) must be const and return vector<scalar, task_dimension> exactly "

@@ -34,7 +34,7 @@ inline constexpr self_motion_form self_motion_of = [] {
   else return self_motion_form::settled;
 }();
 
-/// A device whose self-motion settles while it displays a force (brake/settled_rates.hpp).
+/// A device whose self-motion settles while it displays a force (brake/at_rest/settled_rates.hpp).
 template <class M>
 concept Settles = (M::dof > M::task_dimension) && self_motion_of<M> == self_motion_form::settled;
 

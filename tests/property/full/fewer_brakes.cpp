@@ -1,8 +1,8 @@
 // Brakes on some of the joints: with self-motion that settles or is left alone, and without.
 #include "../chain_cases.hpp"
 
-#include <passive_haptics/mechanism/braked_joints.hpp>
-#include <passive_haptics/mechanism/with_self_motion.hpp>
+#include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
+#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/testing/dynamics_properties.hpp>
 #include <passive_haptics/testing/fault_properties.hpp>
 #include <passive_haptics/testing/mechanism_properties.hpp>

@@ -2,7 +2,7 @@
 /// Step 1 of section 4 for devices whose self-motion settles (n > d).
 #pragma once
 
-#include <passive_haptics/brake/settled_rates.hpp>
+#include <passive_haptics/brake/at_rest/settled_rates.hpp>
 #include <passive_haptics/control/ways/one_wall.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 #include <passive_haptics/force/torques/settled_approximation.hpp>

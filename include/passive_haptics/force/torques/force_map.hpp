@@ -2,9 +2,9 @@
 /// The forces that torques make, in the form that fits the mechanism.
 #pragma once
 
+#include <passive_haptics/brake/at_rest/settled_rates.hpp>
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/brake/force_generators.hpp>
-#include <passive_haptics/brake/settled_rates.hpp>
 #include <passive_haptics/force/torques/contact_forces.hpp>
 
 namespace passive_haptics {

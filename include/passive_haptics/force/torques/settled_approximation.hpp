@@ -3,7 +3,7 @@
 /// then display.
 #pragma once
 
-#include <passive_haptics/brake/settled_rates.hpp>
+#include <passive_haptics/brake/at_rest/settled_rates.hpp>
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/torques/contact_forces.hpp>

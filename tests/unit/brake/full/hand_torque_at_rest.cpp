@@ -2,7 +2,7 @@
 // against a motion that is integrated, and where the rule has no unique torques.
 #include "../../support.hpp"
 
-#include <passive_haptics/brake/hand_torque_at_rest.hpp>
+#include <passive_haptics/brake/at_rest/hand_torque_at_rest.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>

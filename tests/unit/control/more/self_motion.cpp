@@ -6,8 +6,8 @@
 #include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
+#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
-#include <passive_haptics/mechanism/with_self_motion.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <gtest/gtest.h>

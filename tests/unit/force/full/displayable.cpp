@@ -1,12 +1,12 @@
 // What can be displayed at all, against brute force over torques, forces and signs.
 #include <passive_haptics/design/displayable.hpp>
-#include <passive_haptics/mechanism/braked_joints.hpp>
+#include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
+#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
-#include <passive_haptics/mechanism/with_self_motion.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include "../../../property/chain_cases.hpp"

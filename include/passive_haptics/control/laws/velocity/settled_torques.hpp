@@ -2,7 +2,7 @@
 /// Brake torques that give walls the normal forces they want, of a device whose self-motion settles (n > d).
 #pragma once
 
-#include <passive_haptics/brake/settled_rates.hpp>
+#include <passive_haptics/brake/at_rest/settled_rates.hpp>
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/control/cycle_inputs.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>

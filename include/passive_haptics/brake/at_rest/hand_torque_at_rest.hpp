@@ -10,11 +10,11 @@
 /// the sign of the acceleration that the brake would have if it made no torque.
 #pragma once
 
+#include <passive_haptics/brake/at_rest/brake_bias_acceleration.hpp>
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/mechanism/brake_bias_acceleration.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 /// A mechanism with brakes on some of its joints.
 #pragma once
 
-#include <passive_haptics/mechanism/wrapped_mechanism.hpp>
+#include <passive_haptics/mechanism/adaptors/wrapped_mechanism.hpp>
 
 #include <utility>
 

@@ -2,8 +2,8 @@
 /// A mechanism with another reading of its self-motion than it names itself.
 #pragma once
 
+#include <passive_haptics/mechanism/adaptors/wrapped_mechanism.hpp>
 #include <passive_haptics/mechanism/self_motion.hpp>
-#include <passive_haptics/mechanism/wrapped_mechanism.hpp>
 
 #include <utility>
 
