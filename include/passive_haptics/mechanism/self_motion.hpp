@@ -10,10 +10,11 @@ namespace passive_haptics {
 /// motion, N = ker J, that nobody holds.
 enum class self_motion_form {
   /// The default. A light arm gives way until n - d of its brakes are at rest, and moves on so: the force is
-  /// that which a hand feels after some milliseconds, and goes on to feel. Needs no inertia.
+  /// that which a hand feels from then on. Needs no inertia.
   settled,
-  /// The force at the first instant, by inertia: right then, and gone after 2 to 10 ms, when the self-motion
-  /// has given way. Needs Dynamics.
+  /// The force at the first instant, by inertia. Most of it is gone once the self-motion has given way: of 1
+  /// N
+  /// a hand feels 0.31 N after 50 ms with three links, 0.04 N with four (docs/results.md). Needs Dynamics.
   inertial,
   /// Brakes, with the signs of their rates now, must leave the self-motion alone. Often no force at all is
   /// left that they can display (display_class::empty_cone): of a planar arm of three links in a third of the
