@@ -1,8 +1,10 @@
 // A device of known calibration tells counts and readings; the state that comes out is the one that went in.
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/calibration/device_calibration.hpp>
+#include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/mechanism/models/two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -182,5 +184,15 @@ using device = ph::device_calibration<arm>;
 static_assert(noexcept(std::declval<device&>().state(0.0, std::declval<const device::counts_array&>())));
 static_assert(noexcept(std::declval<device&>().state(0.0, std::declval<const device::counts_array&>(),
                                                      std::declval<const device::readings_array&>())));
+
+// Encoders sit on all joints, also on those without a brake.
+TEST(device_calibration, of_a_brake_on_one_of_two_joints_has_encoders_on_both) {
+  using one_brake = ph::braked_joints<ph::two_link<double>, 1>;
+  static_assert(ph::encoder_axes<one_brake>::count == 2 && !ph::encoder_axes<one_brake>::on_brakes);
+  const one_brake device{ph::two_link<double>()};
+  expect_state(device, {0.4, 1.2}, 0.6, ph::fixed_sensor_frame<2>());
+  ph::device_calibration calibration(device, measured<one_brake>());
+  EXPECT_EQ(calibration.currents(ph::vector<double, 1>(0.0)).size(), 1u);
+}
 
 }  // namespace
