@@ -41,7 +41,7 @@ struct approximated_force {
   T cosine() const { return sqrt(lanes<T, 1>(cosine_squared))[0]; }
 };
 
-/// The same of a device whose self-motion settles, where F = W_S^T t (brake/at_rest/settled_rates.hpp).
+/// A force of a device whose self-motion settles, F = W_S^T t (brake/at_rest/settled_rates.hpp).
 template <class T, int D, int Brakes>
 struct settled_force : approximated_force<T, D, Brakes> {
   unsigned held = 0;                                    ///< S, a bit for each brake that comes to rest.

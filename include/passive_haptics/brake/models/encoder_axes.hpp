@@ -7,7 +7,7 @@
 namespace passive_haptics {
 
 /// The encoders' axes theta of mechanism M: the brakes' axes where the transmission is constant, theta = T q
-/// and q = T^+ theta (the mean of what redundant brakes tell); the joints where it depends on the pose, where
+/// and q = T^+ theta (the mean of what redundant brakes give); the joints where it depends on the pose, where
 /// there is none, or where not all joints have a brake, as the brakes' angles then do not give those of the
 /// joints.
 template <class M>

@@ -130,7 +130,7 @@ struct several_walls {
     return demands;
   }
 
-  // Signs of the brakes; for n > d once they have settled, which F tells, too
+  // Signs of the brakes; for n > d once they have settled, which F has, too
   template <class Device>
   vector<T, m> signs_for(const Device& device, [[maybe_unused]] const scales& scale,
                          [[maybe_unused]] approximation_start& start, [[maybe_unused]] force& F) const {
