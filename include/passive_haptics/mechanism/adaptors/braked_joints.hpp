@@ -4,6 +4,7 @@
 
 #include <passive_haptics/mechanism/adaptors/wrapped_mechanism.hpp>
 
+#include <cstddef>
 #include <utility>
 
 namespace passive_haptics {
@@ -11,7 +12,7 @@ namespace passive_haptics {
 namespace detail {
 template <int Count, int... Chosen>
 inline constexpr bool are_different_numbers = [] {
-  bool seen[Count] = {};
+  bool seen[std::size_t(Count)] = {};
   const auto is_new = [&](int i) { return 0 <= i && i < Count && !std::exchange(seen[i], true); };
   return (is_new(Chosen) && ...);
 }();
