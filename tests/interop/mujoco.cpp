@@ -1,5 +1,7 @@
 // The torques on brakes at rest, against those of the friction constraints of MuJoCo: planar arms of two and
 // three joints, brakes on joints or on tendons, all at rest or some, with and without gravity.
+#include "mujoco_model.hpp"
+
 #include <passive_haptics/brake/at_rest/hand_torque_at_rest.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -11,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -22,11 +23,6 @@ namespace ph = passive_haptics;
 
 constexpr unsigned seed = 20040627;
 constexpr double strong = 1e3;  // [N m]: a brake that holds
-
-struct deleter {
-  void operator()(mjModel* m) const { mj_deleteModel(m); }
-  void operator()(mjData* d) const { mj_deleteData(d); }
-};
 
 template <int N, int Brakes>
 struct arm {
@@ -90,18 +86,6 @@ std::string description(const arm<N, Brakes>& a) {
   }
   x << "</tendon></mujoco>";
   return x.str();
-}
-
-std::unique_ptr<mjModel, deleter> load(const std::string& text) {
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), "arm.xml", static_cast<int>(text.size()));
-  std::memcpy(files->filedata[files->nfile - 1], text.data(), text.size());
-  std::array<char, 500> error{};
-  mjModel* model = mj_loadXML("arm.xml", files.get(), error.data(), static_cast<int>(error.size()));
-  EXPECT_NE(model, nullptr) << error.data();
-  mj_deleteFileVFS(files.get(), "arm.xml");
-  return std::unique_ptr<mjModel, deleter>(model);
 }
 
 struct account {

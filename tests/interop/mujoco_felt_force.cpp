@@ -1,6 +1,8 @@
 // What a stiff hand feels of settled and of inertial forces, against MuJoCo: planar arms of three and four
 // joints, brakes as dry friction on the joints, a spring and a damper that lead the handle at a constant
 // velocity.
+#include "mujoco_model.hpp"
+
 #include <experiments/felt_force.hpp>
 #include <experiments/rods.hpp>
 
@@ -10,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -25,11 +26,6 @@ constexpr std::size_t states = 150;
 constexpr double time_step = 1e-4;                // [s]
 constexpr double stiffness = 2e4, damping = 150;  // of the hand [N/m], [N s/m]
 constexpr double handle_mass = 0.1;               // [kg]
-
-struct deleter {
-  void operator()(mjModel* m) const { mj_deleteModel(m); }
-  void operator()(mjData* d) const { mj_deleteData(d); }
-};
 
 // The arm of planar_rods in MuJoCo, with friction on all joints.
 template <std::size_t N>
@@ -51,18 +47,6 @@ std::string description(const std::array<double, N>& lengths) {
   for (std::size_t i = 0; i < N; ++i) x << "</body>";
   x << "</worldbody></mujoco>";
   return x.str();
-}
-
-std::unique_ptr<mjModel, deleter> load(const std::string& text) {
-  const auto files = std::make_unique<mjVFS>();
-  mj_defaultVFS(files.get());
-  mj_makeEmptyFileVFS(files.get(), "arm.xml", static_cast<int>(text.size()));
-  std::memcpy(files->filedata[files->nfile - 1], text.data(), text.size());
-  std::array<char, 500> error{};
-  mjModel* model = mj_loadXML("arm.xml", files.get(), error.data(), static_cast<int>(error.size()));
-  EXPECT_NE(model, nullptr) << error.data();
-  mj_deleteFileVFS(files.get(), "arm.xml");
-  return std::unique_ptr<mjModel, deleter>(model);
 }
 
 // In MuJoCo: brake i is on joint i, the joints after the last brake are free.

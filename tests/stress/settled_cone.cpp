@@ -211,7 +211,7 @@ TYPED_TEST(settled_cone, is_the_best_of_all_sets_of_brakes_at_rest) {
   std::printf("n %d, d %d, m %d: %llu states, exact %llu, none %llu, cosine to %.1e\n", M::dof,
               M::task_dimension, M::brake_count, static_cast<unsigned long long>(states),
               static_cast<unsigned long long>(exact), static_cast<unsigned long long>(none), worst);
-  EXPECT_GT(exact + none, 0u);
+  EXPECT_GT(exact + none, states / 10);
 }
 
 }  // namespace

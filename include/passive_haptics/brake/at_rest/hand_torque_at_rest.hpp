@@ -50,8 +50,11 @@ vector<T, Brakes> hand_torque_at_rest(const matrix<T, Joints, Joints>& mass,
 }
 
 /// th (m) [N m or N] on the brakes at rest, 0 for the others, of a mechanism in a pose. w: rates of the
-/// brakes [rad/s or m/s]; strength: what those that slip make [N m] >= 0; a control cycle takes the signs of
-/// brakes at rest from the static rule th = E^T Fh (brake/signs.hpp), which knows neither.
+/// brakes [rad/s or m/s]; strength: what those that slip make [N m] >= 0. Cost: that of the torques above,
+/// with the mechanism's M, c and Td qd.
+///
+/// A control cycle does not call it: there the sign of a brake at rest is that of the static rule th = E^T Fh
+/// (brake/signs.hpp), which needs no inertia.
 template <Dynamics M, class B, class State>
 brake_vector<M> exact_hand_torque(const mechanism_pose<M>& pose, const B& brakes, const State& state,
                                   const brake_vector<M>& w, const brake_vector<M>& strength) {
@@ -59,7 +62,7 @@ brake_vector<M> exact_hand_torque(const mechanism_pose<M>& pose, const B& brakes
   vector<bool, M::brake_count> at_rest;
   brake_vector<M> t;
   for (int i = 0; i < M::brake_count; ++i) {
-    at_rest[i] = !slips(w[i], brakes.rate_dead_band[i]);
+    at_rest[i] = !slips(w[i], rate_dead_band_of<T>(brakes, i));
     t[i] = at_rest[i] ? T(0) : -std::copysign(strength[i], w[i]);
   }
   const matrix<T, M::dof, M::brake_count> Tt = pose.transposed_transmission();

@@ -58,8 +58,6 @@ class settled_rates {
   const rate_map& least_rates() const { return start_.rates; }
   /// T N (m x n): rates of the brakes under self-motions; columns past the self-motions are 0.
   const matrix<T, m, n>& of_self_motion() const { return start_.self; }
-  /// How many brakes come to rest, r.
-  int rank() const { return rank_; }
   /// The part of a force that no joint feels, as the pose is singular: the structure holds it. Else 0.
   vector<T, d> held_by_structure(const vector<T, d>& F) const {
     if (lost_) return held_by_structure_ * F;

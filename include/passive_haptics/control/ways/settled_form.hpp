@@ -80,16 +80,19 @@ struct display_form<M> {
   }
 
   /// The force that brakes of these capacities [N m] make at the velocity now, once settled with the brakes
-  /// at rest of `start`, or with those of nearest() where it has none.
+  /// at rest of `start`, or with those of nearest() where these cannot be at rest.
   template <class Device, class T, int D>
   static settled_force<T, D, M::brake_count> made_by(const Device& device, const desired_force<T, D>& Fd,
                                                      const brake_vector<M>& capacity,
                                                      approximation_start start) {
     settled_force<T, D, M::brake_count> F;
-    if (start.held == 0) start.held = nearest(device, Fd, T(0), start).held;
+    F.torque = capacity;  // a NaN of the law stays, whatever is known of S
     const settled_rates<M> rates(device.pose);
     typename settled_rates<M>::rate_map W;
-    if (!rates.find(start.held, W)) return F;
+    if (!rates.find(start.held, W)) {
+      start.held = nearest(device, Fd, T(0), start).held;
+      if (!rates.find(start.held, W)) return F;
+    }
     F.held = start.held;
     F.velocity = device.v;
     F.signs = settled_forces(rates, device.E, device.brakes, device.v).signs_of(W);

@@ -145,6 +145,35 @@ TEST(self_motion, by_an_inertia_that_is_undefined_is_a_fault) {
   }
 }
 
+// A law whose torque is no number releases all brakes, also where no set of brakes displays anything.
+struct broken_law {
+  static constexpr bool commands_torques = true;
+  template <class M, class E, int D, int N, class B>
+  ph::brake_vector<M> torque(const ph::brake_situation<M, E, B>&, const ph::contacts<D, N>&) const noexcept {
+    return ph::brake_vector<M>::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+};
+
+TEST(self_motion, of_a_law_without_numbers_is_a_fault) {
+  using M = arm<3>;
+  std::mt19937_64 engine(20040627);
+  std::normal_distribution<double> gauss;
+  for (int k = 0; k < 200; ++k) {
+    ph::device_state<M> state;
+    state.time = 0;
+    for (double& q : state.q) q = gauss(engine);
+    for (double& qd : state.qd) qd = gauss(engine);
+    ph::contacts<2, 1> touched;
+    touched.push_back(
+        {.normal = ph::point<2>(gauss(engine), gauss(engine)).normalized(), .depth = 1, .stiffness = 3});
+    ph::step_memory<broken_law> memory;
+    const auto result =
+        ph::step(planar_arm<3>(particle_brake), ph::brakes_of<M>(), touched, broken_law(), state, memory);
+    ASSERT_EQ(result.outcome, ph::status::result_not_finite) << k;
+    ASSERT_TRUE(result.capacity.isZero(0)) << k;
+  }
+}
+
 TEST(self_motion, left_alone_costs_the_wall_and_says_so) {
   EXPECT_GT(share_without_wall("3R, kinetostatic", ph::kinetostatic(planar_arm<3>(particle_brake))), 0.25);
   EXPECT_GT(share_without_wall("4R, kinetostatic", ph::kinetostatic(planar_arm<4>(particle_brake))), 0.5);

@@ -71,6 +71,7 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
   constexpr int m = M::brake_count;
   constexpr T max_held(2);  // of what holds a brake at rest, by a sensor and inertia that are off
   torque_range<T, m> range;
+  range.lag_share = passive_haptics::lag_shares(device.brakes, horizon);
   brake_vector<M> strength, made;
   unrolled<m>([&](auto i) {
     const T band = rate_dead_band_of<T>(device.brakes, i);
@@ -93,8 +94,6 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
       range.sign[i] = -range.sign[i];
       range.sign_is_lasting[i] = false;
     }
-    const T lag = device.brakes.time_constant[i];
-    range.lag_share[i] = horizon > 0 ? lag_share(static_cast<T>(horizon), lag) : T(1);
     range.smallest[i] = strength[i] * (T(1) - range.lag_share[i]);
     range.largest[i] = passive_haptics::torque_limit_of<T>(device.brakes, i);
     range.kept[i] = T(0);
