@@ -114,12 +114,15 @@ bool has_valid_members([[maybe_unused]] const L& law) {
 }
 }  // namespace detail
 
-/// Whether what a cycle reads of the brakes, the law and the options is finite and in its range.
+/// Whether what a cycle reads of the brakes, the law and the options is in its range.
 template <class T, class B, class L>
 status check_parameters([[maybe_unused]] const B& brakes, const L& law, const step_options<T>& options) {
   const auto valid_each = [](const auto& x) { return all_finite(x) && (x.array() >= T(0)).all(); };
   bool valid = all_finite(options.min_cosine) && detail::has_valid_members(law);
   if constexpr (detail::names_torque_limit<B>) valid = valid && valid_each(brakes.torque_limit);
+  if constexpr (detail::names_torque_interval<B>)
+    valid =
+        valid && (brakes.torque_lower.array() <= T(0)).all() && (brakes.torque_upper.array() >= T(0)).all();
   if constexpr (detail::names_rate_dead_band<B>) valid = valid && valid_each(brakes.rate_dead_band);
   if constexpr (detail::names_torque_dead_band<B>) valid = valid && valid_each(brakes.torque_dead_band);
   if constexpr (needs_brake_lag<L>) valid = valid && all_finite(brakes.time_constant);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/core/status.hpp>
@@ -78,29 +79,30 @@ T least_resistance(const matrix<T, D, Brakes>& E, const torque_box<T, Brakes>& b
   return least;
 }
 
-// Largest k for which torques k t are within the limits.
-template <class T, int Brakes>
-T largest_share(const vector<T, Brakes>& t, const vector<T, Brakes>& limit) {
-  const auto shares = limit.array() / t.array().abs();
+// Largest k for which the brakes can make torques k t.
+template <class B, class T, int Brakes>
+T largest_share(const vector<T, Brakes>& t, const B& brakes) {
+  const vector<T, Brakes> bound = passive_haptics::torque_bounds_of(brakes, t);
+  const auto shares = bound.array() / t.array().abs();
   return (t.array() != T(0)).select(shares, std::numeric_limits<T>::infinity()).minCoeff();
 }
 
 template <class M, class Force>
 void tell(displayable_force<M>& found, const task_vector<M>& n, const Force& Fc, typename M::scalar strongest,
-          const brake_vector<M>& limit) {
+          const switchable_brakes<M>& brakes) {
   found.display = Fc.display;
   if (!is_displayed(Fc.display)) return;
   const task_vector<M> Fp = Fc.cosine_squared * Fc.force;
   found.angle = std::atan2((n - Fp).norm(), Fp.norm());
   found.strongest = strongest;
-  found.strongest_nearest = largest_share(Fc.torque, limit);
+  found.strongest_nearest = largest_share(Fc.torque, brakes);
 }
 
 // By half-spaces: as many brakes as joints.
 template <class M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
                       const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
-                      const brake_vector<M>& limit) {
+                      const switchable_brakes<M>& brakes) {
   using T = typename M::scalar;
   constexpr int d = M::task_dimension, joints = M::dof, m = M::brake_count;
   const jacobian_matrix<M> J(passive_haptics::jacobian(mechanism, q));
@@ -108,12 +110,14 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   const transmission_matrix<M> transmitted =
       transposed(passive_haptics::transposed_transmission(mechanism, q));
   const matrix<T, m, d> A = transmitted * moving.pseudo_inverse();
-  found.signs = signs_in_motion<T, m, d>(A, E, v);
-  const auto Fc = approximate(E, found.signs, n, T(0));
-  const torque_box<T, m> box = torques_within(found.signs, limit);
+  found.signs = signs_within(signs_in_motion<T, m, d>(A, E, v), brakes);
+  const vector<T, m> off = brakes_off(found.signs, brakes);
+  half_space_start start;
+  const auto Fc = approximate(E, found.signs, n, T(0), start, off);
+  const torque_box<T, m> box = torque_box_of(found.signs, brakes);
   const bool one_way = joints == d && moving.rank() == d;  // of the brakes to move along n
-  tell(found, n, Fc, one_way ? largest_resistance<T, m>(box, A * n) : least_resistance(E, box, n), limit);
-  if (joints > d && found.display == display_class::none && cone_is_zero(E, found.signs))
+  tell(found, n, Fc, one_way ? largest_resistance<T, m>(box, A * n) : least_resistance(E, box, n), brakes);
+  if (joints > d && found.display == display_class::none && cone_is_zero(E, found.signs, off))
     found.display = display_class::empty_cone;
 }
 
@@ -121,7 +125,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
 template <displays_by_generators M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
                       const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
-                      const brake_vector<M>& limit) {
+                      const switchable_brakes<M>& brakes) {
   using T = typename M::scalar;
   constexpr int d = M::task_dimension, m = M::brake_count;
   const auto G = passive_haptics::generators_of(mechanism_pose<M>(mechanism, q));
@@ -129,17 +133,18 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
     found.outcome = status::singular_jacobian;
     return;
   }
-  found.signs = signs_in_motion<T, m, d>(transposed(G), E, v);
-  const auto Fc = approximate_by_generators(G, found.signs, n, T(0));
+  found.signs = signs_within(signs_in_motion<T, m, d>(transposed(G), E, v), brakes);
+  const auto Fc = approximate_by_generators(G, unbounded_torque_box_of(found.signs, brakes), n, T(0));
   const brake_vector<M> outwards = G.transpose() * n;
-  tell(found, n, Fc, largest_resistance<T, m>(torques_within(found.signs, limit), outwards), limit);
+  tell(found, n, Fc, largest_resistance<T, m>(torque_box_of(found.signs, brakes), outwards), brakes);
 }
 
 }  // namespace detail
 
-/// What brakes of these torque limits [N m] can display against a wall with normal n while the end effector
+/// What these brakes can display against a wall with normal n while the end effector
 /// moves in `direction`, at joint positions q. Direction and normal: base frame, any length > 0; at rest the
-/// direction is zero. The limits may be infinite.
+/// direction is zero. Of the brakes the limits and intervals are read; limits may be infinite, and a brake
+/// whose limit is 0 is off.
 ///
 /// The motion decides the signs: w = T J^+ v, s = sgn(w), and brake i makes s_i t_i <= 0 (3). A brake that
 /// rests in this motion (|w_i| of rounding size) can hold either way, so s_i = 0. Of a direction that a
@@ -163,20 +168,32 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
 template <class M>
 displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
                                  const task_vector<M>& direction, const task_vector<M>& normal,
-                                 const brake_vector<M>& torque_limit = brake_vector<M>::Constant(
-                                     std::numeric_limits<typename M::scalar>::infinity())) {
+                                 const switchable_brakes<M>& brakes) {
   static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
   displayable_force<M> found;
   if (!all_finite(q, direction)) found.outcome = status::state_not_finite;
   else if (!all_finite(normal) || normal.isZero(0)) found.outcome = status::contact_invalid;
-  else if (!(torque_limit.array() >= 0).all()) found.outcome = status::parameters_invalid;
+  else if (!(brakes.torque_limit.array() >= 0).all() || !(brakes.torque_lower.array() <= 0).all() ||
+           !(brakes.torque_upper.array() >= 0).all())
+    found.outcome = status::parameters_invalid;
   if (found.outcome != status::ok) return found;
   const brake_matrix<M> E(passive_haptics::brake_jacobian(mechanism, q));
   if (all_finite(E))
     detail::find_displayable(found, mechanism, q, E, task_vector<M>(direction.stableNormalized()),
-                             task_vector<M>(normal.stableNormalized()), torque_limit);
+                             task_vector<M>(normal.stableNormalized()), brakes);
   else found.outcome = status::pose_undefined;
   return found;
+}
+
+/// What brakes of these torque limits [N m] can display.
+template <class M>
+displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
+                                 const task_vector<M>& direction, const task_vector<M>& normal,
+                                 const brake_vector<M>& torque_limit = brake_vector<M>::Constant(
+                                     std::numeric_limits<typename M::scalar>::infinity())) {
+  switchable_brakes<M> brakes;
+  brakes.torque_limit = torque_limit;
+  return passive_haptics::displayable(mechanism, q, direction, normal, brakes);
 }
 
 }  // namespace passive_haptics

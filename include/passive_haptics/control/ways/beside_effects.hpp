@@ -73,10 +73,9 @@ struct beside_effects {
       done.outcome = status::pose_undefined;
       return done;
     }
-    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(device.brakes);
-    done.td.torque = torques_beside(map, torques_within(device.s, limit), done.td.torque, normals(),
-                                    demand_of(device, done.effects));
-    done.td.limited = done.td.limited || (done.td.torque.array().abs() >= limit.array()).any();
+    const auto box = passive_haptics::torque_box_of(device.s, device.brakes);
+    done.td.torque = torques_beside(map, box, done.td.torque, normals(), demand_of(device, done.effects));
+    done.td.limited = done.td.limited || passive_haptics::any_at_limit(done.td.torque, device.brakes);
     return done;
   }
 

@@ -16,7 +16,8 @@ struct approximation_for {
   template <class Device>
   static auto of(const Device& device, const task_vector<M>& n, typename M::scalar min_cosine,
                  half_space_start& start) {
-    return approximate(device.E, device.s, n, min_cosine, start);
+    return approximate(device.E, device.s, n, min_cosine, start,
+                       passive_haptics::brakes_off(device.s, device.brakes));
   }
 };
 template <displays_by_generators M>

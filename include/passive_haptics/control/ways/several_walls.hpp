@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace passive_haptics {
 
@@ -62,7 +61,7 @@ struct several_walls {
     const scales scale = scales_of(device);
     // 1. and 3. Fc': the force nearest to all alpha_j Fd_j that the brakes can make within their limits
     const auto map = passive_haptics::force_map_of(device.pose, device.E);
-    const auto box = torques_within(device.s, passive_haptics::torque_limits_of<T, m>(device.brakes));
+    const auto box = passive_haptics::torque_box_of(device.s, device.brakes);
     const force Fc_scaled = force_for(scale, map, box);
     // 4. td: its torques, which are within the limits but for the rounding of a product
     return {scale, map, box, Fc_scaled,
@@ -135,8 +134,7 @@ struct several_walls {
 
   template <class Device>
   void add_reports(Result& result, const Device& device, const steps& done) const {
-    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(device.brakes);
-    result.saturated = (done.td.torque.array().abs() >= limit.array()).any();
+    result.saturated = passive_haptics::any_at_limit(done.td.torque, device.brakes);
     result.contact_count = touched.size();
     for (int j = 0; j < touched.size(); ++j) {
       const auto k = static_cast<std::size_t>(j);
@@ -153,10 +151,8 @@ struct several_walls {
   force unscaled_force(const Device& device, const steps& done) const {
     const vector<T, d> n = Fd(governing).direction;
     force F = done.Fc_scaled;
-    if (!is_whole(done)) {
-      const vector<T, m> unlimited = vector<T, m>::Constant(std::numeric_limits<T>::infinity());
-      F = force_for({}, done.map, torques_within(device.s, unlimited));
-    }
+    if (!is_whole(done))
+      F = force_for({}, done.map, passive_haptics::unbounded_torque_box_of(device.s, device.brakes));
     if (!displays_by_generators<M> && !is_in_cone(device, F.force)) {
       F = done.Fc_scaled;
     } else {
@@ -185,14 +181,18 @@ struct several_walls {
     return whole;
   }
 
-  // Whether brakes of these signs can make the force, to rounding: s_i t_i <= 0 for t = E^T F
+  // Whether brakes of these signs can make the force, to rounding: s_i t_i <= 0 for t = E^T F, 0 where off
   template <class Device>
   static bool is_in_cone(const Device& device, const vector<T, d>& F) {
     const matrix<T, d, m> E(device.E);
     const vector<T, m> t = E.transpose() * F;
     const T tolerance = rounding_tolerance<T>(1) * F.norm();
+    const auto off = passive_haptics::brakes_off(device.s, device.brakes);
     bool all = true;
-    for (int i = 0; i < m; ++i) all = all && device.s[i] * t[i] <= tolerance * E.col(i).norm();
+    for (int i = 0; i < m; ++i) {
+      const T beyond = detail::is_off(off, i) ? std::abs(t[i]) : device.s[i] * t[i];
+      all = all && beyond <= tolerance * E.col(i).norm();
+    }
     return all;
   }
 };

@@ -73,14 +73,14 @@ struct on_off_control {
       if (wall.on) demands[static_cast<std::size_t>(count++)] = {Fd.direction, Fd.magnitude, false};
     }
     if (count == 0) return brake_vector<M>::Zero();
-    const auto limits = torque_limits_of<T, M::brake_count>(device.brakes);
     if (count > 1) {
       const auto map = passive_haptics::force_map_of(device.pose, device.E);
-      return contact_forces<T, D, M::brake_count, Capacity>(map, torques_within(device.s, limits), demands,
-                                                            count)
-          .torque;
+      const auto box = passive_haptics::torque_box_of(device.s, device.brakes);
+      return contact_forces<T, D, M::brake_count, Capacity>(map, box, demands, count).torque;
     }
-    return saturate(approximated(device, demands[0]), limits, saturation::keep_direction).torque;
+    return passive_haptics::within_limits(approximated(device, demands[0]), device.brakes,
+                                          saturation::keep_direction)
+        .torque;
   }
 
   /// Free space or a fault: all relays are off.
@@ -92,12 +92,8 @@ struct on_off_control {
   static brake_vector<M> approximated(const brake_situation<M, EMatrix, B>& device,
                                       const contact_demand<T, D>& wanted) {
     const T min_cosine = step_options<T>().min_cosine;
-    if constexpr (displays_by_generators<M>) {
-      const auto G = passive_haptics::generators_of(device.pose);
-      return wanted.force * approximate_by_generators(G, device.s, wanted.normal, min_cosine).torque;
-    } else {
-      return wanted.force * approximate(device.E, device.s, wanted.normal, min_cosine).torque;
-    }
+    half_space_start start;
+    return wanted.force * approximation_for<M>::of(device, wanted.normal, min_cosine, start).torque;
   }
 
   bool switched(bool on, double depth, double outward) const {

@@ -117,8 +117,9 @@ class velocity_direct_control {
     const bool sinks = alone && walls[0].speed_error > T(0);
     unrolled<m>([&](auto i) {
       if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
-      const T u = remembered.brakes.command(i, t[i], passive_haptics::torque_limit_of<T>(device.brakes, i),
-                                            brakes.lag_share[i]);
+      const T limit =
+          passive_haptics::torque_bound_of<T>(device.brakes, i, device.s[i] > T(0) ? T(-1) : T(1));
+      const T u = remembered.brakes.command(i, t[i], limit, brakes.lag_share[i]);
       t[i] = device.s[i] > T(0) ? -u : u;
     });
     return t;
