@@ -135,7 +135,7 @@ int main(int count, char** arguments) {
         ph::five_bar_parameters<T>, ph::delta_parameters<T>, ph::chain_joint<T, 3>,
         ph::serial_chain_parameters<T, 3, 3>, ph::link_inertia<T, 3>, ph::serial_chain_inertia<T, 3, 3>>(
       "Mechanisms");
-  stage<ph::brake_parameters<T, 2>>("Brakes");
+  stage<ph::brake_parameters<T, 2>, ph::switchable_brake_parameters<T, 2>>("Brakes");
   stage<ph::half_space_parameters<3>, ph::ball_parameters<3>, ph::box_parameters<3>,
         ph::capsule_parameters<3>, ph::convex_polygon_parameters<3>, ph::convex_polytope_parameters<3, 4>,
         ph::offset_parameters, ph::height_field_parameters, ph::hold_parameters, ph::latest_scene_parameters>(

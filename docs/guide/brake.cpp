@@ -29,8 +29,16 @@ int main() {
   const auto wall = ph::scene(ph::wall(ph::half_space<2>({0, 0.2249}, {0, -1}), 1e4));
   ph::controller gliding(arm, lagging_brakes(), wall, ph::velocity_direct_control());
   ph::controller bare(arm, ph::unlimited_brakes(), wall, ph::no_direct_control());
+
+  ph::switchable_brakes<device> some = brakes;  // all on
+  some.switch_off(1);                           // brake 2 makes no torque; or make_positive, make_negative
+  ph::controller clutched(arm, some, wall, ph::velocity_direct_control());
   const ph::device_state<device> state{0, q, {-0.3, 0.1}, {0, 2}};
+  const bool released = clutched(state).capacity[1] == 0;
+  some.switch_on(1);
+  clutched.set_brakes(some);  // from the next cycle on
+
   const ph::sensorless_device_state<device> blind{0, q, {-0.3, 0.1}};
   const bool run = gliding(state).outcome == ph::status::ok && bare(blind).outcome == ph::status::ok;
-  return run && (s.array() * t.array() <= 0).all() ? 0 : 1;
+  return run && released && (s.array() * t.array() <= 0).all() ? 0 : 1;
 }

@@ -20,6 +20,7 @@
 #include <passive_haptics/brake/at_rest/hand_torque_at_rest.hpp>
 #include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/brake/models/rate_limited_brakes.hpp>
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
 
 #include <passive_haptics/scene/held_scene.hpp>

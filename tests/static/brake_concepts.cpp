@@ -62,6 +62,23 @@ static_assert(ph::BrakesFor<dead_bands, arm> && !ph::TorqueDeadBandBrakes<dead_b
 static_assert(!ph::BrakesFor<torque_dead_band_alone, arm>);
 static_assert(!ph::BrakesFor<limits_in_float, arm> && !ph::BrakesFor<limits_of_three, arm> &&
               !ph::BrakesFor<limits_of_any_size, arm> && !ph::BrakesFor<lag_as_number, arm>);
+struct lower_alone : limits {
+  V2 torque_lower;
+};
+struct interval : lower_alone {
+  V2 torque_upper;
+};
+struct interval_in_float : limits {
+  ph::vector<float, 2> torque_lower, torque_upper;
+};
+struct interval_without_limit {
+  static constexpr bool unlimited = true;
+  V2 torque_lower, torque_upper;
+};
+static_assert(ph::BrakesFor<interval, arm> && ph::SwitchableBrakes<interval, double, 2> &&
+              ph::BrakesFor<interval_without_limit, arm> && ph::BrakesFor<ph::switchable_brakes<arm>, arm>);
+static_assert(!ph::BrakesFor<lower_alone, arm> && !ph::BrakesFor<interval_in_float, arm> &&
+              !ph::SwitchableBrakes<ph::brakes_of<arm>, double, 2>);
 struct misspelled {
   V2 torque_limits;
 };

@@ -48,6 +48,10 @@ static_assert(!becomes<coulomb, ph::compensated_brake<coulomb>>);
 using rate_limited = ph::rate_limited_brakes<tendon, coulomb>;
 static_assert(becomes<rate_limited, rate_limited> && becomes<rate_limited, ph::brakes_of<tendon>>);
 static_assert(!becomes<ph::brakes_of<tendon>, rate_limited>, "the limits of the moment would be lost");
+using switchable = ph::switchable_brakes<tendon>;
+static_assert(becomes<switchable, ph::brakes_of<tendon>> && becomes<rate_limited, switchable>);
+static_assert(!becomes<ph::brakes_of<tendon>, switchable>, "which brakes are off would be lost");
+static_assert(!becomes<switchable, rate_limited>, "the limits of the moment would be lost");
 static_assert(!std::is_convertible_v<const rate_limited&, const ph::brakes_of<tendon>&>);
 
 static_assert(!becomes<ph::direct_control, ph::saturated_direct_control>);

@@ -57,9 +57,9 @@ struct configuration {
   std::string law = "velocity_direct_control";  ///< By its name in the library; see read_configuration().
   std::string wall_remarks;                     // for remarks()
   ph::world_walls<2> walls;
-  std::vector<named_wall> named_walls;        ///< The walls in the order of the file.
-  wall_normal first_normal;                   ///< Of the first of them.
-  ph::brake_parameters<double, axes> brakes;  ///< What the controller believes.
+  std::vector<named_wall> named_walls;                   ///< The walls in the order of the file.
+  wall_normal first_normal;                              ///< Of the first of them.
+  ph::switchable_brake_parameters<double, axes> brakes;  ///< What the controller believes.
 
   // What was measured on the device
   ph::encoder_calibration_parameters<axes> encoders;

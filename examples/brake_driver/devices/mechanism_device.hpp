@@ -106,7 +106,7 @@ class mechanism_device final : public haptic_device {
 
   configuration configuration_;
   ph::device_calibration<M, sensor_channels, ph::planar_sensor_frame<2>> calibration_;
-  ph::controller<M, walls, Law> control_;
+  ph::controller<M, walls, Law, ph::switchable_brakes<M>> control_;
   ph::homing<axes> homing_;
   ph::steady_mean<sensor_channels> tare_;
   ph::steady_status hindered_ = ph::steady_status::collecting;  // the last that was not this

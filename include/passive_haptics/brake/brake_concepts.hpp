@@ -1,5 +1,5 @@
 /// @file
-/// What a type tells about the brakes: limits, dead bands, lags, each optional.
+/// What a type tells about the brakes: limits, intervals, dead bands, lags, each optional.
 #pragma once
 
 #include <passive_haptics/core/misspelt.hpp>
@@ -20,6 +20,12 @@ concept names_torque_limit = requires(const B brakes) { brakes.torque_limit; };
 template <class B>
 concept is_unlimited = !names_torque_limit<B> && requires { requires B::unlimited; };
 template <class B>
+concept names_torque_lower = requires(const B brakes) { brakes.torque_lower; };
+template <class B>
+concept names_torque_upper = requires(const B brakes) { brakes.torque_upper; };
+template <class B>
+concept names_torque_interval = names_torque_lower<B> || names_torque_upper<B>;
+template <class B>
 concept names_rate_dead_band = requires(const B brakes) { brakes.rate_dead_band; };
 template <class B>
 concept names_torque_dead_band = requires(const B brakes) { brakes.torque_dead_band; };
@@ -33,6 +39,16 @@ concept names_time_constant = requires(const B brakes) { brakes.time_constant; }
 template <class B, class T, int Brakes>
 concept LimitedBrakes = requires(const B brakes) {
   { brakes.torque_limit } -> ExactVector<T, Brakes>;
+};
+
+/// Brakes that may be off or work one way (a clutch that is released, a one-way clutch, a slack tendon):
+/// `vector<T, m> torque_lower, torque_upper` [N m], torque_lower <= 0 <= torque_upper, infinite where there
+/// is no bound. In a cycle brake i can make the torques between them, signed on its own axis, and within
+/// +-torque_limit; where both are 0 it is off. Without them each brake works both ways.
+template <class B, class T, int Brakes>
+concept SwitchableBrakes = requires(const B brakes) {
+  { brakes.torque_lower } -> ExactVector<T, Brakes>;
+  { brakes.torque_upper } -> ExactVector<T, Brakes>;
 };
 
 /// Brakes that can be at rest: `vector<T, m> rate_dead_band` [rad/s], >= 0. Without it they always slip:
@@ -56,11 +72,13 @@ concept LaggingBrakes = requires(const B brakes) {
 };
 
 /// What a control cycle takes for the m brakes of mechanism M: a class with any of the members torque_limit,
-/// rate_dead_band, torque_dead_band and time_constant, of exactly these types. What a type lacks costs
-/// nothing. brake_parameters has all, unlimited_brake_parameters the dead bands, unlimited_brakes none.
+/// torque_lower and torque_upper, rate_dead_band, torque_dead_band and time_constant, of exactly these types.
+/// What a type lacks costs nothing. switchable_brakes has all, brake_parameters all but the interval,
+/// unlimited_brake_parameters the dead bands, unlimited_brakes none.
 template <class B, class M>
 concept BrakesFor =
     std::is_class_v<B> && (detail::is_unlimited<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>) &&
+    (!detail::names_torque_interval<B> || SwitchableBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_rate_dead_band<B> || StickingBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_torque_dead_band<B> || TorqueDeadBandBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_time_constant<B> || LaggingBrakes<B, typename M::scalar, M::brake_count>);
@@ -73,12 +91,16 @@ struct brake_requirements {
   static_assert(
       std::is_class_v<B>,
       "passive_haptics: the brakes must be a brake_parameters, unlimited_brakes, or a class with some of "
-      "the members torque_limit, rate_dead_band, torque_dead_band and time_constant.");
+      "the members torque_limit, torque_lower, torque_upper, rate_dead_band, torque_dead_band and "
+      "time_constant.");
   static_assert(
       detail::names_torque_limit<B> || detail::is_unlimited<B> || !std::is_class_v<B>,
       "passive_haptics: the brakes need a torque_limit, or static constexpr bool unlimited = true.");
   static_assert(!detail::names_torque_limit<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>,
                 "passive_haptics: torque_limit of the brakes must be a vector<scalar, brake_count> exactly.");
+  static_assert(!detail::names_torque_interval<B> || SwitchableBrakes<B, typename M::scalar, M::brake_count>,
+                "passive_haptics: torque_lower and torque_upper of the brakes must both be a vector<scalar, "
+                "brake_count> exactly.");
   static_assert(
       !detail::names_rate_dead_band<B> || StickingBrakes<B, typename M::scalar, M::brake_count>,
       "passive_haptics: rate_dead_band of the brakes must be a vector<scalar, brake_count> exactly.");
@@ -134,20 +156,31 @@ vector<T, Brakes> torque_dead_bands_of(const B& brakes) {
   else return vector<T, Brakes>::Zero();
 }
 
+/// Where a torque_lower may lie.
+inline constexpr range lower_torques =
+    range::between(-range::infinity, 0).as("a number <= 0, or -inf where there is no bound");
+/// Where a torque_upper may lie.
+inline constexpr range upper_torques =
+    range::between(0, range::infinity).as("a number >= 0, or inf where there is no bound");
+
 /// What is wrong with the brakes, whatever members they have; empty if nothing.
 template <class B>
 error_message check_brakes(const B& brakes) {
   [[maybe_unused]] constexpr range size = range::not_negative;
-  error_message limit, rate, torque, lag;
+  error_message limit, lower, upper, rate, torque, lag;
   if constexpr (detail::names_torque_limit<B>)
     limit = check_value("torque_limit", brakes.torque_limit, "N m", size);
+  if constexpr (detail::names_torque_interval<B>) {
+    lower = check_value("torque_lower", brakes.torque_lower, "N m", lower_torques);
+    upper = check_value("torque_upper", brakes.torque_upper, "N m", upper_torques);
+  }
   if constexpr (detail::names_rate_dead_band<B>)
     rate = check_value("rate_dead_band", brakes.rate_dead_band, "rad/s", size);
   if constexpr (detail::names_torque_dead_band<B>)
     torque = check_value("torque_dead_band", brakes.torque_dead_band, "N m", size);
   if constexpr (detail::names_time_constant<B>)
     lag = check_value("time_constant", brakes.time_constant, "s", size);
-  return detail::first_error(limit, rate, torque, lag);
+  return detail::first_error(limit, lower, upper, rate, torque, lag);
 }
 
 }  // namespace passive_haptics

@@ -28,7 +28,7 @@ struct brake_situation {
   const EMatrix& E;                   ///< E = J T^+.
   const brake_vector<M>& w;           ///< Rates of the brakes [rad/s or m/s].
   const task_vector<M>& v;            ///< Velocity of the end effector [m/s].
-  const brake_vector<M>& s;           ///< Signs of the brakes.
+  const brake_vector<M>& s;           ///< Signs of the brakes: s_i t_i <= 0. Of one-way brakes signs_within.
   const task_vector<M>& hand_force;   ///< Fh [N]; zero where the state has none.
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <passive_haptics/brake/passive_constraint.hpp>
+#include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/control/cycle_result.hpp>
 #include <passive_haptics/control/ways/one_wall.hpp>
 #include <passive_haptics/core/flatten.hpp>
@@ -39,13 +40,15 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
   const auto& brakes = ph::brakes_at(setup.brakes, w);
   const task_vector<M> v = ph::velocity_of(pose, E, w, state.qd), Fh = ph::hand_force<M>(state);
   const brake_vector<M> th = ph::hand_torque<M>(state, E, brakes);
-  const brake_vector<M> s = ph::brake_signs(w, th, brakes);
+  const brake_vector<M> turning = ph::brake_signs(w, th, brakes);
+  const auto& s = ph::signs_within(turning, brakes);
   const brake_situation<M, decltype(E), std::remove_cvref_t<decltype(brakes)>> device{
       setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh};
 
   // Section 4, and what the mechanism will feel of it
   const auto steps = way.command(device, memory);
-  const brake_vector<M> t = ph::passive_torque(ph::resisting<M>(steps.td.torque, s), w, th, s, brakes);
+  const brake_vector<M> td = ph::resisting<M>(steps.td.torque, turning, brakes);
+  const brake_vector<M> t = ph::passive_torque(td, w, th, turning, brakes);
   return way.result(device, steps, t, memory);
 }
 

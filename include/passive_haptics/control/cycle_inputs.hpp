@@ -93,10 +93,13 @@ task_vector<M> velocity_of(const mechanism_pose<M>& pose, const EMatrix& E, cons
 }
 
 /// Commanded torques td [N m] in the sense in which brakes of signs s make them now: as they are, but where
-/// the self-motion settles they are capacities, and each brake resists its rate of now.
-template <class M>
-brake_vector<M> resisting(const brake_vector<M>& td, const brake_vector<M>& s) {
-  if constexpr (Settles<M>) return -s.cwiseProduct(td.cwiseAbs());
+/// the self-motion settles they are capacities, and each brake resists its rate of now, if it can this way.
+template <class M, class B>
+brake_vector<M> resisting(const brake_vector<M>& td, const brake_vector<M>& s,
+                          [[maybe_unused]] const B& brakes) {
+  if constexpr (Settles<M> && SwitchableBrakes<B, typename M::scalar, M::brake_count>)
+    return (-s.cwiseProduct(td.cwiseAbs())).cwiseMax(brakes.torque_lower).cwiseMin(brakes.torque_upper);
+  else if constexpr (Settles<M>) return -s.cwiseProduct(td.cwiseAbs());
   else return td;
 }
 
@@ -136,12 +139,15 @@ bool has_valid_members([[maybe_unused]] const L& law) {
 }
 }  // namespace detail
 
-/// Whether what a cycle reads of the brakes, the law and the options is finite and in its range.
+/// Whether what a cycle reads of the brakes, the law and the options is in its range.
 template <class T, class B, class L>
 status check_parameters([[maybe_unused]] const B& brakes, const L& law, const step_options<T>& options) {
   const auto valid_each = [](const auto& x) { return all_finite(x) && (x.array() >= T(0)).all(); };
   bool valid = all_finite(options.min_cosine) && detail::has_valid_members(law);
   if constexpr (detail::names_torque_limit<B>) valid = valid && valid_each(brakes.torque_limit);
+  if constexpr (detail::names_torque_interval<B>)
+    valid =
+        valid && (brakes.torque_lower.array() <= T(0)).all() && (brakes.torque_upper.array() >= T(0)).all();
   if constexpr (detail::names_rate_dead_band<B>) valid = valid && valid_each(brakes.rate_dead_band);
   if constexpr (detail::names_torque_dead_band<B>) valid = valid && valid_each(brakes.torque_dead_band);
   if constexpr (needs_brake_lag<L>) valid = valid && all_finite(brakes.time_constant);

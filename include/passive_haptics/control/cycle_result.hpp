@@ -48,7 +48,8 @@ status check_command(const Contacts& touched, const Outward& outward, bool is_sh
 template <class M, class Device, class Force>
 display_class display_of(const Device& device, const Force& Fc) {
   if constexpr (M::dof > M::task_dimension && self_motion_of<M> == self_motion_form::kinetostatic)
-    if (Fc.display == display_class::none && cone_is_zero(device.E, device.s))
+    if (Fc.display == display_class::none &&
+        cone_is_zero(device.E, device.s, passive_haptics::brakes_off(device.s, device.brakes)))
       return display_class::empty_cone;
   return Fc.display;
 }

@@ -2,7 +2,7 @@
 /// Torque limits.
 #pragma once
 
-#include <passive_haptics/brake/brake_concepts.hpp>
+#include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/core/linear/lane_products.hpp>
 
 namespace passive_haptics {
@@ -38,11 +38,25 @@ saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<T,
   return {max(min(within, bound), -bound), any(is_over)};
 }
 
-/// Torques t [N m] within the limits of the brakes, where they have some.
+/// Torques t [N m] within the limits and the intervals of the brakes, where they have some.
 template <class B, class T, int Brakes>
 saturated_torque<T, Brakes> within_limits(const vector<T, Brakes>& t, const B& brakes, saturation policy) {
-  if constexpr (LimitedBrakes<B, T, Brakes>) return saturate(t, brakes.torque_limit, policy);
+  if constexpr (SwitchableBrakes<B, T, Brakes>)
+    return saturate(t, passive_haptics::torque_bounds_of(brakes, t), policy);
+  else if constexpr (LimitedBrakes<B, T, Brakes>) return saturate(t, brakes.torque_limit, policy);
   else return {t, false};
+}
+
+/// Whether some torque t [N m] is at a limit of its brake. A brake that is off is at none.
+template <class B, class T, int Brakes>
+bool any_at_limit(const vector<T, Brakes>& t, const B& brakes) {
+  if constexpr (SwitchableBrakes<B, T, Brakes>) {
+    const vector<T, Brakes> bound = passive_haptics::torque_bounds_of(brakes, t);
+    return (t.array().abs() >= bound.array() && t.array() != T(0)).any();
+  } else {
+    const vector<T, Brakes> limit = passive_haptics::torque_limits_of<T, Brakes>(brakes);
+    return (t.array().abs() >= limit.array()).any();
+  }
 }
 
 }  // namespace passive_haptics

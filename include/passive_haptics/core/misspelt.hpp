@@ -52,6 +52,10 @@ PASSIVE_HAPTICS_MISSPELT(self_motion, elf_motion, slf_motion, sef_motion, sel_mo
     self_mtion, self_moion, self_moton, self_motin, self_motio)
 PASSIVE_HAPTICS_MISSPELT(torque_limit, orque_limit, trque_limit, toque_limit, torue_limit, torqe_limit,
     torqu_limit, torquelimit, torque_imit, torque_lmit, torque_liit, torque_limt, torque_limi)
+PASSIVE_HAPTICS_MISSPELT(torque_lower, orque_lower, trque_lower, toque_lower, torue_lower, torqe_lower,
+    torqu_lower, torquelower, torque_ower, torque_lwer, torque_loer, torque_lowr, torque_lowe)
+PASSIVE_HAPTICS_MISSPELT(torque_upper, orque_upper, trque_upper, toque_upper, torue_upper, torqe_upper,
+    torqu_upper, torqueupper, torque_pper, torque_uper, torque_uppr, torque_uppe)
 PASSIVE_HAPTICS_MISSPELT(rate_dead_band, ate_dead_band, rte_dead_band, rae_dead_band, rat_dead_band,
     ratedead_band, rate_ead_band, rate_dad_band, rate_ded_band, rate_dea_band, rate_deadband, rate_dead_and,
     rate_dead_bnd, rate_dead_bad, rate_dead_ban)
@@ -141,6 +145,12 @@ template <class X>
 struct brakes_spelling {
   static_assert(!misspells_torque_limit<X>,
                 "passive_haptics: a member of the brakes is spelt almost as `torque_limit`, which it lacks: "
+                "correct the name.");
+  static_assert(!misspells_torque_lower<X>,
+                "passive_haptics: a member of the brakes is spelt almost as `torque_lower`, which it lacks: "
+                "correct the name.");
+  static_assert(!misspells_torque_upper<X>,
+                "passive_haptics: a member of the brakes is spelt almost as `torque_upper`, which it lacks: "
                 "correct the name.");
   static_assert(!misspells_rate_dead_band<X>,
                 "passive_haptics: a member of the brakes is spelt almost as `rate_dead_band`, which it "

@@ -2,9 +2,9 @@
 /// A braked wall's numbers from a mechanism in a pose.
 #pragma once
 
-#include <passive_haptics/brake/brake_parameters.hpp>
 #include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/brake/models/encoder_axes.hpp>
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/design/wall_limits.hpp>
@@ -49,13 +49,12 @@ typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q
 /// the mass matrix.
 template <Dynamics M>
 braked_wall braked_wall_at(const M& mechanism, const joint_vector<M>& q, const task_vector<M>& velocity,
-                           const task_vector<M>& n, const brakes_of<M>& brakes,
+                           const task_vector<M>& n, const switchable_brakes<M>& brakes,
                            const brake_vector<M>& residual_torque, const encoder_resolution<M>& resolution,
                            typename M::scalar hand_mass) {
   using T = typename M::scalar;
   const T outward = n.dot(velocity);
-  const auto found =
-      displayable(mechanism, q, task_vector<M>(velocity - outward / 2 * n), n, brakes.torque_limit);
+  const auto found = displayable(mechanism, q, task_vector<M>(velocity - outward / 2 * n), n, brakes);
   const pose_dynamics<M> device({mechanism, q}, joint_vector<M>::Zero(), hand_mass);
   const auto along = response_along(n, device, task_vector<M>::Zero().eval());
   const encoder_axes<M> axes(mechanism);

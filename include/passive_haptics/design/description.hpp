@@ -73,8 +73,10 @@ constexpr description<9> describe() {
 /// The optional members of brakes.
 template <class B>
   requires(detail::names_torque_limit<B> || detail::is_unlimited<B>)
-constexpr description<4> describe() {
+constexpr description<6> describe() {
   return {{{{"torque_limit", detail::names_torque_limit<B>},
+            {"torque_lower", detail::names_torque_lower<B>},
+            {"torque_upper", detail::names_torque_upper<B>},
             {"rate_dead_band", detail::names_rate_dead_band<B>},
             {"torque_dead_band", detail::names_torque_dead_band<B>},
             {"time_constant", detail::names_time_constant<B>}}}};

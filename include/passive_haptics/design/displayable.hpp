@@ -3,9 +3,10 @@
 #pragma once
 
 #include <passive_haptics/brake/force_generators.hpp>
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/core/finite.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/core/status.hpp>
+#include <passive_haptics/design/largest_resistance.hpp>
 #include <passive_haptics/force/torques/free_joints.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>
 #include <passive_haptics/force/torques/settled_approximation.hpp>
@@ -45,97 +46,37 @@ struct displayable_force {
 
 namespace detail {
 
-// s of rates w = A v. A rate of the size that rounding of A and E makes it is none: E w = v.
-template <class T, int Brakes, int D>
-vector<T, Brakes> signs_in_motion(const matrix<T, Brakes, D>& A, const matrix<T, D, Brakes>& E,
-                                  const vector<T, D>& v) {
-  const vector<T, Brakes> w = A * v;
-  const T terms = v.norm() + (E.cwiseAbs() * w.cwiseAbs()).norm();
-  const vector<T, Brakes> rounding = rounding_tolerance<T>(D + Brakes) * terms * A.rowwise().norm();
-  return (w.array().abs() > rounding.array()).select(w.array().sign(), T(0));
-}
-
-// Largest power t . w of torques in the box at rates w. A rate of rounding size is none.
-template <class T, int Brakes>
-T largest_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& w) {
-  const T rounding = rounding_tolerance<T>(Brakes) * w.cwiseAbs().maxCoeff();
-  T sum = T(0);
-  for (int i = 0; i < Brakes; ++i)
-    if (std::abs(w[i]) > rounding) sum += w[i] * (w[i] > T(0) ? box.upper[i] : box.lower[i]);
-  return sum;
-}
-
-// Least of it over all rates w with E w = n: a sum of w_i, each times a constant of its sign, is least where
-// as many as can be are 0, so sets of moving brakes are tried.
-template <class T, int D, int Brakes>
-T least_resistance(const matrix<T, D, Brakes>& E, const torque_box<T, Brakes>& box, const vector<T, D>& n) {
-  const T tolerance = rounding_tolerance<T>(D + Brakes);
-  T least = std::numeric_limits<T>::infinity();  // the end effector cannot move so
-  for (half_space_set moving = 1; moving < (half_space_set{1} << Brakes); ++moving) {
-    matrix<T, D, Brakes> moved = E;
-    for (int i = 0; i < Brakes; ++i)
-      if ((moving >> i & 1u) == 0) moved.col(i).setZero();
-    const vector<T, Brakes> w = orthogonal_decomposition<T, D, Brakes>(moved, tolerance).solve(n);
-    const T rounding = tolerance * (T(1) + (moved.cwiseAbs() * w.cwiseAbs()).norm());
-    if ((moved * w - n).norm() <= rounding) least = std::min(least, largest_resistance(box, w));
-  }
-  return least;
-}
-
-// Largest k for which torques k t are within the limits.
-template <class T, int Brakes>
-T largest_share(const vector<T, Brakes>& t, const vector<T, Brakes>& limit) {
-  const auto shares = limit.array() / t.array().abs();
-  return (t.array() != T(0)).select(shares, std::numeric_limits<T>::infinity()).minCoeff();
-}
-
 template <class M, class Force>
 void tell(displayable_force<M>& found, const task_vector<M>& n, const Force& Fc, typename M::scalar strongest,
-          const brake_vector<M>& limit) {
+          const switchable_brakes<M>& brakes) {
   found.display = Fc.display;
   if (!is_displayed(Fc.display)) return;
   const task_vector<M> Fp = Fc.cosine_squared * Fc.force;
   found.angle = std::atan2((n - Fp).norm(), Fp.norm());
   found.strongest = strongest;
-  found.strongest_nearest = largest_share(Fc.torque, limit);
-}
-
-// Largest n . F of torques in a box, of a device with self-motion: what they make against the easiest way
-// into the wall. Like any least sum of |w_i| it has as many brakes at rest as can be: it is W_S n of some
-// set.
-template <class M>
-typename M::scalar strongest_with_self_motion(const settled_rates<M>& rates,
-                                              const torque_box<typename M::scalar, M::brake_count>& box,
-                                              const task_vector<M>& n) {
-  using T = typename M::scalar;
-  T least = std::numeric_limits<T>::infinity();
-  if (rates.held_by_structure(n).norm() > rounding_tolerance<T>(M::dof + M::brake_count)) return least;
-  rates.for_each([&](brake_set, const typename settled_rates<M>::rate_map& W) {
-    least = std::min(least, largest_resistance<T, M::brake_count>(box, W * n));
-    return false;
-  });
-  return least;
+  found.strongest_nearest = largest_share(Fc.torque, brakes);
 }
 
 // By half-spaces, and fewer brakes than joints: a self-motion that is left alone.
 template <leaves_free_joints_alone M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
                       const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
-                      const brake_vector<M>& limit) {
+                      const switchable_brakes<M>& brakes) {
   using T = typename M::scalar;
   constexpr int m = M::brake_count;
   const mechanism_pose<M> pose(mechanism, q);
-  const settled_rates<M> rates(pose, rounding_tolerance<T>(M::dof + m));
-  found.signs = signs_in_motion<T, m, M::task_dimension>(rates.least_rates(), E, v);
-  const auto Fc = approximate_within(forces_of_braked_joints(pose), E, found.signs, n, T(0));
-  tell(found, n, Fc, strongest_with_self_motion<M>(rates, torques_within(found.signs, limit), n), limit);
+  const settled_rates<M> rates(pose, rounding_tolerance<T>(M::dof + m), brakes_without_torque<T, m>(brakes));
+  found.signs = signs_within(signs_in_motion<T, m, M::task_dimension>(rates.least_rates(), E, v), brakes);
+  const vector<T, m> off = brakes_off(found.signs, brakes);
+  const auto Fc = approximate_within(forces_of_braked_joints(pose), E, found.signs, n, T(0), off);
+  tell(found, n, Fc, strongest_with_self_motion<M>(rates, torque_box_of(found.signs, brakes), n), brakes);
 }
 
 // By half-spaces: as many brakes as joints, and a self-motion that is left alone.
 template <class M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
                       const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
-                      const brake_vector<M>& limit) {
+                      const switchable_brakes<M>& brakes) {
   using T = typename M::scalar;
   constexpr int d = M::task_dimension, joints = M::dof, m = M::brake_count;
   const jacobian_matrix<M> J(passive_haptics::jacobian(mechanism, q));
@@ -143,12 +84,14 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   const transmission_matrix<M> transmitted =
       transposed(passive_haptics::transposed_transmission(mechanism, q));
   const matrix<T, m, d> A = transmitted * moving.pseudo_inverse();
-  found.signs = signs_in_motion<T, m, d>(A, E, v);
-  const auto Fc = approximate(E, found.signs, n, T(0));
-  const torque_box<T, m> box = torques_within(found.signs, limit);
+  found.signs = signs_within(signs_in_motion<T, m, d>(A, E, v), brakes);
+  const vector<T, m> off = brakes_off(found.signs, brakes);
+  half_space_start start;
+  const auto Fc = approximate(E, found.signs, n, T(0), start, off);
+  const torque_box<T, m> box = torque_box_of(found.signs, brakes);
   const bool one_way = joints == d && moving.rank() == d;  // of the brakes to move along n
-  tell(found, n, Fc, one_way ? largest_resistance<T, m>(box, A * n) : least_resistance(E, box, n), limit);
-  if (joints > d && found.display == display_class::none && cone_is_zero(E, found.signs))
+  tell(found, n, Fc, one_way ? largest_resistance<T, m>(box, A * n) : least_resistance(E, box, n), brakes);
+  if (joints > d && found.display == display_class::none && cone_is_zero(E, found.signs, off))
     found.display = display_class::empty_cone;
 }
 
@@ -156,32 +99,33 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
 template <Settles M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
                       const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
-                      const brake_vector<M>& limit) {
+                      const switchable_brakes<M>& brakes) {
   using T = typename M::scalar;
   using rate_map = typename settled_rates<M>::rate_map;
   constexpr int m = M::brake_count;
   constexpr T tolerance = rounding_tolerance<T>(M::dof + m);
-  const settled_rates<M> rates(mechanism_pose<M>(mechanism, q), tolerance);
-  unlimited_brake_parameters<T, m> brakes;
-  brakes.rate_dead_band.setConstant(tolerance * rates.least_rates().norm());
-  const settled_forces forces(rates, E, brakes, v);
+  const settled_rates<M> rates(mechanism_pose<M>(mechanism, q), tolerance,
+                               brakes_without_torque<T, m>(brakes));
+  switchable_brakes<M> in_motion = brakes;
+  in_motion.rate_dead_band.setConstant(tolerance * rates.least_rates().norm());
+  const settled_forces forces(rates, E, in_motion, v);
   const auto Fc = forces.nearest(n, T(0));
   T strongest = T(0);
   rates.for_each([&](brake_set, const rate_map& W) {
-    const torque_box<T, m> box = torques_within<T, m>(forces.signs_of(W), limit);
+    const torque_box<T, m> box = torque_box_of<switchable_brakes<M>, T, m>(forces.signs_of(W), brakes);
     strongest = std::max(strongest, strongest_with_self_motion<M>(rates, box, n));
     return false;
   });
   found.signs = Fc.signs;
   found.held = Fc.held;
-  tell(found, n, Fc, strongest, limit);
+  tell(found, n, Fc, strongest, brakes);
 }
 
 // By generators: other than n brakes where n = d, and inertial forces.
 template <displays_by_generators M>
 void find_displayable(displayable_force<M>& found, const M& mechanism, const joint_vector<M>& q,
                       const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
-                      const brake_vector<M>& limit) {
+                      const switchable_brakes<M>& brakes) {
   using T = typename M::scalar;
   constexpr int d = M::task_dimension, m = M::brake_count;
   const auto G = passive_haptics::generators_of(mechanism_pose<M>(mechanism, q));
@@ -189,17 +133,18 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
     found.outcome = status::singular_jacobian;
     return;
   }
-  found.signs = signs_in_motion<T, m, d>(transposed(G), E, v);
-  const auto Fc = approximate_by_generators(G, found.signs, n, T(0));
+  found.signs = signs_within(signs_in_motion<T, m, d>(transposed(G), E, v), brakes);
+  const auto Fc = approximate_by_generators(G, unbounded_torque_box_of(found.signs, brakes), n, T(0));
   const brake_vector<M> outwards = G.transpose() * n;
-  tell(found, n, Fc, largest_resistance<T, m>(torques_within(found.signs, limit), outwards), limit);
+  tell(found, n, Fc, largest_resistance<T, m>(torque_box_of(found.signs, brakes), outwards), brakes);
 }
 
 }  // namespace detail
 
-/// What brakes of these torque limits [N m] can display against a wall with normal n while the end effector
+/// What these brakes can display against a wall with normal n while the end effector
 /// moves in `direction`, at joint positions q. Direction and normal: base frame, any length > 0; at rest the
-/// direction is zero. The limits may be infinite.
+/// direction is zero. Of the brakes the limits and intervals are read; limits may be infinite, and a brake
+/// whose limit is 0 is off.
 ///
 /// The motion decides the signs: w = T J^+ v, s = sgn(w), and brake i makes s_i t_i <= 0 (3). A brake that
 /// rests in this motion (|w_i| of rounding size) can hold either way, so s_i = 0. Of a direction that a
@@ -224,20 +169,32 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
 template <class M>
 displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
                                  const task_vector<M>& direction, const task_vector<M>& normal,
-                                 const brake_vector<M>& torque_limit = brake_vector<M>::Constant(
-                                     std::numeric_limits<typename M::scalar>::infinity())) {
+                                 const switchable_brakes<M>& brakes) {
   static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
   displayable_force<M> found;
   if (!all_finite(q, direction)) found.outcome = status::state_not_finite;
   else if (!all_finite(normal) || normal.isZero(0)) found.outcome = status::contact_invalid;
-  else if (!(torque_limit.array() >= 0).all()) found.outcome = status::parameters_invalid;
+  else if (!(brakes.torque_limit.array() >= 0).all() || !(brakes.torque_lower.array() <= 0).all() ||
+           !(brakes.torque_upper.array() >= 0).all())
+    found.outcome = status::parameters_invalid;
   if (found.outcome != status::ok) return found;
   const brake_matrix<M> E(passive_haptics::brake_jacobian(mechanism, q));
   if (all_finite(E))
     detail::find_displayable(found, mechanism, q, E, task_vector<M>(direction.stableNormalized()),
-                             task_vector<M>(normal.stableNormalized()), torque_limit);
+                             task_vector<M>(normal.stableNormalized()), brakes);
   else found.outcome = status::pose_undefined;
   return found;
+}
+
+/// What brakes of these torque limits [N m] can display.
+template <class M>
+displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
+                                 const task_vector<M>& direction, const task_vector<M>& normal,
+                                 const brake_vector<M>& torque_limit = brake_vector<M>::Constant(
+                                     std::numeric_limits<typename M::scalar>::infinity())) {
+  switchable_brakes<M> brakes;
+  brakes.torque_limit = torque_limit;
+  return passive_haptics::displayable(mechanism, q, direction, normal, brakes);
 }
 
 }  // namespace passive_haptics

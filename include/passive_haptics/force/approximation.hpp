@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace passive_haptics {
 
@@ -73,6 +74,30 @@ T cosine_squared(const vector<T, D>& force, const vector<T, D>& n) {
   return cosine * cosine;
 }
 
+namespace detail {
+
+// Whether brakes that are off have no torque t.
+template <class T, int Brakes, class Off>
+bool are_idle([[maybe_unused]] const vector<T, Brakes>& t, [[maybe_unused]] const Off& off) {
+  if constexpr (std::is_same_v<Off, all_brakes_on>) return true;
+  else return (off.array() * t.array() == T(0)).all();
+}
+
+// Which brakes cannot have the torques t: those that would drive or are off. And which brakes are on
+template <class T, int Brakes, class Off>
+auto refuse(const lanes<T, Brakes>& s, const lanes<T, Brakes>& t, [[maybe_unused]] const Off& off) {
+  const auto drives = s * t > T(0);
+  if constexpr (std::is_same_v<Off, all_brakes_on>) return drives;
+  else return drives | (lanes(off) * abs(t) > T(0));
+}
+template <class Mask, class Off>
+auto of_those_on(const Mask& brakes, [[maybe_unused]] const Off& off) {
+  if constexpr (std::is_same_v<Off, all_brakes_on>) return brakes;
+  else return brakes & (lanes(off) <= typename Off::Scalar(0));
+}
+
+}  // namespace detail
+
 /// Fc for a unit desired force n (base frame) and brakes of signs s, in half-space form.
 ///
 /// Exact (Fc = n) where all s_i t_i <= 0 for t = E^T n. Else Fc = Fp / |Fp|^2 with Fp the nearest displayable
@@ -80,14 +105,18 @@ T cosine_squared(const vector<T, D>& force, const vector<T, D>& n) {
 /// where |Fp| is of rounding size or gamma is over the limit. Feasible to rounding is Fp = Fc cos^2(gamma),
 /// not Fc itself.
 ///
-/// start: where the search begins, left for the next cycle; the answer does not depend on it. Cost:
-/// core/linear/cone.hpp, but nothing where the force is exact.
-template <class EMatrix, class T, int D, int Brakes>
+/// start: where the search begins, left for the next cycle; the answer does not depend on it. off: brakes
+/// that are off, from brakes_off; their torque is 0 exactly. Cost: core/linear/cone.hpp, but nothing where
+/// the force is exact; with a brake that is off, the active set of 2 m half-spaces.
+template <class EMatrix, class T, int D, int Brakes, class Off = all_brakes_on>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
-                                             const vector<T, D>& n, T min_cosine, half_space_start& start) {
+                                             const vector<T, D>& n, T min_cosine, half_space_start& start,
+                                             const Off& off = Off()) {
+  if constexpr (!std::is_same_v<Off, all_brakes_on>)
+    if (off.isZero(T(0))) return approximate(E, s, n, min_cosine, start);
   const vector<T, Brakes> t = brake_torque(E, n);
-  if (producible(s, t)) return {display_class::exact, n, t, T(1)};
-  const auto nearest = project_onto_half_spaces(half_spaces_of(E, s), n, start);
+  if (producible(s, t) && detail::are_idle(t, off)) return {display_class::exact, n, t, T(1)};
+  const auto nearest = project_onto_half_spaces(half_spaces_of(E, s, off), n, start);
   const vector<T, D>& Fp = nearest.point;
   const T square = Fp.squaredNorm(), least = std::max(min_cosine, rounding_tolerance<T>(D));
   if (!(square >= least * least)) return {};
@@ -96,7 +125,7 @@ approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, B
   vector<T, Brakes> tc = brake_torque(E, Fc);
   // Where rounding left a brake a torque that it should not or cannot have, it is exactly 0
   unrolled<Brakes>([&](auto i) {
-    if ((nearest.active >> i & 1u) != 0 || s[i] * tc[i] > T(0)) tc[i] = T(0);
+    if ((nearest.active >> i & 1u) != 0 || s[i] * tc[i] > T(0) || detail::is_off(off, i)) tc[i] = T(0);
   });
   return {display_class::approximate, Fc, tc, square};
 }
@@ -119,9 +148,10 @@ struct vectors_of_brakes {
 
 /// The same for two brakes in the plane: one that would drive is released, the other alone makes Fc along its
 /// reference force R (Fig. 3), at right angles to the released one's column of E: Fc = R / (R . n).
-template <class T>
+template <class T, class Off = all_brakes_on>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
-                                        const vector<T, 2>& n, T min_cosine, half_space_start&) {
+                                        const vector<T, 2>& n, T min_cosine, half_space_start&,
+                                        const Off& off = Off()) {
   using each = lanes<T, 2>;  // brake 1, brake 2
   const each sign = s, t = brake_torque(E, n);
   // Of each brake: its column of E, and R at right angles to the other one's
@@ -129,8 +159,9 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
   const each RR = dot(R, R), Rn = dot(R, n), share = T(1) / Rn;
   const each t_alone = cross_or_zero(dot(e, R), RR, swapped(RR)) * share;
   const each cosine_squared = Rn * Rn / RR, least = std::max(min_cosine, rounding_tolerance<T>(2));
-  const auto drives = sign * t > T(0), some = drives | swapped(drives);
-  const auto acts = swapped(drives) & (sign * t_alone <= T(0)) & (Rn * Rn >= least * least * RR);
+  const auto drives = detail::refuse(sign, t, off), some = drives | swapped(drives);
+  const auto acts =
+      swapped(drives) & detail::of_those_on((sign * t_alone <= T(0)) & (Rn * Rn >= least * least * RR), off);
   const auto nearest = select(any(acts), display_class::approximate, display_class::none);
   const each of_R = select(first_only(acts), share, T(0));  // both act where their columns are parallel
   return {select(some[0], nearest, display_class::exact),
@@ -140,11 +171,12 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
 }
 
 /// The same for a diagonal E: each axis alone.
-template <class T, int D>
+template <class T, int D, class Off = all_brakes_on>
 approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
-                                        const vector<T, D>& n, T min_cosine, half_space_start&) {
+                                        const vector<T, D>& n, T min_cosine, half_space_start&,
+                                        const Off& off = Off()) {
   const lanes<T, D> t = brake_torque(E, n);
-  const auto drives = lanes(s) * t > T(0);
+  const auto drives = detail::refuse(lanes<T, D>(s), t, off);
   if (!any(drives)) return {display_class::exact, n, t, T(1)};
   const lanes<T, D> Fp = select(drives, T(0), n), tp = select(drives, T(0), t);
   const T square = sum(Fp * Fp);

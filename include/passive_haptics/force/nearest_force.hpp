@@ -2,6 +2,7 @@
 /// The nearest force that the brakes can produce.
 #pragma once
 
+#include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 
@@ -20,6 +21,25 @@ matrix<T, D, Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<
   matrix<T, D, Brakes> B;
   unrolled<Brakes>([&](auto i) { unrolled<D>([&](auto k) { B(k, i) = s[i] * E(k, i); }); });
   return B;
+}
+
+/// B with a pair of half-spaces, columns +-E_i, for each brake that is off (brakes_off): t_i = 0. 0 in place
+/// of the second one of the others.
+template <class T, int D, int Brakes>
+matrix<T, D, 2 * Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
+                                        const vector<T, Brakes>& off) {
+  const vector<T, Brakes> first = (off.array() != T(0)).select(off, s);
+  matrix<T, D, 2 * Brakes> B;
+  B.template leftCols<Brakes>() = half_spaces_of(E, first);
+  B.template rightCols<Brakes>() = half_spaces_of(E, vector<T, Brakes>(-off));
+  return B;
+}
+
+/// B of brakes that are all on.
+template <class T, int D, int Brakes>
+matrix<T, D, Brakes> half_spaces_of(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
+                                    const all_brakes_on&) {
+  return half_spaces_of(E, s);
 }
 
 /// Projection of Fd on C = { F : s_i (E^T F)_i <= 0 }, the forces that brakes of signs s can produce.
@@ -48,18 +68,19 @@ nearest_force_result<T, D, D> nearest_force(const diagonal_matrix<T, D>& E, cons
 
 /// True if C = {0}: no force at all can be displayed. Only with self-motion (n > d). If C held some F != 0, F
 /// would have a component against the sum of the half-spaces' normals, and the projection of that sum would
-/// not vanish.
-template <class T, int D, int Brakes>
-bool cone_is_zero(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s) {
-  matrix<T, D, Brakes> B = half_spaces_of(E, s);
-  for (int i = 0; i < Brakes; ++i) B.col(i).stableNormalize();
+/// not vanish. off: from brakes_off.
+template <class T, int D, int Brakes, class Off = all_brakes_on>
+bool cone_is_zero(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s, const Off& off = Off()) {
+  auto B = half_spaces_of(E, s, off);
+  constexpr int columns = decltype(B)::ColsAtCompileTime;
+  for (int i = 0; i < columns; ++i) B.col(i).stableNormalize();
   const vector<T, D> against = -B.rowwise().sum();
   const T size = against.norm();
-  const auto tolerance = rounding_tolerance<T>(D + Brakes);
+  const auto tolerance = rounding_tolerance<T>(D + columns);
   if (size > tolerance && project_onto_half_spaces(B, vector<T, D>(against / size)).point.norm() > tolerance)
     return false;
   // The normals may also cancel: then C is the space normal to all of them.
-  return orthogonal_decomposition<T, Brakes, D>(transposed(B), tolerance).rank() == D;
+  return orthogonal_decomposition<T, columns, D>(transposed(B), tolerance).rank() == D;
 }
 
 }  // namespace passive_haptics

@@ -36,9 +36,12 @@ TEST(a_description, lists_what_was_found_and_what_was_not) {
             "inverse_jacobian, inverse_transposed_jacobian, self_motion");
   EXPECT_FALSE(ph::describe<not_const>().has("mass_matrix")) << "a function that is not const";
   EXPECT_EQ(to_text(ph::describe(ph::brakes_of<position_alone>())),
-            "torque_limit, rate_dead_band, torque_dead_band, time_constant");
+            "torque_limit, rate_dead_band, torque_dead_band, time_constant; not found: torque_lower, "
+            "torque_upper");
+  EXPECT_TRUE(ph::describe<ph::switchable_brakes<position_alone>>().has("torque_lower"));
   EXPECT_EQ(to_text(ph::describe(ph::unlimited_brakes())),
-            "none; not found: torque_limit, rate_dead_band, torque_dead_band, time_constant");
+            "none; not found: torque_limit, torque_lower, torque_upper, rate_dead_band, torque_dead_band, "
+            "time_constant");
   EXPECT_EQ(to_text(ph::describe(ph::direct_control())),
             "needs_hand_force, nulls_normal_force; not found: needs_dynamics, needs_brake_lag, "
             "needs_torque_limit, saturates_before_scaling, most_contacts, memory");

@@ -50,7 +50,7 @@ TEST(displayable, is_nothing_out_of_a_wall_and_without_bound_where_no_limit_is_g
   EXPECT_EQ(in.strongest, infinite);
   EXPECT_EQ(in.strongest_nearest, infinite);
   const auto released = ph::displayable(arm, q, -n, n, {0, 0});
-  EXPECT_TRUE(ph::is_displayed(released.display));
+  EXPECT_EQ(released.display, ph::display_class::none);
   EXPECT_EQ(released.strongest, 0);
 }
 

@@ -2,10 +2,12 @@
 /// How the brakes of a device with self-motion turn once it has settled.
 #pragma once
 
+#include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -14,6 +16,19 @@ using brake_set = unsigned;
 
 /// Whether brake i is in the set.
 constexpr bool contains(brake_set set, int i) { return (set >> i & 1u) != 0; }
+
+/// The brakes that can make no torque in a cycle, neither way: those that are off. None of brakes without an
+/// interval.
+template <class T, int Brakes, class B>
+brake_set brakes_without_torque([[maybe_unused]] const B& brakes) {
+  brake_set off = 0;
+  if constexpr (SwitchableBrakes<B, T, Brakes>)
+    for (int i = 0; i < Brakes; ++i)
+      if (!(passive_haptics::torque_bound_of<T>(brakes, i, T(1)) > T(0)) &&
+          !(passive_haptics::torque_bound_of<T>(brakes, i, T(-1)) > T(0)))
+        off |= brake_set(1) << i;
+  return off;
+}
 
 /// The brakes of a device with self-motion, n > d, whose handle moves with v. A light arm that slips gives
 /// way along N = ker J until its brakes take the least power there is; then as many of them are at rest as N
@@ -24,7 +39,8 @@ constexpr bool contains(brake_set set, int i) { return (set >> i & 1u) != 0; }
 ///
 /// By virtual work the torques of these others make the force F = W_S^T t, whatever they are; those of S
 /// balance what is left on the self-motion. Which brakes come to rest the device decides: every set of r
-/// brakes whose rows of T N are independent is a candidate, at most C(m, r).
+/// brakes whose rows of T N are independent is a candidate, at most C(m, r). A brake that is off holds
+/// nothing: r is the rank of the others' rows.
 template <class M>
 class settled_rates {
   using T = typename M::scalar;
@@ -39,8 +55,9 @@ class settled_rates {
 
   /// Of a pose. A row of T N that is shorter than least_share times a brake's greatest motion, after those
   /// before it were taken out of it, counts as dependent: a brake at rest that the self-motion hardly moves
-  /// would let the others race. Cost: an orthogonal decomposition of d x n.
-  explicit settled_rates(const mechanism_pose<M>& pose, T least_share = default_share)
+  /// would let the others race. off: brakes that cannot be held (brakes_without_torque). Cost: an orthogonal
+  /// decomposition of d x n.
+  explicit settled_rates(const mechanism_pose<M>& pose, T least_share = default_share, brake_set off = 0)
       : least_share_(least_share) {
     const orthogonal_decomposition<T, d, n> J(jacobian_matrix<M>(pose.jacobian()), rounding_tolerance<T>(n));
     const transmission_matrix<M> by_brakes = transposed(pose.transposed_transmission());
@@ -48,6 +65,9 @@ class settled_rates {
     start_.rates = by_brakes * J.pseudo_inverse();
     start_.self = by_brakes * J.null_space();
     largest_ = by_brakes.rowwise().norm();
+    if (off != 0)
+      for (int i = 0; i < m; ++i)
+        if (contains(off, i)) largest_[i] = std::numeric_limits<T>::infinity();
     for (candidate x = start_; rank_ < self_motions_; ++rank_)
       if (!hold_next(x)) break;
     lost_ = J.rank() < d;
@@ -127,7 +147,7 @@ class settled_rates {
   T least_share_;
   int self_motions_ = 0, rank_ = 0;
   candidate start_ = {};
-  vector<T, m> largest_;
+  vector<T, m> largest_;  // motion of a brake; infinite where it is off, so that no share is enough
   bool lost_ = false;
   matrix<T, d, d> held_by_structure_;
 };

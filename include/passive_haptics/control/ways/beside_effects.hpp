@@ -73,11 +73,9 @@ struct beside_effects {
       done.outcome = status::pose_undefined;
       return done;
     }
-    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(device.brakes);
-    const vector<T, m> signs = signs_for(device, done, memory.start);
-    done.td.torque = torques_beside(map, torques_within(signs, limit), done.td.torque, normals(),
-                                    demand_of(device, done.effects));
-    done.td.limited = done.td.limited || (done.td.torque.array().abs() >= limit.array()).any();
+    const auto box = passive_haptics::torque_box_of(signs_for(device, done, memory.start), device.brakes);
+    done.td.torque = torques_beside(map, box, done.td.torque, normals(), demand_of(device, done.effects));
+    done.td.limited = done.td.limited || passive_haptics::any_at_limit(done.td.torque, device.brakes);
     return done;
   }
 

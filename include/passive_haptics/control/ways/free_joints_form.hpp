@@ -15,7 +15,8 @@ struct display_form<M> {
   static auto nearest(const Device& device, const desired_force<T, D>& Fd, T min_cosine,
                       approximation_start&) {
     return approximate_within(passive_haptics::forces_of_braked_joints(device.pose),
-                              brake_matrix<M>(device.E), device.s, Fd.direction, min_cosine);
+                              brake_matrix<M>(device.E), device.s, Fd.direction, min_cosine,
+                              passive_haptics::brakes_off(device.s, device.brakes));
   }
 };
 

@@ -7,6 +7,8 @@
 #include <passive_haptics/control/ways/one_wall.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>
 
+#include <type_traits>
+
 namespace passive_haptics {
 
 /// By generators, with torques of least norm.
@@ -16,8 +18,11 @@ struct display_form<M> {
   template <class Device, class T, int D>
   static auto nearest(const Device& device, const desired_force<T, D>& Fd, T min_cosine,
                       approximation_start&) {
-    return approximate_by_generators(passive_haptics::generators_of(device.pose), device.s, Fd.direction,
-                                     min_cosine);
+    const auto G = passive_haptics::generators_of(device.pose);
+    if constexpr (detail::names_torque_interval<std::remove_cvref_t<decltype(device.brakes)>>)
+      return approximate_by_generators(G, passive_haptics::unbounded_torque_box_of(device.s, device.brakes),
+                                       Fd.direction, min_cosine);
+    else return approximate_by_generators(G, device.s, Fd.direction, min_cosine);
   }
 };
 

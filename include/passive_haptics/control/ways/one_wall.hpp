@@ -17,7 +17,8 @@ struct display_form {
   template <class Device, class T, int D>
   static auto nearest(const Device& device, const desired_force<T, D>& Fd, T min_cosine,
                       approximation_start& start) {
-    return approximate(device.E, device.s, Fd.direction, min_cosine, start.half_spaces);
+    return approximate(device.E, device.s, Fd.direction, min_cosine, start.half_spaces,
+                       passive_haptics::brakes_off(device.s, device.brakes));
   }
 };
 template <displays_by_generators M>

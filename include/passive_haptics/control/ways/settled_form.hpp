@@ -51,7 +51,7 @@ struct display_form<M> {
   static settled_force<T, D, M::brake_count> nearest_at(const Device& device, const vector<T, D>& landed,
                                                         const vector<T, D>& v, const vector<T, D>& n,
                                                         T min_cosine, unsigned& held) {
-    const settled_rates<M> rates(device.pose);
+    const settled_rates<M> rates = rates_of(device);
     auto F = settled_forces(rates, device.E, device.brakes, landed).nearest(n, min_cosine, held);
     if (!is_displayed(F.display))
       F = settled_forces(rates, device.E, device.brakes, v).nearest(n, min_cosine, held);
@@ -67,7 +67,7 @@ struct display_form<M> {
       const Device& device, const vector<T, D>& landed, const vector<T, D>& v,
       const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
       unsigned& held) {
-    const settled_rates<M> rates(device.pose);
+    const settled_rates<M> rates = rates_of(device);
     const auto at = [&](const vector<T, D>& velocity) {
       return settled_forces(rates, device.E, device.brakes, velocity)
           .template signs_for<Capacity>(demands, count, held);
@@ -87,7 +87,7 @@ struct display_form<M> {
                                                      approximation_start start) {
     settled_force<T, D, M::brake_count> F;
     F.torque = capacity;  // a NaN of the law stays, whatever is known of S
-    const settled_rates<M> rates(device.pose);
+    const settled_rates<M> rates = rates_of(device);
     typename settled_rates<M>::rate_map W;
     if (!rates.find(start.held, W)) {
       start.held = nearest(device, Fd, T(0), start).held;
@@ -99,8 +99,19 @@ struct display_form<M> {
     const brake_vector<M> sense = brake_torque(device.E, Fd.direction);  // of those at rest
     for (int i = 0; i < M::brake_count; ++i)
       F.torque[i] = std::copysign(capacity[i], F.signs[i] != T(0) ? -F.signs[i] : sense[i]);
+    const auto off = passive_haptics::brakes_off(F.signs, device.brakes);
+    for (int i = 0; i < M::brake_count; ++i)
+      if (detail::is_off(off, i)) F.torque[i] = T(0);
     F.force = W.transpose() * F.torque;
     return F;
+  }
+
+ private:
+  template <class Device>
+  static settled_rates<M> rates_of(const Device& device) {
+    using T = typename M::scalar;
+    return settled_rates<M>(device.pose, settled_rates<M>::default_share,
+                            passive_haptics::brakes_without_torque<T, M::brake_count>(device.brakes));
   }
 };
 

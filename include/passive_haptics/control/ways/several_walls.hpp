@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace passive_haptics {
 
@@ -66,7 +65,7 @@ struct several_walls {
     force Fc_scaled = {};
     const vector<T, m> signs = signs_for(device, scale, memory.start, Fc_scaled);
     const auto map = passive_haptics::force_map_of(device.pose, device.E);
-    const auto box = torques_within(signs, passive_haptics::torque_limits_of<T, m>(device.brakes));
+    const auto box = passive_haptics::torque_box_of(signs, device.brakes);
     find_force(Fc_scaled, scale, map, box);
     // 4. td: its torques, which are within the limits but for the rounding of a product
     return {scale,     signs,
@@ -169,8 +168,7 @@ struct several_walls {
 
   template <class Device>
   void add_reports(Result& result, const Device& device, const steps& done) const {
-    const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(device.brakes);
-    result.saturated = (done.td.torque.array().abs() >= limit.array()).any();
+    result.saturated = passive_haptics::any_at_limit(done.td.torque, device.brakes);
     result.contact_count = touched.size();
     for (int j = 0; j < touched.size(); ++j) {
       const auto k = static_cast<std::size_t>(j);
@@ -187,10 +185,8 @@ struct several_walls {
   force unscaled_force(const Device& device, const steps& done) const {
     const vector<T, d> n = Fd(governing).direction;
     force F = done.Fc_scaled;
-    if (!is_whole(done)) {
-      const vector<T, m> unlimited = vector<T, m>::Constant(std::numeric_limits<T>::infinity());
-      find_force(F, {}, done.map, torques_within(done.signs, unlimited));
-    }
+    if (!is_whole(done))
+      find_force(F, {}, done.map, passive_haptics::unbounded_torque_box_of(done.signs, device.brakes));
     if (!displays_by_generators<M> && !is_in_cone(device, done.signs, F.force)) {
       F = done.Fc_scaled;
     } else {
@@ -219,14 +215,18 @@ struct several_walls {
     return whole;
   }
 
-  // Whether brakes of these signs can make the force, to rounding: s_i t_i <= 0 for t = E^T F
+  // Whether brakes of these signs can make the force, to rounding: s_i t_i <= 0 for t = E^T F, 0 where off
   template <class Device>
   static bool is_in_cone(const Device& device, const vector<T, m>& signs, const vector<T, d>& F) {
     const matrix<T, d, m> E(device.E);
     const vector<T, m> t = E.transpose() * F;
     const T tolerance = rounding_tolerance<T>(1) * F.norm();
+    const auto off = passive_haptics::brakes_off(signs, device.brakes);
     bool all = true;
-    for (int i = 0; i < m; ++i) all = all && signs[i] * t[i] <= tolerance * E.col(i).norm();
+    for (int i = 0; i < m; ++i) {
+      const T beyond = detail::is_off(off, i) ? std::abs(t[i]) : signs[i] * t[i];
+      all = all && beyond <= tolerance * E.col(i).norm();
+    }
     return all;
   }
 };

@@ -49,9 +49,14 @@ struct torques_of_law {
   PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     steps done{{}, {}, memory.law};
     done.wanted = torques_wanted(device, done.memory);
-    if constexpr (!Settles<M>)      // whose signs change until it has settled
-      if (all_finite(done.wanted))  // else a fault of the law, also where it would be released
+    if (all_finite(done.wanted)) {  // else a fault of the law, also where it would be released
+      if constexpr (!Settles<M>)    // whose signs change until it has settled
         done.wanted = (device.s.array() * done.wanted.array() > T(0)).select(T(0), done.wanted);
+      [[maybe_unused]] const auto off = passive_haptics::brakes_off(device.s, device.brakes);
+      unrolled<m>([&](auto i) {
+        if (detail::is_off(off, i)) done.wanted[i] = T(0);
+      });
+    }
     done.td = passive_haptics::within_limits(done.wanted, device.brakes, saturation::clamp_each);
     return done;
   }

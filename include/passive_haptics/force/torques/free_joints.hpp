@@ -24,22 +24,23 @@ matrix<typename M::scalar, M::task_dimension, M::task_dimension> forces_of_brake
 }
 
 /// Fc as approximate() gives it, among the forces that leave joints without a brake alone. within: from
-/// forces_of_braked_joints.
-template <class T, int D, int Brakes>
+/// forces_of_braked_joints. off: brakes that are off, from brakes_off.
+template <class T, int D, int Brakes, class Off = all_brakes_on>
 approximated_force<T, D, Brakes> approximate_within(const matrix<T, D, D>& within,
                                                     const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s,
-                                                    const vector<T, D>& n, T min_cosine) {
+                                                    const vector<T, D>& n, T min_cosine,
+                                                    const Off& off = Off()) {
   // Twice, as rounding of what is taken out of a column may be large beside what is left
   const matrix<T, D, Brakes> inside = within * matrix<T, D, Brakes>(within * E);
-  const auto nearest = nearest_force(inside, s, vector<T, D>(within * n));
-  const vector<T, D>& Fp = nearest.force;
+  const auto nearest = project_onto_half_spaces(half_spaces_of(inside, s, off), vector<T, D>(within * n));
+  const vector<T, D>& Fp = nearest.point;
   const bool exact = (n - Fp).norm() <= rounding_tolerance<T>(D + Brakes);
   const T square = exact ? T(1) : Fp.squaredNorm(), least = std::max(min_cosine, rounding_tolerance<T>(D));
   if (!(square >= least * least)) return {};
   const vector<T, D> Fc = exact ? n : vector<T, D>(Fp / square);
   vector<T, Brakes> t = brake_torque(E, Fc);
   for (int i = 0; i < Brakes; ++i)
-    if ((nearest.active >> i & 1u) != 0 || s[i] * t[i] > T(0)) t[i] = T(0);
+    if ((nearest.active >> i & 1u) != 0 || s[i] * t[i] > T(0) || detail::is_off(off, i)) t[i] = T(0);
   return {exact ? display_class::exact : display_class::approximate, Fc, t, square};
 }
 

@@ -2,6 +2,7 @@
 /// Brake torques whose force comes nearest to a desired one: the generator form.
 #pragma once
 
+#include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/linear/generated_cone.hpp>
 #include <passive_haptics/core/linear/prioritised_least_squares.hpp>
@@ -24,6 +25,28 @@ template <class T, int Brakes>
 torque_box<T, Brakes> torques_within(const vector<T, Brakes>& s, const vector<T, Brakes>& limit) {
   const vector<T, Brakes> none = vector<T, Brakes>::Zero();
   return {(s.array() < T(0)).select(none, -limit), (s.array() > T(0)).select(none, limit)};
+}
+
+/// The box of torques that these brakes can make with signs s, from signs_within.
+template <class B, class T, int Brakes>
+torque_box<T, Brakes> torque_box_of(const vector<T, Brakes>& s, const B& brakes) {
+  torque_box<T, Brakes> box = torques_within(s, passive_haptics::torque_limits_of<T, Brakes>(brakes));
+  if constexpr (SwitchableBrakes<B, T, Brakes>)
+    box = {box.lower.cwiseMax(brakes.torque_lower), box.upper.cwiseMin(brakes.torque_upper)};
+  return box;
+}
+
+/// torque_box_of without bounds: of a brake in a direction in which it can make any torque, all.
+template <class B, class T, int Brakes>
+torque_box<T, Brakes> unbounded_torque_box_of(const vector<T, Brakes>& s, const B& brakes) {
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  if constexpr (SwitchableBrakes<B, T, Brakes>) {
+    const auto box = passive_haptics::torque_box_of(s, brakes);
+    return {(box.lower.array() < T(0)).select(vector<T, Brakes>::Constant(-infinity), T(0)),
+            (box.upper.array() > T(0)).select(vector<T, Brakes>::Constant(infinity), T(0))};
+  } else {
+    return torques_within(s, vector<T, Brakes>(vector<T, Brakes>::Constant(infinity)));
+  }
 }
 
 /// Nearest force and the torques that make it.
@@ -118,7 +141,9 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
       matrix<T, D, Brakes> usable = G;
       for (int i = 0; i < Brakes; ++i) {
         s[i] = T(box.lower[i] != T(0)) - T(box.upper[i] != T(0));
-        if (box.lower[i] == box.upper[i]) usable.col(i).setZero();
+        if (box.lower[i] != box.upper[i]) continue;
+        s[i] = T(1);  // any: it makes nothing
+        usable.col(i).setZero();
       }
       return detail::nearest_of_generators(usable, s, Fd);
     }

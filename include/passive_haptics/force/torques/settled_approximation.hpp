@@ -6,13 +6,12 @@
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/force/approximation.hpp>
-#include <passive_haptics/force/torques/contact_forces.hpp>
-#include <passive_haptics/force/torques/nearest_torque.hpp>
+#include <passive_haptics/force/torques/force_map.hpp>
+#include <passive_haptics/force/torques/settled_shortfall.hpp>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -25,11 +24,14 @@ inline constexpr double settled_gain = 0.1;
 
 /// The forces that brakes can display of a device whose handle moves with v, once its self-motion has
 /// settled: F belongs to them if T^T t = J^T F and if some self-motion z gives t_i (T (qd + N z))_i <= 0 for
-/// all i. They are the cones of all sets of brakes that can come to rest.
+/// all i. They are the cones of all sets of brakes that can come to rest. A brake that is off (in `rates`,
+/// too) makes nothing. Where a one-way brake of S would have to hold the other way, the others make what
+/// leaves it out of that: the nearest force of torques that leave the self-motion alone (force_map).
 template <class M, class EMatrix, class B>
 class settled_forces {
   using T = typename M::scalar;
   static constexpr int d = M::task_dimension, m = M::brake_count, r = M::dof - d;
+  static constexpr bool has_intervals = SwitchableBrakes<B, T, m>;
 
  public:
   using force = settled_force<T, d, m>;                  ///< With its signs.
@@ -39,9 +41,10 @@ class settled_forces {
   settled_forces(const settled_rates<M>& rates, const EMatrix& E, const B& brakes, const vector<T, d>& v)
       : rates_(rates), E_(E), brakes_(brakes), v_(v) {}
 
-  /// s* where the brakes of S are at rest, from W_S: 0 for these, and for others within their dead band.
+  /// s* where the brakes of S are at rest, from W_S: 0 for these, and for others within their dead band, but
+  /// that of its way for one that works one way.
   vector<T, m> signs_of(const rate_map& W) const {
-    return brake_signs<T, m>(W * v_, vector<T, m>::Zero(), brakes_);
+    return signs_within(brake_signs<T, m>(W * v_, vector<T, m>::Zero(), brakes_), brakes_);
   }
 
   /// Fc for a unit desired force n, as in approximate(), of the set S for which cos(gamma) is largest: exact
@@ -65,23 +68,10 @@ class settled_forces {
     return force_of(kept.cosine > T(0) && best.cosine <= kept.cosine + T(settled_gain) ? kept : best, n);
   }
 
-  /// What a set leaves of several demands, as shares of all of them.
-  struct shortfall {
-    T first = std::numeric_limits<T>::infinity();  ///< Of those that come first.
-    T others = first;                              ///< Of the others.
-    T force = first;                               ///< |F| [N]
-
-    /// Whether it is less by more than a gain, in this order.
-    bool is_less_than(const shortfall& b, T gain) const {
-      if (!(std::abs(first - b.first) <= gain)) return first < b.first;
-      if (!(std::abs(others - b.others) <= gain)) return others < b.others;
-      return force < b.force * (T(1) - gain);
-    }
-  };
   /// A choice of S for several contacts.
   struct choice {
-    force signs;     ///< S, s* and v'; no force.
-    shortfall left;  ///< Of the demands; infinite where there is no set.
+    force signs;                ///< S, s* and v'; no force.
+    settled_shortfall<T> left;  ///< Of the demands; infinite where there is no set.
   };
 
   /// S, s* and v' for the first `count` of several contacts: those by which brakes without limits leave least
@@ -94,7 +84,7 @@ class settled_forces {
     best.signs.velocity = kept.signs.velocity = v_;
     const auto consider = [&](brake_set S, const rate_map& W, choice& c, T gain) {
       const vector<T, m> signs = signs_of(W);
-      const shortfall left = shortfall_of<Capacity>(S, W, signs, demands, count);
+      const auto left = shortfall_of<Capacity>(S, W, signs, demands, count);
       if (!left.is_less_than(c.left, gain)) return;
       c.left = left;
       c.signs.held = S;
@@ -111,9 +101,9 @@ class settled_forces {
 
  private:
   template <int Capacity>
-  shortfall shortfall_of(brake_set S, const rate_map& W, const vector<T, m>& signs,
-                         const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
-                         int count) const {
+  settled_shortfall<T> shortfall_of(
+      brake_set S, const rate_map& W, const vector<T, m>& signs,
+      const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands, int count) const {
     return with_generators(S, W, signs, [&](const auto& G, const auto& s) {
       constexpr int brakes = std::remove_cvref_t<decltype(s)>::SizeAtCompileTime;
       auto box =
@@ -121,15 +111,13 @@ class settled_forces {
       for (int i = 0; i < brakes; ++i)
         if (G.col(i).isZero(T(0))) box.lower[i] = box.upper[i] = T(0);
       const auto met = contact_forces<T, d, brakes, Capacity>({G}, box, demands, count);
-      T left[2] = {}, wanted = T(0);
-      for (int j = 0; j < count; ++j) {
-        const auto at = static_cast<std::size_t>(j);
-        T& level = left[demands[at].has_priority ? 0 : 1];
-        level = std::hypot(level, demands[at].force - met.displayed[at]);
-        wanted = std::hypot(wanted, demands[at].force);
-      }
-      const T whole = wanted > T(0) ? wanted : T(1);
-      return shortfall{left[0] / whole, left[1] / whole, met.force.norm()};
+      if constexpr (has_intervals)
+        if (must_hold_otherwise(S, signs, met.force)) {
+          const auto all = contact_forces<T, d, m, Capacity>(
+              passive_haptics::force_map_of(rates_), unbounded_torque_box_of(signs, brakes_), demands, count);
+          return settled_shortfall<T>::of(all, demands, count);
+        }
+      return settled_shortfall<T>::of(met, demands, count);
     });
   }
 
@@ -137,24 +125,53 @@ class settled_forces {
     brake_set S = 0;
     rate_map W = rate_map::Zero();
     vector<T, m> signs = vector<T, m>::Zero();
-    T cosine = T(0);  // 0 where nothing is displayed, 1 where n is
+    T cosine = T(0);             // 0 where nothing is displayed, 1 where n is
+    bool is_restricted = false;  // by one-way brakes of S
   };
 
-  // The angle alone
+  // Whether a one-way brake of S would have to hold F the other way, beyond rounding
+  bool must_hold_otherwise(brake_set S, const vector<T, m>& signs, const vector<T, d>& F) const {
+    const vector<T, m> t = brake_torque(E_, F);
+    const T rounding = rounding_tolerance<T>(d + m) * matrix<T, d, m>(E_).norm() * F.norm();
+    bool some = false;
+    for (int i = 0; i < m; ++i) some = some || (contains(S, i) && signs[i] * t[i] > rounding);
+    return some;
+  }
+
+  // The nearest force to n of brakes of which those of S hold their way alone
+  nearest_torque_result<T, d, m> nearest_restricted(const candidate& c, const vector<T, d>& n) const {
+    const auto box = unbounded_torque_box_of(c.signs, brakes_);
+    return nearest_torque(passive_haptics::force_map_of(rates_), box, n);
+  }
+
   void weigh(const vector<T, d>& n, T least, candidate& c) const {
     c.signs = signs_of(c.W);
     const vector<T, d> structure = rates_.held_by_structure(n), rest = n - structure;
-    const vector<T, d> Fp = structure + with_generators(c.S, c.W, c.signs, [&](const auto& G, const auto& s) {
-                              return nearest_point(G, s, rest);
-                            });
+    vector<T, d> Fp = structure + with_generators(c.S, c.W, c.signs, [&](const auto& G, const auto& s) {
+                        return nearest_point(G, s, rest);
+                      });
+    if constexpr (has_intervals) {
+      c.is_restricted = must_hold_otherwise(c.S, c.signs, Fp);
+      if (c.is_restricted) Fp = structure + nearest_restricted(c, rest).force;
+    }
     const T cosine = Fp.norm();
     const bool exact = (n - Fp).norm() <= rounding_tolerance<T>(d + m);
     c.cosine = exact ? T(1) : cosine >= least ? std::min(cosine, T(1) - rounding_tolerance<T>(1)) : T(0);
   }
 
-  // F = W_S^T t: visit(G, s) of the brakes that turn, m - r as a rule
+  // F = W_S^T t: visit(G, s) of the brakes that turn, m - r as a rule; 0 for one that is off
   template <class Visit>
-  static auto with_generators(brake_set S, const rate_map& W, const vector<T, m>& signs, const Visit& visit) {
+  auto with_generators(brake_set S, const rate_map& W, const vector<T, m>& signs, const Visit& visit) const {
+    if constexpr (has_intervals) {
+      const vector<T, m> off = brakes_off(signs, brakes_);
+      const rate_map on = (vector<T, m>::Ones() - off).asDiagonal() * W;
+      return with_all_on(S, on, vector<T, m>((off.array() > T(0)).select(T(1), signs)), visit);
+    } else {
+      return with_all_on(S, W, signs, visit);
+    }
+  }
+  template <class Visit>
+  static auto with_all_on(brake_set S, const rate_map& W, const vector<T, m>& signs, const Visit& visit) {
     constexpr int moving = m - r;
     if constexpr (moving > 0) {
       if (std::popcount(S) == r) {
@@ -195,13 +212,20 @@ class settled_forces {
     if (!(c.cosine > T(0))) return F;
     const vector<T, d> structure = rates_.held_by_structure(n), rest = n - structure;
     vector<T, m> pushes = vector<T, m>::Zero();
-    const vector<T, d> Fp = structure + with_generators(c.S, c.W, c.signs, [&](const auto& G, const auto& s) {
-                              const auto found = nearest_torque(G, s, rest);
-                              if constexpr (std::remove_cvref_t<decltype(s)>::SizeAtCompileTime == m)
-                                pushes = found.torque;
-                              else each_moving(c.S, [&](int i, int k) { pushes[i] = found.torque[k]; });
-                              return found.force;
-                            });
+    const auto nearest = [&](const auto& G, const auto& s) {
+      const auto found = nearest_torque(G, s, rest);
+      if constexpr (std::remove_cvref_t<decltype(s)>::SizeAtCompileTime == m) pushes = found.torque;
+      else each_moving(c.S, [&](int i, int k) { pushes[i] = found.torque[k]; });
+      return found.force;
+    };
+    vector<T, d> Fp = structure;
+    if (has_intervals && c.is_restricted) {
+      const auto found = nearest_restricted(c, rest);
+      pushes = found.torque;
+      Fp += found.force;
+    } else {
+      Fp += with_generators(c.S, c.W, c.signs, nearest);
+    }
     const bool exact = c.cosine == T(1);
     const T square = exact ? T(1) : Fp.squaredNorm();
     F.display = exact ? display_class::exact : display_class::approximate;
@@ -210,8 +234,10 @@ class settled_forces {
     F.held = c.S;
     F.signs = c.signs;
     F.torque = brake_torque(E_, F.force);
-    for (int i = 0; i < m; ++i)
-      if (!contains(c.S, i) && (pushes[i] == T(0) || c.signs[i] * F.torque[i] > T(0))) F.torque[i] = T(0);
+    for (int i = 0; i < m; ++i) {
+      const bool has_none = pushes[i] == T(0) && (!contains(c.S, i) || c.is_restricted);
+      if (has_none || c.signs[i] * F.torque[i] > T(0)) F.torque[i] = T(0);
+    }
     return F;
   }
 

@@ -77,11 +77,10 @@ struct on_off_control {
       demands[static_cast<std::size_t>(count++)] = {Fd.direction, Fd.magnitude, false};
     }
     if (count == 0) return brake_vector<M>::Zero();
-    const auto limits = torque_limits_of<T, M::brake_count>(device.brakes);
     if (count == 1) {
       const T min_cosine = step_options<T>().min_cosine;
       const auto Fc = on[0].magnitude * display_form<M>::nearest(device, on[0], min_cosine, remembered.start);
-      return saturate(Fc.torque, limits, saturation::keep_direction).torque;
+      return passive_haptics::within_limits(Fc.torque, device.brakes, saturation::keep_direction).torque;
     }
     brake_vector<M> signs = device.s;
     if constexpr (Settles<M>) {
@@ -92,8 +91,8 @@ struct on_off_control {
                   .signs;
     }
     const auto map = passive_haptics::force_map_of(device.pose, device.E);
-    return contact_forces<T, D, M::brake_count, Capacity>(map, torques_within(signs, limits), demands, count)
-        .torque;
+    const auto box = passive_haptics::torque_box_of(signs, device.brakes);
+    return contact_forces<T, D, M::brake_count, Capacity>(map, box, demands, count).torque;
   }
 
   /// Free space or a fault: all relays are off.

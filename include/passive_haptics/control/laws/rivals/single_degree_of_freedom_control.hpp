@@ -75,7 +75,8 @@ struct single_degree_of_freedom_control {
     const auto& c = touched[governing_contact(touched)];
     remembered.walls.begin_cycle();
     int& locked = remembered.walls.of(c.wall_number).brake;
-    locked = choose(slopes(device, c), c.depth - parameters.reference_depth, locked);
+    locked = choose(slopes(device, c), passive_haptics::brakes_off(device.s, device.brakes),
+                    c.depth - parameters.reference_depth, locked);
 
     brake_vector<M> t = brake_vector<M>::Zero();
     unrolled<M::brake_count>([&](auto i) {
@@ -113,16 +114,18 @@ struct single_degree_of_freedom_control {
     return slope;
   }
 
-  // The brake to lock, or all
-  template <class Slopes>
-  int choose(const Slopes& slope, double error, int locked) const {
+  // The brake to lock, none that is off, or all
+  template <class Slopes, class Off>
+  int choose(const Slopes& slope, const Off& off, double error, int locked) const {
     const bool deep = error > parameters.band, shallow = error < -parameters.band;
-    if (!deep && !shallow && locked >= 0) return locked;
+    if (!deep && !shallow && locked >= 0 && !detail::is_off(off, locked)) return locked;
     const auto fits = [&](int i) { return deep ? slope[i] >= 0 : (!shallow || slope[i] <= 0); };
     int best = 0;
     for (int i = 1; i < slope.size(); ++i) {
       const bool flatter = std::abs(slope[i]) < std::abs(slope[best]);
-      if (fits(i) == fits(best) ? flatter : fits(i)) best = i;
+      if (detail::is_off(off, i)) continue;
+      if (detail::is_off(off, best)) best = i;
+      else if (fits(i) == fits(best) ? flatter : fits(i)) best = i;
     }
     return deep && !fits(best) ? all : best;
   }

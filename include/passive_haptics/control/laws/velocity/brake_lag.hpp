@@ -2,7 +2,7 @@
 /// A model of the brakes' first-order lag, its inversion over a short horizon, and what to command by it.
 #pragma once
 
-#include <passive_haptics/brake/brake_concepts.hpp>
+#include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/core/scalar/first_order_lag.hpp>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ template <class Device, class T, int Brakes>
 vector<T, Brakes> torques_to_command(const Device& device, vector<T, Brakes> t,
                                      const vector<T, Brakes>& lag_share, brake_lag_model& model) {
   unrolled<Brakes>([&](auto i) {
-    const T limit = passive_haptics::torque_limit_of<T>(device.brakes, i);
+    const T limit = passive_haptics::torque_bound_of<T>(device.brakes, i, device.s[i] > T(0) ? T(-1) : T(1));
     const T u = model.command(i, t[i], limit, lag_share[i]);
     t[i] = device.s[i] > T(0) ? -u : u;
   });

@@ -37,16 +37,16 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
     const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
     approximation_start& start) {
   constexpr int m = M::brake_count;
-  const vector<T, m> limit = passive_haptics::torque_limits_of<T, m>(device.brakes);
   settled_torques<T, m, Capacity> all;
   brake_set held;
   if (count == 1) {
     const auto unit = display_form<M>::nearest_at(device, landed, now, demands[0].normal,
                                                   step_options<T>().min_cosine, start.held);
     held = unit.held;
+    const vector<T, m> bound = passive_haptics::torque_bounds_of(device.brakes, unit.torque);
     const auto largest =
         (unit.torque.array() != T(0))
-            .select(limit.array() / unit.torque.array().abs(), std::numeric_limits<T>::infinity());
+            .select(bound.array() / unit.torque.array().abs(), std::numeric_limits<T>::infinity());
     all.largest[0] = is_displayed(unit.display) ? largest.minCoeff() : T(0);
     all.made[0] = std::min(demands[0].force, all.largest[0]);
     all.capacity = all.made[0] * unit.torque.cwiseAbs();
@@ -55,8 +55,9 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
         display_form<M>::template signs_at<Capacity>(device, landed, now, demands, count, start.held);
     held = settled.held;
     const auto map = passive_haptics::force_map_of(device.pose, device.E);
-    const auto met =
-        contact_forces<T, D, m, Capacity>(map, torques_within(settled.signs, limit), demands, count);
+    const auto box = passive_haptics::torque_box_of(settled.signs, device.brakes);
+    const auto met = contact_forces<T, D, m, Capacity>(map, box, demands, count);
+    const vector<T, m> limit = passive_haptics::largest_torques_of<T, m>(device.brakes);
     all.capacity = met.torque.cwiseAbs();
     all.made = met.displayed;
     for (int j = 0; j < count; ++j) {

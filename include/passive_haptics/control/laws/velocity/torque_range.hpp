@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/signs.hpp>
+#include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
 #include <passive_haptics/control/laws/velocity/brake_lag.hpp>
@@ -56,6 +57,22 @@ brake_vector<M> holding_torques(const pose_dynamics<M>& dynamics, const task_vec
   return holding;
 }
 
+/// What brake i makes [N m] of a strength, by the lag of its commands, in the direction of a torque; either
+/// way. Of a brake that is off nothing is left, however short ago it held. Of brakes without an interval it
+/// is the strength.
+template <class T, class B>
+T within_interval(T strength, [[maybe_unused]] const B& brakes, [[maybe_unused]] int i,
+                  [[maybe_unused]] bool either_way, [[maybe_unused]] T torque) {
+  if constexpr (detail::names_torque_interval<B>) {
+    const T bound = passive_haptics::torque_bound_of<T>(brakes, i, torque);
+    return std::min(strength, either_way
+                                  ? std::max(bound, passive_haptics::torque_bound_of<T>(brakes, i, -torque))
+                                  : bound);
+  } else {
+    return strength;
+  }
+}
+
 /// The reach of all brakes. w: their rates once the handle keeps its depth; they tell the signs, as rates now
 /// may be those of a landing. A brake at rest is counted for at most twice what holds it, and for nothing
 /// where it would hold the other way.
@@ -77,7 +94,8 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
     const T band = rate_dead_band_of<T>(device.brakes, i);
     range.at_rest[i] = !slips(dynamics.rates[i], band);
     range.any_at_rest = range.any_at_rest || range.at_rest[i] || !slips(w[i], band);
-    strength[i] = static_cast<T>(model.torque(i));
+    strength[i] = within_interval(static_cast<T>(model.torque(i)), device.brakes, i, range.at_rest[i],
+                                  -dynamics.rates[i]);
     made[i] = range.at_rest[i] ? T(0) : -std::copysign(strength[i], dynamics.rates[i]);
   });
   brake_vector<M> holding = brake_vector<M>::Zero();
@@ -94,8 +112,9 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
       range.sign[i] = -range.sign[i];
       range.sign_is_lasting[i] = false;
     }
-    range.smallest[i] = strength[i] * (T(1) - range.lag_share[i]);
-    range.largest[i] = passive_haptics::torque_limit_of<T>(device.brakes, i);
+    range.smallest[i] =
+        within_interval(strength[i], device.brakes, i, false, range.sign[i]) * (T(1) - range.lag_share[i]);
+    range.largest[i] = passive_haptics::torque_bound_of<T>(device.brakes, i, range.sign[i]);
     range.kept[i] = T(0);
     if (range.at_rest[i]) {
       const T enough = std::max(max_held * holding[i] * range.sign[i], T(0));

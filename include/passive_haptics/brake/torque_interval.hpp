@@ -1,0 +1,92 @@
+/// @file
+/// Brakes that are off or work one way: which torques each can make in a cycle.
+///
+///     t_i in [lower_i, upper_i], |t_i| <= limit_i, s_i t_i <= 0 (3)
+///
+/// A brake that is left with {0} is off, and one that is left with one way has the sign of that way, also at
+/// rest. Brakes without torque_lower and torque_upper are all on, and what stands here costs them nothing.
+#pragma once
+
+#include <passive_haptics/brake/brake_concepts.hpp>
+
+#include <algorithm>
+#include <type_traits>
+
+namespace passive_haptics {
+
+/// Most torque [N m], >= 0, of brake i in the direction of a torque: upper where `torque` is > 0, else
+/// -lower; never more than the limit. Infinite where there is no bound.
+template <class T, class B>
+T torque_bound_of(const B& brakes, int i, [[maybe_unused]] T torque) {
+  const T limit = passive_haptics::torque_limit_of<T>(brakes, i);
+  if constexpr (detail::names_torque_interval<B>)
+    return std::min(limit, torque > T(0) ? brakes.torque_upper[i] : -brakes.torque_lower[i]);
+  else return limit;
+}
+
+/// torque_bound_of of all brakes in the directions of the torques t.
+template <class B, class T, int Brakes>
+vector<T, Brakes> torque_bounds_of(const B& brakes, const vector<T, Brakes>& t) {
+  vector<T, Brakes> bound;
+  unrolled<Brakes>([&](auto i) { bound[i] = passive_haptics::torque_bound_of<T>(brakes, i, t[i]); });
+  return bound;
+}
+
+/// Most torque [N m], >= 0, of each brake in either direction.
+template <class T, int Brakes, class B>
+vector<T, Brakes> largest_torques_of(const B& brakes) {
+  const vector<T, Brakes> limit = passive_haptics::torque_limits_of<T, Brakes>(brakes);
+  if constexpr (SwitchableBrakes<B, T, Brakes>)
+    return limit.cwiseMin(brakes.torque_upper.cwiseMax(-brakes.torque_lower));
+  else return limit;
+}
+
+/// The signs s (m) of the torques that brakes can make: those of brake_signs; for a brake at rest that works
+/// one way, s = 0, that of this way. Of brakes without an interval it is s itself.
+template <class B, class T, int Brakes>
+decltype(auto) signs_within(const vector<T, Brakes>& s, [[maybe_unused]] const B& brakes) {
+  if constexpr (SwitchableBrakes<B, T, Brakes>) {
+    vector<T, Brakes> signs;
+    unrolled<Brakes>([&](auto i) {
+      const bool up = passive_haptics::torque_bound_of<T>(brakes, i, T(1)) > T(0),
+                 down = passive_haptics::torque_bound_of<T>(brakes, i, T(-1)) > T(0);
+      signs[i] = s[i] != T(0) ? s[i] : static_cast<T>(down) - static_cast<T>(up);
+    });
+    return signs;
+  } else {
+    return (s);
+  }
+}
+
+/// In place of a vector of brakes that are off: all are on.
+struct all_brakes_on {};
+
+/// 1 for each brake that is off with these signs, from signs_within, else 0. all_brakes_on for brakes without
+/// an interval.
+template <class B, class T, int Brakes>
+auto brakes_off(const vector<T, Brakes>& s, [[maybe_unused]] const B& brakes) {
+  if constexpr (SwitchableBrakes<B, T, Brakes>) {
+    vector<T, Brakes> off;
+    unrolled<Brakes>([&](auto i) {
+      const bool up = s[i] <= T(0) && passive_haptics::torque_bound_of<T>(brakes, i, T(1)) > T(0),
+                 down = s[i] >= T(0) && passive_haptics::torque_bound_of<T>(brakes, i, T(-1)) > T(0);
+      off[i] = static_cast<T>(!up && !down);
+    });
+    return off;
+  } else {
+    return all_brakes_on();
+  }
+}
+
+namespace detail {
+
+// Whether a brake is off, of a vector from brakes_off.
+template <class Off>
+bool is_off([[maybe_unused]] const Off& off, [[maybe_unused]] int i) {
+  if constexpr (std::is_same_v<Off, all_brakes_on>) return false;
+  else return off[i] != 0;
+}
+
+}  // namespace detail
+
+}  // namespace passive_haptics

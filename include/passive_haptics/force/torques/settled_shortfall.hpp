@@ -1,0 +1,40 @@
+/// @file
+/// How much a set of brakes at rest leaves of several demands.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace passive_haptics {
+
+/// What a set leaves of several demands, as shares of all of them.
+template <class T>
+struct settled_shortfall {
+  T first = std::numeric_limits<T>::infinity();  ///< Of those that come first.
+  T others = first;                              ///< Of the others.
+  T force = first;                               ///< |F| [N]
+
+  /// That of forces met (contact_forces_result) for the first `count` of these demands.
+  template <class Met, class Demands>
+  static settled_shortfall of(const Met& met, const Demands& demands, int count) {
+    T left[2] = {}, wanted = T(0);
+    for (int j = 0; j < count; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      T& level = left[demands[at].has_priority ? 0 : 1];
+      level = std::hypot(level, demands[at].force - met.displayed[at]);
+      wanted = std::hypot(wanted, demands[at].force);
+    }
+    const T whole = wanted > T(0) ? wanted : T(1);
+    return {left[0] / whole, left[1] / whole, met.force.norm()};
+  }
+
+  /// Whether it is less by more than a gain, in this order.
+  bool is_less_than(const settled_shortfall& b, T gain) const {
+    if (!(std::abs(first - b.first) <= gain)) return first < b.first;
+    if (!(std::abs(others - b.others) <= gain)) return others < b.others;
+    return force < b.force * (T(1) - gain);
+  }
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,333 @@
+// Cycles of brakes that are off or work one way, under every law.
+#include "../support.hpp"
+
+#include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using redundant = ph::five_bar<double, 4>;
+using planar = ph::tendon_two_link<double>;
+constexpr double any_torque = std::numeric_limits<double>::infinity();
+
+// Where each brake's torque may lie in a cycle with these signs of its motion.
+template <class M>
+void expect_within_intervals(const ph::switchable_brakes<M>& brakes, const ph::step_result<M>& result,
+                             const ph::brake_vector<M>& w) {
+  for (int i = 0; i < M::brake_count; ++i) {
+    SCOPED_TRACE(::testing::Message() << "brake " << i);
+    const double lower = std::max(-brakes.torque_limit[i], brakes.torque_lower[i]),
+                 upper = std::min(brakes.torque_limit[i], brakes.torque_upper[i]);
+    for (const double t : {result.torque[i], result.cone_coefficients[i]}) {
+      ASSERT_LE(result.signs[i] * t, 0.0);
+    }
+    ASSERT_GE(result.torque[i], lower);
+    ASSERT_LE(result.torque[i], upper);
+    ASSERT_LE(result.capacity[i], std::max(-lower, upper));
+    const bool slips = std::abs(w[i]) > brakes.rate_dead_band[i];
+    if (slips) {
+      ASSERT_LE(result.torque[i] * w[i], 0.0);
+      ASSERT_LE(result.capacity[i], w[i] > 0 ? -lower : upper) << "no capacity the other way";
+    }
+    if (lower == 0 && upper == 0) {
+      ASSERT_EQ(result.capacity[i], 0.0);
+      ASSERT_EQ(result.cone_coefficients[i], 0.0);
+    }
+  }
+}
+
+// Random brakes: off, one-way or on.
+template <class M>
+ph::switchable_brakes<M> random_brakes(ph::testing::random_source& random) {
+  ph::switchable_brakes<M> brakes;
+  for (int i = 0; i < M::brake_count; ++i) {
+    brakes.torque_limit[i] = random.positive(0.1, 10.0);
+    switch (static_cast<int>(random.uniform(0.0, 5.0))) {
+      case 0: brakes.switch_off(i); break;
+      case 1: brakes.make_positive(i); break;
+      case 2: brakes.make_negative(i); break;
+      case 3: brakes.torque_limit[i] = 0; break;
+      default: brakes.switch_on(i);
+    }
+  }
+  return brakes;
+}
+
+// Brakes of each kind, poses, rates and hands at random, at one wall or two that meet; cycles follow each
+// other under the same memory.
+template <class L, class M>
+void expect_no_torque_that_a_brake_cannot_make(const M& mechanism) {
+  ph::testing::random_source random(20040627);
+  const auto q0 = M::brake_count == 4 ? ph::vector<double, 2>(2.0, 1.1) : ph::vector<double, 2>(0.7, 1.1);
+  int working = 0, beside_one_off = 0;
+  for (int run = 0; run < 150; ++run) {
+    SCOPED_TRACE(::testing::Message() << "seed 20040627, run " << run);
+    const ph::vector<double, 2> q = q0 + 0.2 * random.normal_vector<double, 2>();
+    const ph::point<2> x = mechanism.position(q), n = random.direction<double, 2>();
+    if (!x.allFinite()) continue;
+    constexpr int walls = ph::saturates_before_scaling<L> ? 1 : 2;
+    ph::contacts<2, walls> touched;
+    touched.push_back({.normal = n, .depth = 2e-3, .stiffness = 1e5, .wall_number = 0, .sensed_at = x});
+    if (walls == 2 && random.coin())
+      touched.push_back({.normal = ph::point<2>(-n[1], n[0]),
+                         .depth = 3e-3,
+                         .stiffness = 1e4,
+                         .wall_number = 1,
+                         .sensed_at = x});
+    ph::step_memory<L> memory;
+    for (int cycle = 0; cycle < 4; ++cycle) {
+      const auto brakes = random_brakes<M>(random);
+      ph::device_state<M> state{1e-3 * cycle, q, 0.5 * random.normal_vector<double, 2>(),
+                                random.normal_vector<double, 2>()};
+      if (random.coin()) state.qd[0] = 0;
+      if (random.coin()) state.hand_force.setZero();
+      const auto result = ph::step(mechanism, brakes, touched, L(), state, memory);
+      ASSERT_EQ(result.outcome, ph::status::ok);
+      const ph::brake_vector<M> w = ph::brake_rates(mechanism, state.q, state.qd);
+      expect_within_intervals<M>(brakes, result, w);
+      if (::testing::Test::HasFatalFailure()) return;
+      const bool works = (result.capacity.array() > 0).any();
+      working += works ? 1 : 0;
+      beside_one_off += works && (brakes.torque_lower.array() == brakes.torque_upper.array()).any() ? 1 : 0;
+      if (!ph::TorqueLaw<L> && touched.size() == 1) {
+        ASSERT_GE(result.control_force.dot(n), 0.0) << "pulls into the wall";
+      }
+    }
+  }
+  EXPECT_GT(working, 40);
+  EXPECT_GT(beside_one_off, 5);
+}
+
+TEST(switchable_brakes, make_no_torque_beyond_their_intervals_under_any_law) {
+  expect_no_torque_that_a_brake_cannot_make<ph::no_direct_control>(planar());
+  expect_no_torque_that_a_brake_cannot_make<ph::direct_control>(planar());
+  expect_no_torque_that_a_brake_cannot_make<ph::saturated_direct_control>(planar());
+  expect_no_torque_that_a_brake_cannot_make<ph::velocity_direct_control>(planar());
+  expect_no_torque_that_a_brake_cannot_make<ph::on_off_control>(planar());
+  expect_no_torque_that_a_brake_cannot_make<ph::bang_bang_control>(planar());
+  expect_no_torque_that_a_brake_cannot_make<ph::coercive_force_approximation>(planar());
+  expect_no_torque_that_a_brake_cannot_make<ph::single_degree_of_freedom_control>(planar());
+  expect_no_torque_that_a_brake_cannot_make<ph::velocity_ratio_control>(planar());
+}
+
+TEST(switchable_brakes, more_than_joints_make_no_torque_beyond_their_intervals_under_any_law) {
+  expect_no_torque_that_a_brake_cannot_make<ph::no_direct_control>(redundant());
+  expect_no_torque_that_a_brake_cannot_make<ph::direct_control>(redundant());
+  expect_no_torque_that_a_brake_cannot_make<ph::saturated_direct_control>(redundant());
+  expect_no_torque_that_a_brake_cannot_make<ph::velocity_direct_control>(redundant());
+  expect_no_torque_that_a_brake_cannot_make<ph::on_off_control>(redundant());
+  expect_no_torque_that_a_brake_cannot_make<ph::bang_bang_control>(redundant());
+  expect_no_torque_that_a_brake_cannot_make<ph::single_degree_of_freedom_control>(redundant());
+}
+
+// Intervals that cut nothing.
+template <class L, class M>
+void expect_the_cycle_of_brakes_without(const M& mechanism, const ph::vector<double, 2>& q0) {
+  ph::testing::random_source random(7);
+  const ph::brakes_of<M> plain;
+  const ph::switchable_brakes<M> all_on = plain;
+  const auto x = mechanism.position(q0);
+  const auto walls = ph::scene(ph::wall(ph::half_space<2>(x + ph::point<2>(0, 1e-3), {0.6, 0.8}), 1e4));
+  ph::controller one(mechanism, plain, walls, L()), other(mechanism, all_on, walls, L());
+  for (int k = 0; k < 200; ++k) {
+    const ph::device_state<M> state{1e-3 * k, q0, random.normal_vector<double, 2>(),
+                                    random.normal_vector<double, 2>()};
+    const auto a = one(state), b = other(state);
+    ASSERT_EQ(a.outcome, b.outcome);
+    ASSERT_EQ(a.capacity, b.capacity);
+    ASSERT_EQ(a.torque, b.torque);
+    ASSERT_EQ(a.signs, b.signs);
+    ASSERT_EQ(a.cone_coefficients, b.cone_coefficients);
+    ASSERT_EQ(a.saturated, b.saturated);
+    ASSERT_EQ(other.command(state).capacity, one.command(state).capacity);
+  }
+}
+
+TEST(switchable_brakes, that_are_all_on_are_brakes_without_an_interval_to_the_bit) {
+  expect_the_cycle_of_brakes_without<ph::direct_control>(planar(), {0.7, 1.1});
+  expect_the_cycle_of_brakes_without<ph::saturated_direct_control>(planar(), {0.7, 1.1});
+  expect_the_cycle_of_brakes_without<ph::velocity_direct_control>(planar(), {0.7, 1.1});
+  expect_the_cycle_of_brakes_without<ph::direct_control>(ph::xy_table<double>(), {0, 0});
+  expect_the_cycle_of_brakes_without<ph::direct_control>(redundant(), {2.0, 1.1});
+  expect_the_cycle_of_brakes_without<ph::velocity_direct_control>(redundant(), {2.0, 1.1});
+}
+
+// A brake of four is switched off while it holds a push into the wall.
+template <class L>
+void expect_the_others_to_take_over() {
+  const redundant mechanism;
+  const ph::vector<double, 2> q(2.0, 1.1), x = mechanism.position(q);
+  const ph::brake_vector<redundant> two = ph::brake_vector<redundant>::Constant(2);
+  int held = 0, taken_over = 0;
+  for (int direction = 0; direction < 16; ++direction) {
+    const double angle = 2 * 3.141592653589793 * direction / 16;
+    const ph::point<2> n(std::cos(angle), std::sin(angle));
+    const auto walls = ph::scene(ph::wall(ph::half_space<2>(x + 2e-3 * n, n), 1e5));
+    const auto G = ph::force_generators(mechanism, q);
+    const ph::vector<double, 2> v = -0.02 * n + 0.05 * ph::point<2>(-n[1], n[0]);
+    ph::device_state<redundant> state{0, q, mechanism.inverse_jacobian(q) * v, -3 * n};
+    const ph::brake_vector<redundant> w = ph::brake_rates(mechanism, q, state.qd);
+    for (int off = 0; off < 4; ++off) {
+      SCOPED_TRACE(::testing::Message() << "direction " << direction << ", brake " << off);
+      ph::switchable_brakes<redundant> brakes;
+      brakes.torque_limit = two;
+      ph::controller control(mechanism, brakes, walls, L());
+      ph::step_result<redundant> before;
+      for (int k = 0; k < 30; ++k) {
+        state.time = 1e-3 * k;
+        before = control(state);
+      }
+      ASSERT_EQ(before.outcome, ph::status::ok);
+      brakes.switch_off(off);
+      control.set_brakes(brakes);
+      state.time += 1e-3;
+      const auto after = control(state);
+      ASSERT_EQ(after.outcome, ph::status::ok);
+      ASSERT_EQ(after.capacity[off], 0.0);
+      ASSERT_EQ(after.torque[off], 0.0);
+      ASSERT_LE(after.torque.dot(w), 0.0);
+      ASSERT_GE((G * after.torque).dot(n), -1e-12) << "pulls into the wall";
+      if (before.capacity[off] == 0) {
+        if (ph::ScalingLaw<L>) {
+          ASSERT_EQ(after.capacity, before.capacity) << "what did nothing is not missed";
+        }
+        continue;
+      }
+      ++held;
+      // Whether one of the others alone pushes out
+      const bool can = [&] {
+        for (int i = 0; i < 4; ++i)
+          if (i != off && -after.signs[i] * G.col(i).dot(n) > 1e-3) return true;
+        return false;
+      }();
+      const bool do_take_over = (after.capacity.array() > 0).any();
+      ASSERT_EQ(do_take_over, can);
+      taken_over += do_take_over ? 1 : 0;
+      brakes.switch_on(off);
+      control.set_brakes(brakes);
+      state.time += 1e-3;
+      ASSERT_GT(control(state).capacity[off], 0.0) << "on again";
+    }
+  }
+  EXPECT_GT(held, 10);
+  EXPECT_GT(taken_over, 10);
+}
+
+TEST(switchable_brakes, of_which_one_is_switched_off_while_it_holds_leave_the_wall_to_the_others) {
+  expect_the_others_to_take_over<ph::no_direct_control>();
+  expect_the_others_to_take_over<ph::direct_control>();
+  expect_the_others_to_take_over<ph::velocity_direct_control>();
+}
+
+// A brake that would have to be cut to 0 after the projection is left out of it.
+TEST(switchable_brakes, that_are_off_are_left_out_of_the_cone_not_of_the_command) {
+  const planar arm;
+  ph::testing::random_source random(11);
+  ph::switchable_brakes<planar> brakes;
+  brakes.switch_off(1);
+  int alone = 0, told = 0, inward_when_cut = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const ph::vector<double, 2> q(random.uniform(-3.0, 3.0), random.uniform(0.4, 2.7));
+    const ph::point<2> n = random.direction<double, 2>();
+    const ph::device_state<planar> state{0, q, random.normal_vector<double, 2>(), {0, 0}};
+    ph::contacts<2, 1> touched;
+    touched.push_back({.normal = n, .depth = 1e-3, .stiffness = 1e3});
+    ph::step_memory<ph::no_direct_control> memory;
+    const auto result = ph::step(arm, brakes, touched, ph::no_direct_control(), state, memory);
+    ASSERT_EQ(result.outcome, ph::status::ok);
+    ASSERT_EQ(result.capacity[1], 0.0);
+    const auto G = ph::force_generators(arm, q);
+    ASSERT_GE((G * result.torque).dot(n), 0.0);
+    const bool can = -result.signs[0] * G.col(0).dot(n) > 0.02 * G.col(0).norm();
+    alone += can ? 1 : 0;
+    told += can && result.capacity[0] > 0 ? 1 : 0;
+    const auto both = ph::step(arm, ph::brakes_of<planar>(), touched, ph::no_direct_control(), state, memory);
+    inward_when_cut += (G.col(0) * both.torque[0]).dot(n) < 0 ? 1 : 0;
+  }
+  EXPECT_EQ(told, alone);
+  EXPECT_GT(alone, 500);
+  EXPECT_GT(inward_when_cut, 50) << "a cut after the projection would pull in";
+}
+
+TEST(switchable_brakes, that_work_one_way_have_its_sign_at_rest) {
+  ph::switchable_brakes<planar> brakes;
+  brakes.make_positive(0);
+  brakes.make_negative(1);
+  const ph::vector<double, 2> rest(0, 0), turning(1, 1), other(-1, -1);
+  EXPECT_EQ(ph::signs_within(rest, brakes), (ph::vector<double, 2>(-1, 1)));
+  EXPECT_EQ(ph::signs_within(turning, brakes), turning);
+  EXPECT_EQ(ph::brakes_off(turning, brakes), (ph::vector<double, 2>(1, 0)));
+  EXPECT_EQ(ph::brakes_off(other, brakes), (ph::vector<double, 2>(0, 1)));
+  brakes.switch_on(0);
+  brakes.switch_off(1);
+  EXPECT_EQ(ph::signs_within(rest, brakes), rest);
+  EXPECT_EQ(ph::brakes_off(rest, brakes), (ph::vector<double, 2>(0, 1)));
+  brakes.torque_limit[0] = 0;
+  EXPECT_EQ(ph::brakes_off(rest, brakes), (ph::vector<double, 2>(1, 1)));
+}
+
+TEST(switchable_brakes, are_cut_each_to_its_own_interval) {
+  ph::switchable_brakes<planar> brakes;
+  brakes.torque_limit = {2, 2};
+  brakes.torque_lower = {-0.5, -any_torque};
+  brakes.torque_upper = {1, 4};
+  using V = ph::vector<double, 2>;
+  const auto each = [&](const V& t) {
+    return ph::within_limits(t, brakes, ph::saturation::clamp_each).torque;
+  };
+  EXPECT_EQ(each({-3, -3}), V(-0.5, -2));
+  EXPECT_EQ(each({3, 3}), V(1, 2));
+  const auto together = ph::within_limits(V(-1, 1), brakes, ph::saturation::keep_direction);
+  EXPECT_EQ(together.torque, V(-0.5, 0.5));
+  EXPECT_TRUE(together.limited);
+  EXPECT_TRUE(ph::any_at_limit(V(-0.5, 0), brakes));
+  EXPECT_FALSE(ph::any_at_limit(V(0.5, 0), brakes));
+  brakes.switch_off(1);
+  EXPECT_FALSE(ph::any_at_limit(V(0, 0), brakes));
+  const auto box = ph::torque_box_of(V(-1, 0), brakes);
+  EXPECT_EQ(box.lower, V(0, 0));
+  EXPECT_EQ(box.upper, V(1, 0));
+  const auto cone = ph::unbounded_torque_box_of(V(1, 0), brakes);
+  EXPECT_EQ(cone.lower, V(-any_torque, 0));
+  EXPECT_EQ(cone.upper, V(0, 0));
+}
+
+TEST(switchable_brakes, say_what_is_wrong_with_their_interval) {
+  ph::switchable_brakes<planar> brakes;
+  EXPECT_EQ(ph::validate(brakes), "");
+  EXPECT_EQ(ph::check_brakes(brakes), "");
+  brakes.torque_upper[1] = -1;
+  EXPECT_EQ(ph::check_brakes(brakes),
+            "torque_upper[1] [N m] = -1, expected a number >= 0, or inf where there is no bound");
+  brakes.torque_lower[0] = 2;
+  EXPECT_EQ(ph::validate(brakes),
+            "torque_lower[0] [N m] = 2, expected a number <= 0, or -inf where there is no bound");
+  EXPECT_EQ(ph::check_brakes(brakes), ph::validate(brakes));
+}
+
+TEST(switchable_brakes, that_become_invalid_release_all) {
+  const planar arm;
+  const ph::vector<double, 2> q(0.7, 1.1);
+  const ph::point<2> x = arm.position(q);
+  ph::switchable_brakes<planar> brakes;
+  ph::controller control(arm, brakes,
+                         ph::scene(ph::wall(ph::half_space<2>(x + ph::point<2>(0, 1e-3), {0, 1}))),
+                         ph::direct_control());
+  const ph::device_state<planar> state{0, q, {0.1, -0.3}, {0, -1}};
+  EXPECT_EQ(control(state).outcome, ph::status::ok);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 0.1}) {
+    brakes.torque_lower[1] = bad;
+    control.set_brakes(brakes);
+    EXPECT_EQ(control(state).outcome, ph::status::parameters_invalid) << bad;
+    EXPECT_TRUE(control(state).capacity.isZero(0));
+  }
+  brakes.switch_on(1);
+  control.set_brakes(brakes);
+  EXPECT_EQ(control(state).outcome, ph::status::ok);
+  EXPECT_EQ(control.brakes().torque_upper[1], any_torque);
+}
+
+}  // namespace
