@@ -39,6 +39,11 @@ int main() {
   clutched.set_brakes(some);  // from the next cycle on
 
   const ph::sensorless_device_state<device> blind{0, q, {-0.3, 0.1}};
-  const bool run = gliding(state).outcome == ph::status::ok && bare(blind).outcome == ph::status::ok;
+  // Signs and torques of brakes at rest by the arm's inertia, in each cycle
+  ph::torques_at_rest rest(arm, brakes);
+  const auto inert = clutched(rest.update(state, ph::brake_vector<device>::Zero()));  // Zero: no command yet
+
+  const bool run = inert.outcome == ph::status::ok && gliding(state).outcome == ph::status::ok &&
+                   bare(blind).outcome == ph::status::ok;
   return run && released && (s.array() * t.array() <= 0).all() ? 0 : 1;
 }

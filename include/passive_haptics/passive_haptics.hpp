@@ -59,6 +59,7 @@
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
+#include <passive_haptics/control/sensorless/torques_at_rest.hpp>
 #include <passive_haptics/control/ways/free_joints_form.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/settled_form.hpp>

@@ -30,6 +30,7 @@ struct brake_situation {
   const task_vector<M>& v;            ///< Velocity of the end effector [m/s].
   const brake_vector<M>& s;           ///< Signs of the brakes: s_i t_i <= 0. Of one-way brakes signs_within.
   const task_vector<M>& hand_force;   ///< Fh [N]; zero where the state has none.
+  const brake_vector<M>& th;          ///< What the hand does to each brake at rest [N m].
 };
 
 /// What a law sees of one contact.

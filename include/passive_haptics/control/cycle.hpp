@@ -43,12 +43,12 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
   const brake_vector<M> turning = ph::brake_signs(w, th, brakes);
   const auto& s = ph::signs_within(turning, brakes);
   const brake_situation<M, decltype(E), std::remove_cvref_t<decltype(brakes)>> device{
-      setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh};
+      setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh, th};
 
   // Section 4, and what the mechanism will feel of it
   const auto steps = way.command(device, memory);
-  const brake_vector<M> td = ph::resisting<M>(steps.td.torque, turning, brakes);
-  const brake_vector<M> t = ph::passive_torque(td, w, th, turning, brakes);
+  const brake_vector<M> t =
+      ph::passive_torque(ph::resisting<M>(steps.td.torque, turning, brakes), w, th, turning, brakes);
   return way.result(device, steps, t, memory);
 }
 

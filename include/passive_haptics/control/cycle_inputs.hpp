@@ -110,12 +110,13 @@ task_vector<M> hand_force(const State& state) {
   else return task_vector<M>::Zero();
 }
 
-/// The hand's torque on the brakes' axes, E^T Fh [N m]; zero where nobody measures the hand, or no brake is
-/// ever at rest.
+/// The hand's torque on the brakes' axes [N m], which decides the signs of those at rest: that of the state,
+/// or E^T Fh; zero where nobody measures the hand, or no brake is ever at rest.
 template <class M, class State, class EMatrix, class B>
 brake_vector<M> hand_torque(const State& state, const EMatrix& E, const B&) {
-  if constexpr (HandForceState<State, M> && StickingBrakes<B, typename M::scalar, M::brake_count>)
-    return brake_torque(E, state.hand_force);
+  if constexpr (!StickingBrakes<B, typename M::scalar, M::brake_count>) return brake_vector<M>::Zero();
+  else if constexpr (HandTorqueState<State, M>) return state.hand_torque;
+  else if constexpr (HandForceState<State, M>) return brake_torque(E, state.hand_force);
   else return brake_vector<M>::Zero();
 }
 
@@ -123,6 +124,8 @@ brake_vector<M> hand_torque(const State& state, const EMatrix& E, const B&) {
 template <class M, class State>
 status check_state(const State& state) {
   bool finite;
+  if constexpr (HandTorqueState<State, M>)
+    if (!all_finite(state.hand_torque)) return status::state_not_finite;
   if constexpr (HandForceState<State, M>)
     finite = all_finite(state.q, state.qd, state.hand_force, state.time);
   else finite = all_finite(state.q, state.qd, state.time);

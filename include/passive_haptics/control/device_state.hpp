@@ -52,4 +52,11 @@ concept HandForceState = DeviceState<S, M> && requires(const S state) {
   { state.hand_force } -> ExactVector<typename M::scalar, M::task_dimension>;
 };
 
+/// A state that also has the torques th on brakes at rest [N m], of torques_at_rest or of a sensor at each
+/// brake. Without them a cycle takes th = E^T Fh.
+template <class S, class M>
+concept HandTorqueState = DeviceState<S, M> && requires(const S state) {
+  { state.hand_torque } -> ExactVector<typename M::scalar, M::brake_count>;
+};
+
 }  // namespace passive_haptics

@@ -98,6 +98,8 @@ PASSIVE_HAPTICS_MISSPELT(most_contacts, ost_contacts, mst_contacts, mot_contacts
     most_contacs, most_contact)
 PASSIVE_HAPTICS_MISSPELT(hand_force, and_force, hnd_force, had_force, han_force, handforce, hand_orce,
     hand_frce, hand_foce, hand_fore, hand_forc)
+PASSIVE_HAPTICS_MISSPELT(hand_torque, and_torque, hnd_torque, had_torque, han_torque, handtorque,
+    hand_orque, hand_trque, hand_toque, hand_torue, hand_torqe, hand_torqu)
 // clang-format on
 
 #undef PASSIVE_HAPTICS_MISSPELT
@@ -199,6 +201,9 @@ template <class X>
 struct state_spelling {
   static_assert(!misspells_hand_force<X>,
                 "passive_haptics: a member of the state is spelt almost as `hand_force`, which it lacks: "
+                "correct the name.");
+  static_assert(!misspells_hand_torque<X>,
+                "passive_haptics: a member of the state is spelt almost as `hand_torque`, which it lacks: "
                 "correct the name.");
   static constexpr bool met = true;
 };

@@ -53,8 +53,8 @@ vector<T, Brakes> hand_torque_at_rest(const matrix<T, Joints, Joints>& mass,
 /// brakes [rad/s or m/s]; strength: what those that slip make [N m] >= 0. Cost: that of the torques above,
 /// with the mechanism's M, c and Td qd.
 ///
-/// A control cycle does not call it: there the sign of a brake at rest is that of the static rule th = E^T Fh
-/// (brake/signs.hpp), which needs no inertia.
+/// A control cycle takes it where its state has it (torques_at_rest); else it takes the static rule th = E^T
+/// Fh (brake/signs.hpp), which needs no inertia.
 template <Dynamics M, class B, class State>
 brake_vector<M> exact_hand_torque(const mechanism_pose<M>& pose, const B& brakes, const State& state,
                                   const brake_vector<M>& w, const brake_vector<M>& strength) {

@@ -2,7 +2,6 @@
 /// Which way each brake turns, or is about to turn.
 #pragma once
 
-#include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/control/control_law.hpp>
 
@@ -16,7 +15,7 @@ brake_vector<M> intended_rates(const brake_situation<M, EMatrix, B>& device) {
   using T = typename M::scalar;
   brake_vector<M> s = device.s, w;
   if constexpr (detail::names_torque_interval<B>)  // s of a one-way brake at rest may be that of its way
-    s = brake_signs(device.w, brake_torque(device.E, device.hand_force), device.brakes);
+    s = brake_signs(device.w, device.th, device.brakes);
   unrolled<M::brake_count>([&](auto i) {
     const T band = rate_dead_band_of<T>(device.brakes, i);
     w[i] = slips(device.w[i], band) ? device.w[i] : s[i] * band;

@@ -1,0 +1,71 @@
+/// @file
+/// The torques on brakes at rest for each cycle, where the mechanism's inertia is known.
+#pragma once
+
+#include <passive_haptics/brake/at_rest/hand_torque_at_rest.hpp>
+#include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/control/laws/velocity/brake_lag.hpp>
+#include <passive_haptics/core/finite.hpp>
+
+#include <utility>
+
+namespace passive_haptics {
+
+/// A device_state whose brakes at rest are known to be pushed by certain torques.
+template <class M>
+struct device_state_at_rest : device_state<M> {
+  /// What the hand, gravity and the other brakes do to each brake at rest [N m]. That of others is not read.
+  brake_vector<M> hand_torque = brake_vector<M>::Zero();
+};
+
+/// Gives the states of a control loop the exact torques on brakes at rest (exact_hand_torque), by which a
+/// cycle finds their signs, what the passive constraint leaves of their torques, and its account. Without it
+/// a cycle takes th = E^T Fh, the static rule of the paper:
+///
+///     ph::torques_at_rest rest(arm, brakes);
+///     ...
+///     const auto result = control(rest.update(state, capacity));
+///     capacity = result.capacity;
+///
+/// The brakes that slip make what their lag has made of the capacities so far. Pure apart from the memory of
+/// it; never throws or allocates. Errors: 0 for each brake where the state, the capacities or the pose is not
+/// finite. Cost: some 20 instructions a brake where none is at rest, else that of exact_hand_torque.
+template <class M>
+class torques_at_rest {
+  static_assert(mechanism_requirements<M>::met);
+  static_assert(Dynamics<M>,
+                "passive_haptics: torques_at_rest needs a mechanism that models Dynamics "
+                "(mechanism/dynamics.hpp).");
+
+ public:
+  /// Throws std::invalid_argument with the text of validate(brakes).
+  torques_at_rest(M mechanism, const brakes_of<M>& brakes)
+      : mechanism_(std::move(mechanism)), brakes_(require_valid(brakes)) {}
+
+  /// The state now with th. capacity: what the brakes were commanded [N m] since the state before; 0 for the
+  /// first.
+  device_state_at_rest<M> update(const device_state<M>& state, const brake_vector<M>& capacity) noexcept {
+    device_state_at_rest<M> now{state};
+    if (!all_finite(state.q, state.qd, state.hand_force, state.time, capacity)) return now;
+    for (int i = 0; i < M::brake_count; ++i) (void)lag_.command(i, capacity[i], brakes_.torque_limit[i]);
+    lag_.advance(state.time, brakes_.time_constant);
+    const mechanism_pose<M> pose(mechanism_, state.q);
+    const brake_vector<M> w = pose.brake_rates(state.qd);
+    if (!any_sticks(w, brakes_)) return now;
+    brake_vector<M> strength;
+    for (int i = 0; i < M::brake_count; ++i) strength[i] = static_cast<typename M::scalar>(lag_.torque(i));
+    const brake_vector<M> th = passive_haptics::exact_hand_torque<M>(pose, brakes_, state, w, strength);
+    if (all_finite(th)) now.hand_torque = th;
+    return now;
+  }
+
+  /// Forgets what the brakes make.
+  void reset() { lag_ = {}; }
+
+ private:
+  M mechanism_;
+  brakes_of<M> brakes_;
+  brake_lag_model lag_;
+};
+
+}  // namespace passive_haptics
