@@ -134,7 +134,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
     return;
   }
   found.signs = signs_within(signs_in_motion<T, m, d>(transposed(G), E, v), brakes);
-  const auto Fc = approximate_by_generators(G, unbounded_torque_box_of(found.signs, brakes), n, T(0));
+  const auto Fc = approximate_by_generators(G, found.signs, n, T(0), torque_units_of<M>(found.signs, brakes));
   const brake_vector<M> outwards = G.transpose() * n;
   tell(found, n, Fc, largest_resistance<T, m>(torque_box_of(found.signs, brakes), outwards), brakes);
 }

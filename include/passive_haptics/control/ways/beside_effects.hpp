@@ -73,8 +73,10 @@ struct beside_effects {
       done.outcome = status::pose_undefined;
       return done;
     }
-    const auto box = passive_haptics::torque_box_of(signs_for(device, done, memory.start), device.brakes);
-    done.td.torque = torques_beside(map, box, done.td.torque, normals(), demand_of(device, done.effects));
+    const vector<T, m> signs = signs_for(device, done, memory.start);
+    const auto box = passive_haptics::torque_box_of(signs, device.brakes);
+    done.td.torque = torques_beside(map, box, done.td.torque, normals(), demand_of(device, done.effects),
+                                    passive_haptics::torque_units_of<M>(signs, device.brakes));
     done.td.limited = done.td.limited || passive_haptics::any_at_limit(done.td.torque, device.brakes);
     return done;
   }

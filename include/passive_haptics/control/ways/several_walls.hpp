@@ -66,7 +66,7 @@ struct several_walls {
     const vector<T, m> signs = signs_for(device, scale, memory.start, Fc_scaled);
     const auto map = passive_haptics::force_map_of(device.pose, device.E);
     const auto box = passive_haptics::torque_box_of(signs, device.brakes);
-    find_force(Fc_scaled, scale, map, box);
+    find_force(Fc_scaled, scale, map, box, passive_haptics::torque_units_of<M>(signs, device.brakes));
     // 4. td: its torques, which are within the limits but for the rounding of a product
     return {scale,     signs,
             map,       box,
@@ -146,10 +146,11 @@ struct several_walls {
   }
 
   // The force that gives each wall alpha_j |Fd_j|, in order of priority
-  void find_force(force& F, const scales& scale, const force_map<T, d, m>& map,
-                  const torque_box<T, m>& box) const {
+  template <class Units>
+  void find_force(force& F, const scales& scale, const force_map<T, d, m>& map, const torque_box<T, m>& box,
+                  Units units) const {
     const auto demands = demands_of(scale);
-    const auto met = contact_forces<T, d, m, capacity>(map, box, demands.all, demands.count);
+    const auto met = contact_forces<T, d, m, capacity>(map, box, demands.all, demands.count, map.G, units);
     F.display = display_class::approximate;
     F.force = met.force;
     F.torque = met.torque;
@@ -186,7 +187,8 @@ struct several_walls {
     const vector<T, d> n = Fd(governing).direction;
     force F = done.Fc_scaled;
     if (!is_whole(done))
-      find_force(F, {}, done.map, passive_haptics::unbounded_torque_box_of(done.signs, device.brakes));
+      find_force(F, {}, done.map, passive_haptics::unbounded_torque_box_of(done.signs, device.brakes),
+                 passive_haptics::torque_units_of<M>(done.signs, device.brakes));
     if (!displays_by_generators<M> && !is_in_cone(device, done.signs, F.force)) {
       F = done.Fc_scaled;
     } else {

@@ -5,6 +5,7 @@
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 #include <passive_haptics/core/scalar/difference_of_products.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
+#include <passive_haptics/force/torques/torque_units.hpp>
 
 #include <algorithm>
 #include <array>
@@ -69,16 +70,16 @@ struct contact_forces_result {
 
 /// Torques t in the box whose force F = G t gives, in this order of priority: n_j . F = a_j for every demand
 /// that is first; as near as possible for the others, in the sum of squares; the least |F| (least drag); the
-/// least |t|. One demand that is first gives F = alpha Fc of (12). Opposed walls do not cancel, and a demand
-/// of 5e4 N does not drown one of 2 N that is first. Cost: core/linear/least_squares_by_priority.hpp,
+/// least |t / u|. One demand that is first gives F = alpha Fc of (12). Opposed walls do not cancel, and a
+/// demand of 5e4 N does not drown one of 2 N that is first. Cost: core/linear/least_squares_by_priority.hpp,
 /// five levels.
 ///
-/// drag: what shall be least, |drag t|, where that is not |F|.
-template <class T, int D, int Brakes, int Capacity>
+/// drag: what shall be least, |drag t|, where that is not |F|. u: units from torque_units_of.
+template <class T, int D, int Brakes, int Capacity, class Units = equal_units>
 contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
     const std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)>& demands, int count,
-    const matrix<T, D, Brakes>& drag) {
+    const matrix<T, D, Brakes>& drag, const Units& u = Units()) {
   using demand_level = least_squares_level<T, Capacity, Brakes>;
   constexpr T eps = std::numeric_limits<T>::epsilon(), max_force = 1 / (eps * eps);  // [N m], of no brake
   demand_level first, others;
@@ -91,7 +92,7 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
   }
   const vector<T, Brakes> t = least_squares_by_priority<Brakes + Capacity + D>(
       box.lower, box.upper, least_squares_level{map.P}, first, others, least_squares_level{drag},
-      least_squares_level{identity_matrix<T, Brakes>()});
+      least_torque_level<T, Brakes>(u));
 
   contact_forces_result<T, D, Brakes, Capacity> result{t, map.G * t, {}};
   for (int j = 0; j < count; ++j) {

@@ -53,7 +53,7 @@ torque_box<T, Brakes> unbounded_torque_box_of(const vector<T, Brakes>& s, const 
 template <class T, int D, int Brakes>
 struct nearest_torque_result {
   vector<T, Brakes>
-      torque;          ///< t [N m], in the box exactly; of the least norm among those that make the force.
+      torque;          ///< t [N m], in the box exactly; of the least |t| among those that make the force.
   vector<T, D> force;  ///< Fp = G t [N], to rounding of its terms.
 };
 
@@ -115,7 +115,7 @@ nearest_torque_result<T, D, Brakes> nearest_of_generators(const matrix<T, D, Bra
 }  // namespace detail
 
 /// The force F = G t nearest to Fd that brakes of signs s (-1, 0 or 1; 0 may have any torque) can make
-/// without limits, s_i t_i <= 0, by the torques of least norm: they are unique, so that neighbouring states
+/// without limits, s_i t_i <= 0, by the torques of least |t|: they are unique, so that neighbouring states
 /// get neighbouring torques. G (d x m) from force_generators, Fd of moderate norm. F is the projection of Fd
 /// on the cone of displayable forces (generator form); 0 where G is not finite. Cost:
 /// core/linear/generated_cone.hpp for d <= 3, else core/linear/prioritised_least_squares.hpp.

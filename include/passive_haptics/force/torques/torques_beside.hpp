@@ -17,15 +17,17 @@ struct effect_demand {
 };
 
 /// Torques in the box that keep n_j . G t, the normal forces that t displays, and with what is left do, in
-/// this order of priority: the torques of joints; no self-motion; the force G t nearest to Fe; the least |t|.
+/// this order of priority: the torques of joints; no self-motion; the force G t nearest to Fe; the least
+/// |t / u|, u being units from torque_units_of.
 ///
 /// normals: n_j in rows, 0 beyond the walls. t in the box. Solved for the change of t, so that a wall of 5e4
 /// N leaves none of its rounding on an effect of 2 N, nor an effect any on the wall. Cost:
 /// core/linear/least_squares_by_priority.hpp, five levels.
-template <class T, int D, int Brakes, int Walls, int Joints>
+template <class T, int D, int Brakes, int Walls, int Joints, class Units = equal_units>
 vector<T, Brakes> torques_beside(const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,
                                  const vector<T, Brakes>& t, const matrix<T, Walls, D>& normals,
-                                 const effect_demand<T, D, Brakes, Joints>& wanted) {
+                                 const effect_demand<T, D, Brakes, Joints>& wanted,
+                                 const Units& u = Units()) {
   // Along the walls alone: the rest is not to be had
   const orthogonal_decomposition<T, Walls, D> walls(normals, rounding_tolerance<T>(Walls));
   const vector<T, D> missing = walls.without_row_space(wanted.force - map.G * t);
@@ -34,7 +36,7 @@ vector<T, Brakes> torques_beside(const force_map<T, D, Brakes>& map, const torqu
                                     least_squares_level{matrix<T, Walls, Brakes>(normals * map.G)},
                                     least_squares_level{wanted.joint_rows, wanted.joint_torque},
                                     least_squares_level{map.P}, least_squares_level{map.G, missing},
-                                    least_squares_level{identity_matrix<T, Brakes>(), vector<T, Brakes>(-t)});
+                                    least_torque_level<T, Brakes>(u, vector<T, Brakes>(-t)));
   for (int i = 0; i < Brakes; ++i) sum[i] = std::clamp(sum[i], box.lower[i], box.upper[i]);
   return sum;
 }

@@ -92,7 +92,9 @@ struct on_off_control {
     }
     const auto map = passive_haptics::force_map_of(device.pose, device.E);
     const auto box = passive_haptics::torque_box_of(signs, device.brakes);
-    return contact_forces<T, D, M::brake_count, Capacity>(map, box, demands, count).torque;
+    return contact_forces<T, D, M::brake_count, Capacity>(
+               map, box, demands, count, map.G, passive_haptics::torque_units_of<M>(signs, device.brakes))
+        .torque;
   }
 
   /// Free space or a fault: all relays are off.

@@ -1,0 +1,75 @@
+/// @file
+/// In which units the torques of least norm are least: parts of what each brake can make.
+///
+/// Where several sets of torques make the same force, those of the least |t / t_max| are taken, t_max_i being
+/// the most that brake i can make with its sign. So N and N m are not added, and a strong brake takes the
+/// greater part: a force grows further before the first limit is reached.
+///
+///     t = u y, the least |y|, u_i = t_max_i / (the largest t_max)
+///
+/// A brake with t_max_i = 0 is off, u_i = 0. Where some t_max is infinite, u_i = 1 for all brakes that are
+/// on, and where no limit is named, for all: the least |t|. Equal limits give u_i = 1 exactly, and so the
+/// same torques to the bit.
+#pragma once
+
+#include <passive_haptics/core/linear/elimination.hpp>
+#include <passive_haptics/force/torques/nearest_torque.hpp>
+#include <passive_haptics/mechanism/self_motion.hpp>
+
+#include <cmath>
+#include <type_traits>
+
+namespace passive_haptics {
+
+/// In place of a vector of units: 1 for each brake.
+struct equal_units {};
+
+/// u (m) of the largest magnitudes t_max [N m], >= 0, that brakes can make.
+template <class T, int Brakes>
+vector<T, Brakes> torque_units(const vector<T, Brakes>& t_max) {
+  const T largest = t_max.maxCoeff();
+  vector<T, Brakes> u;
+  unrolled<Brakes>([&](auto i) {
+    const T part = std::isinf(largest) ? T(1) : t_max[i] / largest;
+    u[i] = t_max[i] > T(0) ? part : T(0);
+  });
+  return u;
+}
+
+/// u of the brakes of mechanism M with signs s. equal_units where nothing is named that could make a
+/// difference, and for devices whose torques are told by the force alone.
+template <class M, class B>
+auto torque_units_of([[maybe_unused]] const brake_vector<M>& s, [[maybe_unused]] const B& brakes) {
+  using T = typename M::scalar;
+  if constexpr (!displays_by_generators<M>) {
+    return equal_units();
+  } else if constexpr (SwitchableBrakes<B, T, M::brake_count>) {
+    const auto box = passive_haptics::torque_box_of(s, brakes);
+    return torque_units(brake_vector<M>(box.upper.cwiseMax(-box.lower)));
+  } else if constexpr (LimitedBrakes<B, T, M::brake_count>) {
+    return torque_units(brakes.torque_limit);
+  } else {
+    return equal_units();
+  }
+}
+
+/// The last of several levels, whatever is left: the least |y| of t = u y. A brake that is off cannot move,
+/// and counts as if u = 1.
+template <class T, int Brakes, class Units>
+auto least_torque_level([[maybe_unused]] const Units& u) {
+  if constexpr (std::is_same_v<Units, equal_units>) {
+    return least_squares_level{identity_matrix<T, Brakes>()};
+  } else {
+    const vector<T, Brakes> per_torque = (u.array() > T(0)).select(u.cwiseInverse(), T(1));
+    return least_squares_level{matrix<T, Brakes, Brakes>(per_torque.asDiagonal())};
+  }
+}
+/// The least |y - y_0|, t_0 = u y_0.
+template <class T, int Brakes, class Units>
+auto least_torque_level(const Units& u, const vector<T, Brakes>& t_0) {
+  auto level = passive_haptics::least_torque_level<T, Brakes>(u);
+  level.b = level.A * t_0;
+  return level;
+}
+
+}  // namespace passive_haptics

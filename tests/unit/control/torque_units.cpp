@@ -1,0 +1,198 @@
+// Torques of least norm in the units of the brakes' limits: a polar arm, equal limits, edges.
+#include "../support.hpp"
+
+#include <passive_haptics/passive_haptics.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+// A joint that turns, a slide on it, and a tendon over both, each with a brake: N m, N and N.
+struct polar_arm {
+  using scalar = double;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 3;
+  template <class S>
+  ph::vector<S, 2> position(const ph::vector<S, 2>& q) const {
+    using std::cos, std::sin;
+    return {q[1] * cos(q[0]), q[1] * sin(q[0])};
+  }
+  ph::matrix<double, 3, 2> transmission() const {
+    return ph::matrix<double, 3, 2>{{1, 0}, {0, 1}, {0.05, 1}};
+  }
+};
+
+using three = ph::vector<double, 3>;
+using pair_of_coordinates = ph::vector<double, 2>;
+
+// Torques per newton wanted, of one cycle; 0 where nothing is displayed.
+template <class M, class B>
+ph::brake_vector<M> torques_for(const M& mechanism, const B& brakes, const ph::device_state<M>& state,
+                                const ph::point<2>& n) {
+  ph::contacts<2, 1> touched;
+  touched.push_back({.normal = n, .depth = 1e-3, .stiffness = 1e3});
+  ph::step_memory<ph::no_direct_control> memory;
+  const auto result = ph::step(mechanism, brakes, touched, ph::no_direct_control(), state, memory);
+  EXPECT_EQ(result.outcome, ph::status::ok);
+  return result.cone_coefficients;
+}
+
+ph::device_state<polar_arm> random_polar_state(ph::testing::random_source& random) {
+  return {0,
+          {random.uniform(-3.0, 3.0), random.uniform(0.1, 0.3)},
+          {random.uniform(-2.0, 2.0), random.uniform(-0.3, 0.3)},
+          {0, 0}};
+}
+
+ph::brakes_of<polar_arm> polar_brakes(const three& limit) {
+  ph::brakes_of<polar_arm> brakes;
+  brakes.torque_limit = limit;
+  brakes.rate_dead_band.setZero();
+  return brakes;
+}
+
+// The force of the first brake that reaches its limit.
+TEST(torque_units, let_a_polar_arm_hold_more_before_a_limit) {
+  const polar_arm arm;
+  const three limit(0.5, 20, 5);  // N m, N, N
+  ph::testing::random_source random(21);
+  double before = 0, now = 0;
+  int shown = 0, weaker = 0, stronger = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const auto state = random_polar_state(random);
+    const ph::point<2> n = random.direction<double, 2>();
+    const three t = torques_for(arm, polar_brakes(limit), state, n);
+    const three least = torques_for(arm, polar_brakes({1, 1, 1}), state, n);  // |t| in SI units
+    if (t.isZero(0) || least.isZero(0)) {
+      ASSERT_TRUE(t.isZero(0) && least.isZero(0)) << "the cone is that of the signs";
+      continue;
+    }
+    ++shown;
+    const auto force = [&](const three& torque) {
+      return 1 / torque.cwiseAbs().cwiseQuotient(limit).maxCoeff();
+    };
+    before += force(least);
+    now += force(t);
+    weaker += force(t) > 1.05 * force(least) ? 1 : 0;
+    stronger += force(least) > 1.05 * force(t) ? 1 : 0;
+    const auto G = ph::force_generators(arm, state.q);
+    ASSERT_LE((G * t - G * least).norm(), 1e-12 * (G * t).norm()) << "one force";
+    ASSERT_LE(t.cwiseQuotient(limit).norm(), least.cwiseQuotient(limit).norm() * (1 + 1e-12));
+    ASSERT_LE(least.norm(), t.norm() * (1 + 1e-12));
+  }
+  EXPECT_GT(shown, 15'000);
+  EXPECT_NEAR(before / shown, 5.5, 0.3) << "[N] by the least |t|";
+  EXPECT_NEAR(now / shown, 6.0, 0.3) << "[N] by the least |t / t_max|";
+  EXPECT_NEAR(now / before, 1.10, 0.02);
+  EXPECT_NEAR(100.0 * weaker / shown, 23, 1.5) << "per cent of the states: |t| is over 5 % weaker";
+  EXPECT_LT(100.0 * stronger / shown, 2.5) << "and over 5 % stronger";
+}
+
+// Whatever unit the slide has, metres or millimetres.
+TEST(torque_units, do_not_depend_on_the_units_of_a_brake) {
+  ph::testing::random_source random(3);
+  for (int k = 0; k < 500; ++k) {
+    const ph::matrix<double, 2, 3> G =
+        ph::matrix<double, 2, 3>::NullaryExpr([&] { return random.normal<double>(); });
+    const three limit(random.positive(0.1, 10.0), random.positive(0.1, 10.0), random.positive(0.1, 10.0)),
+        milli(1, 1e-3, 1e3);
+    const three s(1, -1, random.coin() ? 1 : 0);
+    const pair_of_coordinates n = random.direction<double, 2>();
+    const auto F = ph::approximate_by_generators(G, s, n, 0.02, ph::torque_units(limit));
+    const three limit_in_milli = limit.cwiseQuotient(milli);
+    const ph::matrix<double, 2, 3> in_milli = G * milli.asDiagonal();
+    const auto same = ph::approximate_by_generators(in_milli, s, n, 0.02, ph::torque_units(limit_in_milli));
+    ASSERT_EQ(F.display, same.display);
+    ASSERT_LE((same.torque.cwiseProduct(milli) - F.torque).cwiseQuotient(limit).norm(),
+              1e-11 * F.torque.cwiseQuotient(limit).norm());
+  }
+}
+
+TEST(torque_units, of_equal_limits_change_no_bit) {
+  ph::testing::random_source random(4);
+  EXPECT_EQ(ph::torque_units(three(0.3, 0.3, 0.3)), three(1, 1, 1));
+  for (int k = 0; k < 1000; ++k) {
+    const ph::matrix<double, 2, 3> G =
+        ph::matrix<double, 2, 3>::NullaryExpr([&] { return random.normal<double>(); });
+    const three s(1, -1, random.coin() ? 1 : 0);
+    const pair_of_coordinates n = random.direction<double, 2>();
+    const auto F = ph::approximate_by_generators(G, s, n, 0.02);
+    const auto same = ph::approximate_by_generators(G, s, n, 0.02, ph::torque_units(three(0.3, 0.3, 0.3)));
+    ASSERT_EQ(F.display, same.display);
+    ASSERT_EQ(F.torque, same.torque);
+    ASSERT_EQ(F.force, same.force);
+  }
+}
+
+TEST(torque_units, of_limits_that_are_0_or_infinite) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(ph::torque_units(three(1, 4, 2)), three(0.25, 1, 0.5));
+  EXPECT_EQ(ph::torque_units(three(0, 4, 2)), three(0, 1, 0.5)) << "a limit of 0 is a brake that is off";
+  EXPECT_EQ(ph::torque_units(three(0, 0, 0)), three(0, 0, 0));
+  EXPECT_EQ(ph::torque_units(three(1, inf, 0)), three(1, 1, 0)) << "one without a limit: the least |t|";
+  const auto units = ph::torque_units_of<polar_arm>(three(1, 1, 1), ph::unlimited_brakes());
+  static_assert(std::is_same_v<decltype(units), const ph::equal_units>);
+
+  const polar_arm arm;
+  ph::testing::random_source random(5);
+  int shown = 0;
+  for (int k = 0; k < 200; ++k) {
+    const auto state = random_polar_state(random);
+    const ph::point<2> n = random.direction<double, 2>();
+    ph::switchable_brakes<polar_arm> off = polar_brakes({0.5, 20, 5});
+    off.switch_off(2);
+    const three t = torques_for(arm, polar_brakes({0.5, 20, 0}), state, n),
+                same = torques_for(arm, off, state, n);
+    ASSERT_EQ(t, same) << "a limit of 0 is a brake that is off";
+    ASSERT_EQ(t[2], 0.0);
+    shown += t.isZero(0) ? 0 : 1;
+    ASSERT_TRUE(torques_for(arm, polar_brakes({0, 0, 0}), state, n).isZero(0));
+  }
+  EXPECT_GT(shown, 50);
+}
+
+// A one-way brake counts with what it can make in its way.
+TEST(torque_units, of_an_interval_are_those_of_the_way_in_which_a_brake_can_push) {
+  ph::switchable_brakes<polar_arm> brakes = polar_brakes({4, 4, 4});
+  brakes.torque_lower = {-1, -2, 0};
+  brakes.torque_upper = {2, 4, 4};
+  EXPECT_EQ(ph::torque_units_of<polar_arm>(three(1, 1, 1), brakes), three(0.5, 1, 0));
+  EXPECT_EQ(ph::torque_units_of<polar_arm>(three(-1, -1, -1), brakes), three(0.5, 1, 1));
+  EXPECT_EQ(ph::torque_units_of<polar_arm>(three(0, 0, -1), brakes), three(0.5, 1, 1));
+}
+
+// Of three brakes at rest any t with G t = F will do: t = u y, y = (G u)^+ F.
+three least_share(const ph::matrix<double, 2, 3>& G, const three& limit, const pair_of_coordinates& F) {
+  const ph::matrix<double, 2, 3> V = G * limit.asDiagonal();
+  return limit.cwiseProduct(three(ph::orthogonal_decomposition<double, 2, 3>(V, 1e-14).pseudo_inverse() * F));
+}
+
+TEST(torque_units, hold_at_several_walls_and_under_effects) {
+  const polar_arm arm;
+  const three limit(0.5, 20, 5), none = three::Zero();
+  ph::testing::random_source random(6);
+  for (int k = 0; k < 200; ++k) {
+    const auto G = ph::force_generators(arm, random_polar_state(random).q);
+    const ph::force_map<double, 2, 3> map{G};
+    const auto box = ph::torques_within<double, 3>(none, limit);
+    const auto u = ph::torque_units(limit);
+    const pair_of_coordinates F = 0.2 * random.direction<double, 2>();
+    const three expected = least_share(G, limit, F);
+    ASSERT_LT(expected.cwiseQuotient(limit).cwiseAbs().maxCoeff(), 1.0);
+    const auto x = F[0] < 0 ? pair_of_coordinates(-1, 0) : pair_of_coordinates(1, 0),
+               y = F[1] < 0 ? pair_of_coordinates(0, -1) : pair_of_coordinates(0, 1);
+    const auto walls = ph::contact_forces<double, 2, 3, 2>(
+        map, box, {{{x, std::abs(F[0]), true}, {y, std::abs(F[1]), false}}}, 2, G, u);
+    ASSERT_LE((walls.torque - expected).cwiseQuotient(limit).norm(), 1e-12);
+
+    const ph::effect_demand<double, 2, 3, 2> wanted{F, ph::matrix<double, 2, 3>::Zero(), {0, 0}};
+    const ph::matrix<double, 1, 2> no_wall = ph::matrix<double, 1, 2>::Zero();
+    const three beside = ph::torques_beside(map, box, none, no_wall, wanted, u);
+    ASSERT_LE((beside - expected).cwiseQuotient(limit).norm(), 1e-12);
+    const three plain = ph::torques_beside(map, box, none, no_wall, wanted);
+    ASSERT_LE((plain - least_share(G, {1, 1, 1}, F)).norm(), 1e-12) << "without units the least |t|";
+  }
+}
+
+}  // namespace
