@@ -3,7 +3,9 @@
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -82,6 +84,16 @@ row poses() {
   };
 }
 
+// Seven joints in space that turn about z, y and x in turns: 35 sets of brakes may come to rest
+ph::serial_chain<double, 7, 3> seven_joints() {
+  ph::serial_chain_parameters<double, 7, 3> p;
+  for (int i = 0; i < 7; ++i)
+    p.joints[std::size_t(i)] =
+        ph::revolute_joint<double>(ph::point<3>::Unit(2 - i % 3), ph::point<3>(0.1 * i, 0, 0.02 * i));
+  p.handle = {0.7, 0, 0.1};
+  return ph::serial_chain<double, 7, 3>(p);
+}
+
 // Half-spaces to begin with: none, the right ones, those of another problem, as after a jump.
 enum class start { none, right, wrong };
 
@@ -148,6 +160,8 @@ std::map<std::string, std::function<row()>> all_rows() {
   rows["xy_table/free_of_32_walls"] = [=] { return far_from(std::make_integer_sequence<int, 32>()); };
   add(rows, "five_bar", ph::five_bar<double>());
   add(rows, "delta", ph::delta<double>());
+  add(rows, "settled_3", ph::serial_chain<double, 3, 2>(ph::planar_arm<double>(std::array{0.15, 0.15, 0.1})));
+  add(rows, "settled_7", seven_joints());
   rows["cone_2"] = [] { return projections<2>(start::none); };
   rows["cone_3"] = [] { return projections<3>(start::none); };
   rows["cone_4"] = [] { return projections<4>(start::none); };
