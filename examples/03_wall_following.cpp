@@ -101,6 +101,32 @@ void print_line(double environment_rate, const char* law_name, const ph::contact
   std::fflush(stdout);
 }
 
+// The depth alone: what the library is for, in one picture.
+std::string depth_script(const std::string& name) {
+  return "set terminal svg noenhanced size 900,330 font 'sans,14' background 'white'\nset output output\n"
+         "set datafile separator ','\nset datafile columnheaders\n"
+         "none = '" +
+         name + "_no_direct_control.csv'\nglides = '" + name + R"gnuplot(_velocity_direct_control.csv'
+set title 'A hand that moves along a virtual wall: how deep it is in the wall'
+set xrange [40:175]
+set yrange [6.5:-3]
+set xlabel 'way along the wall [mm]'
+set ylabel 'depth [mm]'
+set ytics 2 nomirror
+set xtics nomirror
+set border 3
+unset key
+set object 1 rectangle from graph 0, first 0 to graph 1, graph 0 behind fc rgb '#eeeeee' fs noborder
+set label 1 'outside of the wall' at 60, -2.3 tc rgb '#555555'
+set label 2 'inside' at 60, 0.8 tc rgb '#555555'
+set label 3 'without direct control: it bounces' at 110, -2.3 tc rgb '#b04400'
+set label 4 'under velocity_direct_control: it glides' at 110, 3.4 tc rgb '#005a8c'
+plot 0 lc rgb '#555555' lw 1 notitle, \
+     none every 5 using (1e3*column('x')):(1e3*column('depth')) with lines lw 1.8 lc rgb '#d55e00' notitle, \
+     glides every 5 using (1e3*column('x')):(1e3*column('depth')) with lines lw 2.5 lc rgb '#0072b2' notitle
+)gnuplot";
+}
+
 std::string plot_script(const std::string& name, double environment_rate) {
   std::ostringstream script;
   script << "set terminal svg noenhanced size 900,1000 font 'sans,12' background 'white'\nset output output\n"
@@ -148,9 +174,9 @@ unset multiplot
 int main(int argc, char** argv) try {
   std::filesystem::path directory = ".";
   int live_port = 0;
-  example::command_line line(
-      "wall_following",
-      "The paper's device along a virtual wall: a table, wall_following.svg, and a log of each run in it.");
+  example::command_line line("wall_following",
+                             "The paper's device along a virtual wall: a table, gliding.svg, "
+                             "wall_following.svg, and a log of each run in it.");
   line.port(
       "--live", live_port,
       "send the logged runs to this UDP port of this machine as they pass, as JSON (docs/guide/log.md)");
@@ -183,6 +209,7 @@ int main(int argc, char** argv) try {
       "and a hand that yields. With stronger brakes, or alpha before the limit as printed, it bounces on: "
       "docs/results.md.");
   std::printf("The most power that a brake gave to the device in any time step: %.0e W.\n\n", most_power);
+  example::draw(directory, "gliding", depth_script("wall_following"));
   example::draw(directory, "wall_following", plot_script("wall_following", drawn));
   std::printf("data:    %s\n", std::filesystem::weakly_canonical(directory / "wall_following_*.csv").c_str());
 } catch (const std::exception& error) {

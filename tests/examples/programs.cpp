@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -55,6 +56,18 @@ TEST_F(an_example, says_what_its_help_text_says) {
     EXPECT_EQ(o.out, text_of(source + "/examples/help/" + name + ".txt")) << name;
     EXPECT_EQ(o.err, "") << name;
   }
+}
+
+TEST_F(an_example, prints_what_readme_shows) {
+  const std::string readme = text_of(source + "/README.md"), begin = "```console\n";
+  const std::size_t from = readme.find(begin) + begin.size();
+  std::istringstream lines(readme.substr(from, readme.find("```", from) - from));
+  const outcome o = run("01_one_wall", "");
+  EXPECT_EQ(o.status, 0);
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+    EXPECT_NE(o.out.find(line + "\n"), std::string::npos) << line << "\nis not in\n" << o.out;
+  EXPECT_GE(count, 2);
 }
 
 TEST_F(an_example, refuses_what_it_does_not_know_in_one_line) {
