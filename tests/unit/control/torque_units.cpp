@@ -152,6 +152,29 @@ TEST(torque_units, of_limits_that_are_0_or_infinite) {
   EXPECT_GT(shown, 50);
 }
 
+// The force is the nearest one, whatever the limits, which only choose between the torques that make it.
+TEST(torque_units, of_limits_of_any_ratio_lose_no_brake) {
+  const three wide(7e162, 1.7e-312, 9e271);
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  EXPECT_EQ(ph::torque_units(wide), three(eps * eps, eps * eps, 1));
+  ph::testing::random_source random(6);
+  int shown = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const ph::matrix<double, 2, 3> G =
+        ph::matrix<double, 2, 3>::NullaryExpr([&] { return random.normal<double>(); });
+    const three s(1, -1, random.coin() ? 1 : 0);
+    const pair_of_coordinates n = random.direction<double, 2>();
+    const auto expected = ph::approximate_by_generators(G, s, n, 0.02);
+    const auto F = ph::approximate_by_generators(G, s, n, 0.02, ph::torque_units(wide));
+    ASSERT_EQ(F.display, expected.display);
+    ASSERT_LE((F.force - expected.force).norm(), 1e-13 * expected.force.norm());
+    ASSERT_LE((G * F.torque - F.force).norm(), 1e-12 * (G.norm() * F.torque.norm() + 1));
+    ASSERT_TRUE((s.array() * F.torque.array() <= 0).all());
+    shown += ph::is_displayed(F.display);
+  }
+  EXPECT_GT(shown, 500);
+}
+
 // A one-way brake counts with what it can make in its way.
 TEST(torque_units, of_an_interval_are_those_of_the_way_in_which_a_brake_can_push) {
   ph::switchable_brakes<polar_arm> brakes = polar_brakes({4, 4, 4});

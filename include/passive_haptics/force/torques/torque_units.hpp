@@ -7,16 +7,18 @@
 ///
 ///     t = u y, the least |y|, u_i = t_max_i / (the largest t_max)
 ///
-/// A brake with t_max_i = 0 is off, u_i = 0. Where some t_max is infinite, u_i = 1 for all brakes that are
-/// on, and where no limit is named, for all: the least |t|. Equal limits give u_i = 1 exactly, and so the
-/// same torques to the bit.
+/// A brake with t_max_i = 0 is off, u_i = 0; of others u_i is at least eps^2, so that no square of a column
+/// of G u underflows. Where some t_max is infinite, u_i = 1 for all brakes that are on, and where no limit is
+/// named, for all: the least |t|. Equal limits give u_i = 1 exactly, and so the same torques to the bit.
 #pragma once
 
 #include <passive_haptics/core/linear/elimination.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 #include <passive_haptics/mechanism/self_motion.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace passive_haptics {
@@ -27,10 +29,11 @@ struct equal_units {};
 /// u (m) of the largest magnitudes t_max [N m], >= 0, that brakes can make.
 template <class T, int Brakes>
 vector<T, Brakes> torque_units(const vector<T, Brakes>& t_max) {
+  constexpr T eps = std::numeric_limits<T>::epsilon();
   const T largest = t_max.maxCoeff();
   vector<T, Brakes> u;
   unrolled<Brakes>([&](auto i) {
-    const T part = std::isinf(largest) ? T(1) : t_max[i] / largest;
+    const T part = std::isinf(largest) ? T(1) : std::max(t_max[i] / largest, eps * eps);
     u[i] = t_max[i] > T(0) ? part : T(0);
   });
   return u;
