@@ -58,7 +58,7 @@ path around_globe(double radius) {
   return x;
 }
 
-// The same shapes, each of which counts how often it is asked.
+// Shapes of the scene, each of which counts how often its distance is taken.
 long looks = 0;
 template <class S>
 struct counted : S {

@@ -28,7 +28,7 @@ constexpr std::pair<contact_kind, const char*> kinds[] = {{contact_kind::free, "
                                                           {contact_kind::approximate, "approximate"},
                                                           {contact_kind::any_contact, "any contact"}};
 
-// A device 10 m before a plane wall, or 10 m behind it, where it asks for 10 N.
+// A device 10 m before a plane wall, or 10 m behind it, where the wall demands 10 N.
 template <class M>
 auto controller_of(const M& mechanism, contact_kind kind) {
   const ph::point<M::task_dimension> out = ph::point<M::task_dimension>::Ones().normalized();

@@ -1,5 +1,5 @@
-// The same problems by the library and by well-kept solvers: run time, side by side with the error of the
-// answers. Times are for comparing rows of one run; each answer is checked before any is timed.
+// Problems solved by the library and by well-kept solvers: run time, side by side with the error of the
+// solutions. Times are for comparing rows of one run; each solution is checked before any is timed.
 #include "peers/comparison.hpp"
 
 #include <passive_haptics/driver/process/standard_descriptors.hpp>

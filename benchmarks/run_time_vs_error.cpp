@@ -155,7 +155,7 @@ void print_table(const results& all) {
       "in double.");
 }
 
-// Names who has a smaller worst error than ours in double, and where. Under 4 eps all are rounded answers.
+// Names who has a smaller worst error than ours in double, and where. Under 4 eps all are rounded solutions.
 std::string beaten_by(const results& all, int d) {
   const std::string suffix = "/double/d=" + std::to_string(d);
   std::string text;

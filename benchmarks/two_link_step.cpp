@@ -78,7 +78,7 @@ controller make_controller() {
 
 using way = std::function<by_hand::command(const ph::device_state<arm>&)>;
 
-// All ways ask the brakes for the same torques
+// All ways command the same torques
 bool agree(const situation& where, const std::string& name, const way& other) {
   controller library = make_controller();
   for (const auto& state : where.states) {

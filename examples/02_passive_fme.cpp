@@ -53,7 +53,7 @@ int main(int argc, char** argv) try {
   std::puts("\nForce approximation (Fig. 3), v = (0, -1) m/s:");
   std::puts("  Fd [N]             power       display       Fc [N]              gamma [deg]");
   std::ostringstream arrows;
-  arrows << "# Fd x [N], Fd y [N], Fc x [N], Fc y [N], name\n";
+  arrows << "# Fd x [N], Fd y [N], Fc x [N], Fc y [N], name of Fd, name of Fc where it is not Fd\n";
   const double min_cosine = ph::step_options<double>().min_cosine;
   int arrow = 0;
   for (const force& Fd : {force(-0.5, 1), force(0.5, 1), force(0.5, -1), force(-1, -0.1)}) {
@@ -69,7 +69,9 @@ int main(int argc, char** argv) try {
       std::printf("(%6.3f, %6.3f)  %8.2f\n", Fc[0], Fc[1],
                   ph::degrees(std::acos(std::min(1.0, shown.cosine()))));
     else std::printf("%-16s  %8s\n", "-", "-");
-    arrows << Fd[0] << ", " << Fd[1] << ", " << Fc[0] << ", " << Fc[1] << ", Fd" << ++arrow << "\n";
+    arrows << Fd[0] << ", " << Fd[1] << ", " << Fc[0] << ", " << Fc[1] << ", Fd" << ++arrow << ", ";
+    if (shown.display == ph::display_class::approximate) arrows << "Fc" << arrow;
+    arrows << "\n";
   }
   std::puts(
       "\nThe paper says of Fd3 that it \"cannot be displayed at all since it belongs to the active region of "
@@ -85,29 +87,40 @@ int main(int argc, char** argv) try {
 
   example::write_file(directory / "passive_fme_outlines.csv", outlines.str());
   example::write_file(directory / "passive_fme_forces.csv", arrows.str());
-  example::draw(directory, "passive_fme", R"(
-set terminal svg size 900,460 font 'sans,12' background 'white'
+  example::draw(directory, "passive_fme",
+                R"gnuplot(
+set terminal svg size 900,460 font 'sans,13' background 'white'
 set output output
 set datafile separator ','
 set multiplot layout 1,2
 set size ratio -1
-set grid lc rgb '#dddddd'
+set border 3
+set tics nomirror
 set xlabel 'Fx [N]'
 set ylabel 'Fy [N]'
-set key bottom left
+unset key
 set xrange [-1.8:1.8]
 set yrange [-1.8:1.8]
-set title 'Passive FMEs (Fig. 2): forces of |t| <= 1 N m'
-plot for [k=1:4] 'passive_fme_outlines.csv' index k-1 using 2:3 with filledcurves closed fs transparent solid 0.35 title sprintf('FME %d', k), \
-     for [k=1:4] 'passive_fme_outlines.csv' index k-1 using 2:3 with lines lc rgb '#555555' notitle
-set title 'Force approximation (Fig. 3): v along -y, only FME 2'
-plot 'passive_fme_outlines.csv' index 1 using 2:3 with filledcurves closed fs transparent solid 0.35 lc rgb '#009e73' title 'FME 2', \
-     'passive_fme_forces.csv' using (0):(0):1:2 with vectors lw 2 lc rgb '#333333' title 'Fd, desired', \
-     'passive_fme_forces.csv' using (0):(0):3:4 with vectors lw 2 dt 2 lc rgb '#d55e00' title 'Fc, displayed', \
-     'passive_fme_forces.csv' using ($1*1.15):($2*1.15):5 with labels notitle, \
-     '+' using (0):(0):(0):(-0.6) every ::0::0 with vectors lw 4 lc rgb '#56b4e9' title 'v, velocity'
+color(k) = word('#cc79a7 #009e73 #56b4e9 #e69f00', k)
+set title "All forces that two brakes of 1 N m can make,\nby the directions in which the brakes turn"
+set label 1 'FME 1' at -1.1, -0.9 tc rgb '#a04a7c'
+set label 2 'FME 2' at -1.25, 1.2 tc rgb '#00694d'
+set label 3 'FME 3' at 0.75, -1.2 tc rgb '#1f6f9f'
+set label 4 'FME 4' at 0.65, 0.9 tc rgb '#8a5f00'
+plot for [k=1:4] 'passive_fme_outlines.csv' index k-1 using 2:3 with filledcurves closed fs solid 0.4 lc rgb color(k), \
+     for [k=1:4] 'passive_fme_outlines.csv' index k-1 using 2:3 with lines lc rgb '#555555'
+unset label
+set title "The handle moves down (v): FME 2 is left.\nDesired forces (black) and what is displayed (orange)"
+set label 5 'FME 2' at -1.05, 1.55 tc rgb '#00694d'
+set label 6 'v' at 0.1, -0.45 tc rgb '#1f6f9f'
+plot 'passive_fme_outlines.csv' index 1 using 2:3 with filledcurves closed fs solid 0.4 lc rgb '#009e73', \
+     'passive_fme_forces.csv' using (0):(0):3:4 with vectors filled head size 0.12,20 lw 5 lc rgb '#d55e00', \
+     'passive_fme_forces.csv' using (0):(0):1:2 with vectors filled head size 0.1,20 lw 1.5 lc rgb '#222222', \
+     'passive_fme_forces.csv' using ($1*1.2):($2*1.15):5 with labels tc rgb '#222222', \
+     'passive_fme_forces.csv' using ($3*1.15+0.15):($4*1.12):6 with labels tc rgb '#b04400', \
+     '+' using (0):(0):(0):(-0.6) every ::0::0 with vectors filled head size 0.12,20 lw 4 lc rgb '#56b4e9'
 unset multiplot
-)");
+)gnuplot");
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());
   return 1;

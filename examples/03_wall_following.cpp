@@ -45,14 +45,14 @@ ph::brakes_of<device> weak_brakes() {
   return brakes;
 }
 
-// The log of a run: what the controller was told and decided, and what was true 0.1 ms later.
+// The log of a run: state and decision of the controller, and what was true 0.1 ms later.
 class run_log {
  public:
   explicit run_log(int live_port) : stream_(live_port) {}
 
-  void add(const ph::device_state<device>& told, const ph::wall_following_sample<device>& truth) {
+  void add(const ph::device_state<device>& state, const ph::wall_following_sample<device>& truth) {
     row_.start();
-    put_motion(row_, {}, told);
+    put_motion(row_, {}, state);
     put_decision(row_, {}, *truth.control);
     row_.put("x", "m", truth.position[0]);
     row_.put("y", "m", truth.position[1]);
@@ -62,7 +62,7 @@ class run_log {
     row_.put("brake_torque", "N m", truth.brake_torque);
     if (text_.empty()) text_ = row_.header();
     text_ += row_.csv();
-    stream_.send(told.time, row_);
+    stream_.send(state.time, row_);
   }
   const std::string& text() const { return text_; }
 
@@ -84,13 +84,13 @@ ph::contact_metrics follow(Law law, double environment_rate, run_log& log) {
   ph::simulated_device plant(arm, brakes, hand.parameters().mass, q);
   plant.set_motion(q, arm.jacobian(q).partialPivLu().solve(start_velocity));
 
-  std::optional<ph::device_state<device>> told;
+  std::optional<ph::device_state<device>> latest;
   const auto controller = [&](const ph::device_state<device>& state) {
-    told = state;
+    latest = state;
     return control(state);
   };
   return ph::follow_wall(plant, controller, surface, hand, {}, [&](const auto& truth) {
-    if (told) log.add(*std::exchange(told, std::nullopt), truth);
+    if (latest) log.add(*std::exchange(latest, std::nullopt), truth);
   });
 }
 

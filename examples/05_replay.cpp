@@ -1,4 +1,4 @@
-// Runs a log of a device's motion through a control law and writes what the brakes would have been told: a
+// Runs a log of a device's motion through a control law and writes what would have been commanded: a
 // log of brake_driver, of a simulation, or of your own program.
 #include <log/replay_program.hpp>
 

@@ -25,15 +25,15 @@ constexpr unsigned seed = 20040627;
 constexpr int cycles = 20'000;        // 20 s at 1 kHz
 constexpr double step_length = 2e-4;  // [m]: 0.2 m/s
 
-// A shape of one's own: a ball that counts how often it is asked.
+// A shape of one's own: a ball that counts how often its distance is taken.
 struct counting_ball {
   static constexpr int dimension = 3;
   double distance(const ph::point<3>& x) const {
-    ++*asked;
+    ++*looks;
     return ball.distance(x);
   }
   ph::point<3> gradient(const ph::point<3>& x) const { return ball.gradient(x); }
-  ph::bounding_box<3> bounds() const { return ball.bounds(); }  // so that it need not be asked
+  ph::bounding_box<3> bounds() const { return ball.bounds(); }  // so that far ones are skipped
   ph::ball<3> ball;
   long* asked;
 };
@@ -101,24 +101,24 @@ int main(int argc, char** argv) try {
   std::ostringstream data;
   std::printf("A hill of %d triangles, and balls [ns, medians of five runs: read ratios]\n",
               surface.surface().size());
-  std::printf("%8s %10s %18s %16s %16s %16s\n", "balls", "contacts", "asked in a cycle", "in the worst",
+  std::printf("%8s %10s %18s %16s %16s %16s\n", "balls", "contacts", "looks in a cycle", "in the worst",
               "a cycle [ns]", "all balls [ns]");
   for (const int count : {10, 100, 1000, 10'000, 100'000}) {
     const auto all = balls(count);
     ph::world_walls<3> walls, counted_walls;
-    long asked = 0, most = 0, total = 0, contacts = 0;
+    long looks = 0, most = 0, total = 0, contacts = 0;
     walls.add(ph::wall(surface));
     counted_walls.add(ph::wall(surface));
     for (const auto& ball : all) {
       walls.add(ph::wall(ball));
-      counted_walls.add(ph::wall(counting_ball{ball, &asked}));
+      counted_walls.add(ph::wall(counting_ball{ball, &looks}));
     }
     ph::world<3> world(walls), counted(counted_walls);
     for (const auto& x : path) {
-      asked = 0;
+      looks = 0;
       contacts += ph::sense(counted, x).size();
-      total += asked;
-      most = std::max(most, asked);
+      total += looks;
+      most = std::max(most, looks);
     }
     int touched = 0;  // printed, so that the work is done
     const double each =
@@ -131,7 +131,7 @@ int main(int argc, char** argv) try {
     std::fflush(stdout);
     data << count << "," << static_cast<double>(total) / cycles << "," << each << "," << scan << "\n";
   }
-  example::write_file(directory / "large_scene.csv", "balls,asked,cycle_ns,scan_ns\n" + data.str());
+  example::write_file(directory / "large_scene.csv", "balls,looks,cycle_ns,scan_ns\n" + data.str());
   example::draw(directory, "large_scene", R"(set terminal svg size 720,420 background '#ffffff'
 set output output
 set datafile separator ','

@@ -117,7 +117,7 @@ void both_readings(page_tables& page) {
               page["paper_reading"].c_str());
 }
 
-// The same of the middle hand, drawn.
+// Figures of the middle hand, drawn.
 void draw_figures(const std::filesystem::path& directory) {
   const auto runs_along = [](const named_wall& wall, double rate) {
     constexpr std::array laws{law::none, law::direct, law::saturated, law::velocity};
@@ -413,7 +413,7 @@ bool arms(page_tables& page, arm_extent extent) {
   return power < rounding;
 }
 
-// What is claimed of the runs, asked again with half the time step: bouncing is chaotic, its bands are not.
+// What is claimed of the runs, checked again with half the time step: bouncing is chaotic, its bands are not.
 bool bands() {
   using figures = ph::contact_metrics;
   const auto arm = [](law which, const test_wall& wall, double rate, double step, double limit = 1,
@@ -544,7 +544,7 @@ bool bands() {
   return all;
 }
 
-// Whether docs/results.md tells these tables. PASSIVE_HAPTICS_WRITE_PAGES=1 writes them there.
+// Whether docs/results.md has these tables. PASSIVE_HAPTICS_WRITE_PAGES=1 writes them there.
 bool is_printed(const page_tables& tables) {
   example::page_of_tables page(results_page);
   bool all = true;

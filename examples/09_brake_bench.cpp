@@ -1,4 +1,4 @@
-// Three tests on a bench tell what a brake is: steps of the current, a slow ramp of it, a sweep of the rate.
+// Three tests on a bench identify a brake: steps of the current, a slow ramp of it, a sweep of the rate.
 // Here the bench is simulated, behind the same port and torque sensor as a real one, so that what is found
 // can be compared.
 #include <brakes_section.hpp>
@@ -152,7 +152,7 @@ int main(int argc, char** argv) try {
   std::filesystem::path directory;
   example::command_line line(
       "brake_bench",
-      "What three tests on a bench tell of a brake: its constants, the samples as CSV, and brakes.toml "
+      "What three tests on a bench find of a brake: its constants, the samples as CSV, and brakes.toml "
       "for brake_driver.");
   line.choice("--brake", which, {"coulomb", "magnetorheological", "stribeck", "eddy_current"},
               "on the bench");

@@ -75,7 +75,7 @@ class collector : public benchmark::BenchmarkReporter {
 
 /// Runs what is registered, with Google Benchmark's own options; `defaults` are those that a user may
 /// override. `visit` sees each row when it is there. Ends the program with status 2 for an unknown option, 1
-/// if a row failed or a standard descriptor is closed for good, 0 if no row was asked for
+/// if a row failed or a standard descriptor is closed for good, 0 if no row was chosen
 /// (--benchmark_list_tests).
 inline results run(
     int argc, char** argv, std::vector<std::string> defaults = {},

@@ -1,4 +1,4 @@
-// The same skip by hand, for balls, upright boxes and planes in space only, without a bound of its worst
+// Skipping by hand, for balls, upright boxes and planes in space only, without a bound of its worst
 // cycle: all shapes whose boxes are within a radius are gathered from a tree whenever the handle has moved
 // that far, each with the way at which it is due again.
 #pragma once

@@ -1,4 +1,4 @@
-// The walls of a world by a tree of their boxes, asked anew in each cycle: what a world may cost where the
+// The walls of a world by a tree of their boxes, searched anew in each cycle: what a world may cost where the
 // handle jumps.
 #pragma once
 

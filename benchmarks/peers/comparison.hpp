@@ -13,7 +13,7 @@ namespace peers {
 inline constexpr unsigned seed = 4;
 inline constexpr const char* ours = "passive_haptics";  // times are compared with this solver's
 
-// What of a row's answers is measured, each with its worst value.
+// What of a row's solutions is measured, each with its worst value.
 using errors = std::vector<std::pair<std::string, double>>;
 
 struct row {

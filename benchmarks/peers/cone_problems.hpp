@@ -18,7 +18,7 @@ struct cone_problem {
   ph::vector<double, N> f;
 };
 
-// So many that no branch predictor learns the answers by heart: it does learn 1024, in half of the time.
+// So many that no branch predictor learns the branches by heart: it does learn 1024, in half of the time.
 inline constexpr std::size_t cone_problem_count = 16384;
 
 template <int N>

@@ -1,6 +1,6 @@
 /// @file
-/// Random problems of a given condition with their answers in 50 digits, and what is wrong with another
-/// answer.
+/// Random problems of a given condition with their solutions in 50 digits, and the error of another
+/// solution.
 #pragma once
 
 #include "../../tests/unit/core/cone_oracle.hpp"
@@ -55,14 +55,14 @@ std::vector<problem<D>> random_problems(double condition, int count, ph::testing
   return all;
 }
 
-// Of many answers. All relative to |Fd| = 1.
+// Of many solutions. All relative to |Fd| = 1.
 struct quality {
   double worst_error, median_error;  // |F - Fp|
   double worst_violation;            // of s_i b_i . F <= 0, relative to |b_i|, with b_i = J e_i
   double worst_torque_violation;     // of s_i t_i <= 0 by the returned torques, relative to |t|
 };
 
-// What answers get wrong, in 50 digits. An answer that does not know its force makes J^-T t.
+// The errors of solutions, in 50 digits. A solution without its force makes J^-T t.
 template <int D>
 quality quality_of(const std::vector<answer<long double, D>>& answers,
                    const std::vector<problem<D>>& problems) {

@@ -1,4 +1,4 @@
-// The same cycle by hand with a brake in each half of a register: one branch, free space or contact, and
+// The control cycle by hand with a brake in each half of a register: one branch, free space or contact, and
 // every promise of the library's cycle: NaN and infinity release, dead bands, a largest approximation angle,
 // det = 0.
 #pragma once

@@ -1,5 +1,5 @@
-// The same cycle from the textbook: reference forces G = J^-T T^T (4)-(6) by a linear solver of Eigen, then
-// the nearest of them (Fig. 3).
+// The control cycle from the textbook: reference forces G = J^-T T^T (4)-(6) by a linear solver of Eigen,
+// then the nearest of them (Fig. 3).
 #pragma once
 
 #include "by_hand.hpp"

@@ -22,7 +22,7 @@ int main() {
       std::cout << "depth " << depth << " m, normal " << normal.transpose() << "\n";
       ++touched;
     });
-    std::cout << "need not be asked again for " << may_go << " m\n";
+    std::cout << "need not be measured again for " << may_go << " m\n";
     before = x;
   }
 

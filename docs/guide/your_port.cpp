@@ -10,7 +10,7 @@
 #include <iostream>
 #include <thread>
 
-// In place of the board: answers currents with a sample, until stop(). `last` is what its brakes have.
+// In place of the board: sends a sample for all currents, until stop(). `last` is what its brakes have.
 struct stand_in {
   int listening = socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in at{AF_INET, 0, {htonl(INADDR_LOOPBACK)}, {}};

@@ -10,7 +10,7 @@
 namespace example {
 
 /// Options as `--option VALUE` or `--option=VALUE`. `--help` prints examples/help/NAME.txt's text; a mistake
-/// is told in one line, with status 2. (CLI11 does it, behind one compiled file: it costs 2 s of the
+/// is reported in one line, with status 2. (CLI11 does it, behind one compiled file: it costs 2 s of the
 /// compiler.)
 class command_line {
  public:
@@ -24,7 +24,7 @@ class command_line {
   void flag(const std::string& option, bool& value, const std::string& about);
   /// A text that is not empty; kind: what it is, as FILE.
   void text(const std::string& option, std::string& value, const std::string& kind, const std::string& about);
-  /// The same, as often as one likes.
+  /// An option that may be given any number of times.
   void texts(const std::string& option, std::vector<std::string>& values, const std::string& kind,
              const std::string& about);
   /// One of these words.
@@ -41,7 +41,7 @@ class command_line {
   void notes(const std::string& text);
 
   /// Ends the program for --help with status 0, for a mistake with 2, for no directory with 1. At its end
-  /// output that found no room is told, with status 1.
+  /// output that found no room is reported, with status 1.
   void parse(int argc, char** argv);
 
  private:

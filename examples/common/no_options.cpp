@@ -1,4 +1,4 @@
-// Before the main of an example that takes no options: it stays as short as it is told in README. The linker
+// Before the main of an example that takes no options: it stays as short as README has it. The linker
 // calls this one in its place (--wrap=main).
 #include <command_line.hpp>
 

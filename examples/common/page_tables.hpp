@@ -1,5 +1,5 @@
 /// @file
-/// Whether a page of the docs tells what a program prints.
+/// Whether a page of the docs has what a program prints.
 #pragma once
 
 #include <algorithm>

@@ -27,8 +27,8 @@ struct simulated_bench_parameters {
   std::uint64_t seed = 1;                           // of that noise
 };
 
-/// The axis turns at rate(t) [rad/s], whatever the brake does; command_of(I) [N m] is what the brake is told
-/// by a current. Its clock goes on by a period with each wait().
+/// The axis turns at rate(t) [rad/s], whatever the brake does; command_of(I) [N m] is the command of a
+/// current to the brake. Its clock goes on by a period with each wait().
 template <ph::BrakeModel Model>
 class simulated_bench {
  public:

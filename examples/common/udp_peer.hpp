@@ -66,7 +66,7 @@ class udp_peer {
     }
   }
 
-  /// Has the host said that nobody listens there, since this was asked last?
+  /// Has the host said that nobody listens there, since the last call?
   bool refused() noexcept { return std::exchange(refused_, false); }
 
   /// Waits until something has come, at most so long [s].

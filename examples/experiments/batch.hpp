@@ -108,7 +108,7 @@ auto on_all_cores(const std::string& name, std::size_t count, Job&& job, Show&& 
   return results;
 }
 
-// The same, and nothing is shown.
+// Runs all jobs and shows nothing.
 template <class Job>
 auto on_all_cores(const std::string& name, std::size_t count, Job&& job) {
   return on_all_cores(name, count, job, [](std::size_t, const auto&) {});

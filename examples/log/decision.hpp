@@ -32,7 +32,7 @@ void put_motion(log_row& row, const joint_kinds& joints, const State& s) {
 }
 
 /// status, power, display, gamma, alpha, Fd_x ..., Fc_x ..., capacity1 ..., torque1 ... of a step_result or
-/// the like; empty cells where the law was not asked.
+/// the like; empty cells where the law did not run.
 template <class Decision>
 void put_decision(log_row& row, const joint_kinds& joints, const Decision& r, bool was_asked = true) {
   row.blank(!was_asked);

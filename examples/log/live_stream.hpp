@@ -27,7 +27,7 @@ class live_stream {
   udp_peer peer_;
 };
 
-/// The same for a simulation: a thread of its own sends each row when its time has passed since the start, so
+/// A stream for a simulation: a thread of its own sends each row when its time has passed since the start, so
 /// that a second takes a second.
 class paced_stream {
  public:

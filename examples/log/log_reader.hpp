@@ -17,8 +17,8 @@ struct log_error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Columns are found by name, in any order, beside others that nobody asks for. Memory does not grow with the
-/// log. A log without lines on version and units is taken as one of this version in the units asked for.
+/// Columns are found by name, in any order, beside others that nobody needs. Memory does not grow with the
+/// log. A log without lines on version and units is taken as one of this version in the units that are read.
 class log_reader {
  public:
   static constexpr std::size_t longest_line = 4096;  ///< Longer lines are a mistake, not a log [characters].
@@ -30,7 +30,7 @@ class log_reader {
   std::optional<std::size_t> find(std::string_view name) const;
   /// Where a column stands whose unit is one of these.
   std::size_t column(std::string_view name, const std::vector<std::string_view>& units) const;
-  /// Its unit; empty where the log tells none.
+  /// Its unit; empty where the log names none.
   std::string_view unit(std::size_t column) const;
 
   /// Goes to the next line; false at the end of the log. Its time `t` is never before that of the line above.

@@ -37,7 +37,7 @@ class log_row {
     for (std::size_t i = 0; i < static_cast<std::size_t>(values.size()); ++i)
       put_part(name, std::to_string(i + 1), unit_of(i), static_cast<double>(values.data()[i]));
   }
-  /// The same, all in one unit.
+  /// Adds numbers that are all in one unit.
   template <class Values>
     requires requires(const Values& values) { values.data(), values.size(); }
   void put(const std::string& name, const char* unit, const Values& values) {

@@ -86,7 +86,7 @@ class motion_columns {
     return s;
   }
 
-  /// What the log says that the brakes were told, if it does.
+  /// The commands in the log, if it has them.
   std::optional<ph::brake_vector<M>> capacity() const {
     ph::brake_vector<M> all;
     if (capacity_.size() != M::brake_count) return std::nullopt;

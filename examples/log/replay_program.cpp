@@ -19,7 +19,7 @@ replay_options parse(int argc, char** argv, const std::vector<std::string>& mech
   command_line line("replay",
                     "Reads a log (docs/guide/log.md), runs each line through a control law beside a virtual "
                     "wall, and writes\n"
-                    "what the brakes would have been told to replay.csv.");
+                    "what would have been commanded to replay.csv.");
   line.text("--input", chosen.input, "FILE",
             has_made_up ? "the log; without it a short one of the tendon device, made up here" : "the log");
   line.choice("--mechanism", chosen.mechanism, mechanisms, "whose log it is");
@@ -47,10 +47,10 @@ replay_options parse(int argc, char** argv, const std::vector<std::string>& mech
 
 // Lines done, every two seconds.
 std::function<void(std::size_t)> progress() {
-  return [told = std::chrono::steady_clock::now()](std::size_t lines) mutable {
+  return [printed = std::chrono::steady_clock::now()](std::size_t lines) mutable {
     const auto now = std::chrono::steady_clock::now();
-    if (now - told < std::chrono::seconds(2)) return;
-    told = now;
+    if (now - printed < std::chrono::seconds(2)) return;
+    printed = now;
     std::fprintf(stderr, "%zu lines\n", lines);
   };
 }

@@ -21,7 +21,7 @@
 
 namespace example {
 
-/// What is asked of a replay.
+/// Options of a replay.
 struct replay_options {
   std::string mechanism, wall, law = "direct_control", input;
   std::vector<std::string> parameters;

@@ -1,4 +1,4 @@
-// expect: passive_haptics: a law that saturates before scaling knows one wall at a time
+// expect: passive_haptics: a law that saturates before scaling takes one wall at a time
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>

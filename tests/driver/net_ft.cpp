@@ -187,7 +187,7 @@ TEST(net_ft, silence_refusal_and_somebody_else_are_told_apart) {
                                 peer.hear();
                                 peer.send({1, 2, 3});
                               }),
-                  "something else answers"));
+                  "something else responds"));
 
   int free_port;
   {

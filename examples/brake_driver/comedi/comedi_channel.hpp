@@ -47,7 +47,7 @@ class comedi_transfer {
     instructions_[i] = {instruction, 1, nullptr, c.subdevice, chanspec(c), {}};
   }
 
-  /// ok if every channel was served; no_sample if the card was busy, or slow, and may be asked again.
+  /// ok if every channel was served; no_sample if the card was busy, or slow, and may be tried again.
   ph::port_status run(comedi_t* handle) noexcept {
     if (handle == nullptr) return ph::port_status::failed;
     if (N == 0) return ph::port_status::ok;

@@ -58,7 +58,7 @@ class comedi_device {
            << ", the number of channels of subdevice " << c.subdevice;
     } else if (c.largest = comedi_get_maxdata(get(), c.subdevice, c.channel); c.largest == 0) {
       text << name << " = " << c.channel << ": subdevice " << c.subdevice
-           << " tells no largest sample (maxdata), expected at least 1; this driver cannot be used";
+           << " reports no largest sample (maxdata), expected at least 1; this driver cannot be used";
     }
     return text.str();
   }

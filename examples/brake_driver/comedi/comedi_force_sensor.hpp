@@ -15,7 +15,7 @@ namespace example {
 
 namespace ph = passive_haptics;
 
-/// A ForceSensor that tells volts: newtons per volt are the calibration's. A channel at either end of its
+/// A ForceSensor that reports volts: newtons per volt are the calibration's. A channel at either end of its
 /// range is not valid. For a threaded_sensor: read is one system call that may wait, see comedi_port.
 template <int Channels>
 class comedi_force_sensor {
@@ -46,7 +46,7 @@ class comedi_force_sensor {
     return text;
   }
 
-  /// A new sample with each call [V]. no_sample: the card was busy; it may be asked again.
+  /// A new sample with each call [V]. no_sample: the card was busy; it may be tried again.
   ph::port_status read(ph::port_sample<Channels>& sample) noexcept {
     const double before = ph::monotonic_seconds();
     if (const ph::port_status status = voltages_.run(device_.get()); status != ph::port_status::ok)

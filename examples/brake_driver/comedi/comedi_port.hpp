@@ -18,7 +18,7 @@ namespace example {
 namespace ph = passive_haptics;
 
 /// A BrakePort: each brake's current as a voltage to its amplifier, each encoder's counts as the counter
-/// tells them.
+/// reports them.
 ///
 /// A counter wraps after 2^counter_bits() counts, which the reader undoes (encoder_limits::counter_bits).
 /// For a threaded_port: read and write are one system call each (ioctl), which waits for the card's driver,
@@ -51,7 +51,7 @@ class comedi_port {
     return text;
   }
 
-  /// A new sample with each call. no_sample: the card was busy; it may be asked again.
+  /// A new sample with each call. no_sample: the card was busy; it may be tried again.
   ph::port_status read(ph::port_sample<Encoders>& sample) noexcept {
     const double before = ph::monotonic_seconds();
     if (const ph::port_status status = counts_.run(device_.get()); status != ph::port_status::ok)

@@ -271,7 +271,7 @@ configuration read_configuration(const std::string& path) {
   file.read("log", c.log);
   read_loop(file.section("loop"), c);
   read_encoders(file.section("encoders"), c);
-  // The slowest rate that the encoders tell from rest, unless the file has its own
+  // The slowest rate that the encoders distinguish from rest, unless the file has its own
   for (int i = 0; i < axes; ++i)
     c.brakes.rate_dead_band[i] = ph::rate_dead_band(ph::encoder_calibration<axes>(c.encoders).resolution()[i],
                                                     c.rates.window, c.loop.period);

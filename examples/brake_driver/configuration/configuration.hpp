@@ -1,5 +1,5 @@
 /// @file
-/// All that the driver is told, with the paper's device as the default.
+/// All settings of the driver, with the paper's device as the default.
 #pragma once
 
 #include <comedi/comedi_parameters.hpp>

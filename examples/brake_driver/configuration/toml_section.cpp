@@ -2,7 +2,7 @@
 
 #include <passive_haptics/scene/files/file_bytes.hpp>
 
-// One of toml++ 3.3 ends the program at a header like [.a], which the next line would tell as a mistake
+// One of toml++ 3.3 ends the program at a header like [.a], which the next line would report as a mistake
 #define TOML_ASSERT(expression) static_assert(true)
 // and takes it for impossible that a letter like U+00E4 follows a key: it is no white space
 #include <toml++/impl/preprocessor.h>

@@ -15,7 +15,7 @@
 namespace example {
 
 /// Keys are read into values that hold their defaults: a key that is not there changes nothing. What cannot
-/// be read, and in finish() what nobody asked for, is thrown as std::invalid_argument that names file, line,
+/// be read, and in finish() what nobody reads, is thrown as std::invalid_argument that names file, line,
 /// key, value and expectation.
 class toml_section {
  public:
@@ -34,7 +34,7 @@ class toml_section {
   void read(std::string_view key, std::string& value, const std::vector<std::string_view>& choices);
   /// As many numbers as there are values, or one number for all of them.
   void read(std::string_view key, double* values, std::size_t count, std::string_view meaning = {});
-  /// The same of whole numbers and of true and false.
+  /// Reads a whole number, or true or false.
   void read(std::string_view key, int* values, std::size_t count, std::string_view meaning = {});
   void read(std::string_view key, bool* values, std::size_t count, std::string_view meaning = {});
   template <class Values>

@@ -22,7 +22,7 @@ struct net_ft_parameters {
   double counts_per_force = 1'000'000;   ///< [1/N]; set the sensor's force unit to N.
   double counts_per_torque = 1'000'000;  ///< [1/(N m)]; set the sensor's torque unit to N m.
   double open_timeout = 1;               ///< For the first record [s].
-  double silence = 0.1;                  ///< Without a record for so long it is asked again to send [s].
+  double silence = 0.1;                  ///< Without a record for so long records are requested again [s].
 
   /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
@@ -69,8 +69,9 @@ struct rdt_record {
   bool trusted() const { return status == 0 || (status & 0x7FFF'FFFFu) == 0x0001'0000u; }
 };
 
-/// A ForceSensor for a threaded_sensor: of a socket without datagrams the kernel returns at once, but to ask
-/// again it may have to find memory or a route. The loop cannot wait for it, as it touches memory alone.
+/// A ForceSensor for a threaded_sensor: of a socket without datagrams the kernel returns at once, but for
+/// another request it may have to find memory or a route. The loop cannot wait for it, as it touches memory
+/// alone.
 ///
 /// Forces [N] and torques [N m] in the sensor's frame. Samples carry the record's sequence and the time of
 /// the read that found them, as the sensor sends no time of its own: good enough to see that a force is old,
@@ -79,9 +80,9 @@ struct rdt_record {
 /// read: `ok` with the record of the highest sequence of all that came; all channels are invalid unless
 /// rdt_record::trusted().
 ///   `bad_sample` if only datagrams of another length came. `no_sample` if nothing came, also while the
-///   network or the sensor refuses: after a pull of a cable or a power failure the sensor comes back, and is
-///   then asked again, every `silence` seconds. `failed` if the socket itself is broken, or not open. At most
-///   most_datagrams + 1 system calls and a send.
+///   network or the sensor refuses: after a pull of a cable or a power failure the sensor comes back, and
+///   records are then requested again, every `silence` seconds. `failed` if the socket itself is broken, or
+///   not open. At most most_datagrams + 1 system calls and a send.
 /// Nothing but open() allocates, waits or looks up a name.
 class net_ft {
  public:
@@ -90,11 +91,11 @@ class net_ft {
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit net_ft(const net_ft_parameters& p) : parameters_(ph::require_valid(p)) {}
-  /// Asks the sensor to stop sending.
+  /// Requests that the sensor stops sending.
   ~net_ft() { ask(stop); }
   net_ft(net_ft&&) noexcept = default;
 
-  /// Looks the host up, asks for records and waits for the first.
+  /// Looks the host up, requests records and waits for the first.
   std::string open() {
     const std::string name =
         "force sensor " + parameters_.host + ":" + std::to_string(parameters_.port) + ": ";
@@ -114,7 +115,7 @@ class net_ft {
     }
     const std::string waited =
         "no record in " + std::to_string(std::lround(1e3 * parameters_.open_timeout)) + " ms; ";
-    if (other) return name + waited + "something else answers there: is it a Net F/T with RDT enabled?";
+    if (other) return name + waited + "something else responds there: is it a Net F/T with RDT enabled?";
     if (refused)
       return name + waited +
              "the host is there but does not listen: enable RDT on its web page, check the port";

@@ -40,7 +40,7 @@ std::string way_back(const record& r) {
                         : "when that is over: kill -USR1 " + std::to_string(getppid());
 }
 
-// What the walls ask for is felt only while the brakes are driven.
+// What the walls demand is felt only while the brakes are driven.
 bool displays(const record& r) {
   return r.state == ph::port_state::active || r.state == ph::port_state::degraded;
 }
@@ -149,7 +149,7 @@ void report_sink::take(const record& r) {
 }
 
 void report_sink::rest(std::uint64_t missing) {
-  const bool told = !loss().empty();
+  const bool was_lost = !loss().empty();
   missing_ = missing;
   if (file_) {
     file_->stream().flush();
@@ -157,7 +157,7 @@ void report_sink::rest(std::uint64_t missing) {
     else if (file_->error().empty()) kept_ = count_;
     lost_ = count_ - kept_;
   }
-  if (!told && !loss().empty()) std::fprintf(stderr, "warning: %s\n", loss().c_str());
+  if (!was_lost && !loss().empty()) std::fprintf(stderr, "warning: %s\n", loss().c_str());
   const double interval = terminal_ ? terminal_interval : line_interval;
   write_shown();
   if (!live_ || count_ == 0 || last_.time < shown_ + interval || !pending_.empty()) return;

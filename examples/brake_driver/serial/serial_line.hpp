@@ -173,8 +173,8 @@ class serial_line {
       return std::string("cannot be set up: ") + std::strerror(errno);
     if (cfgetospeed(&result) != cfgetospeed(&settings))
       return ph::detail::error_text("baud [bit/s]", baud, "a rate that this port can do");
-    // An FTDI chip keeps what it received for 16 ms unless asked not to; who cannot do it refuses, and that
-    // is all right.
+    // An FTDI chip keeps what it received for 16 ms unless low latency is set; a line that cannot do it
+    // refuses, and that is all right.
     serial_struct driver;
     if (ioctl(fd_.get(), TIOCGSERIAL, &driver) == 0) {
       driver.flags |= int(ASYNC_LOW_LATENCY);

@@ -16,9 +16,9 @@
 
 namespace example {
 
-/// A BrakePort for a threaded_port: read() and write() take a few system calls each, and of a pseudo-terminal
-/// the kernel makes them wait, also where it was asked not to, for a worker of its own, which gets no
-/// processor on a busy machine (0.5 s were seen). The loop cannot wait for it, as it touches memory alone.
+/// A BrakePort for a threaded_port: read() and write() take a few system calls each. At a pseudo-terminal
+/// the kernel makes them wait for a worker of its own, even if the port is set not to wait; on a busy machine
+/// this worker gets no processor (0.5 s were seen). The loop cannot wait for it, as it touches memory alone.
 ///
 /// Samples carry the device's sequence and time (device_clock); a channel is invalid where the device reports
 /// a fault of its encoder.
@@ -57,7 +57,7 @@ class serial_port {
   ~serial_port() { release(); }
   serial_port(serial_port&&) noexcept = default;
 
-  /// Opens the port, releases the brakes, and asks the device who it is.
+  /// Opens the port, releases the brakes, and requests the name of the device.
   std::string open() {
     using enum serial_line::use;
     if (const std::string text =
@@ -182,7 +182,7 @@ class serial_port {
     return armed_ && !on && now - armed_since_ > 1e-3 * hello_.watchdog;
   }
 
-  // Asks until there is an answer.
+  // Requests it until a name comes.
   std::string greet() {
     constexpr double again = 0.1;  // [s]
     const double end = ph::monotonic_seconds() + parameters_.open_timeout;
@@ -199,7 +199,7 @@ class serial_port {
         });
       }
     }
-    if (lost_) return "the device went away while it was asked who it is";
+    if (lost_) return "the device went away before it sent its name";
     return answered ? error_of_hello(hello_, Encoders, Brakes)
                     : error_of_silence(parameters_, bytes, packets);
   }

@@ -14,7 +14,7 @@ struct serial_port_parameters {
   std::string device = "/dev/ttyACM0";  ///< A name under /dev/serial/by-id stays the same at another socket.
   int baud = 1'000'000;                 ///< [bit/s]; USB boards without a UART ignore it.
   double open_timeout = 3;  ///< For an answer [s]; boards that opening the port resets take 2 s to start.
-  /// For a supervisor: open() neither asks nor releases nor reads, so the process that drives the device
+  /// For a supervisor: open() neither requests nor releases nor reads, so the process that drives the device
   /// notices nothing; it may write. It comes before that of the port that drives it, which is refused to all
   /// who come later.
   bool release_only = false;
@@ -35,7 +35,7 @@ struct serial_port_parameters {
 };
 using ph::validate;
 
-/// What to say when nobody answers but `bytes` bytes came with so many whole frames in them.
+/// The message for a device that sends no name but `bytes` bytes came with so many whole frames in them.
 inline std::string error_of_silence(const serial_port_parameters& p, std::size_t bytes, std::size_t frames) {
   const std::string start = "no answer in " + std::to_string(std::lround(1e3 * p.open_timeout)) + " ms; ";
   if (bytes == 0)
@@ -47,7 +47,7 @@ inline std::string error_of_silence(const serial_port_parameters& p, std::size_t
   return start + "samples came: the way to the device is cut, check the line";
 }
 
-/// What is wrong with the device that answered; empty if nothing.
+/// What is wrong with the device that sent a hello; empty if nothing.
 inline std::string error_of_hello(const serial::hello& h, int encoders, int brakes) {
   const auto counted = [](int n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");

@@ -17,7 +17,7 @@ enum class message_type : std::uint8_t {
   ask = 0x01,       ///< Host: who are you? No content.
   currents = 0x02,  ///< Host: these currents, until further notice or the watchdog.
   release = 0x03,   ///< Host: 0 A. No content.
-  hello = 0x81,     ///< Device: the answer to ask.
+  hello = 0x81,     ///< Device: what it sends for an `ask`.
   sample = 0x82,    ///< Device: encoders and state, once a period.
 };
 
@@ -73,7 +73,7 @@ constexpr std::uint8_t values(const packet& p, std::size_t head, std::size_t byt
 }
 }  // namespace detail
 
-/// A message without content: ask or release.
+/// A message without content: `ask` or `release`.
 constexpr packet pack(std::uint32_t sequence, message_type type) { return detail::packed(type, sequence); }
 
 /// Currents.

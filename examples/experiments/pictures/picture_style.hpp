@@ -12,7 +12,8 @@
 
 namespace experiments::style {
 
-// Colours that the colour-blind tell apart (Okabe and Ito 2008); a law has the same one in every picture.
+// Colours that the colour-blind can distinguish (Okabe and Ito 2008); a law has the same one in every
+// picture.
 inline std::string colour_of(const std::string& law) {
   constexpr std::array<std::pair<const char*, const char*>, 11> known{
       {{"no_direct_control", "#d55e00"},

@@ -12,15 +12,15 @@ namespace passive_haptics {
 /// One reading of a bench, on which a motor or a hand turns a brake's axis. Of a sliding brake m and N.
 struct bench_sample {
   double time = 0;      ///< [s]
-  double current = 0;   ///< That the brake was last told before this reading [A].
-  double position = 0;  ///< Of the axis, as its encoder tells it [rad].
+  double current = 0;   ///< The last command to the brake before this reading [A].
+  double position = 0;  ///< Of the axis, as its encoder reports it [rad].
   double torque = 0;    ///< Of the brake against a turn in the positive sense [N m].
 };
 
 /// A constant that was found.
 struct estimate {
   double value = 0;           ///< In the unit of the constant.
-  double standard_error = 0;  ///< Of the value; infinite where the samples do not tell it.
+  double standard_error = 0;  ///< Of the value; infinite where the samples do not determine it.
 };
 
 /// Throws std::invalid_argument with the first number that cannot be: fewer samples than `least`, one that is
@@ -44,7 +44,7 @@ inline void require_samples(std::span<const bench_sample> samples, std::size_t l
 }
 
 /// Throws std::invalid_argument where the axis stands still or turns backwards in one of `parts` equal parts
-/// of the samples: a brake at rest holds what it is pushed with, and does not tell what it could.
+/// of the samples: a brake at rest holds what it is pushed with, and does not show what it could.
 inline void require_turning(std::span<const bench_sample> samples, std::size_t parts) {
   for (std::size_t i = 0; i < parts; ++i) {
     const bench_sample& first = samples[i * (samples.size() - 1) / parts];

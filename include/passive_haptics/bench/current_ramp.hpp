@@ -23,7 +23,7 @@ struct branch_sample {
   bool falling = false;  ///< On the way down.
 };
 
-/// What a ramp told.
+/// Result of a ramp of the current.
 struct current_ramp {
   static constexpr int points = 11;  ///< Of each branch, at 0, 1, ..., 10 tenths of the greatest current.
   /// One value at each point.

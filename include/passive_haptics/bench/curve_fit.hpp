@@ -16,8 +16,8 @@ namespace passive_haptics {
 template <int N>
 struct curve_fit {
   vector<double, N> value = vector<double, N>::Zero();  ///< p
-  /// s^2 (J^T J)^-1 with s the deviation and J the derivatives by p; infinite where the samples do not tell
-  /// the constants apart.
+  /// s^2 (J^T J)^-1 with s the deviation and J the derivatives by p; infinite where the samples do not
+  /// determine the constants.
   matrix<double, N, N> covariance = matrix<double, N, N>::Zero();
   double deviation = 0;  ///< s, of the samples from the formula, in their unit.
 

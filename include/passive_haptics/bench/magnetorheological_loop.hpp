@@ -44,7 +44,7 @@ inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& r
   return {greatest, fit[0], fit[1], fit[2], fit[3], fit.deviation};
 }
 
-/// What a step of the current through the coil of such a brake told.
+/// Result of a step of the current through the coil of such a brake.
 struct magnetorheological_step {
   estimate time_constant;  ///< T of the coil [s].
   estimate dead_time;      ///< t_d [s].
@@ -78,7 +78,7 @@ inline magnetorheological_step fit_magnetorheological_step(std::span<const bench
   return {fit[0], fit[1], fit.deviation};
 }
 
-/// What three records told of such a brake.
+/// Result of three records of such a brake.
 struct magnetorheological_identification {
   magnetorheological_loop loop;     ///< Its constants.
   magnetorheological_step rising;   ///< Lag and dead time of its current on the way up,

@@ -103,7 +103,7 @@ inline stribeck_friction fit_stribeck_friction(std::span<const rate_and_torque> 
 struct eddy_current_torque {
   estimate strength;       ///< Friction, at any rate [N m].
   estimate drag;           ///< 2 peak_torque / critical_rate, of low rates [N m s].
-  estimate critical_rate;  ///< Of the greatest torque [rad/s]; infinite where all rates are too low to tell.
+  estimate critical_rate;  ///< Of the greatest torque [rad/s]; infinite where all rates are too low for it.
   estimate peak_torque;    ///< There, at this current [N m]; infinite where that is.
   double deviation = 0;    ///< Of the means [N m].
 };
@@ -124,18 +124,18 @@ inline eddy_current_torque fit_eddy_current_torque(std::span<const rate_and_torq
     return detail::fit_against_rate<3>(means, bend * bend * vector<double, 3>::UnitZ(), torque);
   };
   const auto fit = detail::best_of({from(0.3), from(1), from(3), from(10)});
-  eddy_current_torque told{fit[0], fit[1], {infinite, infinite}, {infinite, infinite}, fit.deviation};
+  eddy_current_torque found{fit[0], fit[1], {infinite, infinite}, {infinite, infinite}, fit.deviation};
   constexpr double sure = 4;  // standard errors from 0
-  if (!(fit[2].value > sure * fit[2].standard_error)) return told;
-  told.critical_rate = fit.of([](const auto& p) {
+  if (!(fit[2].value > sure * fit[2].standard_error)) return found;
+  found.critical_rate = fit.of([](const auto& p) {
     using std::sqrt;
     return 1.0 / sqrt(p[2]);
   });
-  told.peak_torque = fit.of([](const auto& p) {
+  found.peak_torque = fit.of([](const auto& p) {
     using std::sqrt;
     return p[1] / (2.0 * sqrt(p[2]));
   });
-  return told;
+  return found;
 }
 
 }  // namespace passive_haptics

@@ -6,7 +6,7 @@
 
 namespace passive_haptics {
 
-/// What a step of the current told.
+/// Result of a step of the current.
 struct step_response {
   estimate before;         ///< Torque before the step [N m],
   estimate change;         ///< and what the step added in the end, < 0 for a step down [N m].

@@ -1,5 +1,5 @@
 /// @file
-/// What a type tells about the brakes: limits, intervals, dead bands, lags, each optional.
+/// What a type provides of the brakes: limits, intervals, dead bands, lags, each optional.
 #pragma once
 
 #include <passive_haptics/core/misspelt.hpp>
@@ -83,7 +83,7 @@ concept BrakesFor =
     (!detail::names_torque_dead_band<B> || TorqueDeadBandBrakes<B, typename M::scalar, M::brake_count>) &&
     (!detail::names_time_constant<B> || LaggingBrakes<B, typename M::scalar, M::brake_count>);
 
-/// The same requirements, one short message for each: what takes brakes begins with
+/// The requirements of BrakesFor, one short message for each: what takes brakes begins with
 /// `static_assert(brake_requirements<B, M>::met)`.
 template <class B, class M>
 struct brake_requirements {
@@ -116,13 +116,13 @@ struct brake_requirements {
 };
 
 /// Brakes without a member: each makes any torque at once, and slips at any rate but zero. The fewest
-/// instructions. For a device that never asks for more than its brakes can make (a soft wall, or a driver
-/// that limits the current itself), and whose rates are exactly 0 at rest (encoders).
+/// instructions. For a device whose walls never demand more than its brakes can make (a soft wall, or a
+/// driver that limits the current itself), and whose rates are exactly 0 at rest (encoders).
 ///
 /// A brake at rest has sign 0: it may hold either way, whoever pushes. A rate that is noise about zero
 /// decides a sign. 0 <= capacity, without an upper bound.
 struct unlimited_brakes {
-  static constexpr bool unlimited = true;  ///< There is no torque_limit, and none is missing.
+  static constexpr bool unlimited = true;  ///< Explicitly without a torque_limit.
 };
 
 /// Nothing can be wrong with them.
@@ -135,7 +135,7 @@ T torque_limit_of(const B& brakes, int i) {
   else return std::numeric_limits<T>::infinity();
 }
 
-/// The same of all.
+/// Torque limits of all brakes (m) [N m]; infinite where none is named.
 template <class T, int Brakes, class B>
 vector<T, Brakes> torque_limits_of(const B& brakes) {
   if constexpr (detail::names_torque_limit<B>) return brakes.torque_limit;

@@ -51,7 +51,7 @@ matrix<T, Dof, Brakes> pseudo_inverse(const matrix<T, Brakes, Dof>& transmission
   return matrix<T, Dof, Brakes>::Constant(std::numeric_limits<T>::quiet_NaN());
 }
 
-/// The same, entry by entry.
+/// T^+ of a diagonal transmission, entry by entry.
 template <class T, int N>
 diagonal_matrix<T, N> pseudo_inverse(const diagonal_matrix<T, N>& transmission) {
   return diagonal_matrix<T, N>(transmission.diagonal().cwiseInverse());

@@ -29,10 +29,10 @@ struct brake_parameters {
   }
 };
 
-/// Brakes that can be at rest, and never ask for more than they can make: dead bands, no limit.
+/// Brakes that can be at rest, explicitly without a torque limit: dead bands alone.
 template <class T, int Brakes>
 struct unlimited_brake_parameters {
-  static constexpr bool unlimited = true;  ///< There is no torque_limit, and none is missing.
+  static constexpr bool unlimited = true;  ///< Explicitly without a torque_limit.
   /// Karnopp dead band: a slower brake counts as at rest [rad/s].
   vector<T, Brakes> rate_dead_band = brake_parameters<T, Brakes>().rate_dead_band;
   /// A smaller hand torque counts as none [N m].

@@ -54,8 +54,8 @@ brake_matrix<M> force_generators(const M& mechanism, const joint_vector<M>& q) {
   return passive_haptics::force_generators(mechanism_pose<M>(mechanism, q));
 }
 
-/// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d): the force at the end
-/// effector that accelerates it as the brake torques t do, with Lambda = (J M^-1 J^T)^-1 the task inertia.
+/// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d), with the task inertia
+/// Lambda = (J M^-1 J^T)^-1. G t is the force at the end effector that accelerates it as brake torques t do.
 /// The brakes may drive the self-motion meanwhile: it is the power t . w of the joints, not F . v, that is
 /// never positive. Not finite at a singular J. Cost: a dynamically_consistent_inverse.
 template <class M>

@@ -32,7 +32,7 @@ vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Br
   }
 }
 
-/// The same, with the signs found here.
+/// Torques (m) [N m] that brakes produce when torques td are commanded, with s = brake_signs(w, th, brakes).
 template <class T, int Brakes, class B = brake_parameters<T, Brakes>>
 vector<T, Brakes> passive_torque(const vector<T, Brakes>& td, const vector<T, Brakes>& w,
                                  const vector<T, Brakes>& th, const B& brakes) {

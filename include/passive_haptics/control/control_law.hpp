@@ -84,7 +84,7 @@ using law_memory = typename detail::memory_of<L>::type;
 ///   - `struct memory`, default-constructible: what it remembers from cycle to cycle. torque() then takes a
 ///     `memory&` as well. What a cycle leaves in it is kept only if the cycle ends well;
 ///   - `void released(memory&, double time) const noexcept`, called in each cycle that commands nothing (free
-///     space, faults), so that the law knows what its brakes were told;
+///     space, faults), so that the law can follow what was commanded;
 ///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag, needs_torque_limit`: what it
 ///     reads of the state, the mechanism and the brakes. False where they are not named;
 ///   - `double margin(const B& brakes) const noexcept`: how far off a wall it needs its contact [m], >= 0.

@@ -21,7 +21,7 @@ struct device_state {
   task_vector<M> hand_force = task_vector<M>::Zero();  ///< What the hand does to the handle [N], base frame.
 };
 
-/// State of a device without a force sensor. A brake at rest then never knows which way it is pushed.
+/// State of a device without a force sensor. Which way a brake at rest is pushed is then unknown.
 template <class M>
 struct sensorless_device_state {
   static_assert(mechanism_requirements<M>::met);

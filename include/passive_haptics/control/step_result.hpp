@@ -81,7 +81,7 @@ struct step_result : settled_part<M> {
   }
 };
 
-/// The same for a scene in which up to MaxContacts walls can be touched at once.
+/// Result of a step for a scene in which up to MaxContacts walls can be touched at once.
 template <class M, int MaxContacts>
 struct step_result_of_contacts : step_result<M> {
   /// Of several contacts, each; see contact_count.

@@ -1,5 +1,5 @@
 /// @file
-/// What the library asks of floating-point arithmetic, its named tolerances, signs and choices.
+/// What the library requires of floating-point arithmetic, its named tolerances, signs and choices.
 #pragma once
 
 #include <cfloat>
@@ -29,8 +29,8 @@ constexpr To bit_cast(const From& x) noexcept {
 }
 }  // namespace detail
 
-/// Rounding of a sum of n products, relative to the norms of its data: 4 n eps. What is smaller cannot be
-/// told from zero. It is the library's only numerical tolerance.
+/// Rounding of a sum of n products, relative to the norms of its data: 4 n eps. Smaller values cannot be
+/// distinguished from zero.
 template <class T>
 constexpr T rounding_tolerance(int n) {
   return static_cast<T>(4 * n) * std::numeric_limits<T>::epsilon();
@@ -54,8 +54,8 @@ constexpr T sgn(T x) {
   return static_cast<T>((x > T(0)) - (x < T(0)));
 }
 
-/// a where it is true, else b, of one number or enumerator, without a branch: also where clang++ would make
-/// two of what depends on the choice, one for a and one for b.
+/// Branch-free `where ? a : b` of a number or enumerator; the asm keeps clang++ from turning it back into a
+/// branch.
 template <class X>
   requires(std::is_arithmetic_v<X> || std::is_enum_v<X>)
 X select(bool where, X a, X b) {

@@ -72,7 +72,7 @@ T cross_in_plane(const vector<T, 2>& a, const vector<T, 2>& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// a x b. (Eigen's wants a complex conjugate of its scalar, which not every one has.)
+/// a x b. (Eigen's cross needs a complex conjugate of its scalar, which not every scalar has.)
 template <class T>
 vector<T, 3> cross(const vector<T, 3>& a, const vector<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

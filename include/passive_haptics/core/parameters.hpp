@@ -28,12 +28,12 @@ template <class P, class V>
 struct member : member_description {
   V P::* pointer;  ///< Where it is.
 
-  /// No unit or range: nothing is said of it.
+  /// A member by its name, unit and range. Without a range every number is valid.
   constexpr member(const char* called, V P::* where, const char* in = "",
                    const range& within = range::anything)
       : member_description{called, in, within}, pointer(where) {}
 
-  /// The same, large over this magnitude: of what keeps people and devices safe.
+  /// A copy with a safety threshold: larger magnitudes need a confirmation of the user.
   constexpr member suspicious_above(double magnitude) const {
     member same = *this;
     same.large = magnitude;

@@ -33,7 +33,7 @@ struct range {
   /// Finite and no less than this.
   static constexpr range at_least(double lower) { return {lower, infinity, false, true}; }
 
-  /// The same, as these words say.
+  /// The range, described by these words in messages.
   constexpr range as(const char* expected) const {
     range same = *this;
     same.words = expected;

@@ -40,7 +40,7 @@ typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q
 /// touched with `velocity` [m/s]; a hand of this mass [kg] moves with the handle, the encoders have this
 /// resolution.
 ///
-/// Which way each brake can push is told by the motion, and that changes while the handle lands. Its mean is
+/// The motion decides which way each brake can push, and it changes while the handle lands. Its mean is
 /// taken: all of the velocity along the wall and half of it into the wall. The forces are 0 where nothing can
 /// be displayed (displayable). Where the handle cannot move along n, the inertia is not finite, which
 /// limits_of refuses.

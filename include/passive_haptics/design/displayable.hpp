@@ -47,8 +47,8 @@ struct displayable_force {
 namespace detail {
 
 template <class M, class Force>
-void tell(displayable_force<M>& found, const task_vector<M>& n, const Force& Fc, typename M::scalar strongest,
-          const switchable_brakes<M>& brakes) {
+void describe(displayable_force<M>& found, const task_vector<M>& n, const Force& Fc,
+              typename M::scalar strongest, const switchable_brakes<M>& brakes) {
   found.display = Fc.display;
   if (!is_displayed(Fc.display)) return;
   const task_vector<M> Fp = Fc.cosine_squared * Fc.force;
@@ -69,7 +69,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   found.signs = signs_within(signs_in_motion<T, m, M::task_dimension>(rates.least_rates(), E, v), brakes);
   const vector<T, m> off = brakes_off(found.signs, brakes);
   const auto Fc = approximate_within(forces_of_braked_joints(pose), E, found.signs, n, T(0), off);
-  tell(found, n, Fc, strongest_with_self_motion<M>(rates, torque_box_of(found.signs, brakes), n), brakes);
+  describe(found, n, Fc, strongest_with_self_motion<M>(rates, torque_box_of(found.signs, brakes), n), brakes);
 }
 
 // By half-spaces: as many brakes as joints, and a self-motion that is left alone.
@@ -90,7 +90,8 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   const auto Fc = approximate(E, found.signs, n, T(0), start, off);
   const torque_box<T, m> box = torque_box_of(found.signs, brakes);
   const bool one_way = joints == d && moving.rank() == d;  // of the brakes to move along n
-  tell(found, n, Fc, one_way ? largest_resistance<T, m>(box, A * n) : least_resistance(E, box, n), brakes);
+  describe(found, n, Fc, one_way ? largest_resistance<T, m>(box, A * n) : least_resistance(E, box, n),
+           brakes);
   if (joints > d && found.display == display_class::none && cone_is_zero(E, found.signs, off))
     found.display = display_class::empty_cone;
 }
@@ -118,7 +119,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   });
   found.signs = Fc.signs;
   found.held = Fc.held;
-  tell(found, n, Fc, strongest, brakes);
+  describe(found, n, Fc, strongest, brakes);
 }
 
 // By generators: other than n brakes where n = d, and inertial forces.
@@ -136,7 +137,7 @@ void find_displayable(displayable_force<M>& found, const M& mechanism, const joi
   found.signs = signs_within(signs_in_motion<T, m, d>(transposed(G), E, v), brakes);
   const auto Fc = approximate_by_generators(G, found.signs, n, T(0), torque_units_of<M>(found.signs, brakes));
   const brake_vector<M> outwards = G.transpose() * n;
-  tell(found, n, Fc, largest_resistance<T, m>(torque_box_of(found.signs, brakes), outwards), brakes);
+  describe(found, n, Fc, largest_resistance<T, m>(torque_box_of(found.signs, brakes), outwards), brakes);
 }
 
 }  // namespace detail

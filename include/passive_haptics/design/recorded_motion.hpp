@@ -64,10 +64,10 @@ motion_sums sums_of(const M& mechanism, const std::vector<State>& states) {
 
 }  // namespace detail
 
-/// A line for each thing that looks odd about the states of a loop, one a cycle: a time that stands still,
-/// runs backwards or looks like milliseconds, rates that are not the slopes of the positions (degrees, a
-/// wrong sign, no rates at all), a hand force that does not push where the handle accelerates (a wrong sign,
-/// another frame). Empty if there is none.
+/// A line for each thing that looks odd about the states of a loop, one a cycle; empty if there is none.
+/// Odd is a time that stands still, runs backwards or looks like milliseconds. Odd are rates that are not
+/// the slopes of the positions (degrees, a wrong sign, no rates at all), and a hand force that does not push
+/// where the handle accelerates (a wrong sign, another frame).
 ///
 /// Record some seconds in which a hand moves the handle to and fro with the brakes released. Not for the
 /// loop: it allocates.

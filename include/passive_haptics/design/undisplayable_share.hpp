@@ -15,9 +15,9 @@ struct path_point {
 };
 
 /// Share [1] of a path on which brakes of these limits [N m] cannot display `push` [N] against the wall; with
-/// push = 0 that on which they can display nothing, whatever their limits. Poses without an answer count.
+/// push = 0 that on which they can display nothing, whatever their limits. Poses without a result count.
 ///
-/// path(u) gives the path_point<M> at u in (0, 1); it is asked at the middles of `samples` >= 1 equal parts.
+/// path(u) returns the path_point<M> at u in (0, 1). Called at the middles of `samples` >= 1 equal parts.
 /// Cost: that of `displayable` for each.
 template <class M, class Path>
 double undisplayable_share(const M& mechanism, Path&& path,

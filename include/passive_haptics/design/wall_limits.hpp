@@ -69,7 +69,7 @@ struct wall_limits {
   /// [m]: how deep the hand gets. Infinite where the brakes do not stop it within a second
   /// and deepest_landing.
   double depth;
-  double rigid_depth;  ///< The same under force approximation and a wall of any stiffness [m].
+  double rigid_depth;  ///< Largest depth under force approximation, for a wall of any stiffness [m].
   /// Largest useful stiffness under force approximation [N/m]: the hand gets half as deep again as into a
   /// rigid wall. 0 where the brakes cannot hold it.
   double stiffness;
@@ -116,7 +116,7 @@ inline double resting_depth(const braked_wall& wall) {
 
 /// What this wall can be. Bands over random devices, and what is left out: docs/guide/wall_limits.md.
 ///
-/// **Depth.** A stiff wall saturates at once: from T after the touch the brakes are told all that they have.
+/// **Depth.** A stiff wall saturates at once: from T after the touch the command is all that the brakes have.
 /// The depth is where the hand then comes to rest,
 ///
 ///     Lambda_n x'' = P - K_h x - B_h x' - R - f,    T_b f' + f = F,    f = 0 until T,
@@ -128,8 +128,8 @@ inline double resting_depth(const braked_wall& wall) {
 ///
 ///     v T + Lambda_n v^2 / (2 F)    or    v T + 2/3 v sqrt(2 Lambda_n v T_b / F).
 ///
-/// **Stiffness.** A wall of stiffness k asks for F at the depth F / k. Where that is less than the
-/// rigid_depth, the brakes are told all before the hand is as deep as it gets anyway: k = F / rigid_depth.
+/// **Stiffness.** A wall of stiffness k demands F at the depth F / k. Where that is less than the
+/// rigid_depth, all is commanded before the hand is as deep as it gets anyway: k = F / rigid_depth.
 ///
 /// **Drift.** A drift v makes a count c every c / v seconds. While such pulses, averaged over T_a, stand
 /// apart, their mean square is v c / T_a (Campbell's theorem), their variance v c / T_a - v^2. That is v^2 at

@@ -13,10 +13,10 @@ enum class fault {
   device_lost,          ///< The port says that no further transfer can be expected.
   sample_missing,       ///< Nothing came.
   sample_damaged,       ///< Cut off, or a wrong checksum.
-  sample_repeated,      ///< The same sequence number again.
+  sample_repeated,      ///< A sequence number came twice.
   sample_out_of_order,  ///< An older one than the last.
   sample_late,          ///< Its time is too long ago, or ahead.
-  device_restarted,     ///< The sequence number jumped: nobody knows what the device did meanwhile.
+  device_restarted,     ///< The sequence number jumped: what the device did meanwhile is unknown.
   write_refused,        ///< The device took no currents.
   // of a channel
   channel_invalid,     ///< The device itself says so.
@@ -31,8 +31,8 @@ enum class fault {
   overruns,         ///< Too many cycles in a row took too long.
   cycle_late,       ///< A cycle began far too late: the machine or the process stood still.
   clock_jump,       ///< The clock went back, or is no number.
-  supervisor_lost,  ///< The other process does not answer, or released the brakes itself.
-  user,             ///< Somebody asked for it: a signal, or a call of release().
+  supervisor_lost,  ///< The other process does not respond, or released the brakes itself.
+  user,             ///< Requested: a signal, or a call of release().
 };
 
 /// The fault in words.
@@ -59,7 +59,7 @@ constexpr std::string_view to_string(fault f) {
     case fault::cycle_late: return "a cycle began far too late";
     case fault::clock_jump: return "the clock went back";
     case fault::supervisor_lost: return "the supervisor is lost, or released the brakes";
-    case fault::user: return "as asked";
+    case fault::user: return "as requested";
   }
   return "unknown fault";
 }
@@ -73,7 +73,7 @@ struct fault_record {
   fault_source source = fault_source::loop;  ///< Where.
   int channel = -1;                          ///< From 0; -1 where it is of no single one.
 
-  /// The same fault at the same place.
+  /// Whether two faults are of one kind at one place.
   bool operator==(const fault_record&) const = default;
 };
 

@@ -1,5 +1,5 @@
 /// @file
-/// What a driver asks of hardware: a port to brakes and encoders, and a force sensor.
+/// What a driver requires of hardware: a port to brakes and encoders, and a force sensor.
 #pragma once
 
 #include <passive_haptics/core/text.hpp>
@@ -31,12 +31,12 @@ struct port_sample {
   static constexpr auto channels = static_cast<std::size_t>(N);  ///< N
   double time = 0;                       ///< When it was taken [s], CLOCK_MONOTONIC (device_clock).
   std::uint32_t sequence = 0;            ///< One more with each sample that the device takes, modulo 2^32.
-  std::array<double, channels> value{};  ///< As the device tells them; encoders need not tell whole counts.
+  std::array<double, channels> value{};  ///< As the device reports them; counts need not be whole.
   /// False where the device itself says that a channel is not to be trusted.
   std::array<bool, channels> valid{};
 };
 
-/// The same number for each of N channels or brakes.
+/// An array with one number for each of N channels or brakes.
 template <int N>
 constexpr std::array<double, static_cast<std::size_t>(N)> same_for_each(double value) {
   std::array<double, static_cast<std::size_t>(N)> all{};

@@ -27,10 +27,10 @@ struct rate_estimator_parameters {
   }
 };
 
-/// The slowest rate that a window can tell from rest, resolution / (window period): slower ones are estimated
-/// as 0, and none is estimated between it and 0. The Karnopp dead band of a brake whose rate is estimated so:
-/// rate_dead_band of brake_parameters, with the resolution in rad (or m). A steady rate of twice as much is
-/// always seen. [unit/s]
+/// The slowest rate that a window can distinguish from rest, resolution / (window period): slower ones are
+/// estimated as 0, and none is estimated between it and 0. The Karnopp dead band of a brake whose rate is
+/// estimated so: rate_dead_band of brake_parameters, with the resolution in rad (or m). A steady rate of
+/// twice as much is always seen. [unit/s]
 inline double rate_dead_band(double resolution, int window, double period) noexcept {
   return resolution / (window * period);
 }

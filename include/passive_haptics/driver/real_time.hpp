@@ -19,7 +19,7 @@
 
 namespace passive_haptics {
 
-/// What to ask the kernel for; by default nothing.
+/// What to request of the kernel; by default nothing.
 struct real_time_parameters {
   int priority = 0;          ///< SCHED_FIFO priority, 1 to 99; 0 for none.
   bool lock_memory = false;  ///< mlockall, so that no page is ever fetched from a disk.
@@ -45,9 +45,9 @@ struct real_time_setting {
   std::string refused;  ///< Why, and what would help; empty where it was granted.
 };
 
-/// Asks for what the parameters say, when it is made: call it in the loop's thread, after forking, and before
-/// a threaded_port is opened, whose thread inherits it. A refusal is told, never fatal. The latency request
-/// ends with it; the rest stays.
+/// Requests what the parameters say, when it is made: call it in the loop's thread, after forking, and before
+/// a threaded_port is opened, whose thread inherits it. A refusal is reported, never fatal. The latency
+/// request ends with it; the rest stays.
 class real_time {
  public:
   /// Throws std::invalid_argument with the text of validate(p).
@@ -82,7 +82,7 @@ class real_time {
     CPU_ZERO(&set);
     CPU_SET(static_cast<std::size_t>(cpu), &set);
     note(detail::indexed("stays on processor ", cpu, ""), sched_setaffinity(0, sizeof set, &set) == 0,
-         "`nproc` tells how many there are, from 0");
+         "`nproc` prints how many there are, from 0");
   }
 
   void ask_for_latency(double seconds) {

@@ -22,7 +22,7 @@ enum class release_policy {
 struct release_parameters {
   release_policy policy = release_policy::zero;  ///< How.
   double ramp_time = 0.5;                        ///< Of a ramp [s].
-  double hold_time = 10;  ///< Of a hold once nobody can rearm: the program was told to end, or died [s].
+  double hold_time = 10;  ///< Of a hold once nobody can rearm: the program had to end, or died [s].
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {

@@ -22,8 +22,8 @@ namespace passive_haptics {
 ///
 /// Hold-over: for `hold_over` seconds the last good sample stands in for bad ones, then the brakes are
 /// released. They are released at once where the device is lost or restarted, an encoder froze, a command is
-/// not valid, or no cycle came for `hold_over` seconds. An older sample than that counts as bad. Where nobody
-/// knows any more how far the encoders went, the program must start again, with homing. Nothing here
+/// not valid, or no cycle came for `hold_over` seconds. An older sample than that counts as bad. If it is
+/// not known any more how far the encoders went, the program must start again, with homing. Nothing here
 /// allocates, throws, locks or reads a clock after open().
 template <class Port, class Sensor = no_force_sensor>
 class safe_port {
@@ -35,7 +35,7 @@ class safe_port {
   using currents = brake_currents<brake_count>;                          ///< [A]
   using parameters = safe_port_parameters<brake_count, channel_count>;   ///< What it allows.
   using encoder_counts = typename encoder_check<encoder_count>::counts;  ///< [counts]
-  using force_reading = std::array<double, std::size_t(channel_count)>;  ///< As the sensor tells.
+  using force_reading = std::array<double, std::size_t(channel_count)>;  ///< As the sensor reports it.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit safe_port(Port port, Sensor sensor = {}, const parameters& p = {})
@@ -151,7 +151,7 @@ class safe_port {
   const fault_record& pending_fault() const noexcept {
     return bad_sample_.what != fault::none ? bad_sample_ : bad_write_;
   }
-  /// Whether nobody knows how far the encoders went: the program must start again.
+  /// Whether it is unknown how far the encoders went: then the program must start again.
   bool needs_homing() const noexcept { return !homed_; }
   /// Where the encoders are, past every wrap of their counters: the last good reading [counts].
   const encoder_counts& position() const noexcept { return encoders_.position(); }
@@ -162,17 +162,17 @@ class safe_port {
   /// The last good reading of the force sensor.
   const force_reading& force() const noexcept { return forces_.reading(); }
   /// What the device last took [A]; a release counts as 0 A unless it is lost or refuses what is written. If
-  /// the brakes are released and nothing was taken for hold_over seconds, NaN: nobody knows what flows, and a
-  /// supervisor that gets it as its heartbeat acts (supervisor::beat()).
+  /// the brakes are released and nothing was taken for hold_over seconds, NaN: what flows is unknown, and a
+  /// supervisor that gets NaN as its heartbeat acts (supervisor::beat()).
   currents applied() const noexcept {
     const bool known = state_ != port_state::released || now_ - write_good_ <= hold_over_;
     return known ? applied_ : same_for_each<brake_count>(std::numeric_limits<double>::quiet_NaN());
   }
-  /// Whether they are on the brakes, as far as the device tells: false while it is lost or refuses.
+  /// Whether the brakes have these currents, as far as the device reports: false while it is lost or refuses.
   bool applied_is_known() const noexcept { return !lost_ && bad_write_.what == fault::none; }
   /// Whether the device is lost: nothing can be read or written any more, and no call tries to.
   bool is_lost() const noexcept { return lost_; }
-  /// The port, to ask it for what only it knows.
+  /// The port, for members that only the port has.
   const Port& port() const noexcept { return port_; }
 
  private:

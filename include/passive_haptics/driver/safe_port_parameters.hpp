@@ -13,7 +13,7 @@ namespace passive_haptics {
 template <int Brakes, int Channels>
 struct safe_port_parameters {
   encoder_limits encoders = {};          ///< What the encoders can do.
-  sensor_limits<Channels> sensor = {};   ///< What the force sensor can tell.
+  sensor_limits<Channels> sensor = {};   ///< What the force sensor can report.
   current_limits<Brakes> currents = {};  ///< What the brakes may get.
   release_parameters at_release = {};    ///< What they get once they are released.
   /// How long the last good sample stands in for bad ones, or for refused writes [s].
@@ -32,8 +32,8 @@ struct safe_port_parameters {
 enum class port_state {
   closed,    ///< Not open.
   ready,     ///< Samples are read; the brakes get 0 A until activate().
-  active,    ///< The brakes get what they are told, within their limits.
-  degraded,  ///< Active, but on the last good sample, or a coil is too warm for what is asked.
+  active,    ///< The brakes get what is commanded, within their limits.
+  degraded,  ///< Active, but on the last good sample, or a coil is too warm for what is commanded.
   released,  ///< A fault: the brakes get what the release policy says, by default 0 A, until rearm().
 };
 

@@ -34,7 +34,7 @@ class stop_signals {
     for (std::size_t i = 0; i < caught.size(); ++i) sigaction(caught[i], &before_[i], nullptr);
   }
 
-  /// The last signal that asked to stop; 0 if none did.
+  /// The last signal to stop; 0 if there was none.
   int stop() const noexcept { return detail::signal_to_stop; }
   /// Whether SIGUSR1 came since the brakes were first seen released; to be called once a cycle, with whether
   /// they are. A request that came before is dropped: whoever sent it had another release in mind, or none.

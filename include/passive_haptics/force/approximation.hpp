@@ -105,7 +105,7 @@ auto of_those_on(const Mask& brakes, [[maybe_unused]] const Off& off) {
 /// where |Fp| is of rounding size or gamma is over the limit. Feasible to rounding is Fp = Fc cos^2(gamma),
 /// not Fc itself.
 ///
-/// start: where the search begins, left for the next cycle; the answer does not depend on it. off: brakes
+/// start: where the search begins, left for the next cycle; the result does not depend on it. off: brakes
 /// that are off, from brakes_off; their torque is 0 exactly. Cost: core/linear/cone.hpp, but nothing where
 /// the force is exact; with a brake that is off, the active set of 2 m half-spaces.
 template <class EMatrix, class T, int D, int Brakes, class Off = all_brakes_on>
@@ -146,7 +146,7 @@ struct vectors_of_brakes {
 
 }  // namespace detail
 
-/// The same for two brakes in the plane: one that would drive is released, the other alone makes Fc along its
+/// Fc for two brakes in the plane: one that would drive is released, the other alone makes Fc along its
 /// reference force R (Fig. 3), at right angles to the released one's column of E: Fc = R / (R . n).
 template <class T, class Off = all_brakes_on>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
@@ -170,7 +170,7 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
           select(some[0], sum(select(first_only(acts), cosine_squared, T(0))), T(1))};
 }
 
-/// The same for a diagonal E: each axis alone.
+/// Fc for a diagonal E: each axis alone.
 template <class T, int D, class Off = all_brakes_on>
 approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
                                         const vector<T, D>& n, T min_cosine, half_space_start&,
@@ -184,7 +184,7 @@ approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const ve
   return {display_class::approximate, Fp / square, tp / square, square};
 }
 
-/// The same from nothing.
+/// Fc of a search that starts from nothing.
 template <class EMatrix, class T, int D, int Brakes>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
                                              const vector<T, D>& n, T min_cosine) {

@@ -22,8 +22,8 @@ enum class display_class {
   none,         ///< No producible force has a component along the desired one.
   approximate,  ///< The nearest producible force, scaled so that its component along Fd is |Fd|.
   exact,        ///< Fd itself.
-  empty_cone,   ///< None whatever: leaving its self-motion alone (n > d, kinetostatic), the device can
-                ///< produce no force at all.
+  empty_cone,   ///< The cone is {0}: without driving its self-motion the device displays no force (n > d,
+                ///< kinetostatic).
 };
 
 /// The class in words.

@@ -1,5 +1,5 @@
 /// @file
-/// The force a wall asks for.
+/// The force that a wall demands.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
@@ -10,13 +10,13 @@
 
 namespace passive_haptics {
 
-/// Fd = magnitude * direction. They are kept apart: a wall of 1e7 N/m asks for 5e4 N where 2 N are displayed,
+/// Fd = magnitude * direction. They are kept apart: a wall of 1e7 N/m demands 5e4 N where 2 N are displayed,
 /// so everything but the magnitude is computed for a unit force.
 template <class T, int D>
 struct desired_force {
   vector<T, D> direction;      ///< n = Fd / |Fd|.
   T magnitude;                 ///< |Fd| [N].
-  vector<T, D> wall_velocity;  ///< Of the surface that asks for it [m/s].
+  vector<T, D> wall_velocity;  ///< Of the surface that demands it [m/s].
 };
 
 /// Fd = k depth n of a frictionless elastic wall (section 5.1), base frame.

@@ -53,7 +53,7 @@ nearest_force_result<T, D, Brakes> nearest_force(const matrix<T, D, Brakes>& E, 
   return {projection.point, projection.active};
 }
 
-/// The same for a diagonal E: each axis alone, nothing to solve, Fp exact.
+/// The nearest force for a diagonal E: each axis alone, nothing to solve, Fp exact.
 template <class T, int D>
 nearest_force_result<T, D, D> nearest_force(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
                                             const vector<T, D>& Fd) {

@@ -50,7 +50,7 @@ inline std::string add_part(const aiMesh& part, const aiMatrix4x4t<double>& plac
   return {};
 }
 
-/// The same of all meshes of a node and of those below it, moved by the nodes' transforms.
+/// Adds the meshes of a node and of those below it, moved by the nodes' transforms.
 inline std::string add_nodes(const aiScene& scene, polygons& to) {
   struct placed_node {
     const aiNode* node;

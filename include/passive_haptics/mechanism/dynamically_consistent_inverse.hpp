@@ -1,5 +1,5 @@
 /// @file
-/// The dynamically consistent inverse: which force at the end effector does what joint torques do.
+/// The dynamically consistent inverse: task force equivalent to joint torques (Khatib 1987).
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>

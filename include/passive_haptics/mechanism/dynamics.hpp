@@ -1,5 +1,5 @@
 /// @file
-/// The optional Dynamics concept: what a simulation and an acceleration-level law have to know.
+/// The optional Dynamics concept: what a simulation and an acceleration-level law need.
 #pragma once
 
 #include <passive_haptics/mechanism/mechanism.hpp>

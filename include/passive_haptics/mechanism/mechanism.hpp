@@ -11,7 +11,7 @@
 ///     nearest force would depend on the unit of L.
 ///     Where it is a template over the scalar, its derivative is the Jacobian (jacobian.hpp).
 ///
-/// Optional. One that takes no q is constant; a matrix may be a diagonal_matrix. Both save work:
+/// Optional. Members without q are constant; matrices may be diagonal. Both let later stages skip work:
 ///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
 ///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of full rank,
 ///     with w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n); brakes on some
@@ -141,7 +141,7 @@ concept Mechanism = detail::has_supported_sizes<M> && detail::has_position<M> &&
                     (!detail::names_transmission<M> || detail::has_exact_transmission<M>) &&
                     (!detail::names_pose<M> || detail::has_pose<M>);
 
-/// The same requirements, one short message for each: a class or function template that takes a mechanism
+/// The requirements of Mechanism, one short message for each: a class or function template that takes one
 /// begins with `static_assert(mechanism_requirements<M>::met)`.
 template <class M>
 struct mechanism_requirements {

@@ -85,7 +85,7 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
   return {detail::within(p, limit), {}, false};
 }
 
-/// The same for redundant brakes, m > n, whose A is only positive semi-definite: w is unique, p is not.
+/// Box friction of redundant brakes, m > n, whose A is only positive semi-definite: w is unique, p is not.
 ///
 /// Proximal point iteration, p <- the solution for A + eps I and w0 - eps p, each one regular: exact to
 /// rounding in two or three rounds (Rockafellar 1976; an LCP of a convex program, so finite). From p = 0 it

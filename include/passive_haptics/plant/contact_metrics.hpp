@@ -59,7 +59,7 @@ struct contact_metrics {
   bool is_deep() const { return depth_max > deep_depth; }
 };
 
-/// What contact_meter is told each time step.
+/// Input of contact_meter, one a time step.
 struct contact_sample {
   double progress = 0;         ///< Way made [m].
   double depth = 0;            ///< Into the wall [m], < 0 outside.

@@ -50,7 +50,7 @@ struct random_device {
 
   double inertia;                          ///< Of links and rotors, for each kg of the nominal device.
   brake_models_of<M> brakes;               ///< What they really are;
-  brakes_of<M> known_brakes;               ///< and what their data sheet tells: limit and rise.
+  brakes_of<M> known_brakes;               ///< and what their data sheet says: limit and rise.
   random_plane<M> plane;                   ///< Where it starts and goes.
   following_hand_parameters<scalar> hand;  ///< The hand.
   wall_following_parameters run;           ///< Sensors, length and time of the path.
@@ -60,9 +60,10 @@ struct random_device {
 
 /// Device number k of this seed, equal on every platform.
 ///
-/// What is not drawn: along the whole way the condition of J is at most 8 (workspace::max_condition), at its
-/// start some brake pulls within 80 degrees of the normal (workspace::least_cosine), the elbow stays on one
-/// side, all brakes of a device have one lag and one limit, and a run ends where the hand is 50 mm deep.
+/// Not drawn: along the whole way the condition of J is at most 8 (workspace::max_condition) and the elbow
+/// stays on one side. At its start some brake pulls within 80 degrees of the normal
+/// (workspace::least_cosine). All brakes of a device have one lag and one limit. A run ends where the hand is
+/// 50 mm deep.
 template <class M>
 random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::uint64_t seed, std::uint64_t k,
                              const device_ranges& r = {}) {
@@ -90,7 +91,7 @@ random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::u
     brake.fall_ratio = static_cast<T>(fall / rise);
     brake.gain = static_cast<T>(even(r.gain));
     brake.residual.strength = per_torque * static_cast<T>(even(r.residual_torque));
-    brake.torque_limit *= brake.gain;  // it tells what a brake makes of its full current, too
+    brake.torque_limit *= brake.gain;  // a gain scales what a brake makes of its full current, too
   }
 
   const double push = even(r.push);

@@ -26,8 +26,8 @@ struct detail::simulated_device_header {};
 ///
 /// Semi-implicit Euler on impulses, first order in dt: what the models resist with at the old rates, then the
 /// new rates (friction and drag implicit), then positions with the new rates. The hand's mass moves with the
-/// handle; the hand's force drives both, a sensor between them feels what reaches the device. energy() tells
-/// where the energy went. Cost of a step: M, J, Jd qd, c twice, a Cholesky of n x n and a few of m x m.
+/// handle; the hand's force drives both, a sensor between them feels what reaches the device. energy()
+/// returns where the energy went. Cost of a step: M, J, Jd qd, c twice, a Cholesky of n x n, a few of m x m.
 template <class M, class Model>
   requires(detail::simulated_device_requirements<M>::met)
 class simulated_device {
@@ -47,7 +47,7 @@ class simulated_device {
     requires std::same_as<Model, coulomb_brake<scalar>>
       : simulated_device(std::move(mechanism), ideal_brakes(require_valid(brakes)), hand_mass, q) {}
 
-  /// The same with real brakes, which a controller may be wrong about.
+  /// A device with real brakes, about which a controller may be wrong.
   template <std::same_as<brake_models_of<M, Model>> RealBrakes>  // a template, so that {} means brakes_of<M>
   simulated_device(M mechanism, const RealBrakes& brakes, scalar hand_mass, const joint_vector<M>& q)
       : mechanism_(std::move(mechanism)), brakes_(brakes), hand_mass_(hand_mass) {
@@ -213,7 +213,7 @@ class simulated_device {
   brake_vector<M> brake_power_ = brake_vector<M>::Zero();
 };
 
-/// A model for each brake tells which.
+/// Deduces Model from an array with one model for each brake.
 template <class M, class Model, std::size_t Brakes>
 simulated_device(M, const std::array<Model, Brakes>&, typename M::scalar, const joint_vector<M>&)
     -> simulated_device<M, Model>;

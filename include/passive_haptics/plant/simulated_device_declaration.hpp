@@ -1,5 +1,5 @@
 /// @file
-/// The name simulated_device, so that who lacks its header is told which one.
+/// Forward declaration of simulated_device, so that an error can name the header that is missing.
 #pragma once
 
 namespace passive_haptics {

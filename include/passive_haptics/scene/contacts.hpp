@@ -1,5 +1,5 @@
 /// @file
-/// What the end effector touches, as a value: all that a control step knows of a scene.
+/// What the end effector touches, as a value: all that a control step receives of a scene.
 #pragma once
 
 #include <passive_haptics/scene/shape.hpp>
@@ -24,7 +24,7 @@ struct contact {
   int wall_number = 0;                        ///< Which wall of the scene.
   point<D> sensed_at = point<D>::Zero();      ///< Where the end effector was when the wall was sensed [m].
   /// Hessian H of the wall's distance [1/m]. Along the surface at velocity v, n . a = -v^T H v keeps the
-  /// depth. Zero for planes, and for shapes that do not tell.
+  /// depth. Zero for planes, and for shapes that do not provide their curvature.
   matrix<double, D, D> curvature = matrix<double, D, D>::Zero();
 };
 
@@ -159,7 +159,7 @@ struct single_contact {
   constexpr const contact<D>& operator[](int) const { return only; }
 };
 
-/// The contacts at x [m] of a scene that tells them by touched_at(x), or by touched_at(x, time) at a time
+/// The contacts at x [m] of a scene that returns them by touched_at(x), or by touched_at(x, time) at a time
 /// [s].
 template <class Scene, class... Time>
   requires requires(Scene& scene, point<Scene::dimension> x, Time... time) { scene.touched_at(x, time...); }
@@ -167,7 +167,7 @@ decltype(auto) sense(Scene& scene, const point<Scene::dimension>& x, Time... tim
   return scene.touched_at(x, time...);
 }
 
-/// The same of a scene that does not change, also a temporary one.
+/// The contacts at x [m], or at x and a time [s], of a scene that does not change, also of a temporary one.
 template <class Scene, class... Time>
   requires requires(const Scene& scene, point<Scene::dimension> x, Time... time) {
     scene.touched_at(x, time...);

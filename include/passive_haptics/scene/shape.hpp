@@ -57,7 +57,7 @@ point<S::dimension> surface_velocity(const S& shape, const point<S::dimension>& 
   else return point<S::dimension>::Zero();
 }
 
-/// A shape that tells its curvature. Minimal complete definition, beyond Shape:
+/// A shape that provides its curvature. Minimal complete definition, beyond Shape:
 ///   - `matrix<double, dimension, dimension> hessian(const point<dimension>& x) const`: second derivative of
 ///     the distance [1/m], symmetric, with hessian(x) gradient(x) = 0.
 template <class S>
@@ -65,7 +65,7 @@ concept CurvedShape = Shape<S> && requires(const S shape, const point<S::dimensi
   { shape.hessian(x) } -> ExactMatrix<double, S::dimension, S::dimension>;
 };
 
-/// Hessian of the distance [1/m] of a shape at x; zero for one that does not tell.
+/// Hessian of the distance [1/m] of a shape at x; zero for a shape without hessian().
 template <Shape S>
 matrix<double, S::dimension, S::dimension> surface_curvature(const S& shape, const point<S::dimension>& x) {
   if constexpr (CurvedShape<S>) return shape.hessian(x);

@@ -75,7 +75,7 @@ class cache_eviction {
   }
 
  private:
-  static constexpr std::size_t least = 1u << 22;  // where the machine does not tell its caches [byte]
+  static constexpr std::size_t least = 1u << 22;  // where the machine does not report its caches [byte]
   static std::size_t largest_cache() {
     int largest = 0;
     for (const auto& cache : benchmark::CPUInfo::Get().caches) largest = std::max(largest, cache.size);

@@ -12,7 +12,7 @@
 ///     using namespace passive_haptics::testing;
 ///     INSTANTIATE_TYPED_TEST_SUITE_P(my_arm, mechanism_properties, my_case);
 ///
-/// The same case serves dynamics_properties and step_properties. Poses with J singular are welcome; poses
+/// One case serves dynamics_properties and step_properties. Poses with J singular are welcome; poses
 /// where J does not exist are not. Cost: some thousand evaluations of position and jacobian.
 #pragma once
 

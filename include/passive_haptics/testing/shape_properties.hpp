@@ -99,7 +99,7 @@ TYPED_TEST_P(shape_properties, gradient_is_the_derivative_of_distance) {
   ASSERT_GE(smooth, this->point_count * d * 9 / 10);
 }
 
-/// The Hessian of a shape that tells it is the derivative of the gradient, and leaves the gradient alone.
+/// The Hessian of a shape that provides it is the derivative of the gradient, and leaves the gradient alone.
 /// Points where differences with two steps disagree are left out.
 TYPED_TEST_P(shape_properties, hessian_is_the_derivative_of_the_gradient) {
   constexpr int d = TestFixture::dimension;

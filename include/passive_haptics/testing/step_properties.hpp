@@ -91,7 +91,7 @@ TYPED_TEST_P(step_properties, brakes_never_drive) {
   EXPECT_GT(working, 0) << "no sample made a brake work";
 }
 
-/// 0 <= capacity_i <= limit_i exactly, and no brake is predicted to do more than it was told.
+/// 0 <= capacity_i <= limit_i exactly, and no brake is predicted to make more than its capacity.
 TYPED_TEST_P(step_properties, capacity_is_within_its_limits) {
   int limited = 0;
   this->for_each_step([&](const auto& sample, const auto& result) {

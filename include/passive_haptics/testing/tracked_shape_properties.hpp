@@ -29,13 +29,13 @@ class tracked_shape_properties : public ::testing::Test {
 
   /// One contact.
   struct touch {
-    point<d> normal;  ///< As told.
-    double depth;     ///< As told [m].
+    point<d> normal;  ///< As the shape returns it.
+    double depth;     ///< As the shape returns it [m].
 
     /// To the bit.
     bool operator==(const touch&) const = default;
   };
-  /// What one call told.
+  /// Result of one call.
   struct answer {
     std::vector<touch> felt;  ///< Contacts.
     double may_go;            ///< How far the handle may go [m].
@@ -82,16 +82,16 @@ TYPED_TEST_SUITE_P(tracked_shape_properties);
 TYPED_TEST_P(tracked_shape_properties, contacts_have_a_direction_and_a_depth) {
   int touched = 0, free = 0;
   this->for_each_cycle([&](const auto& from, const auto& x, auto t) {
-    const auto told = this->follow(from, x, t);
-    ASSERT_LE(told.felt.size(), static_cast<std::size_t>(this->d));
-    for (const auto& c : told.felt) {
+    const auto found = this->follow(from, x, t);
+    ASSERT_LE(found.felt.size(), static_cast<std::size_t>(this->d));
+    for (const auto& c : found.felt) {
       ASSERT_NEAR(c.normal.norm(), 1, rounding_tolerance<double>(this->d));
       ASSERT_GT(c.depth, 0);
       ASSERT_TRUE(std::isfinite(c.depth));
     }
-    ASSERT_GE(told.may_go, 0);
-    ASSERT_TRUE(told.felt.empty() || told.may_go == 0);
-    ++(told.felt.empty() ? free : touched);
+    ASSERT_GE(found.may_go, 0);
+    ASSERT_TRUE(found.felt.empty() || found.may_go == 0);
+    ++(found.felt.empty() ? free : touched);
   });
   EXPECT_GT(touched, 0);
   EXPECT_GT(free, 0);
@@ -121,7 +121,7 @@ TYPED_TEST_P(tracked_shape_properties, what_may_be_skipped_is_free) {
   EXPECT_GT(tried, 0);
 }
 
-/// The same memory and places give the same answer and the same memory.
+/// Equal memories and places give equal results and memories.
 TYPED_TEST_P(tracked_shape_properties, the_answer_depends_on_nothing_else) {
   this->for_each_cycle([&](const auto& from, const auto& x, auto t) {
     auto other = t;

@@ -93,7 +93,7 @@ TEST_F(opening_a_comedi_port, names_a_largest_sample_that_makes_no_sense) {
   plugged.subdevices[2].largest = plugged.subdevices[3].largest = 999;
   expect_error("encoders[0].channel = 0 counts to 999, expected 2^n - 1");
   plugged.subdevices[1].largest = 0;
-  expect_error("brakes[0].channel = 0: subdevice 1 tells no largest sample (maxdata), expected at least 1");
+  expect_error("brakes[0].channel = 0: subdevice 1 reports no largest sample (maxdata), expected at least 1");
 }
 
 TEST_F(opening_a_comedi_port, frees_brakes_that_an_earlier_program_left_on) {

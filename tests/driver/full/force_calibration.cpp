@@ -148,7 +148,7 @@ TEST(force_calibration, names_what_is_wrong) {
   EXPECT_EQ(error([](parameters& p) { p.newtons_per_unit(1, 2) = NAN; }),
             "newtons_per_unit(1, 2) [N] = nan, expected a finite number");
   EXPECT_EQ(error([](parameters& p) { p.newtons_per_unit.row(1) = p.newtons_per_unit.row(0); }),
-            "newtons_per_unit has dependent rows, expected one that tells each direction apart");
+            "newtons_per_unit has dependent rows, expected one that distinguishes all directions");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST_P(a_request, releases_and_ends_with_the_last_record_written) {
   send(GetParam());
   const outcome o = end();
   EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_TRUE(has(o.out, "brakes released: as asked")) << o.out;
+  EXPECT_TRUE(has(o.out, "brakes released: as requested")) << o.out;
   EXPECT_FALSE(fs::exists(part_path()));
   const log_file all(log_path());
   EXPECT_TRUE(all.is_whole());
@@ -88,7 +88,7 @@ TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
   const outcome o = end();
   EXPECT_EQ(o.status, 3) << "it had a fault, though it was rearmed";
   EXPECT_TRUE(has(o.out,
-                  "brakes released: as asked\nreleases by a fault before: 1, first: the supervisor is "
+                  "brakes released: as requested\nreleases by a fault before: 1, first: the supervisor is "
                   "lost, or released the brakes\n"))
       << o.out;
   EXPECT_TRUE(log().is_whole());
@@ -169,7 +169,7 @@ TEST_F(a_driver_whose, recorder_is_killed_goes_on_and_counts_what_is_lost) {
   send(SIGINT);
   const outcome o = end();
   EXPECT_EQ(o.status, 4) << o.err;
-  EXPECT_TRUE(has(o.out, "brakes released: as asked")) << o.out;
+  EXPECT_TRUE(has(o.out, "brakes released: as requested")) << o.out;
   EXPECT_TRUE(has(o.out, "log: brake_driver.csv.part, as far as it came: the recorder failed, ")) << o.out;
   EXPECT_FALSE(has(o.out, " 0 cycles lost")) << o.out;
   const auto cycles = std::stoul(o.out.substr(o.out.rfind('\n', o.out.find(" cycles, ")) + 1));

@@ -17,7 +17,7 @@ TEST_F(a_running_driver, homes_tares_displays_the_wall_and_leaves_a_whole_log) {
     EXPECT_TRUE(line.starts_with("remark: "))
         << line << ": the settings of a loaded machine are all it names";
   for (const char* part : {" cycles, ", "late     mean ", "compute  mean ", "  up to ",
-                           "brakes released: as asked", "log: brake_driver.csv, 0 cycles lost"})
+                           "brakes released: as requested", "log: brake_driver.csv, 0 cycles lost"})
     EXPECT_TRUE(has(o.out, part)) << part << "\n" << o.out;
   EXPECT_FALSE(fs::exists(part_path()));
 

@@ -141,7 +141,7 @@ TEST_F(a_terminal, shows_one_table_that_is_redrawn_in_its_place) {
   send(SIGINT);
   EXPECT_TRUE(eventually([this] {
     look();
-    return has(shown.text(), "brakes released: as asked");
+    return has(shown.text(), "brakes released: as requested");
   })) << shown.text();
   EXPECT_EQ(end().status, 0);
 }
@@ -245,7 +245,7 @@ TEST_F(a_terminal, gets_its_Ctrl_C_through) {
   ASSERT_EQ(write(terminal, "\003", 1), 1);
   eventually([this] {
     look();
-    return has(shown.text(), "brakes released: as asked");
+    return has(shown.text(), "brakes released: as requested");
   });
   EXPECT_EQ(end().status, 0);
   EXPECT_TRUE(log().is_whole()) << "no process but the loop's heard it";

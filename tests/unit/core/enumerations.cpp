@@ -53,12 +53,12 @@ TEST(enumerations, have_words_for_each_fault) {
   EXPECT_EQ(to_string(ph::fault::device_restarted), "the device restarted");
   EXPECT_EQ(to_string(ph::fault::encoder_jump), "jumped");
   EXPECT_EQ(to_string(ph::fault::law_failed), "the control law failed");
-  EXPECT_EQ(to_string(ph::fault::user), "as asked");
+  EXPECT_EQ(to_string(ph::fault::user), "as requested");
 }
 
 TEST(enumerations, have_words_for_each_place_of_a_fault) {
   using enum ph::fault_source;
-  EXPECT_EQ(to_string(ph::fault_record{ph::fault::user, loop, -1}), "as asked");
+  EXPECT_EQ(to_string(ph::fault_record{ph::fault::user, loop, -1}), "as requested");
   EXPECT_EQ(to_string(ph::fault_record{ph::fault::device_lost, encoders, -1}), "encoders: device lost");
   EXPECT_EQ(to_string(ph::fault_record{ph::fault::encoder_jump, encoders, 1}), "encoder 2: jumped");
   EXPECT_EQ(to_string(ph::fault_record{ph::fault::sample_missing, force_sensor, -1}),
@@ -67,7 +67,7 @@ TEST(enumerations, have_words_for_each_place_of_a_fault) {
             "force channel 1: saturated");
   EXPECT_EQ(to_string(ph::fault_record{ph::fault::write_refused, brakes, -1}),
             "brakes: the device takes no currents");
-  EXPECT_EQ(to_string(ph::fault_record{ph::fault::user, brakes, 2}), "brake 3: as asked");
+  EXPECT_EQ(to_string(ph::fault_record{ph::fault::user, brakes, 2}), "brake 3: as requested");
 }
 
 TEST(enumerations, have_words_for_each_status_of_a_driver) {

@@ -54,7 +54,7 @@ class settled_rates {
   static constexpr T default_share = T(1e-3);
 
   /// Of a pose. A row of T N that is shorter than least_share times a brake's greatest motion, after those
-  /// before it were taken out of it, counts as dependent: a brake at rest that the self-motion hardly moves
+  /// before it were taken out of it, counts as dependent. A brake at rest that the self-motion hardly moves
   /// would let the others race. off: brakes that cannot be held (brakes_without_torque). Cost: an orthogonal
   /// decomposition of d x n.
   explicit settled_rates(const mechanism_pose<M>& pose, T least_share = default_share, brake_set off = 0)

@@ -51,7 +51,7 @@ concept limits_brake = names_brake_scalar<B> && requires(const B brake, typename
 ///     brings the state dt [s] forward and returns what the brake then resists with by command. command: the
 ///     capacity [N m] that a controller gives; rate [rad/s] at the beginning of dt;
 ///   - `scalar torque_limit_at(scalar rate) const noexcept`: the most torque [N m] at this rate by command,
-///     what a controller may know of it.
+///     all of the model that a controller may use.
 ///
 /// Laws, of any command, rate and history (testing/brake_model_properties.hpp):
 ///   - passive: strength and drag are finite and >= 0;
@@ -78,7 +78,7 @@ concept InvertibleBrakeModel =
       { brake.command_for(x, x, state) } noexcept -> std::same_as<typename B::scalar>;
     };
 
-/// The same requirements, one short message for each: what takes a model begins with
+/// The requirements of BrakeModel, one short message for each: what takes a model begins with
 /// `static_assert(brake_model_requirements<B>::met)`.
 template <class B>
 struct brake_model_requirements {

@@ -1,15 +1,15 @@
 /// @file
-/// Which axes the encoders of a mechanism turn with, and what they tell of its joints.
+/// The axes that the encoders of a mechanism turn with, and the joint positions that follow from them.
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
 
 namespace passive_haptics {
 
-/// The encoders' axes theta of mechanism M: the brakes' axes where the transmission is constant, theta = T q
-/// and q = T^+ theta (the mean of what redundant brakes give); the joints where it depends on the pose, where
-/// there is none, or where not all joints have a brake, as the brakes' angles then do not give those of the
-/// joints.
+/// The encoders' axes theta of mechanism M. Where the transmission is constant, they are the brakes' axes:
+/// theta = T q and q = T^+ theta (the mean of what redundant brakes give). Where the transmission depends on
+/// the pose, where there is none, or where not all joints have a brake, they are the joints: the brakes'
+/// angles then do not give those of the joints.
 template <class M>
 class encoder_axes {
  public:

@@ -12,8 +12,8 @@
 
 namespace passive_haptics {
 
-/// The brakes of mechanism M as a controller knows them, where each can give no more than its model says at
-/// its rate (torque_limit_at), nor more than its torque_limit: eddy currents give nothing at rest. For the
+/// The brakes of mechanism M for a controller, where each can give no more than its model says at its rate
+/// (torque_limit_at), nor more than its torque_limit: eddy currents give nothing at rest. For the
 /// brakes' type of a controller or a step; laws see switchable_brakes<M> with the limits of the moment. A
 /// brake that can give nothing at its rate is off in that cycle: the others display what they can without it.
 template <class M, BrakeModel Model>

@@ -1,5 +1,5 @@
 /// @file
-/// The hand's force from the motion it causes: a generalised-momentum observer that knows brakes.
+/// The hand's force from the motion it causes: a generalised-momentum observer for devices with brakes.
 #pragma once
 
 #include <passive_haptics/brake/signs.hpp>
@@ -36,12 +36,12 @@ struct momentum_observer_parameters {
 ///     h tau_mean = (M0 + M1) (qd1 - qd0) / 2 + h (c0 + c1) / 2 - h T^T t_mean
 ///
 /// goes through two first-order lags, rd = 2 K (s - r), sd = 2 K (tau - s), exactly where tau is constant
-/// over the period; no acceleration is measured. (One lag of 1 / K is as late but noisier: of a hand's 0.74 N
+/// over the period; no acceleration is measured. (One lag of 1 / K is as late but noisier. Of a hand's 0.74 N
 /// along a wall, at 8192 counts a turn and rates low-passed at 50 Hz, it was off by 0.43 N in simulation, two
-/// are by 0.10 N.) A brake that slips all the period one way makes t_mean = -sgn(w) times its strength, which
-/// follows its capacity with its lag. One that is at rest, or turned round, is taken to make none and its
-/// strength is what may be missing, lagged like r: so the lagged joint torque of the hand is r + T^T t with
-/// |t_i| <= unknown_torque_i, always.
+/// lags by 0.10 N). A brake that slips all the period one way makes t_mean = -sgn(w) times its strength,
+/// which follows its capacity with its lag. One that is at rest, or turned round, is taken to make none and
+/// its strength is what may be missing, lagged like r: so the lagged joint torque of the hand is r + T^T t
+/// with |t_i| <= unknown_torque_i, always.
 ///
 /// The force is that of r by the dynamically consistent inverse: for n > d a hand that also drives the
 /// self-motion directly is seen as if it did not. Starts at r = 0 with all strengths unknown. What the model
@@ -68,7 +68,7 @@ class momentum_observer {
   momentum_observer(M mechanism, const brakes_of<M>& brakes, const momentum_observer_parameters& p = {})
       : mechanism_(std::move(mechanism)), brakes_(require_valid(brakes)), p_(require_valid(p)) {}
 
-  /// The state now, and the capacities [N m] that the brakes have been told since the state before. Only
+  /// The state now, and the capacities [N m] that were commanded since the state before. Only
   /// time, q and qd of the state are read.
   template <class State>
     requires DeviceState<State, M>
@@ -156,8 +156,8 @@ class momentum_observer {
   brake_vector<M> mean_strength(double time, const brake_vector<M>& capacity) {
     brake_vector<M> u, mean, before;
     unrolled<m>([&](auto i) {
-      const scalar told = std::isfinite(capacity[i]) ? capacity[i] : brakes_.torque_limit[i];
-      u[i] = lag_.command(i, told, brakes_.torque_limit[i]);
+      const scalar commanded = std::isfinite(capacity[i]) ? capacity[i] : brakes_.torque_limit[i];
+      u[i] = lag_.command(i, commanded, brakes_.torque_limit[i]);
       before[i] = static_cast<scalar>(lag_.torque(i));
     });
     const double h = time - before_.time;

@@ -1,5 +1,5 @@
 /// @file
-/// How a device without a force sensor finds out that the hand wants to leave a wall.
+/// How a device without a force sensor detects that the hand pulls away from a wall.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -31,8 +31,8 @@ inline double worst_release_time(const release_probe_parameters& p) {
   return p.probe_period + 2 * p.probe_time;
 }
 
-/// Without a force sensor a brake at rest cannot tell a push from a pull. So, while the handle touches a
-/// wall, brakes that have been at rest for probe_period are told 0 (their own lag is the ramp) until the
+/// Without a force sensor a brake at rest cannot distinguish a push from a pull. So, while the handle touches
+/// a wall, brakes that have been at rest for probe_period are released (their own lag is the ramp) until the
 /// handle moves:
 ///
 ///     watching --rest of probe_period--> probing --moved in, or probe_time--> watching
@@ -43,11 +43,11 @@ inline double worst_release_time(const release_probe_parameters& p) {
 template <int D>
 class release_probe {
  public:
-  /// What brakes are told.
+  /// Phase of a probe, by what is commanded.
   enum class phase {
     watching,  ///< What the law commands.
-    probing,   ///< Brakes that held are told 0.
-    released,  ///< All brakes are told 0.
+    probing,   ///< Brakes that held are released.
+    released,  ///< All brakes are released.
   };
 
   /// Throws std::invalid_argument with the text of validate(p).

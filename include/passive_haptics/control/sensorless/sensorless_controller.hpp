@@ -31,10 +31,10 @@ struct sensorless_parameters {
 ///
 /// A brake at rest has sign 0 and may hold either way, as for any state without a hand force. Of all forces
 /// that the estimate allows, the law gets the one by which the hand does to brakes at rest what it last did
-/// to them: a brake that holds hides the hand, not takes it away. That is a belief, and probes put it to the
-/// test. Laws that choose by which way a brake at rest is pushed (single_degree_of_freedom_control,
-/// velocity_ratio_control) are not told. A law does not know that its brakes are probed: after a probe they
-/// are told more than it commands, until they make what it counts on.
+/// to them: while a brake holds, the hand's force on it cannot be observed. Probes test the value that is
+/// kept. Laws that choose by which way a brake at rest is pushed (single_degree_of_freedom_control,
+/// velocity_ratio_control) do not get it. A law does not see that its brakes are probed: after a probe the
+/// command is higher than the law's, until the brakes make what the law counts on.
 ///
 /// A hand that presses without moving along sinks by its probes: in simulation (the paper's device, 2 N) 0.1
 /// mm/s under direct_control, 0.3 mm/s under velocity_direct_control.
@@ -66,7 +66,7 @@ class sensorless_controller {
     const bool in_wall = (result.desired_force.array() != scalar(0)).any();
     if (result.outcome == status::ok && in_wall) probe(state.time, state.q, state.qd, result);
     else forget_rest();
-    tell(result.capacity);
+    remember(result.capacity);
     return result;
   }
 
@@ -95,7 +95,7 @@ class sensorless_controller {
 
   const brakes_of<M>& brakes() const { return controller_.brakes(); }
 
-  // The estimate does not tell which way a brake at rest is pushed: no torque of it decides a sign.
+  // The estimate does not show which way a brake at rest is pushed: no torque of it decides a sign.
   static brakes_of<M> with_unknown_pushes(brakes_of<M> brakes) {
     brakes.torque_dead_band.setConstant(std::numeric_limits<typename M::scalar>::max());
     return brakes;
@@ -114,8 +114,8 @@ class sensorless_controller {
     return hand.force + hand.generators * hidden;
   }
 
-  // A law counts on what its brakes make. Those that a probe has let go are told more than it commands, until
-  // they make that again.
+  // A law counts on what its brakes make. After a probe, commands are raised until the brakes are back at the
+  // torque that the law assumes.
   void make_up(double time, result_type& result) {
     for (brake_lag_model* model : {&expected_, &actual_}) model->advance(time, brakes().time_constant);
     unrolled<M::brake_count>([&](auto i) {
@@ -129,7 +129,7 @@ class sensorless_controller {
     });
   }
 
-  void tell(const brake_vector<M>& capacity) {
+  void remember(const brake_vector<M>& capacity) {
     last_capacity_ = capacity;
     unrolled<M::brake_count>(
         [&](auto i) { actual_.command(i, last_capacity_[i], brakes().torque_limit[i]); });
@@ -140,7 +140,7 @@ class sensorless_controller {
     const brake_vector<M> w = passive_haptics::brake_rates(mechanism(), q, qd);
     double rest = 0;
     unrolled<m>([&](auto i) {
-      // Whatever it is told now: a law that switches at rest holds by the mean of its commands
+      // Whatever the command is now: a law that switches at rest holds by the mean of its commands
       if (!slips(w[i], brakes().rate_dead_band[i])) rested_[i] = time;
       if (time - rested_[i] > longest_slip || rest_since_[i] > time) rest_since_[i] = time;
       rest = std::max(rest, time - rest_since_[i]);

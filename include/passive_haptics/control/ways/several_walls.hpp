@@ -27,7 +27,7 @@ struct several_walls {
   static constexpr int capacity = Walls::capacity;  ///< Walls at most.
   using force = force_of_brakes<M>;                 ///< With the torques that make it.
   static_assert(!saturates_before_scaling<L>,
-                "passive_haptics: a law that saturates before scaling knows one wall at a time; give this "
+                "passive_haptics: a law that saturates before scaling takes one wall at a time; give this "
                 "scene a law without saturates_before_scaling (control/control_law.hpp).");
 
   /// alpha of each wall, and which are met before the others.

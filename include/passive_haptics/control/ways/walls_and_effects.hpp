@@ -1,5 +1,5 @@
 /// @file
-/// What a cycle with effects is told of its surroundings, and what it tells.
+/// Input and result of a cycle with effects beside its walls.
 #pragma once
 
 #include <passive_haptics/control/step_result.hpp>

@@ -18,9 +18,9 @@ using no_walls = contacts<D, 1>;
 /// WallEffect or JointEffect (force/effect.hpp), of the scene's dimension and the mechanism's scalar.
 ///
 /// Walls come first: what a cycle displays of them does not depend on the effects, but for the drag along
-/// them. Effects get what the brakes can do besides (torques_beside). A law is never asked about effects;
-/// they resist, and nothing has to be scaled. They need a ScalingLaw: what a TorqueLaw means by its torques
-/// nobody else knows.
+/// them. Effects get what the brakes can do besides (torques_beside). A law does not see effects:
+/// effects resist, and nothing has to be scaled. They need a ScalingLaw: a TorqueLaw chooses torques itself,
+/// so an effect cannot be added without overriding it.
 ///
 /// Result: a step_result_with_effects. `wall` is -1 where no wall is touched. A NaN or infinity from an
 /// effect releases the brakes, status::result_not_finite.
@@ -79,7 +79,7 @@ auto sense(S& scene, const point<S::dimension>& x, double time) {
   return detail::sense_beside(scene.scene(), scene.effects(), x, time);
 }
 
-/// Why what the scene told cannot be displayed; status::ok if it can.
+/// Why the contacts of the scene cannot be displayed; status::ok if they can.
 template <class Scene, class... Effects>
 status scene_status(const with_effects<Scene, Effects...>& scene) {
   return passive_haptics::status_of(scene.scene());

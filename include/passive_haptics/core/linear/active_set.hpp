@@ -74,7 +74,8 @@ class active_set {
     return by_half_space::load(weight_) * x * x;
   }
 
-  // The same of the residual r, and what so many roundings of it come to: of an r that is rounding, anything.
+  // Squared violations of the residual r, and the threshold below which they are rounding; infinite for an r
+  // that is rounding itself.
   [[gnu::always_inline]] by_half_space squares_beyond() const {
     return squares_beyond(products_with(qr_.residual()));
   }
@@ -104,9 +105,9 @@ class active_set {
     for (; set != 0 && qr_.size() < max_rank; set &= set - 1) append(std::countr_zero(set));
   }
 
-  // All that the residual violates, one after the other, without a look at the signs of mu; the products with
-  // the residual are carried along, so that the next one need not wait for it. They know what is violated to
-  // rounding of |f|, not of |r|. From B^T f.
+  // All that the residual violates, one after the other, without a look at the signs of mu. The products with
+  // the residual are carried along, so that the next half-space need not wait for the residual. They show
+  // violations to rounding of |f|, not of |r|. From B^T f.
   [[gnu::always_inline]] void guess(by_half_space products) {
     T along[at(max_rank)][at(Columns)];  // of v_k and b_j
     while (qr_.size() < max_rank) {

@@ -16,12 +16,12 @@ struct cone_solver;
 /// Nearest point p of the cone { p : B^T p <= 0 } to f.
 ///
 /// By Moreau's decomposition f = p + B mu with mu = argmin |B mu - f|, mu >= 0: a non-negative least-squares
-/// problem whose residual is the answer; no Gram matrix and no inverse, so p is feasible to rounding at any
-/// condition of B. In closed form on the line, for one or two half-spaces in the plane (plane_cone.hpp) and
-/// for three in space (space_cone.hpp), there exact to a few roundings of |f| however flat the cone is; else
-/// by an active set (active_set.hpp), as exact as the condition of B allows. From three half-spaces on it
-/// begins at `start`, and leaves that for the next cycle: a right start halves the time, a wrong one costs
-/// nothing to speak of, and from any p is the same to rounding.
+/// problem whose residual is p. No Gram matrix and no inverse, so p is feasible to rounding at any condition
+/// of B. Cones on the line, of one or two half-spaces in the plane (plane_cone.hpp) and of three in space
+/// (space_cone.hpp) take a closed form: exact to a few roundings of |f| however flat the cone is. Others take
+/// an active set (active_set.hpp): as exact as the condition of B allows. From three half-spaces on the
+/// search begins at `start`, and leaves there the start of the next cycle. A right start halves the time, a
+/// wrong one costs nothing to speak of. From any start p is the same to rounding.
 ///
 /// Zero columns restrict nothing; parallel and dependent ones, f = 0 and f on a face are fine. B must be
 /// finite and f of moderate norm (normalise it first).
@@ -40,7 +40,7 @@ half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T,
                   "<passive_haptics/core/linear/space_cone.hpp>.");
 }
 
-/// The same from nothing.
+/// Nearest point p of the cone { p : B^T p <= 0 } to f, without a start.
 template <class T, int Rows, int Columns>
 half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T, Rows, Columns>& B,
                                                                  const vector<T, Rows>& f) {

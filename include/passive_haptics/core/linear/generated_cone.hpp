@@ -23,7 +23,7 @@ struct generated_face {
   half_space_set basis = 0;   ///< Independent generators that make p.
   half_space_set usable = 0;  ///< All that lie in the same face.
   vector<T, D> point;         ///< p
-  vector<T, M> coefficients;  ///< x of the basis; unspecified where the basis does not tell it.
+  vector<T, M> coefficients;  ///< x of the basis; unspecified where the basis does not determine it.
 };
 
 template <int M>
@@ -81,7 +81,7 @@ template <class T, int M>
 }
 
 /// In space and beyond: f less its nearest point is the projection of f on the polar cone { r : V^T r <= 0 },
-/// by the same non-negative least squares. The face is normal to r.
+/// by non-negative least squares. The face is normal to r.
 template <class T, int D, int M>
 [[gnu::always_inline]] inline generated_face<T, D, M> face_of(const matrix<T, D, M>& V,
                                                               const vector<T, D>& f) {
@@ -103,9 +103,9 @@ template <class T, int D, int M>
 
 }  // namespace detail
 
-/// Nearest point p of the cone { V x : x >= 0 } to f, D <= 3, and the x of least norm that makes it: unique,
-/// and continuous in V and f. f of moderate norm; V finite, any scale but where its squares are no numbers.
-/// Zero columns make nothing.
+/// Nearest point p of the cone { V x : x >= 0 } to f, D <= 3, and the x of least norm that makes p. Both are
+/// unique, and continuous in V and f. f must be of moderate norm; V finite, of any scale but where its
+/// squares are no numbers. Zero columns make nothing.
 ///
 /// Where f is in the cone, p = f. Else p = f - r lies on a face, whose generators make it. Cost: one
 /// projection onto M half-spaces (in the plane M angles), and a least_norm where more columns can make p

@@ -43,7 +43,7 @@ class least_norm {
       const per_column entering = select(u > noise, allowed - in_set, T(0));
       const per_column leaving = select(u < -noise, in_set, T(0));
       const bool any_leaves = count(leaving) > T(0);
-      // A basis has one solution: what is negative in it is rounding
+      // The solution on a basis is unique, so negative entries are rounding errors
       if (any_leaves && count(in_set) > T(rank)) {
         step_towards(u, leaving, in_set, x);
         continue;

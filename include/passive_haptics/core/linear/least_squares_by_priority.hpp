@@ -56,8 +56,8 @@ void settle(vector<T, N>& x, vector<bool, N>& held, const vector<T, N>& lower, c
 ///
 /// The last level decides every unknown that is left, by N rows. x is within its bounds exactly; they may be
 /// infinite. Cost: up to four unknowns are eliminated in closed form, for each set of bounds that may hold
-/// them, two to six times mostly; more by an active set (core/linear/prioritised_least_squares.hpp), for
-/// which MostRows says how many rows but those of the last level may not be 0; all if it is -1.
+/// them, two to six times mostly. More take an active set (core/linear/prioritised_least_squares.hpp).
+/// MostRows is for the active set: how many rows but those of the last level may not be 0; all if it is -1.
 template <int MostRows = -1, class T, int N, int... Rows>
 vector<T, N> least_squares_by_priority(const vector<T, N>& lower, const vector<T, N>& upper,
                                        const least_squares_level<T, Rows, N>&... levels) {

@@ -13,7 +13,7 @@ using half_space_set = unsigned;
 /// Where a search for the nearest point begins: left by one problem for the next, best one cycle later.
 struct half_space_start {
   half_space_set active = 0;    ///< Those that held p back.
-  half_space_set violated = 0;  ///< Those that f lay beyond, b_j . f > 0; other ones tell that f has jumped.
+  half_space_set violated = 0;  ///< Those that f lay beyond, b_j . f > 0; other ones mean that f has jumped.
 };
 
 /// Nearest point of a cone { p : B^T p <= 0 }, from project_onto_half_spaces.
@@ -24,8 +24,8 @@ struct half_space_projection {
   half_space_set active;            ///< Those that hold p back, b_j . p = 0.
 };
 
-/// True if vectors a and b, area = a x b, are parallel to rounding: then the foot on one edge lies on the
-/// other, whatever its product says.
+/// True if vectors a and b, area = a x b, are parallel to rounding: then a point on one edge is on the other,
+/// too, whatever the sign of the computed product.
 template <class T>
 bool are_parallel(T area, T a_square, T b_square) {
   return !(area * area > rounding_tolerance<T>(1) * rounding_tolerance<T>(1) * a_square * b_square);
@@ -47,7 +47,7 @@ T area_between(const matrix<T, 2, 2>& B, const vector<T, 2>& square) {
 
 namespace detail {
 
-/// On the line the answer is f or 0.
+/// On the line the nearest point is f or 0.
 template <class T, int Columns>
 half_space_projection<T, 1, Columns> nearest_on_line(const matrix<T, 1, Columns>& B, const vector<T, 1>& f) {
   half_space_projection<T, 1, Columns> result{f, vector<T, Columns>::Zero(), 0};
@@ -60,9 +60,10 @@ half_space_projection<T, 1, Columns> nearest_on_line(const matrix<T, 1, Columns>
   return result;
 }
 
-/// In the plane the answer of one or two half-spaces is f, its foot on an edge, or the apex. Two that are not
-/// parallel have two edges: the answer lies on that of a half-space which f is outside of, if f points along
-/// it into the other one. No lengths are compared: near an edge that would lose half of the digits.
+/// In the plane the nearest point of one or two half-spaces is f, its foot on an edge, or the apex. Two that
+/// are not parallel have two edges: the nearest point lies on the edge of a half-space which f is outside of,
+/// if f points along this edge into the other half-space. No lengths are compared: near an edge that would
+/// lose half of the digits.
 template <class T, int Columns>
 half_space_projection<T, 2, Columns> nearest_in_plane(const matrix<T, 2, Columns>& B, const vector<T, 2>& f) {
   half_space_projection<T, 2, Columns> result{f, vector<T, Columns>::Zero(), 0};

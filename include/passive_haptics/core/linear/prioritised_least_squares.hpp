@@ -18,12 +18,12 @@ namespace passive_haptics {
 ///     x.minimise(A2, b2);  // changes nothing of A1 x
 ///     x.solution();
 ///
-/// Each level is a convex quadratic problem in what the levels before leave free; a primal active set over
+/// Each level is a convex quadratic problem in what the levels before leave free. A primal active set over
 /// the bounds solves it: step to the minimum on the free variables, stop at the first bound, release a bound
-/// that holds the minimum back. Where several bounds meet it is the one of least index, which never cycles
-/// (Chang, Cottle, Math. Programming 18, 1980). Orthogonal decompositions only, no normal equations. x is
-/// within its bounds exactly at any time. Bounds may be infinite; variables with lower = upper are fixed. No
-/// allocation. Cost: for each change of the active set a decomposition of the earlier rows and one of the
+/// that holds the minimum back. Where several bounds meet, that of least index is released, which never
+/// cycles (Chang, Cottle, Math. Programming 18, 1980). Orthogonal decompositions only, no normal equations. x
+/// is within its bounds exactly at any time. Bounds may be infinite; variables with lower = upper are fixed.
+/// No allocation. Cost: for each change of the active set a decomposition of the earlier rows and one of the
 /// level's. Reference: Escande, Mansard, Wieber, Hierarchical quadratic programming, IJRR 33 (7), 2014.
 template <class T, int N, int MaxRows>
 class prioritised_least_squares {
@@ -109,8 +109,8 @@ class prioritised_least_squares {
     return r.norm() > sharp * size ? r : targets(targets::Zero());
   }
 
-  // A on the free variables, less what the earlier rows hold: tells the shortest step to the least |A x - b|
-  // that changes nothing of them.
+  // A on the free variables, less what the earlier rows hold: from it comes the shortest step to the least
+  // |A x - b| that leaves these rows as they are.
   decomposition reduced(const rows& A, const decomposition& held) const {
     const rows Af = on_free(A);
     rows rest;

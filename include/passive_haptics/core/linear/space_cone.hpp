@@ -19,14 +19,14 @@ bool is_moderate(T square) {
   return square < max_square && square > T(1) / max_square;
 }
 
-/// In space the answer is f, its foot on a face or on an edge, or the apex. With the edges d_k = b_i x b_j
-/// (i, j, k in cyclic order) and c_j = b_j x f, Lagrange's identity gives for the foot p of f on face j
+/// In space the nearest point is f, its foot on a face or on an edge, or the apex. With the edges d_k = b_i x
+/// b_j (i, j, k in cyclic order) and c_j = b_j x f, Lagrange's identity gives for the foot p of f on face j
 ///
 ///     |b_j|^2 b_i . p = c_j . (b_j x b_i) = +-c_j . d_k,
 ///
-/// which is also |d_k|^2 mu_i of the foot on the edge of i and j. So signs of a few products tell which one
-/// it is, and all that a narrow angle between two half-spaces could spoil are the edges; those are made to a
-/// few roundings of themselves.
+/// which is also |d_k|^2 mu_i of the foot on the edge of i and j. So signs of a few products decide between
+/// these points. A narrow angle between two half-spaces could spoil only the edges, which are made to a few
+/// roundings of themselves.
 template <class T>
 class space_cone {
  public:

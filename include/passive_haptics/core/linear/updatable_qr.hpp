@@ -50,7 +50,7 @@ class updatable_qr {
     return append(b, square, [&](int k) PASSIVE_HAPTICS_INLINE { return along(k, b); });
   }
 
-  /// The same where somebody has the products along_b(k) = v_k . b / |v_k|^2 already.
+  /// Overload of append for precomputed products along_b(k) = v_k . b / |v_k|^2.
   template <class F>
   [[gnu::always_inline]] bool append(const column& b, T square, F&& along_b) {
     column v = b;

@@ -14,7 +14,7 @@ namespace passive_haptics::detail {
 using two_doubles [[gnu::vector_size(16)]] = double;
 using two_words [[gnu::vector_size(16)]] = std::uint64_t;
 
-// The same number in both lanes.
+// A number in both lanes.
 constexpr two_doubles twice(double number) { return two_doubles{number, number}; }
 
 // What a sine and a cosine are made of.

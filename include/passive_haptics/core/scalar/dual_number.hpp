@@ -73,7 +73,7 @@ class dual_number {
     return {ratio, (a.dx_ - ratio * b.dx_) / b.x_};
   }
 
-  // The same with a constant c
+  // With a constant c
   /// @cond
   friend dual_number operator+(const dual_number& a, PlainNumber auto c) { return {a.x_ + T(c), a.dx_}; }
   friend dual_number operator+(PlainNumber auto c, const dual_number& a) { return {T(c) + a.x_, a.dx_}; }

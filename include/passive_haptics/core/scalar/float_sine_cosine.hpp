@@ -26,7 +26,7 @@ struct reduced_angle {
   Words quadrant;
 };
 
-/// The largest angle [rad] of which reduced() knows k: 7 bits.
+/// The largest angle [rad] for reduced(): its k has at most 7 bits.
 inline constexpr float few_turns = 199;
 
 /// For |x| <= few_turns, without a branch.

@@ -28,7 +28,7 @@ template <std::floating_point T>
   return {std::sin(x), std::cos(x)};
 }
 
-/// The same of two angles, for the time of one.
+/// Sines and cosines of two angles, in the time of one.
 template <std::floating_point T>
 [[gnu::always_inline]] inline std::array<sine_cosine_pair<T>, 2> sine_cosine(T x, T y) {
   if constexpr (std::same_as<T, float>) return detail::float_sine_cosine(x, y);
@@ -50,7 +50,7 @@ sine_cosine_pair<S> sine_cosine(S x) {
   return {sin(x), cos(x)};
 }
 
-/// The same of N angles, floating-point numbers two by two.
+/// Sines and cosines of N angles, floating-point numbers two by two.
 template <class S, int N>
 std::array<sine_cosine_pair<S>, static_cast<std::size_t>(N)> sine_cosine(const vector<S, N>& angles) {
   std::array<sine_cosine_pair<S>, static_cast<std::size_t>(N)> all;

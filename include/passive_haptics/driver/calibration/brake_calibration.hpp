@@ -1,5 +1,5 @@
 /// @file
-/// From the torques that a controller asks of its brakes to currents.
+/// From the torques that a controller commands to currents.
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
@@ -26,7 +26,7 @@ std::string validate(const std::array<brake_curve, Brakes>& curves) {
 /// which keeps its torque until one side pushes it (the simplest of Prandtl's and Ishlinskii's). Its exact
 /// inverse: the current for the capacity itself while that grows, for capacity - h while it falls. So a
 /// capacity that trembles makes the current jump by h over the slope; and after a fall to 0 A the brake is
-/// taken to hold its residual torque + h until it is asked for more.
+/// taken to hold its residual torque + h until more is commanded.
 ///
 /// No brake is made to give more than its capacity, or its residual torque + h where that is more.
 template <int Brakes>

@@ -148,8 +148,9 @@ inline double torque_of_current(const brake_curve& p, double current,
 /// residual torque and for NaN.
 ///
 /// A temperature that is not known reads as the reference, which is the coldest: a cold brake is strongest,
-/// so the current is the smallest that can be meant. The brake then makes at most what was asked, and is not
-/// heated further for a sensor that broke; the wall is softer, and no torque is there that nobody asked for.
+/// so the current is the smallest that can be meant. The brake then makes at most what was commanded, and is
+/// not heated further for a sensor that broke; the wall is softer, and no torque is there that nobody
+/// commanded.
 inline double current_of_torque(const brake_curve& p, double torque,
                                 double temperature = unknown_temperature) noexcept {
   if (!(torque > p.residual_torque)) return 0;

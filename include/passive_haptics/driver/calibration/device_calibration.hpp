@@ -28,7 +28,7 @@ struct device_calibration_parameters {
   }
 };
 
-/// Chains rate estimator, encoder, force and brake calibration of mechanism M. Frame tells how the sensor
+/// Chains rate estimator, encoder, force and brake calibration of mechanism M. Frame says how the sensor
 /// turns.
 template <class M, int Channels = M::task_dimension, class Frame = fixed_sensor_frame<M::task_dimension>>
 class device_calibration {
@@ -40,7 +40,7 @@ class device_calibration {
  public:
   using axes = encoder_axes<M>;                          ///< What the encoders turn with.
   using counts_array = std::array<double, axes::count>;  ///< As safe_port::position(): past wraps [counts].
-  using readings_array = std::array<double, static_cast<std::size_t>(Channels)>;  ///< The same of the sensor.
+  using readings_array = std::array<double, static_cast<std::size_t>(Channels)>;  ///< One of each channel.
   using parameters = device_calibration_parameters<M, Channels>;                  ///< What it is made of.
 
   /// Throws std::invalid_argument with the text of validate(p) or, of a frame with a table, validate(frame);
@@ -67,7 +67,7 @@ class device_calibration {
     return y;
   }
 
-  /// The same without a force sensor.
+  /// State of a device without a force sensor.
   sensorless_device_state<M> state(double time, const counts_array& counts) noexcept {
     sensorless_device_state<M> y;
     read(y, time, counts);

@@ -10,7 +10,7 @@
 
 namespace passive_haptics {
 
-/// Encoders on the axes of a device (encoder_axes tells which). Direction: counts_per_turn is negative where
+/// Encoders on the axes of a device (encoder_axes names them). Direction: counts_per_turn is negative where
 /// counts fall while the axis turns in its positive sense, the one of the mechanism's q or, on a brake's
 /// axis, of w = T qd.
 template <int Axes>
@@ -91,7 +91,7 @@ class homing {
     require_no_error(all_finite(reference) ? "" : "reference [rad or m], expected finite numbers");
   }
 
-  /// Counts at this time [s]. Movement and interruptions start it anew and are told.
+  /// Counts at this time [s]. Restarts on motion or gaps; the return value says so.
   steady_status add(double time, const vector<double, Axes>& counts) noexcept {
     return counts_.add(time, counts);
   }

@@ -81,10 +81,10 @@ struct force_calibration_parameters {
         member("handle_mass", &p::handle_mass, "kg", range::not_negative).suspicious_above(1000),
         member("gravity", &p::gravity, "m/s^2", range::finite).suspicious_above(100));
   }
-  /// The channels tell each direction apart, and gravity has a mass to pull at.
+  /// The channels distinguish all directions, and gravity has a mass to pull at.
   std::string rules() const {
     if (!all_finite(pseudo_inverse(transposed(newtons_per_unit))))
-      return "newtons_per_unit has dependent rows, expected one that tells each direction apart";
+      return "newtons_per_unit has dependent rows, expected one that distinguishes all directions";
     if (handle_mass > 0 || gravity.isZero(0)) return {};
     return detail::error_text("handle_mass [kg]", handle_mass,
                               "> 0 where gravity is given, as nothing else reads it; weigh the handle, or "

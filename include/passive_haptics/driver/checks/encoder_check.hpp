@@ -18,7 +18,8 @@ struct encoder_limits {
   /// Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts.
   double largest_rate = 2e5;
   /// An encoder that does not change while the others together turn so far and no brake holds is frozen
-  /// [counts]; 0: never asked. A turn of 8192 counts by default; more where friction alone can hold an axis.
+  /// [counts]; 0: never checked. A turn of 8192 counts by default; more where friction alone can hold an
+  /// axis.
   double frozen_travel = 8192;
 
   /// The table of core/parameters.hpp.

@@ -12,10 +12,10 @@
 
 namespace passive_haptics {
 
-/// What a force sensor with N channels can tell.
+/// What a force sensor with N channels can report.
 template <int N>
 struct sensor_limits {
-  /// A channel at +-range or beyond is saturated, as the sensor tells it [N or N m, or its own unit];
+  /// A channel at +-range or beyond is saturated, as the sensor reports it [N or N m, or its own unit];
   /// infinite: never.
   std::array<double, static_cast<std::size_t>(N)> range =
       same_for_each<N>(std::numeric_limits<double>::infinity());

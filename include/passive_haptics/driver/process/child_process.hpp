@@ -24,7 +24,7 @@
 namespace passive_haptics {
 
 /// A forked process. Start it before the loop's real-time set-up and before any thread. It leaves the
-/// terminal's process group, so that Ctrl-C, Ctrl-Z and Ctrl-\ do not reach it, and ignores what asks to end:
+/// terminal's process group, so that Ctrl-C, Ctrl-Z and Ctrl-\ do not reach it, and ignores signals to end:
 /// it ends after its parent. Where it is stopped, the end of its parent wakes it. It keeps no file open but
 /// the standard ones, and neither ends nor stops when it writes to a pipe that nobody reads any more or to a
 /// terminal that others have. Its parent never waits for it without end.
@@ -62,8 +62,8 @@ class child_process {
     return error;
   }
 
-  /// Tells the child to end, wakes it whenever it is stopped, and waits for it, at most `patience` [s]; then
-  /// it is killed, for which a second more may pass. False if it did not end well: it was killed, or its
+  /// Signals the child to end, wakes it whenever it is stopped, and waits for it, at most `patience` [s];
+  /// then it is killed, for which a second more may pass. False if it did not end well: it was killed, or its
   /// function threw.
   bool stop(double patience = default_patience) noexcept {
     if (pid_ <= 0) return true;

@@ -15,11 +15,11 @@
 namespace passive_haptics {
 
 /// Where records go, in the recorder's process. open(): empty, or what is wrong; take(record): each, in
-/// order; rest(missing): some times a second, for what need not be done for each, told how many records did
-/// not fit so far; close(): after the last one. What it throws ends the process, with its text on stderr.
+/// order; rest(missing): some times a second, for what need not be done for each; missing is how many records
+/// did not fit so far; close(): after the last one. An exception ends the process, with its text on stderr.
 ///
 /// A sink that cannot keep all it takes, as on a full disk, also has `std::uint64_t lost() const`, how many
-/// of them so far; it is asked after rest().
+/// of them so far; it is called after rest().
 template <class S, class Record>
 concept RecordSink = requires(S sink, const Record& record) {
   { sink.open() } -> std::same_as<std::string>;

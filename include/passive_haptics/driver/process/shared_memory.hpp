@@ -13,8 +13,9 @@ namespace passive_haptics {
 /// One T in memory that stays shared after fork(). Throws std::bad_alloc if there is none to be had.
 template <class T>
 class shared_memory {
-  static_assert(std::is_trivially_destructible_v<T>,
-                "passive_haptics: no process knows who is the last to use it");
+  static_assert(
+      std::is_trivially_destructible_v<T>,
+      "passive_haptics: give a type with a trivial destructor; no process can see who is the last to use it");
 
  public:
   shared_memory() {

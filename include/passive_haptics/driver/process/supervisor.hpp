@@ -79,7 +79,7 @@ class supervisor {
   }
 
   /// The heartbeat, once a cycle, with its time [s, CLOCK_MONOTONIC] and what flows [A]; the first one starts
-  /// the watch. If a current is NaN, nobody knows what flows (safe_port::applied()): then it is no heartbeat.
+  /// the watch. If a current is NaN, what flows is unknown (safe_port::applied()): then it is no heartbeat.
   /// False where the supervisor released the brakes, or has not been seen for 0.1 s, or for `timeout` where
   /// that is longer: release them here, too, from where it began().
   bool beat(double now, const currents& flowing) noexcept {

@@ -13,7 +13,7 @@
 
 namespace passive_haptics {
 
-/// What came of N channels, from the thread that reads them to the one that wants them.
+/// Samples of N channels, from the thread that reads them to the thread that uses them.
 template <int N>
 class sample_mailbox {
  public:
@@ -29,7 +29,7 @@ class sample_mailbox {
     box_.put(put_);
   }
 
-  /// By the other: what a read would have told that took all that came since the one before.
+  /// For the other thread: status and sample of the newest read since the last take().
   port_status take(port_sample<N>& sample) noexcept {
     const std::uint32_t good = taken_.good, damaged = taken_.damaged;
     box_.take(taken_);

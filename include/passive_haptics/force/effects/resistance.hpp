@@ -30,8 +30,8 @@ vector<T, D> resistance(T limit, const vector<T, D>& v, T dead_band, const vecto
   return size > limit ? vector<T, D>(-limit / size * wanted) : vector<T, D>(-wanted);
 }
 
-/// The same along one direction and against motion that way only: size of the force against it, 0 <= size <=
-/// limit. Motion the other way is free. `speed` and `push` are components along the direction.
+/// Size of a resisting force along one direction, against motion that way only, 0 <= size <= limit. Motion
+/// the other way is free. `speed` and `push` are components along the direction.
 template <class T>
 T one_way_resistance(T limit, T speed, T dead_band, T push) {
   if (speed > dead_band) return limit;

@@ -28,7 +28,7 @@ struct wall_friction_parameters {
 
 /// Force with which the hand presses on a wall of unit normal n [N]: max(0, -n . Fh).
 ///
-/// The load for wall_friction. k depth is none: of the 5e4 N that a stiff wall asks for, brakes display what
+/// The load for wall_friction. k depth is none: of the 5e4 N that a stiff wall demands, brakes display what
 /// the hand presses.
 template <class T, int D>
 T pressing_force(const vector<T, D>& n, const std::type_identity_t<vector<T, D>>& hand_force) {

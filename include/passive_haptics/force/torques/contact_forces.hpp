@@ -14,7 +14,7 @@
 
 namespace passive_haptics {
 
-/// What one of several contacts asks of the brakes.
+/// What one of several contacts demands of the brakes.
 template <class T, int D>
 struct contact_demand {
   vector<T, D> normal;  ///< n_j, unit, out of the wall.
@@ -32,8 +32,8 @@ struct force_map {
 };
 
 /// The force map of a device whose torques and forces are tied by t = E^T F: G is the pseudo-inverse of E^T,
-/// so it also answers at singular poses, for the forces that brakes can make there. Cost: one decomposition
-/// of m x d; of 2 x 2 the inverse, to a few roundings of each entry.
+/// so it is also defined at singular poses, for the forces that brakes can make there. Cost: one
+/// decomposition of m x d; of 2 x 2 the inverse, to a few roundings of each entry.
 template <class T, int D, int Brakes>
 force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
   constexpr T tolerance = rounding_tolerance<T>(Brakes);
@@ -102,7 +102,7 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
   return result;
 }
 
-/// The same with the least |F|.
+/// Torques in the box for the demands of several contacts, with the least |F|.
 template <class T, int D, int Brakes, int Capacity>
 contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,

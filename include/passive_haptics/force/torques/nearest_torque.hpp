@@ -74,7 +74,7 @@ nearest_torque_result<T, D, Brakes> nearest_in_box(const matrix<T, D, Brakes>& G
   return {t.solution(), G * t.solution()};
 }
 
-// A brake that may have any torque generates both ways
+// An unconstrained brake (s = 0) contributes both generators, + and - its column of V
 template <class T, int D, int Brakes>
 [[gnu::noinline]] nearest_torque_result<T, D, Brakes> nearest_both_ways(const matrix<T, D, Brakes>& V,
                                                                         const vector<T, Brakes>& s,
@@ -129,8 +129,8 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
   }
 }
 
-/// The same over torques t in a box. Where its bounds are 0 and infinite that is the cone above. Cost:
-/// core/linear/prioritised_least_squares.hpp, two levels.
+/// The force G t nearest to Fd, over torques t in a box. If the bounds are 0 and infinite, it is the cone.
+/// Cost: core/linear/prioritised_least_squares.hpp, two levels.
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G,
                                                    const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {

@@ -184,7 +184,7 @@ class settled_forces {
         return visit(G, s);
       }
     }
-    return visit(matrix<T, d, m>(W.transpose()), signs);
+    return visit(transposed(W), signs);
   }
 
   template <class Visit>

@@ -7,9 +7,10 @@
 ///
 ///     t = u y, the least |y|, u_i = t_max_i / (the largest t_max)
 ///
-/// A brake with t_max_i = 0 is off, u_i = 0; of others u_i is at least eps^2, so that no square of a column
-/// of G u underflows. Where some t_max is infinite, u_i = 1 for all brakes that are on, and where no limit is
-/// named, for all: the least |t|. Equal limits give u_i = 1 exactly, and so the same torques to the bit.
+/// A brake with t_max_i = 0 is off, u_i = 0; of others u_i is at least 1e-8 (1e-4 in float), so that rounding
+/// loses no column of G u. Where some t_max is infinite, u_i = 1 for all brakes that are on, and where no
+/// limit is named, for all: the least |t|. Equal limits give u_i = 1 exactly, and so the same torques to the
+/// bit.
 #pragma once
 
 #include <passive_haptics/core/linear/elimination.hpp>
@@ -29,18 +30,18 @@ struct equal_units {};
 /// u (m) of the largest magnitudes t_max [N m], >= 0, that brakes can make.
 template <class T, int Brakes>
 vector<T, Brakes> torque_units(const vector<T, Brakes>& t_max) {
-  constexpr T eps = std::numeric_limits<T>::epsilon();
+  constexpr T least = std::numeric_limits<T>::digits > 30 ? T(1e-8) : T(1e-4);
   const T largest = t_max.maxCoeff();
   vector<T, Brakes> u;
   unrolled<Brakes>([&](auto i) {
-    const T part = std::isinf(largest) ? T(1) : std::max(t_max[i] / largest, eps * eps);
+    const T part = std::isinf(largest) ? T(1) : std::max(t_max[i] / largest, least);
     u[i] = t_max[i] > T(0) ? part : T(0);
   });
   return u;
 }
 
 /// u of the brakes of mechanism M with signs s. equal_units where nothing is named that could make a
-/// difference, and for devices whose torques are told by the force alone.
+/// difference, and for devices whose torques follow from the force alone.
 template <class M, class B>
 auto torque_units_of([[maybe_unused]] const brake_vector<M>& s, [[maybe_unused]] const B& brakes) {
   using T = typename M::scalar;
@@ -56,15 +57,21 @@ auto torque_units_of([[maybe_unused]] const brake_vector<M>& s, [[maybe_unused]]
   }
 }
 
-/// The last of several levels, whatever is left: the least |y| of t = u y. A brake that is off cannot move,
-/// and counts as if u = 1.
+/// 1 / u (m), which turns torques into the parts y; 1 for a brake that is off, which cannot move.
+template <class T, int Brakes, class Units>
+vector<T, Brakes> parts_per_torque([[maybe_unused]] const Units& u) {
+  if constexpr (std::is_same_v<Units, equal_units>) return vector<T, Brakes>::Ones();
+  else return (u.array() > T(0)).select(u.cwiseInverse(), T(1));
+}
+
+/// The last of several levels, whatever is left: the least |y| of t = u y.
 template <class T, int Brakes, class Units>
 auto least_torque_level([[maybe_unused]] const Units& u) {
   if constexpr (std::is_same_v<Units, equal_units>) {
     return least_squares_level{identity_matrix<T, Brakes>()};
   } else {
-    const vector<T, Brakes> per_torque = (u.array() > T(0)).select(u.cwiseInverse(), T(1));
-    return least_squares_level{matrix<T, Brakes, Brakes>(per_torque.asDiagonal())};
+    return least_squares_level{
+        matrix<T, Brakes, Brakes>(passive_haptics::parts_per_torque<T, Brakes>(u).asDiagonal())};
   }
 }
 /// The least |y - y_0|, t_0 = u y_0.

@@ -8,7 +8,7 @@
 
 namespace passive_haptics {
 
-/// What effects ask of the brakes.
+/// What effects demand of the brakes.
 template <class T, int D, int Brakes, int Joints>
 struct effect_demand {
   vector<T, D> force;                    ///< Fe, wanted force at the end effector [N].

@@ -53,7 +53,7 @@ class chain_frames<T, N, 2> {
   /// tip: from the last body's point to the handle [m].
   chain_frames(const joints& all, const vector<T, 2>& tip) : joints_(all), tip_(tip) {}
 
-  /// All joints and the handle. each(i, A): told the orientation A() of body i.
+  /// All joints and the handle. each(i, A) receives the orientation A() of body i.
   template <class Each>
   [[gnu::always_inline]] chain_pose<T, N, 2> follow(const vector<T, N>& q, Each&& each) const {
     chain_pose<T, N, 2> at;
@@ -114,7 +114,7 @@ class chain_frames<T, N, 3> {
     }
   }
 
-  /// All joints and the handle. each(i, A): told the orientation A() of body i.
+  /// All joints and the handle. each(i, A) receives the orientation A() of body i.
   template <class Each>
   [[gnu::always_inline]] chain_pose<T, N, 3> follow(const vector<T, N>& q, Each&& each) const {
     using column = lanes<T, 3>;

@@ -18,7 +18,8 @@ struct chain_conditioning {
   T type_1;
   /// Parallel, A singular: the distal links aligned (plane), coplanar or parallel (space); with all brakes
   /// locked the handle still moves, J is unbounded. |det| of the distal links' unit vectors. Near the
-  /// edge of where the loop closes it falls as the root of the way in q, so q in double tells it to 1e-8.
+  /// edge of where the loop closes it falls as the root of the way in q, so q in double determines it to
+  /// 1e-8.
   T type_2;
 };
 

@@ -27,9 +27,9 @@ enum class delta_elbow {
 ///
 ///     P_i = (R + L cos q_i) e_i - L sin q_i e_z,   |x - P_i| = l.
 ///
-/// Where they do not meet the loop cannot be closed, and where two elbows coincide to rounding the platform
-/// may be anywhere on a circle: position, jacobian and all else are NaN, and a step reports
-/// status::pose_undefined. Singular (conditioning tells how nearly): type 1, a forearm in the plane
+/// Where the spheres do not meet, the loop cannot be closed. Where two elbows coincide to rounding, the
+/// platform may be anywhere on a circle. In both cases position, jacobian and all else are NaN, and a step
+/// reports status::pose_undefined. Singular (conditioning returns how nearly): type 1, a forearm in the plane
 /// that upper arm and joint axis span; type 2, the forearms coplanar or two parallel, where J is unbounded.
 ///
 /// Dynamics with the usual lumped forearms: half of each forearm's mass at its elbow, half at the platform.
@@ -60,9 +60,9 @@ class delta : public leg_chain<delta<T>, T, 3> {
                   elbow_point(2, lever(2, angle[2])));
   }
 
-  /// Base angles in [-pi, pi] that put the platform at x [m] with these elbows. out_of_reach: an arm is too
-  /// short or too long (it then points at x), or all reach but the platform lies on the side of the other
-  /// assembly; position(q) is then not x.
+  /// Base angles in [-pi, pi] that put the platform at x [m] with these elbows. If an arm is too short or too
+  /// long (it then points at x), or if all reach but the platform lies on the side of the other assembly, the
+  /// outcome is out_of_reach. Then position(q) is not x.
   joint_solution<T, 3> inverse(const vector<T, 3>& x, const std::array<delta_elbow, 3>& elbows = {}) const {
     joint_solution<T, 3> solution;
     for (int i = 0; i < 3; ++i) {
@@ -170,7 +170,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
     return square > S(rounding_square_) ? square : S(std::numeric_limits<T>::quiet_NaN());
   }
 
-  // Of the area that the elbows span [m^4]: angles are known to eps too.
+  // Square of the rounding of the area that the elbows span [m^4]: angles are rounded to eps, too.
   static T square_of_rounding(const delta_parameters<T>& p) {
     const T size = p.base_radius + p.platform_radius + p.upper_arm;
     const T rounding = rounding_tolerance<T>(1) * size * size;

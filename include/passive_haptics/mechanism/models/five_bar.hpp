@@ -17,11 +17,10 @@ namespace passive_haptics {
 ///
 ///     P_i = (-+b/2, 0) + l_i (cos q_i, sin q_i),   |x - P_1| = r_1,   |x - P_2| = r_2.
 ///
-/// Where |P_2 - P_1| is over r_1 + r_2 or under |r_1 - r_2| the loop cannot be closed, and where it is 0 to
-/// rounding the handle may be anywhere: position, jacobian and all else are NaN, and a step reports
-/// status::pose_undefined. Singular (conditioning tells how nearly):
-/// type 1, a leg straight or folded; type 2, the distal links aligned, where J is unbounded and the
-/// assemblies meet.
+/// Where |P_2 - P_1| is over r_1 + r_2 or under |r_1 - r_2|, the loop cannot be closed. Where |P_2 - P_1| is
+/// 0 to rounding, the handle may be anywhere. In both cases position, jacobian and all else are NaN, and a
+/// step reports status::pose_undefined. Singular (conditioning returns how nearly): type 1, a leg straight or
+/// folded; type 2, the distal links aligned, where J is unbounded and the assemblies meet.
 ///
 /// Brakes = 4: as Book's P-TER, brakes on both base rates, their difference and their sum, T constant 4 x 2.
 /// Cost: two sines, two cosines and two square roots; jacobian some products and a division more.
@@ -59,8 +58,8 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   }
 
   /// Base angles in [-pi, pi] that put the handle at x [m] with these elbows, each seen from its base joint.
-  /// out_of_reach: a leg is too short or too long (it then points at x), or both reach but the handle lies on
-  /// the side of the other assembly; position(q) is then not x.
+  /// If a leg is too short or too long (it then points at x), or if both reach but the handle lies on the
+  /// side of the other assembly, the outcome is out_of_reach. Then position(q) is not x.
   joint_solution<T, 2> inverse(const vector<T, 2>& x, elbow leg_1 = elbow::left,
                                elbow leg_2 = elbow::right) const {
     const vector<T, 2> to_base(p_.base_distance / T(2), T(0));
@@ -172,7 +171,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
     return square > S(rounding_square_) ? square : S(std::numeric_limits<T>::quiet_NaN());
   }
 
-  // Of an elbow's place [m^2]: angles are known to eps too.
+  // Square of the rounding of an elbow's place [m^2]: angles are rounded to eps, too.
   static T square_of_rounding(const five_bar_parameters<T, Brakes>& p) {
     const T rounding = rounding_tolerance<T>(1) * (p.base_distance + p.proximal_1 + p.proximal_2);
     return rounding * rounding;

@@ -1,5 +1,5 @@
 /// @file
-/// A brake whose driver knows its model.
+/// A brake behind a driver that inverts its model.
 #pragma once
 
 #include <passive_haptics/brake/models/brake_model.hpp>

@@ -45,7 +45,7 @@ struct coulomb_brake {
     return {now.strength, T(0)};
   }
 
-  /// The same at any rate.
+  /// Largest torque [N m], equal at every rate.
   T torque_limit_at(T /*rate*/) const noexcept { return torque_limit; }
 
   /// Exact within the limit.

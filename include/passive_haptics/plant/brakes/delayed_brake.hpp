@@ -8,8 +8,8 @@
 
 namespace passive_haptics {
 
-/// Model, told each command dead_time later, to the nearest time step. Changes of the command wait in a
-/// queue; one more than Changes lets the oldest act early.
+/// Model that receives each command dead_time later, to the nearest time step. Changes of the command wait
+/// in a queue; one more than Changes lets the oldest act early.
 template <BrakeModel Model, int Changes = 64>
 struct delayed_brake {
   using scalar = typename Model::scalar;  ///< Scalar.
@@ -29,17 +29,17 @@ struct delayed_brake {
     int first = 0;                                       ///< The oldest in it.
     int count = 0;                                       ///< In it.
     double time = 0;                                     ///< Now [s].
-    scalar last = scalar(0);                             ///< What was told last [N m].
+    scalar last = scalar(0);                             ///< The last command [N m].
     scalar acting = scalar(0);                           ///< What acts [N m].
   };
 
   /// See BrakeModel.
   brake_resistance<scalar> advance(scalar dt, scalar command, scalar rate, state& now) const noexcept {
-    const scalar told = command > scalar(0) ? command : scalar(0);
-    if (told != now.last) {
+    const scalar wanted = command > scalar(0) ? command : scalar(0);
+    if (wanted != now.last) {
       if (now.count == Changes) act(now);
-      now.waiting[at(now.first + now.count++)] = {now.time + static_cast<double>(dead_time), told};
-      now.last = told;
+      now.waiting[at(now.first + now.count++)] = {now.time + static_cast<double>(dead_time), wanted};
+      now.last = wanted;
     }
     const double soon = now.time + static_cast<double>(dt) / 2;
     while (now.count > 0 && now.waiting[at(now.first)].due <= soon) act(now);

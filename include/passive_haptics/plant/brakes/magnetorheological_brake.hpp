@@ -22,7 +22,7 @@ auto saturating_torque(const S& torque_limit, const S& saturation, const M& m) {
 /// Friction whose strength follows the coil current around a loop. With j the current for the greatest one,
 /// c = coercive_current and k = saturation:
 ///
-///     T_b dj/dt + j = f^-1(u)                 the coil, told by the calibrated curve f,
+///     T_b dj/dt + j = f^-1(u)                 the coil, commanded through the calibrated curve f,
 ///     m in [j - c, j + c], moved by its ends  the magnetisation: a play of half-width c,
 ///     tau = f(m),  f(m) = torque_limit tanh(k m) / tanh(k).
 ///
@@ -70,7 +70,7 @@ struct magnetorheological_brake {
     return {torque_of(now.magnetisation), T(0)};
   }
 
-  /// The same at any rate [N m].
+  /// Largest torque [N m], equal at every rate.
   T torque_limit_at(T /*rate*/) const noexcept { return torque_limit; }
 
   /// Exact between what remanence keeps and the greatest current can reach.

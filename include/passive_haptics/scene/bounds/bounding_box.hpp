@@ -22,7 +22,7 @@ struct bounding_box {
     lower = lower.cwiseMin(other.lower);
     upper = upper.cwiseMax(other.upper);
   }
-  /// The same box with each face moved out by r [m].
+  /// A box with each face moved out by r [m].
   bounding_box grown(double r) const { return {lower.array() - r, upper.array() + r}; }
 };
 
@@ -47,7 +47,7 @@ double largest_coordinate(const bounding_box<D>& b) {
 }
 }  // namespace detail
 
-/// A shape that knows how far its wall extends. Minimal complete definition, beyond Shape:
+/// A shape that provides the extent of its wall. Minimal complete definition, beyond Shape:
 ///   - `bounding_box<dimension> bounds() const`: holds every point of the wall (distance <= 0); may be
 ///     infinite.
 ///

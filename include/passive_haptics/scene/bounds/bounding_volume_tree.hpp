@@ -2,7 +2,7 @@
 /// A tree of bounding boxes: which of many are near, without looking at the others.
 ///
 /// Eigen's unsupported BVH and Boost.Geometry's R-tree allocate in a query; a control loop must not, and
-/// wants to search a little in each cycle. Hence this one.
+/// needs to search a little in each cycle. Hence this tree.
 #pragma once
 
 #include <passive_haptics/scene/bounds/four_outer_boxes.hpp>
@@ -18,8 +18,8 @@ namespace passive_haptics {
 
 /// A tree of four branches a node over items 0 .. n-1, each known by its box. Immutable: any number of
 /// threads may search it. A search is limited by a function of four_outer_boxes: for each, the least that it
-/// seeks in the box can be, as four floats >= 0, each to four_outer_boxes::rounding. It tells places in the
-/// order of the leaves, in which items that are near each other stand side by side.
+/// seeks in the box can be, as four floats >= 0, each to four_outer_boxes::rounding. A search visits places
+/// in the order of the leaves, in which items that are near each other stand side by side.
 template <int D>
 class bounding_volume_tree {
  public:

@@ -15,8 +15,8 @@ template <int D, class T = float>
 struct four_outer_boxes {
   using four = lanes<T, 4>;  ///< One value of each box.
 
-  std::array<four, static_cast<std::size_t>(D)> lower;  ///< Of each axis [m].
-  std::array<four, static_cast<std::size_t>(D)> upper;  ///< The same.
+  std::array<four, static_cast<std::size_t>(D)> lower;  ///< Lower ends by axis [m].
+  std::array<four, static_cast<std::size_t>(D)> upper;  ///< Upper ends by axis [m].
 
   four_outer_boxes() = default;
   /// Four that hold these, whose coordinates are up to `scale` [m].

@@ -148,9 +148,9 @@ inline void read_ply(const std::filesystem::path& path, polygons& to) {
 /// Polygons are cut into triangles; one that no fan of triangles fills is refused. Other elements and
 /// properties are passed over.
 ///
-/// Throws std::invalid_argument that names file and line, or byte, and what was expected: no regular file,
-/// not PLY, cut off, an index out of range, coordinates that are not finite, no triangle with an area, a
-/// scale that is not positive. For set-up, never for a control cycle.
+/// Throws std::invalid_argument that names file and line, or byte, and what was expected. Causes: no regular
+/// file, not PLY, cut off, an index out of range, coordinates that are not finite, no triangle with an area,
+/// a scale that is not positive. For set-up, never for a control cycle.
 inline mesh_file read_ply(const std::filesystem::path& path, double metres_per_unit = 1) {
   return detail::read_mesh_file(path, metres_per_unit, detail::read_ply);
 }

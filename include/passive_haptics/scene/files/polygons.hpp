@@ -73,7 +73,7 @@ inline bool add_fan(const std::vector<point<3>>& vertices, std::span<const int> 
   return false;
 }
 
-/// The same mesh with only the vertices that are used, each place once.
+/// A copy of a mesh with only the vertices that are used, each place once.
 inline mesh_parameters<3> compact(const mesh_parameters<3>& m) {
   const std::vector<int> first = welded<3>(m.vertices);
   std::vector<int> number(m.vertices.size(), -1);

@@ -21,7 +21,7 @@ struct mesh_point : facet_point<D> {
   double distance() const { return std::sqrt(this->squared_distance); }
 };
 
-/// A surface that never changes: its copies share it, any number of threads may ask it, and no question
+/// A surface that never changes: its copies share it, any number of threads may search it, and no search
 /// allocates.
 template <int D>
 class mesh {

@@ -118,8 +118,8 @@ facet_point<D> nearest_on_segment(const point<D>& a, const point<D>& b, const po
 
 }  // namespace detail
 
-/// The point of a facet nearest to x; a NaN in x gives a NaN distance. A facet that is found to be further
-/// than the square root of `limit` [m^2] may be told to be infinitely far.
+/// The point of a facet nearest to x; a NaN in x gives a NaN distance. If a facet is found to be further
+/// than the square root of `limit` [m^2], its distance may be infinite.
 ///
 /// If the foot of x on the plane lies between the edges it is the one, else the point lies on an edge behind
 /// which the foot lies. Longer than with barycentric coordinates (Ericson, Real-Time Collision Detection,

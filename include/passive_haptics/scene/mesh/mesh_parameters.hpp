@@ -56,8 +56,8 @@ std::string validate(const mesh_parameters<D>& p) {
   return {};
 }
 
-/// The same without the facets that have no area. That is no loss of surface, but where one joined an edge to
-/// two shorter ones the mesh is open then. All indices must be valid.
+/// A mesh without the facets that have no area. No surface is lost. But where such a facet joined an edge to
+/// two shorter ones, the mesh is open then. All indices must be valid.
 template <int D>
 mesh_parameters<D> without_slivers(mesh_parameters<D> p) {
   std::size_t kept = 0;

@@ -113,7 +113,7 @@ class proxy_way {
     return std::find(begin, end, facet) != end;
   }
 
-  // Which slab the step enters first; those of the facets on which the proxy rests only if told so.
+  // The slab that the step enters first; those of the facets on which the proxy rests only if resting_too.
   hit first_stop(const point<D>& step, bool resting_too) {
     const auto entry = [&](const four_outer_boxes<D>& boxes) {
       return typename four_outer_boxes<D>::four([&](int k) {

@@ -10,9 +10,9 @@
 
 namespace passive_haptics::detail {
 
-/// The shares m >= 0 of the least displacement N m that brings a point in front of all of K planes, N the
-/// unit normals by columns (zero: no plane) and depth how far it is behind each; one of them must be > 0.
-/// Where nothing is in front of all, the depths themselves.
+/// The shares m >= 0 of the least displacement N m that brings a point in front of all of K planes. N: the
+/// unit normals by columns (zero: no plane); depth: how far the point is behind each, one of them > 0. If no
+/// place is in front of all planes, the shares are the depths themselves.
 template <int D, int K>
 vector<double, K> shares_of_displacement(const matrix<double, D, K>& N, const vector<double, K>& depth) {
   const least_distance<double, D, K> least(N, depth);

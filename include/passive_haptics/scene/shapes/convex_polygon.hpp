@@ -126,7 +126,7 @@ class convex_polygon {
     point<2> gradient;
   };
 
-  template <class Point>  // a template, so that who has no polygon does not compile it
+  template <class Point>  // template: instantiated only where used
   result nearest(const Point& x) const {
     result inside{-std::numeric_limits<double>::infinity(), Point::Zero()};
     result outside{std::numeric_limits<double>::infinity(), {1, 0}};

@@ -16,12 +16,12 @@ namespace passive_haptics {
 template <int D>
 class any_wall {
  public:
-  /// A wall within bounds that hold all of it; for shapes that do not tell theirs.
+  /// A wall within bounds that hold all of it; for shapes that do not provide theirs.
   template <class S>
   any_wall(wall<S> w, const bounding_box<D>& bounds)
       : held_(std::make_shared<model<S>>(std::move(w), bounds)) {}
 
-  /// A wall within the bounds that its shape tells, else anywhere.
+  /// A wall within the bounds that its shape provides, else anywhere.
   template <class S>
   any_wall(const wall<S>& w) : any_wall(w, bounds_of(w.shape)) {}
 
@@ -38,9 +38,9 @@ class any_wall {
   void start_tracker(void* storage) const { held_->start_tracker(storage); }
 
   /// How far [m] the handle may go from x without coming nearer than `margin` [m] to the wall; in the cycle
-  /// before it was at `from`. 0 if it is nearer: then its contacts are added to `found`, which has been
-  /// empty. They lack what the shape does not know: the wall's number and, of a TrackedShape, the position. A
-  /// TrackedShape gives contacts from the touch on, whatever the margin.
+  /// before, the handle was at `from`. If it is nearer: 0, and its contacts are added to `found`, which has
+  /// been empty. The contacts lack what the shape does not provide: the wall's number and, of a TrackedShape,
+  /// the position. A TrackedShape gives contacts from the touch on, whatever the margin.
   double look(const point<D>& from, const point<D>& x, double margin, void* tracker,
               contacts<D, D>& found) const {
     return held_->look(from, x, margin, tracker, found);

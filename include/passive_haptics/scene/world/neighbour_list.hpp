@@ -28,8 +28,8 @@ namespace passive_haptics {
 ///
 /// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It collects a list
 /// at once, some ten to a hundred nodes, when the handle leaves the reach before the next list is complete.
-/// It asks all items whose boxes hold the handle where they are more than Listed, and where it has jumped: so
-/// far that no list would last. No allocation after construction.
+/// It looks at all items whose boxes hold the handle where they are more than Listed, or where the handle has
+/// jumped so far that no list would last. No allocation after construction.
 template <int D, int Listed = 16>
 class neighbour_list {
  public:
@@ -42,8 +42,8 @@ class neighbour_list {
   neighbour_list(std::size_t other_count, double scale) : others_(other_count, 0.0), scale_(scale) {}
 
   /// Calls look(item) for each item that the handle can have reached on its way to x: those and no others may
-  /// be touched. look returns the distance [m] that the handle may go from x without touching the item; 0 if
-  /// it touches it. For a finite x that is not idle.
+  /// be touched. The function look returns the distance [m] that the handle may go from x without touching
+  /// the item; 0 if the handle touches the item. For a finite x that is not idle.
   template <class Look>
   void visit(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
     const double step = (x - last_).norm();

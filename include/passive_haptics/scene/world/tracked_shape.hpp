@@ -14,7 +14,7 @@ namespace passive_haptics {
 ///
 /// Minimal complete definition:
 ///   - `static constexpr int dimension`;
-///   - `tracker`: what is remembered of one handle. Trivially copyable; a new one knows nothing;
+///   - `tracker`: what is remembered of one handle. Trivially copyable; a new one remembers nothing;
 ///   - `bounding_box<dimension> bounds() const`: a handle that touches nothing and stays outside will touch
 ///     nothing. One that has been stopped may be pushed out of it and still be held;
 ///   - `double follow(const point<dimension>& from, const point<dimension>& x, tracker& t, Add&& add) const`:

@@ -92,9 +92,9 @@ class world {
     previous_.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  /// Takes over what another world knows of the handle at the walls that both share (copies of one any_wall
-  /// under one number), so that it does not slip through them where a scene is exchanged. At other walls it
-  /// is seen for the first time.
+  /// Takes over what another world remembers of the handle at the walls that both share (copies of one
+  /// any_wall under one number), so that the handle does not slip through them where a scene is exchanged. At
+  /// other walls the handle is seen for the first time.
   void remember(const world& other) noexcept {
     const geometry &mine = *geometry_, &others = *other.geometry_;
     previous_ = other.previous_;

@@ -46,7 +46,7 @@ struct bang_bang_parameters {
 ///
 /// For any mechanism. Needs nothing but the state; at rest there is no direction, and all brakes are free: a
 /// hand that presses without moving along sinks. A hand that wants to leave is turned in, too. Of several
-/// contacts the one that asks for the largest force governs. Cost: E^T n.
+/// contacts the one that demands the largest force governs. Cost: E^T n.
 ///
 /// Reference: Divan, Fontanelli, Palopoli, Hybrid feedback path following for robotic walkers via bang-bang
 /// control actions, arXiv 1603.00295, 2016 (four actions of two brakes, far away a fixed angle of approach,
@@ -58,7 +58,7 @@ struct bang_bang_parameters {
 /// with a fixed radius as soon as it brakes. That proof does not reach a device with inertia and lag.
 struct bang_bang_control {
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
-  static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
+  static constexpr bool needs_torque_limit = true;  ///< As the capacity of a locked brake.
   static constexpr int most_contacts = 8;           ///< Walls that it remembers at once.
   static constexpr int max_brakes = 16;             ///< Of a device.
 

@@ -40,18 +40,18 @@ struct single_degree_of_freedom_parameters {
 ///
 /// The handle zigzags within the band. A hand that wants to leave the wall must follow the path, too.
 /// For m >= n = d >= 2: the more brakes, the more paths. In space the handle follows a surface, that of the
-/// one locked brake. Of several contacts the one that asks for the largest force governs. Needs the hand
+/// one locked brake. Of several contacts the one that demands the largest force governs. Needs the hand
 /// force (which way a brake at rest would turn); cost: E w, and for m > n one T^+.
 ///
 /// Reference: Swanson and Book, Obstacle avoidance methods for a passive haptic display, IEEE/ASME Int. Conf.
 /// on Advanced Intelligent Mechatronics, 2001, 1187-1192; the band: Sakaguchi, Furusho, Takesue, Passive
 /// force display using ER brakes and its control experiments, Virtual Reality 2001, 7-12. Both as the paper
-/// describes them. Assumed: the reference depth, the band's width, the flattest path among several, that a
-/// locked brake is told its torque limit, and for m > n which motion is left.
+/// describes them. Assumed: the reference depth, the band's width, the flattest path among several, that the
+/// capacity of a locked brake is its torque limit, and for m > n which motion is left.
 struct single_degree_of_freedom_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
-  static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
+  static constexpr bool needs_torque_limit = true;  ///< As the capacity of a locked brake.
   static constexpr int most_contacts = 8;           ///< Walls that it remembers at once.
 
   /// Of one wall.

@@ -43,7 +43,7 @@ struct velocity_ratio_parameters {
 ///     t_i = -s_i limit_i min(1, gain share_i).
 ///
 /// A brake cannot be sped up, so the whole device is slowed by its slowest brake. For as many brakes as
-/// joints. Of several contacts the one that asks for the largest force governs. Needs the hand force (which
+/// joints. Of several contacts the one that demands the largest force governs. Needs the hand force (which
 /// way a brake at rest would turn); cost: one orthogonal decomposition of d x m.
 ///
 /// Reference: Book, Charles, Davis, Gomes, The concept and implementation of a passive trajectory enhancing
@@ -54,7 +54,7 @@ struct velocity_ratio_parameters {
 struct velocity_ratio_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
-  static constexpr bool needs_torque_limit = true;  ///< A locked brake is told its limit.
+  static constexpr bool needs_torque_limit = true;  ///< As the capacity of a locked brake.
 
   velocity_ratio_parameters parameters = {};  ///< The constants.
 

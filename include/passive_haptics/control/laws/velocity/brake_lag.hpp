@@ -46,7 +46,7 @@ class brake_lag_model {
   /// What a brake makes [N m], as of the last advance().
   double torque(int brake) const { return torque_[static_cast<std::size_t>(brake)]; }
 
-  /// All brakes are told 0, as if since the last advance(): their time constants are not known here.
+  /// All brakes are released, as if since the last advance(): their time constants are not known here.
   void release() { command_.fill(0); }
 
  private:

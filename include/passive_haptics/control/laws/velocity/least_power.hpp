@@ -4,6 +4,7 @@
 
 #include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
+#include <passive_haptics/force/torques/torque_units.hpp>
 
 #include <algorithm>
 #include <array>
@@ -66,16 +67,18 @@ vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
 }
 
 /// Torques for several walls together: forces [N] as near to the wanted ones as may be, sum of squares, of
-/// these the least power. A wall that wants nothing is not left to the others' forces: coupled forces are met
-/// together. rows: Lambda_j g_j. Cost: core/linear/least_squares_by_priority.hpp, two
-/// levels.
-template <class T, int Brakes, int Walls>
+/// these the least power, and where brakes at rest need none, the least |t / u|. A wall of no demand is
+/// not left to the others' forces: coupled forces are met together. rows: Lambda_j g_j. u: units from
+/// torque_units_of. Cost: core/linear/least_squares_by_priority.hpp, two levels.
+template <class T, int Brakes, int Walls, class Units = equal_units>
 vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, const vector<T, Walls>& wanted,
-                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w) {
+                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,
+                                      const Units& u = Units()) {
   const vector<T, Brakes> one = range.sign.cwiseProduct(range.smallest),
                           other = range.sign.cwiseProduct(range.largest);
-  matrix<T, Brakes, Brakes> power = w.cwiseAbs().asDiagonal();
-  power.diagonal().array() += T(1e-3) * w.cwiseAbs().maxCoeff() + rounding_tolerance<T>(Brakes);
+  const vector<T, Brakes> per_torque = passive_haptics::parts_per_torque<T, Brakes>(u);
+  const T least = T(1e-3) * w.cwiseAbs().cwiseQuotient(per_torque).maxCoeff() + rounding_tolerance<T>(Brakes);
+  const matrix<T, Brakes, Brakes> power = (w.cwiseAbs() + least * per_torque).asDiagonal();
   return range.sign.cwiseProduct(least_squares_by_priority(
       vector<T, Brakes>(one.cwiseMin(other)), vector<T, Brakes>(one.cwiseMax(other)),
       least_squares_level{rows, wanted}, least_squares_level{power}));
@@ -83,9 +86,10 @@ vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, cons
 
 /// Torques for the first `count` of these walls, each with its `force` [N] and its response `along` the
 /// normal (acceleration_display.hpp). No wall holds a handle that leaves it: a force < 0 counts as none.
-template <class Wall, std::size_t Capacity, class T, int Brakes>
+template <class Wall, std::size_t Capacity, class T, int Brakes, class Units = equal_units>
 vector<T, Brakes> least_power_torques(const std::array<Wall, Capacity>& walls, int count,
-                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w) {
+                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,
+                                      const Units& u = Units()) {
   constexpr int capacity = static_cast<int>(Capacity);
   matrix<T, capacity, Brakes> rows = matrix<T, capacity, Brakes>::Zero();
   vector<T, capacity> wanted = vector<T, capacity>::Zero();
@@ -95,7 +99,7 @@ vector<T, Brakes> least_power_torques(const std::array<Wall, Capacity>& walls, i
     wanted[j] = std::max(wall.force, T(0));
   }
   if (!(wanted.array() > T(0)).any()) return range.smallest;
-  return least_power_torques<T, Brakes, capacity>(rows, wanted, range, w);
+  return least_power_torques<T, Brakes, capacity>(rows, wanted, range, w, u);
 }
 
 }  // namespace passive_haptics

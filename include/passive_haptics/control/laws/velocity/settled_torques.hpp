@@ -75,7 +75,7 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
 }
 
 /// Normal force [N] that keeps a handle at rest: against the hand's force Fh, and against gravity as far as
-/// the response along the normal has it, which knows a share of Fh.
+/// the response along the normal contains it. That response contains a share of Fh, too.
 template <class T, int D, int Brakes>
 T holding_force(const normal_response<T, D, Brakes>& along, const vector<T, D>& Fh, T share) {
   return -along.normal.dot(Fh) - along.inertia * (along.free - along.per_newton.dot(share * Fh));

@@ -73,13 +73,13 @@ T within_interval(T strength, [[maybe_unused]] const B& brakes, [[maybe_unused]]
   }
 }
 
-/// The reach of all brakes. w: their rates once the handle keeps its depth; they tell the signs, as rates now
-/// may be those of a landing. A brake at rest is counted for at most twice what holds it, and for nothing
-/// where it would hold the other way.
+/// The reach of all brakes. w: their rates once the handle keeps its depth. The signs are taken from w, not
+/// from the rates now, which may be those of a landing. A brake at rest contributes at most twice its holding
+/// torque, and nothing if that torque has the wrong sign.
 ///
 /// g: of the wall where there is one alone; a brake whose rate now pushes the handle out of it is taken so
-/// even if that will not last. Null for several walls, where the rates now tell the signs of brakes that
-/// turn.
+/// even if that will not last. Null for several walls, where the rates now decide the signs of brakes
+/// that turn.
 template <class M, class Device>
 torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
     const Device& device, const pose_dynamics<M>& dynamics, const brake_vector<M>& w,

@@ -23,15 +23,15 @@ namespace passive_haptics {
 /// Direct control that keeps the handle at a small depth in each wall, by a normal force f of the brakes that
 /// is mostly learned: the measured hand force, the brakes' gains and the inertia need not be right.
 ///
-///     f   = f_ff + b + Lambda_n (v_ref - n . v) / tau_v                              what the wall wants [N]
+///     f   = f_ff + b + Lambda_n (v_ref - n . v) / tau_v                              demand of the wall [N]
 ///     f_ff = -Lambda_n (v^T H v + n . a_0)                                           fed forward
 ///     v_ref = clip(k_d (depth - d_ref), +-v_max),
 ///     db/dt = Lambda_n (v_ref - n . v) / (tau_v tau_i)                               the bias
 ///
-/// with H the curvature of the wall, a_0 the acceleration without brakes under the share phi of the measured
-/// hand force (more of it would feed the hand's own mass back and throw it off), Lambda_n the inertia
-/// along n of the device and of a hand m_h on its handle. The brakes make f as nearly as they can, with the
-/// least power, and nothing where it would have to push the handle in. Their lag is inverted over a horizon.
+/// H is the curvature of the wall, Lambda_n the inertia along n of the device and of a hand m_h on its
+/// handle; a_0 is the acceleration without brakes under the share phi of the measured hand force. More of
+/// that force would feed the hand's own mass back. The brakes make f as nearly as they can, with the least
+/// power, and nothing where it would have to push the handle in. Their lag is inverted over a horizon.
 ///
 /// **Brakes that come to rest.** In steady sliding the torque that cancels the push is the torque that
 /// sticks. A brake that sticks holds, whatever its command: then b does not grow, and while the handle leaves
@@ -117,11 +117,11 @@ class velocity_direct_control {
     const bool alone = touched.size() == 1;
     const auto brakes = passive_haptics::torque_ranges_of(
         device, dynamics, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
+    const auto u = passive_haptics::torque_units_of<M>(brake_vector<M>(-brakes.sign), device.brakes);
     brake_vector<M> t = alone ? least_power_torques<T, m>(walls[0].along.g,
                                                           walls[0].force / walls[0].along.inertia, brakes, w)
-                              : least_power_torques(walls, touched.size(), brakes, w);
+                              : least_power_torques(walls, touched.size(), brakes, w, u);
     for (int j = 0; j < touched.size(); ++j) learn(walls[std::size_t(j)], brakes, t, dt);
-
     const bool sinks = alone && walls[0].speed_error > T(0);
     for (int i = 0; i < m; ++i)
       if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
@@ -136,7 +136,7 @@ class velocity_direct_control {
   }
 
  private:
-  // What a wall wants of the brakes.
+  // What a wall demands of the brakes.
   template <class T, int D, int Brakes>
   struct wall_demand {
     normal_response<T, D, Brakes> along;
