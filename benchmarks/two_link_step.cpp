@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
   };
   for (const situation& where : situations) {
     if (!agree(where, "by hand", hand) || !agree(where, "lanes", in_lanes) || !agree(where, "partial LU", lu))
-      return 1;  // damping changes the answer
+      return 1;  // damping changes the torques
     add_row("library", where, [control = make_controller()](const ph::device_state<arm>& s) mutable {
       return control.command(s);
     });

@@ -35,7 +35,7 @@ struct counting_ball {
   ph::point<3> gradient(const ph::point<3>& x) const { return ball.gradient(x); }
   ph::bounding_box<3> bounds() const { return ball.bounds(); }  // so that far ones are skipped
   ph::ball<3> ball;
-  long* asked;
+  long* looks;
 };
 
 ph::point<3> anywhere(std::mt19937_64& random) {

@@ -308,7 +308,7 @@ void wide_devices(page_tables& page) {
   std::printf(
       "\nWide devices under velocity_direct_control, seed %llu, limits and rise times as in the data "
       "sheet\n\n%s"
-      "\nThe same with believed lag x 0.3 to 3 and believed inertia x 0.5 to 2\n\n%s",
+      "\nWide devices with believed lag x 0.3 to 3 and believed inertia x 0.5 to 2\n\n%s",
       static_cast<unsigned long long>(seed), page["wide_devices"].c_str(), page["wide_beliefs"].c_str());
   std::fflush(stdout);
 }

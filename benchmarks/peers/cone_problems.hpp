@@ -24,7 +24,7 @@ inline constexpr std::size_t cone_problem_count = 16384;
 template <int N>
 const std::vector<cone_problem<N>>& cone_problems();
 
-// Worst violation of a half-space b.p / (|b| |f|), worst distance from the answer in 50 digits; throws
+// Worst violation of a half-space b.p / (|b| |f|), worst distance from the solution in 50 digits; throws
 // std::runtime_error if that distance is above the tolerance.
 template <int N>
 errors check_cone_answers(const std::vector<ph::vector<double, N>>& answers, double tolerance);

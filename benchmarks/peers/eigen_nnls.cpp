@@ -1,5 +1,5 @@
 // Eigen's non-negative least squares, which came after 3.4: mu = argmin |B mu - f|, mu >= 0; the residual is
-// the answer.
+// the nearest point.
 #include "cone_problems.hpp"
 
 #include <unsupported/Eigen/NNLS>

@@ -20,7 +20,7 @@ struct library {
   ph::vector<double, N> solve(const problem& p) { return ph::project_onto_half_spaces(p.B, p.f).point; }
 };
 
-// The half-spaces that hold back the answer are known from the problem before: here from the same one.
+// The half-spaces that hold back the solution are known from the problem before: here from the same one.
 template <int N>
 struct warm {
   struct problem : cone_problem<N> {

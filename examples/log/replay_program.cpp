@@ -19,7 +19,7 @@ replay_options parse(int argc, char** argv, const std::vector<std::string>& mech
   command_line line("replay",
                     "Reads a log (docs/guide/log.md), runs each line through a control law beside a virtual "
                     "wall, and writes\n"
-                    "what would have been commanded to replay.csv.");
+                    "the commands to the brakes to replay.csv.");
   line.text("--input", chosen.input, "FILE",
             has_made_up ? "the log; without it a short one of the tendon device, made up here" : "the log");
   line.choice("--mechanism", chosen.mechanism, mechanisms, "whose log it is");

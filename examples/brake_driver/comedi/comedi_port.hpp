@@ -22,7 +22,7 @@ namespace ph = passive_haptics;
 ///
 /// A counter wraps after 2^counter_bits() counts, which the reader undoes (encoder_limits::counter_bits).
 /// For a threaded_port: read and write are one system call each (ioctl), which waits for the card's driver,
-/// microseconds on PCI, up to milliseconds on USB, a second where a card does not answer, and for a release
+/// microseconds on PCI, up to milliseconds on USB, a second where a card does not respond, and for a release
 /// by the supervisor. The loop cannot wait for it, as it touches memory alone. An analog output keeps its
 /// voltage when the program dies: run a supervisor.
 template <int Encoders, int Brakes>

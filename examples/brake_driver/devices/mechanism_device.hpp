@@ -12,7 +12,7 @@ namespace example {
 
 template <class M, class Law>
 class mechanism_device final : public haptic_device {
-  // One wall at a time for a law that knows no more
+  // One wall at a time for a law that handles no more
   using walls = ph::world<2, ph::saturates_before_scaling<Law> ? 1 : 3>;
 
  public:

@@ -44,7 +44,7 @@ struct record {
   bool needs_homing = false;                 ///< Whether they stay so until the program starts again.
   ph::fault_record held_over;                ///< What is wrong with the last samples.
   pair q = unknown_pair, qd = unknown_pair;  ///< [rad or m], and of it a second; known once it is homed.
-  pair x = unknown_pair;                     ///< Handle [m].
+  pair x = unknown_pair;                     ///< Handle [m]; known once the device is homed.
   pair hand_force = unknown_pair;            ///< [N]; known once the sensor is tared.
   decision_record decision;
   bool was_asked = false;        ///< Whether there is a decision.

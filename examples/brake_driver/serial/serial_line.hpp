@@ -149,7 +149,7 @@ class serial_line {
     }
   }
 
-  // TIOCEXCL is for programs that know of no lock, and nothing to root; flock ends with its process
+  // TIOCEXCL is for programs without this lock, and nothing to root; flock ends with its process
   std::string lock(use u) {
     if (flock(fd_.get(), (u == use::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0) return refusal(errno);
     if (u == use::beside) flock(fd_.get(), LOCK_UN);

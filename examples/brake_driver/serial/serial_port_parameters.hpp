@@ -13,7 +13,7 @@ namespace example {
 struct serial_port_parameters {
   std::string device = "/dev/ttyACM0";  ///< A name under /dev/serial/by-id stays the same at another socket.
   int baud = 1'000'000;                 ///< [bit/s]; USB boards without a UART ignore it.
-  double open_timeout = 3;  ///< For an answer [s]; boards that opening the port resets take 2 s to start.
+  double open_timeout = 3;  ///< For a hello [s]; boards that opening the port resets take 2 s to start.
   /// For a supervisor: open() neither requests nor releases nor reads, so the process that drives the device
   /// notices nothing; it may write. It comes before that of the port that drives it, which is refused to all
   /// who come later.
@@ -27,7 +27,7 @@ struct serial_port_parameters {
         member("device", &p::device), member("baud", &p::baud, "bit/s"),
         member("open_timeout", &p::open_timeout, "s", range::positive).suspicious_above(600));
   }
-  /// It has a device, at a rate that serial ports know.
+  /// It has a device, at a rate that serial ports have.
   std::string rules() const {
     if (device.empty()) return "device is empty, expected the file of a serial port, as /dev/ttyACM0";
     return check_baud("baud [bit/s]", baud);
