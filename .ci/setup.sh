@@ -46,7 +46,7 @@ present() {
     wine64) [[ -x /usr/lib/wine/wine64 ]] || command -v wine64 >/dev/null ;;
     emscripten) command -v em++ >/dev/null ;;
     nodejs) command -v node >/dev/null ;;
-    libc++*-dev) found_by_dpkg "$1" ;;
+    libc++*-dev | doxygen-awesome-css | libjs-katex | fonts-katex) found_by_dpkg "$1" ;;
     clang) command -v clang++ >/dev/null ;;
     llvm) command -v llvm-cov >/dev/null ;;
     libclang-rt-dev) echo 'int main() {}' | clang++ -fsanitize=address -x c++ - -o /dev/null 2>/dev/null ;;
