@@ -131,7 +131,8 @@ void expect_the_cycle_of_brakes_without(const M& mechanism, const ph::vector<dou
   const ph::switchable_brakes<M> all_on = plain;
   const auto x = mechanism.position(q0);
   const auto walls = ph::scene(ph::wall(ph::half_space<2>(x + ph::point<2>(0, 1e-3), {0.6, 0.8}), 1e4));
-  ph::controller one(mechanism, plain, walls, L()), other(mechanism, all_on, walls, L());
+  ph::controller one(mechanism, plain, walls, L());
+  ph::controller other(mechanism, all_on, walls, L());
   for (int k = 0; k < 200; ++k) {
     const ph::device_state<M> state{1e-3 * k, q0, random.normal_vector<double, 2>(),
                                     random.normal_vector<double, 2>()};
