@@ -30,25 +30,30 @@ struct device_state_at_rest : device_state<M> {
 /// The brakes that slip make what their lag has made of the capacities so far. Pure apart from the memory of
 /// it; never throws or allocates. Errors: 0 for each brake where the state, the capacities or the pose is not
 /// finite. Cost: some 20 instructions a brake where none is at rest, else that of exact_hand_torque.
-template <class M>
+///
+/// B: any brakes with a rate_dead_band; without a time_constant they make a capacity at once.
+template <class M, class B = brakes_of<M>>
 class torques_at_rest {
   static_assert(mechanism_requirements<M>::met);
+  static_assert(brake_requirements<B, M>::met);
   static_assert(Dynamics<M>,
                 "passive_haptics: torques_at_rest needs a mechanism that models Dynamics "
                 "(mechanism/dynamics.hpp).");
 
  public:
-  /// Throws std::invalid_argument with the text of validate(brakes).
-  torques_at_rest(M mechanism, const brakes_of<M>& brakes)
-      : mechanism_(std::move(mechanism)), brakes_(require_valid(brakes)) {}
+  /// Throws std::invalid_argument with the text of check_brakes(brakes).
+  torques_at_rest(M mechanism, const B& brakes) : mechanism_(std::move(mechanism)), brakes_(brakes) {
+    require_no_error(passive_haptics::check_brakes(brakes));
+  }
 
   /// The state now with th. capacity: what the brakes were commanded [N m] since the state before; 0 for the
   /// first.
   device_state_at_rest<M> update(const device_state<M>& state, const brake_vector<M>& capacity) noexcept {
     device_state_at_rest<M> now{state};
     if (!all_finite(state.q, state.qd, state.hand_force, state.time, capacity)) return now;
-    for (int i = 0; i < M::brake_count; ++i) (void)lag_.command(i, capacity[i], brakes_.torque_limit[i]);
-    lag_.advance(state.time, brakes_.time_constant);
+    for (int i = 0; i < M::brake_count; ++i)
+      (void)lag_.command(i, capacity[i], torque_limit_of<typename M::scalar>(brakes_, i));
+    lag_.advance(state.time, time_constants());
     const mechanism_pose<M> pose(mechanism_, state.q);
     const brake_vector<M> w = pose.brake_rates(state.qd);
     if (!any_sticks(w, brakes_)) return now;
@@ -63,8 +68,13 @@ class torques_at_rest {
   void reset() { lag_ = {}; }
 
  private:
+  brake_vector<M> time_constants() const {
+    if constexpr (LaggingBrakes<B, typename M::scalar, M::brake_count>) return brakes_.time_constant;
+    else return brake_vector<M>::Zero();
+  }
+
   M mechanism_;
-  brakes_of<M> brakes_;
+  B brakes_;
   brake_lag_model lag_;
 };
 
