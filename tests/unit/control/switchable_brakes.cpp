@@ -229,7 +229,7 @@ TEST(switchable_brakes, that_are_off_are_left_out_of_the_cone_not_of_the_command
   ph::testing::random_source random(11);
   ph::switchable_brakes<planar> brakes;
   brakes.switch_off(1);
-  int alone = 0, told = 0, inward_when_cut = 0;
+  int alone = 0, commanded = 0, inward_when_cut = 0;
   for (int k = 0; k < 2000; ++k) {
     const ph::vector<double, 2> q(random.uniform(-3.0, 3.0), random.uniform(0.4, 2.7));
     const ph::point<2> n = random.direction<double, 2>();
@@ -244,11 +244,11 @@ TEST(switchable_brakes, that_are_off_are_left_out_of_the_cone_not_of_the_command
     ASSERT_GE((G * result.torque).dot(n), 0.0);
     const bool can = -result.signs[0] * G.col(0).dot(n) > 0.02 * G.col(0).norm();
     alone += can ? 1 : 0;
-    told += can && result.capacity[0] > 0 ? 1 : 0;
+    commanded += can && result.capacity[0] > 0 ? 1 : 0;
     const auto both = ph::step(arm, ph::brakes_of<planar>(), touched, ph::no_direct_control(), state, memory);
     inward_when_cut += (G.col(0) * both.torque[0]).dot(n) < 0 ? 1 : 0;
   }
-  EXPECT_EQ(told, alone);
+  EXPECT_EQ(commanded, alone);
   EXPECT_GT(alone, 500);
   EXPECT_GT(inward_when_cut, 50) << "a cut after the projection would pull in";
 }

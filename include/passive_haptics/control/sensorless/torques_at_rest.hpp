@@ -14,7 +14,8 @@ namespace passive_haptics {
 /// A device_state whose brakes at rest are known to be pushed by certain torques.
 template <class M>
 struct device_state_at_rest : device_state<M> {
-  /// What the hand, gravity and the other brakes do to each brake at rest [N m]. That of others is not read.
+  /// What the hand, gravity and the other brakes do to each brake at rest [N m or N]. That of others is not
+  /// read.
   brake_vector<M> hand_torque = brake_vector<M>::Zero();
 };
 
@@ -46,7 +47,7 @@ class torques_at_rest {
     require_no_error(passive_haptics::check_brakes(brakes));
   }
 
-  /// The state now with th. capacity: what the brakes were commanded [N m] since the state before; 0 for the
+  /// The state now with th. capacity: what was commanded [N m] since the state before; 0 for the
   /// first.
   device_state_at_rest<M> update(const device_state<M>& state, const brake_vector<M>& capacity) noexcept {
     device_state_at_rest<M> now{state};
