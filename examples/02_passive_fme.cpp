@@ -56,7 +56,7 @@ int main(int argc, char** argv) try {
   arrows << "# Fd x [N], Fd y [N], Fc x [N], Fc y [N], name of Fd, name of Fc where it is not Fd\n";
   const double min_cosine = ph::step_options<double>().min_cosine;
   int arrow = 0;
-  for (const force& Fd : {force(-0.5, 1), force(0.5, 1), force(0.5, -1), force(-1, -0.1)}) {
+  for (const force& Fd : {force(-0.5, 1), force(0.5, 1), force(0.5, -1), force(-0.5, -0.05)}) {
     const force n = Fd.normalized();
     const ph::brake_vector<device> t = ph::brake_torque(E, n);
     const auto shown = ph::approximate(E, s, n, min_cosine);
@@ -78,7 +78,7 @@ int main(int argc, char** argv) try {
       "F.v > 0\".\n"
       "What decides is its direction: it makes an angle of more than 90 deg with every force of the passive "
       "FME, so the\n"
-      "nearest producible force is 0. The last row is active too, F.v = 0.1 W, yet it lies within 90 deg of "
+      "nearest producible force is 0. The last row is active too, F.v = 0.05 W, yet it lies within 90 deg of "
       "R1+ and is\n"
       "displayed approximately. So power and display are two questions; direct control lives where the first "
       "says\n"
@@ -101,6 +101,7 @@ set ylabel 'Fy [N]'
 unset key
 set xrange [-1.8:1.8]
 set yrange [-1.8:1.8]
+beyond(coordinate, x, y) = coordinate * (1 + 0.22 / sqrt(x*x + y*y + 1e-9))  # the head of an arrow
 color(k) = word('#cc79a7 #009e73 #56b4e9 #e69f00', k)
 set title "All forces that two brakes of 1 N m can make,\nby the directions in which the brakes turn"
 set label 1 'FME 1' at -1.1, -0.9 tc rgb '#a04a7c'
@@ -116,8 +117,8 @@ set label 6 'v' at 0.1, -0.45 tc rgb '#1f6f9f'
 plot 'passive_fme_outlines.csv' index 1 using 2:3 with filledcurves closed fs solid 0.4 lc rgb '#009e73', \
      'passive_fme_forces.csv' using (0):(0):3:4 with vectors filled head size 0.12,20 lw 5 lc rgb '#d55e00', \
      'passive_fme_forces.csv' using (0):(0):1:2 with vectors filled head size 0.1,20 lw 1.5 lc rgb '#222222', \
-     'passive_fme_forces.csv' using ($1*1.2):($2*1.15):5 with labels tc rgb '#222222', \
-     'passive_fme_forces.csv' using ($3*1.15+0.15):($4*1.12):6 with labels tc rgb '#b04400', \
+     'passive_fme_forces.csv' using (beyond($1, $1, $2)):(beyond($2, $1, $2)):5 with labels tc rgb '#222222', \
+     'passive_fme_forces.csv' using (beyond($3, $3, $4)):(beyond($4, $3, $4)):6 with labels offset 0,0.6 tc rgb '#b04400', \
      '+' using (0):(0):(0):(-0.6) every ::0::0 with vectors filled head size 0.12,20 lw 4 lc rgb '#56b4e9'
 unset multiplot
 )gnuplot");

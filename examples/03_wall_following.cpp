@@ -120,10 +120,10 @@ set object 1 rectangle from graph 0, first 0 to graph 1, graph 0 behind fc rgb '
 set label 1 'outside of the wall' at 60, -2.3 tc rgb '#555555'
 set label 2 'inside' at 60, 0.8 tc rgb '#555555'
 set label 3 'without direct control: it bounces' at 110, -2.3 tc rgb '#b04400'
-set label 4 'under velocity_direct_control: it glides' at 110, 3.4 tc rgb '#005a8c'
+set label 4 'under velocity_direct_control: it glides' at 110, 3.4 tc rgb '#00694d'
 plot 0 lc rgb '#555555' lw 1 notitle, \
      none every 5 using (1e3*column('x')):(1e3*column('depth')) with lines lw 1.8 lc rgb '#d55e00' notitle, \
-     glides every 5 using (1e3*column('x')):(1e3*column('depth')) with lines lw 2.5 lc rgb '#0072b2' notitle
+     glides every 5 using (1e3*column('x')):(1e3*column('depth')) with lines lw 2.5 lc rgb '#009e73' notitle
 )gnuplot";
 }
 
@@ -133,15 +133,16 @@ std::string plot_script(const std::string& name, double environment_rate) {
          << "set datafile separator ','\n"
          << "none = '" << name << "_no_direct_control.csv'\ndirect = '" << name
          << "_saturated_direct_control.csv'\nvelocity = '" << name << "_velocity_direct_control.csv'\n"
-         << "set multiplot layout 5,1 margins 0.105,0.97,0.06,0.92 spacing 0.03 title 'Along the wall y = "
-            "0.225 m, environment at "
-         << environment_rate << " Hz'\n"
+         << "set multiplot layout 5,1 margins 0.105,0.97,0.06,0.92 spacing 0.03 title 'Along the wall, "
+            "environment at "
+         << environment_rate
+         << " Hz: without direct control brake 2 sticks and slips, and the hand bounces'\n"
          << R"gnuplot(set grid lc rgb '#dddddd'
 set xrange [0.04:0.175]
 set style data lines
 set datafile columnheaders
 set style line 1 lw 1.2 lc rgb '#d55e00'
-set style line 2 lw 1.5 lc rgb '#0072b2'
+set style line 2 lw 1.5 lc rgb '#cc79a7'
 set style line 3 lw 1.5 lc rgb '#009e73'
 set key at screen 0.48,screen 0.957 center center maxrows 1
 set ytics nomirror
@@ -154,7 +155,7 @@ set yrange [*:*] reverse
 eval "plot 0 lc rgb '#999999' dt 2 notitle, ".all("1e3*column('depth')")
 unset key
 set yrange [*:*] noreverse
-set ylabel 'brake 2 [rad/s]'
+set ylabel 'rate of brake 2 [rad/s]'
 eval "plot ".all("column('w2')")
 set ylabel 'Fh into wall [N]'
 eval "plot ".all("column('true_Fh_y')")
@@ -162,8 +163,8 @@ set ylabel 'Fh along wall [N]'
 eval "plot ".all("column('true_Fh_x')")
 set xlabel 'x [m]'
 set format x '%.2f'
-set ylabel 'capacity 2 [N m]'
-eval "plot ".all("column('capacity2')")
+set ylabel 'torque of brake 2 [N m]'
+eval "plot ".all("abs(column('brake_torque2'))")
 unset multiplot
 )gnuplot";
   return script.str();

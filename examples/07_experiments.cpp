@@ -128,7 +128,8 @@ void draw_figures(const std::filesystem::path& directory) {
     });
   };
   const auto draw = [&](const char* name, const char* title, const named_wall& wall, double rate) {
-    draw_figure(directory, name, title, wall.wall, runs_along(wall, rate));
+    draw_figure(directory, name, std::string(title) + ": a smooth line glides, a zigzag bounces", wall.wall,
+                runs_along(wall, rate));
   };
   draw("figure_8", "Fig. 8: planar wall, environment at 1 kHz", planar, 1000);
   draw("figure_9", "Fig. 9: planar wall, environment at 20 Hz", planar, 20);

@@ -58,9 +58,11 @@ inline constexpr int area_width = 12;
 inline constexpr const char* wall_colour = "#e6e6e6";
 inline std::string legend(const std::vector<entry>& entries, double height, double left = 0.08) {
   std::ostringstream script;
-  const double width = (1 - left) / static_cast<double>(entries.size());
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    const double x = left + width * static_cast<double>(k);
+  double letters = 0;
+  const auto width = [](const entry& e) { return 8 + static_cast<double>(e.name.size()); };  // with its line
+  for (const entry& e : entries) letters += width(e);
+  double x = left;
+  for (std::size_t k = 0; k < entries.size(); x += (1 - left) * width(entries[k]) / letters, ++k) {
     script << "set arrow " << 100 + k << " nohead from screen " << x << "," << height << " to screen "
            << x + 0.025 << "," << height << " lw " << entries[k].width << " dt " << entries[k].dashes
            << " lc rgb '" << entries[k].colour << "'\nset label " << 100 + k << " " << quoted(entries[k].name)

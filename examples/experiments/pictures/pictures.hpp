@@ -17,8 +17,8 @@ struct named_run {
   run_result run;
 };
 
-// The layout of Figs. 8 to 10: path, depth, brake rates, hand force, alpha and commanded capacities along the
-// wall.
+// The layout of Figs. 8 to 10: path, depth, hand force, rate of brake 2, torques of both brakes and alpha
+// along the wall.
 void draw_figure(const std::filesystem::path& directory, const std::string& name, const std::string& title,
                  const test_wall& wall, const std::vector<named_run>& runs);
 

@@ -53,24 +53,26 @@ void draw_penetration(const std::filesystem::path& directory, const std::vector<
     by_lag.curves.push_back(over_lag);
     by_approach.curves.push_back(over_approach);
   }
-  draw_panels(directory,
-              {.name = "penetration",
-               .title = "Penetration at the first contact (section 5.2)",
-               .columns = 2,
-               .width = 1000,
-               .style = line_style::points_on_lines,
-               .settings = "set yrange [0:*]\nset xrange [0:*]\nset offsets 0,graph 0.04,graph 0.06,0\n",
-               .all = {by_lag, by_approach}});
+  draw_panels(
+      directory,
+      {.name = "penetration",
+       .title = "The first contact (section 5.2): without direct control the depth grows with lag and speed",
+       .columns = 2,
+       .width = 1000,
+       .style = line_style::points_on_lines,
+       .settings = "set yrange [0:*]\nset xrange [0:*]\nset offsets 0,graph 0.04,graph 0.06,0\n",
+       .all = {by_lag, by_approach}});
 }
 
 void draw_slants(const std::filesystem::path& directory, const std::vector<slant_row>& rows) {
-  panels p{.name = "slants",
-           .title = "Conclusion 1: XY table along a slanted wall (less than 0.0001 mm is drawn at 0.0001 mm)",
-           .columns = 4,
-           .style = line_style::points_on_lines,
-           .log_y = true,
-           .common_y = true,
-           .settings = "set xtics 10\nset xrange [-4:34]\n"};
+  panels p{
+      .name = "slants",
+      .title = "Conclusion 1: along a slanted wall an XY table bounces, most with delay (0.0001 mm: or less)",
+      .columns = 4,
+      .style = line_style::points_on_lines,
+      .log_y = true,
+      .common_y = true,
+      .settings = "set xtics 10\nset xrange [-4:34]\n"};
   for (const std::string& cell : style::distinct(rows, [](const slant_row& r) { return r.cell; })) {
     panel one{cell, "slant of the wall [deg]", "depth range [mm]", {}};
     for (const std::string& law : style::distinct(rows, law_of)) {
@@ -89,13 +91,14 @@ void draw_slants(const std::filesystem::path& directory, const std::vector<slant
 }
 
 void draw_batch(const std::filesystem::path& directory, const std::vector<batch_row>& rows) {
-  panels p{.name = "batch",
-           .title = "Random plants: how smoothly each law follows the wall",
-           .row_height = 360,
-           .style = line_style::steps,
-           .log_x = true,
-           .common_x = true,
-           .settings = "set yrange [0:1]\n"};
+  panels p{
+      .name = "batch",
+      .title = "Random devices: the further to the left a curve is, the smoother the law follows the wall",
+      .row_height = 360,
+      .style = line_style::steps,
+      .log_x = true,
+      .common_x = true,
+      .settings = "set yrange [0:1]\n"};
   for (const std::string& setting : style::distinct(rows, [](const batch_row& r) { return r.setting; })) {
     panel one{setting, "standard deviation of depth [mm]", "share of plants below [1]", {}};
     for (const batch_row& r : rows) {
@@ -123,12 +126,17 @@ void draw_batch(const std::filesystem::path& directory, const std::vector<batch_
 
 void draw_in_space(const std::filesystem::path& directory, const std::vector<space_row>& rows) {
   const auto walls = style::distinct(rows, [](const space_row& r) { return r.wall; });
-  panels p{.name = "in_space",
-           .title = "Devices of three degrees of freedom: depth in the wall, > 0 inside",
-           .columns = static_cast<int>(std::max<std::size_t>(1, walls.size())),
-           .width = 100 + 290 * static_cast<int>(std::max<std::size_t>(2, walls.size())),
-           .row_height = 240,
-           .settings = "set offsets 0,0,graph 0.05,graph 0.05\n"};
+  panels p{
+      .name = "in_space",
+      .title =
+          "Three degrees of freedom: how deep the hand is in the wall. A level line glides, a zigzag bounces",
+      .columns = static_cast<int>(std::max<std::size_t>(1, walls.size())),
+      .width = 100 + 290 * static_cast<int>(std::max<std::size_t>(2, walls.size())),
+      .row_height = 240,
+      .settings =
+          "set yrange [*:*] reverse\nset offsets 0,0,graph 0.05,graph 0.05\n"
+          "set object 1 rectangle from graph 0, first 0 to graph 1, graph 0 behind fc rgb '#eeeeee' "
+          "fs noborder\n"};
   for (const std::string& device : style::distinct(rows, [](const space_row& r) { return r.device; })) {
     for (const std::string& wall : walls) {
       panel one{device + ", " + wall, "path length [mm]", "depth [mm]", {}};
