@@ -33,7 +33,8 @@ struct scaled_vector {
 // Whether the brakes can make the displayed force F, to rounding. One contact: s_i (E^T F)_i <= 0 relative to
 // |E_i| |F|; as the projection Fp is feasible to rounding of n, Fc = Fp / cos^2 is to rounding of |Fc| / cos.
 // Several contacts: relative to the terms of F = G t, which grow with the condition of J, and to the torque
-// limits, up to which the search for the best torques may go. In generator form F = G t.
+// limits, up to which the search for the best torques may go. In generator form F = G t, where Fp = Fc cos^2
+// has the rounding of the terms of Fp, so Fc that of |Fc| / cos, too.
 template <class M>
 bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const ph::joint_vector<M>& q,
                        bool projected, const ph::step_result<M>& result) {
@@ -62,7 +63,8 @@ bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const
     const scaled_vector<T, m> t(result.cone_coefficients);
     const ph::vector<T, d> left = F.unit - G * (t.unit * (t.size / F.size));
     const T terms = (G.cwiseAbs() * t.unit.cwiseAbs()).norm() * (t.size / F.size) + T(1);
-    return !(left.norm() > (F.rounding(tolerance) + t.rounding(tolerance)) * terms);
+    const T cosine = projected ? result.approximation_cosine : T(1);
+    return !(left.norm() * cosine > (F.rounding(tolerance) + t.rounding(tolerance)) * terms);
   } else {
     const ph::matrix<T, d, m> E(ph::brake_jacobian(mechanism, q));
     T terms = T(0);

@@ -189,10 +189,10 @@ struct several_walls {
     if (!is_whole(done))
       find_force(F, {}, done.map, passive_haptics::unbounded_torque_box_of(done.signs, device.brakes),
                  passive_haptics::torque_units_of<M>(done.signs, device.brakes));
-    if (!displays_by_generators<M> && !is_in_cone(device, done.signs, F.force)) {
+    if (!displays_by_generators<M> && !is_in_cone(device, done, F)) {
       F = done.Fc_scaled;
     } else {
-      const T size = F.force.norm(), tolerance = rounding_tolerance<T>(m + capacity) * size;
+      const T tolerance = rounding_tolerance<T>(m + capacity) * terms_of(done.map, F);
       bool met = true;
       for (int j = 0; j < touched.size(); ++j) {
         const auto wanted = Fd(j);
@@ -200,7 +200,7 @@ struct several_walls {
           met = met && std::abs(wanted.magnitude - wanted.direction.dot(F.force)) <= tolerance;
       }
       if (met) F.display = display_class::exact;
-      else if (!(size > T(0))) F.display = display_class::none;
+      else if (F.force.isZero(T(0))) F.display = display_class::none;
     }
     F.cosine_squared = cosine_squared(F.force, n);
     return F;
@@ -217,16 +217,21 @@ struct several_walls {
     return whole;
   }
 
-  // Whether brakes of these signs can make the force, to rounding: s_i t_i <= 0 for t = E^T F, 0 where off
+  // Size of what adds up to F = G t [N]: that of its rounding, which grows with the condition of G
+  static T terms_of(const force_map<T, d, m>& map, const force& F) {
+    return (map.G.cwiseAbs() * F.torque.cwiseAbs()).norm();
+  }
+
+  // Whether brakes of these signs can make F, to rounding: s_i t_i <= 0 for t = E^T F, 0 where off
   template <class Device>
-  static bool is_in_cone(const Device& device, const vector<T, m>& signs, const vector<T, d>& F) {
+  static bool is_in_cone(const Device& device, const steps& done, const force& F) {
     const matrix<T, d, m> E(device.E);
-    const vector<T, m> t = E.transpose() * F;
-    const T tolerance = rounding_tolerance<T>(1) * F.norm();
-    const auto off = passive_haptics::brakes_off(signs, device.brakes);
+    const vector<T, m> t = E.transpose() * F.force;
+    const T tolerance = rounding_tolerance<T>(1) * terms_of(done.map, F);
+    const auto off = passive_haptics::brakes_off(done.signs, device.brakes);
     bool all = true;
     for (int i = 0; i < m; ++i) {
-      const T beyond = detail::is_off(off, i) ? std::abs(t[i]) : signs[i] * t[i];
+      const T beyond = detail::is_off(off, i) ? std::abs(t[i]) : done.signs[i] * t[i];
       all = all && beyond <= tolerance * E.col(i).norm();
     }
     return all;

@@ -137,18 +137,23 @@ struct torques_of_law {
   // can be observed. Exact where it is Fd, approximate where it has a component along Fd
   template <class Device>
   void find_force(force_of_brakes<M>& F, const Device& device, const law_memory<L>& memory) const {
+    T terms = Fd.magnitude;  // size of what adds up to F [N]: that of its rounding
     if constexpr (Settles<M>) {
       approximation_start start;
       if constexpr (requires { memory.start; }) start = memory.start;
       F = display_form<M>::made_by(device, Fd, F.torque, start);
     } else {
-      F.force = passive_haptics::force_map_of(device.pose, device.E).G * F.torque;
+      const matrix<T, d, m> G = passive_haptics::force_map_of(device.pose, device.E).G;
+      F.force = G * F.torque;
+      const matrix<T, d, m> E(device.E);
+      const vector<T, m> balance = Fd.magnitude * (E.cwiseAbs().transpose() * Fd.direction.cwiseAbs());
+      terms = (G.cwiseAbs() * (balance + F.torque.cwiseAbs())).norm();
     }
     F.cosine_squared = cosine_squared(F.force, Fd.direction);
     const T off = (F.force - Fd.magnitude * Fd.direction).norm();
-    F.display = off <= rounding_tolerance<T>(d + m) * Fd.magnitude ? display_class::exact
-                : F.cosine_squared > T(0)                          ? display_class::approximate
-                                                                   : display_class::none;
+    F.display = off <= rounding_tolerance<T>(d + m) * terms ? display_class::exact
+                : F.cosine_squared > T(0)                   ? display_class::approximate
+                                                            : display_class::none;
   }
 
   // Whether the brakes could display Fd
