@@ -15,6 +15,8 @@ s#\bbrake/models/stribeck_brake\.hpp#plant/brakes/stribeck_brake.hpp#g
 s#\bbrake/models/first_order_lag\.hpp#core/scalar/first_order_lag.hpp#g
 s#\bcontrol/step_options\.hpp#control/cycle_inputs.hpp#g
 s#\bcore/linear/orthogonalisation\.hpp#core/linear/orthogonal_decomposition.hpp#g
+s#\bscene/mesh/proxy\.hpp#scene/proxy/proxy_way.hpp#g
+s#\bscene/mesh/proxy_contacts\.hpp#scene/proxy/proxy_contacts.hpp#g
 s#\bcontact_not_finite\b#contact_invalid#g
 s#\bcontrol/effects/walls_and_effects\.hpp#control/ways/walls_and_effects.hpp#g
 s#\bcontrol/effects/with_effects\.hpp#control/ways/with_effects.hpp#g

@@ -1,5 +1,5 @@
 // What is felt of the facets on which a proxy rests.
-#include <passive_haptics/scene/mesh/proxy_contacts.hpp>
+#include <passive_haptics/scene/proxy/proxy_contacts.hpp>
 
 #include <gtest/gtest.h>
 
@@ -19,16 +19,22 @@ ph::mesh_parameters<3> obtuse_corner() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.6, 0, 0.8}, {0.224, 0.96, -0.168}, {-0.224, 0.96, 0.168}},
           {{0, 1, 2}, {0, 3, 4}, {0, 3, 5}}};
 }
+constexpr int surface_number = 5;
 const ph::point<3> up(0, 0, 1), from_ramp(-0.8, 0, 0.6);
 
 // By a handle at x whose proxy rests on these facets, of which those of the ramp are one smooth surface.
 std::vector<tracked::touch<3>> felt(std::initializer_list<int> facets, const ph::point<3>& x) {
   ph::proxy_tracker<3> t;
-  for (const int f : facets) t.facets[static_cast<std::size_t>(t.facet_count++)] = f;
+  for (const int f : facets) t.facets[static_cast<std::size_t>(t.facet_count++)] = {surface_number, f};
   std::vector<tracked::touch<3>> all;
-  const ph::triangle_mesh corner(obtuse_corner());
-  ph::detail::proxy_contacts<3>(corner, t, x, std::cos(ph::radians(40.0)))
-      .add_to([&](const ph::point<3>& normal, double depth) { all.push_back({normal, depth}); });
+  const ph::mesh_surface<3> corner(
+      {.surface = ph::triangle_mesh(obtuse_corner()), .crease_angle = ph::radians(40.0)});
+  const ph::placed_surface<ph::mesh_surface<3>> here{&corner, ph::point<3>::Zero(), surface_number};
+  ph::detail::proxy_contacts<ph::mesh_surface<3>>({&here, 1}, t, x)
+      .add_to([&](const ph::point<3>& normal, double depth, int number) {
+        EXPECT_EQ(number, surface_number);
+        all.push_back({normal, depth});
+      });
   return all;
 }
 

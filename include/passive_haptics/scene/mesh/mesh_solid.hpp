@@ -2,8 +2,11 @@
 /// A closed mesh as a solid wall.
 #pragma once
 
-#include <passive_haptics/scene/mesh/mesh.hpp>
+#include <passive_haptics/scene/mesh/mesh_stops.hpp>
 
+#include <algorithm>
+#include <numbers>
+#include <span>
 #include <utility>
 
 namespace passive_haptics {
@@ -27,8 +30,9 @@ std::string validate(const mesh_solid_parameters<D>& p) {
 /// distance(x) = +- |x - nearest point|, with the sign of (x - nearest point) . pseudonormal there. Exact on
 /// both sides.
 ///
-/// One contact at most, as every shape, and none for what has been passed through: for thin walls and corners
-/// that are touched from inside take mesh_surface.
+/// In a scene it gives one contact at most, as every shape, and none for what has been passed through: for
+/// thin walls and corners that are touched from inside take mesh_surface. In a world its facets stop the
+/// handle's proxy, so that solids side by side are one.
 template <int D>
 class mesh_solid {
  public:
@@ -36,7 +40,9 @@ class mesh_solid {
   static constexpr bool has_unit_gradient = true;  ///< By construction.
 
   /// Throws std::invalid_argument with the text of validate(p).
-  explicit mesh_solid(const mesh_solid_parameters<D>& p) : surface_(require_valid(p).surface) {}
+  explicit mesh_solid(const mesh_solid_parameters<D>& p)
+      : surface_(require_valid(p).surface),
+        skin_(std::max(1e-7, 1e-9 * detail::largest_coordinate(surface_.bounds()))) {}
 
   /// The solid within a closed mesh.
   explicit mesh_solid(mesh<D> surface) : mesh_solid(mesh_solid_parameters<D>{std::move(surface)}) {}
@@ -60,11 +66,38 @@ class mesh_solid {
   /// The box about the solid.
   bounding_box<D> bounds() const { return surface_.bounds(); }
 
+  double skin() const { return skin_; }  ///< As of ProxySurface [m].
+  /// As of ProxySurface: of 30 deg.
+  double crease_cosine() const { return 0.5 * std::numbers::sqrt3; }
+  /// As of ProxySurface. Cost: a search of the few facets near the way.
+  proxy_stop first_stop(const point<D>& p, const point<D>& step, std::span<const int> resting) const {
+    return slabs().first_stop(p, step, resting);
+  }
+  /// As of ProxySurface.
+  proxy_plane<D> plane(int facet, const point<D>& p) const {
+    return {surface_[facet].normal, surface_[facet].height(p)};
+  }
+  /// As of ProxySurface.
+  bool holds(int facet, const point<D>& p) const { return slabs().slab(facet).holds(p); }
+  /// As of ProxySurface. Cost: a search for the nearest facet.
+  double clearance(const point<D>& x, int& hint) const {
+    const auto nearest = surface_.nearest(x, hint);
+    hint = nearest.facet;
+    return surface_.signed_distance(x, nearest) - detail::mesh_stops<D>::slab_reach * skin_;
+  }
+  /// As of ProxySurface.
+  bool is_solid() const { return true; }
+  /// As of ProxySurface. Cost: a search for the nearest facet.
+  point<D> entry(const point<D>& x) const { return slabs().entry(x); }
+
   /// Its surface.
   const mesh<D>& surface() const { return surface_; }
 
  private:
+  detail::mesh_stops<D> slabs() const { return {surface_, skin_}; }
+
   mesh<D> surface_;
+  double skin_;  // [m]
 };
 
 }  // namespace passive_haptics

@@ -4,7 +4,8 @@
 
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/scene/mesh/mesh.hpp>
-#include <passive_haptics/scene/mesh/proxy_contacts.hpp>
+#include <passive_haptics/scene/mesh/mesh_stops.hpp>
+#include <passive_haptics/scene/proxy/proxy_contacts.hpp>
 #include <passive_haptics/scene/world/tracked_shape.hpp>
 
 #include <limits>
@@ -65,7 +66,7 @@ class mesh_surface {
   explicit mesh_surface(mesh<D> surface) : mesh_surface(mesh_surface_parameters<D>{std::move(surface)}) {}
 
   /// The box about the surface and what a proxy stays away from it.
-  bounding_box<D> bounds() const { return surface_.bounds().grown(slab_reach * skin_); }
+  bounding_box<D> bounds() const { return surface_.bounds().grown(stops::slab_reach * skin_); }
 
   /// See TrackedShape. While it touches, `from` is not read. Cost: free, a search for the way and one for the
   /// nearest facet; in contact, a search or two of the few facets near the proxy.
@@ -75,39 +76,51 @@ class mesh_surface {
       add(point<D>(point<D>::UnitX()), std::numeric_limits<double>::quiet_NaN());
       return 0;
     }
-    if (!t.held) {
-      const point<D> start = t.known && all_finite(from) ? near(from) : entry(x, t);
-      point<D>::Map(t.position.data()) = start;
-    }
+    if (!t.held)
+      point<D>::Map(t.position.data()) =
+          t.known && all_finite(from) ? within_reach(from) : within_reach(entry(x));
     t.known = true;
-    detail::proxy_way<D>(surface_, skin_, t).go_to(near(x));
-    if (t.held) {
-      detail::proxy_contacts<D>(surface_, t, x, cos_crease_).add_to(add);
-      return 0;
-    }
-    const auto nearest = surface_.nearest(x, t.nearest);
-    t.nearest = nearest.facet;
-    return std::max(0.0, nearest.distance() - slab_reach * skin_);
+    const placed_surface<mesh_surface> here{this, point<D>::Zero(), 0};
+    const std::span<const placed_surface<mesh_surface>> all(&here, 1);
+    detail::proxy_way<mesh_surface>(all, t).go_to(within_reach(x));
+    if (!t.held) return std::max(0.0, clearance(x, t.nearest));
+    detail::proxy_contacts<mesh_surface>(all, t, x).add_to(
+        [&add](const point<D>& normal, double depth, int) { add(normal, depth); });
+    return 0;
   }
+
+  double skin() const { return skin_; }                 ///< As of ProxySurface [m].
+  double crease_cosine() const { return cos_crease_; }  ///< As of ProxySurface.
+  /// As of ProxySurface. Cost: a search of the few facets near the way.
+  proxy_stop first_stop(const point<D>& p, const point<D>& step, std::span<const int> resting) const {
+    return slabs().first_stop(p, step, resting);
+  }
+  /// As of ProxySurface.
+  proxy_plane<D> plane(int facet, const point<D>& p) const {
+    return {surface_[facet].normal, surface_[facet].height(p)};
+  }
+  /// As of ProxySurface.
+  bool holds(int facet, const point<D>& p) const { return slabs().slab(facet).holds(p); }
+  /// As of ProxySurface. Cost: a search for the nearest facet.
+  double clearance(const point<D>& x, int& hint) const {
+    const auto nearest = surface_.nearest(x, hint);
+    hint = nearest.facet;
+    return nearest.distance() - stops::slab_reach * skin_;
+  }
+  /// As of ProxySurface.
+  bool is_solid() const { return false; }
+  /// As of ProxySurface. Cost: a search for the nearest facet.
+  point<D> entry(const point<D>& x) const { return slabs().entry(x); }
 
   /// Its facets.
   const mesh<D>& surface() const { return surface_; }
 
  private:
-  static constexpr double slab_reach = 4;  // no point of a facet's slab is further from it, in skins
+  using stops = detail::mesh_stops<D>;
+  stops slabs() const { return {surface_, skin_}; }
 
   // Coordinates so large that their rounding is thicker than a skin are brought nearer.
-  point<D> near(const point<D>& x) const { return x.cwiseMax(-far_).cwiseMin(far_); }
-
-  // Where a handle that was not seen before is taken to come from.
-  point<D> entry(const point<D>& x, const tracker& t) const {
-    constexpr double flat = 1e-9;  // of the box about it: all folded flat, such a mesh encloses nothing
-    const double box = (surface_.bounds().upper - surface_.bounds().lower).prod();
-    if (!surface_.closed() || !(std::abs(surface_.content()) > flat * box)) return near(x);
-    const auto nearest = surface_.nearest(x, t.nearest);
-    if (surface_.signed_distance(x, nearest) >= 0) return near(x);
-    return nearest.position + skin_ * surface_.normal_at(nearest);
-  }
+  point<D> within_reach(const point<D>& x) const { return x.cwiseMax(-far_).cwiseMin(far_); }
 
   mesh<D> surface_;
   double skin_;

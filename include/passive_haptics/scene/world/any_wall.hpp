@@ -3,16 +3,20 @@
 #pragma once
 
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
+#include <passive_haptics/scene/proxy/shape_surface.hpp>
 #include <passive_haptics/scene/wall.hpp>
 #include <passive_haptics/scene/world/tracked_shape.hpp>
 
 #include <memory>
 #include <new>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace passive_haptics {
 
-/// Holds a wall of any Shape or TrackedShape. Copies share it, so they are cheap and safe in other threads.
+/// Holds a wall of any Shape, ProxySurface or TrackedShape. Copies share it, so they are cheap and safe in
+/// other threads.
 template <int D>
 class any_wall {
  public:
@@ -30,6 +34,18 @@ class any_wall {
 
   /// Whether both hold the same wall, not an equal one.
   bool shares(const any_wall& other) const { return held_ == other.held_; }
+
+  /// Whether the wall has an inside from which a handle is pushed out: a Shape.
+  bool is_solid() const { return held_->is_solid(); }
+
+  /// Whether the wall needs a proxy of the handle: a mesh.
+  bool needs_proxy() const { return held_->needs_proxy(); }
+
+  /// What stops a proxy; nullptr for a TrackedShape that is no ProxySurface.
+  const any_proxy_surface<D>* surface() const { return held_->surface(); }
+
+  /// The contact of a handle whose proxy is at p [m], but for its normal, depth and number.
+  contact<D> contact_by_proxy(const point<D>& p) const { return held_->contact_by_proxy(p); }
 
   /// Size of what is remembered of one handle [bytes]; 0 if nothing is.
   std::size_t tracker_size() const { return held_->tracker_size(); }
@@ -58,6 +74,10 @@ class any_wall {
   struct any_model {
     virtual ~any_model() = default;
     virtual const bounding_box<D>& bounds() const = 0;
+    virtual bool is_solid() const = 0;
+    virtual bool needs_proxy() const = 0;
+    virtual const any_proxy_surface<D>* surface() const = 0;
+    virtual contact<D> contact_by_proxy(const point<D>& p) const = 0;
     virtual std::size_t tracker_size() const = 0;
     virtual void start_tracker(void* storage) const = 0;
     virtual double look(const point<D>& from, const point<D>& x, double margin, void* tracker,
@@ -69,33 +89,64 @@ class any_wall {
     static_assert(
         Shape<S> || TrackedShape<S>,
         "passive_haptics: a wall with a tracker needs a TrackedShape (scene/world/tracked_shape.hpp).");
-    model(wall<S> w, const bounding_box<D>& b) : held(std::move(w)), box(b) {}
+    static constexpr bool is_followed = TrackedShape<S> && !ProxySurface<S>;
+    model(wall<S> w, const bounding_box<D>& b) : held(std::move(w)), box(b), stops(held.shape) {}
 
     const bounding_box<D>& bounds() const override { return box; }
+    bool is_solid() const override { return Shape<S>; }
+    bool needs_proxy() const override { return ProxySurface<S>; }
+    const any_proxy_surface<D>* surface() const override {
+      if constexpr (is_followed) return nullptr;
+      else return &stops.model;
+    }
+    contact<D> contact_by_proxy(const point<D>& p) const override {
+      if constexpr (ProxySurface<S> || !Shape<S>) return {.stiffness = held.stiffness()};
+      else return contact_of(held, p, 0);
+    }
     std::size_t tracker_size() const override {
-      if constexpr (TrackedShape<S>) return sizeof(typename S::tracker);
+      if constexpr (is_followed) return sizeof(typename S::tracker);
       else return 0;
     }
     void start_tracker(void* storage) const override {
-      if constexpr (TrackedShape<S>) ::new (storage) typename S::tracker();
+      if constexpr (is_followed) ::new (storage) typename S::tracker();
     }
     double look(const point<D>& from, const point<D>& x, double margin, void* tracker,
                 contacts<D, D>& found) const override {
-      if constexpr (TrackedShape<S>) {
+      if constexpr (is_followed) {
         const auto add = [&](const point<D>& normal, double depth) {
           found.push_back({.normal = normal, .depth = depth, .stiffness = held.stiffness()});
         };
         return held.shape.follow(from, x, *std::launder(static_cast<typename S::tracker*>(tracker)), add);
-      } else {
+      } else if constexpr (Shape<S>) {
         const double distance = held.shape.distance(x);
         if (distance >= margin) return distance - margin;
         found.append_unchecked(contact_of(held, x, distance));
         return 0;
+      } else {
+        return 0;  // by its surface
       }
     }
 
+    // What stops a proxy: the surface itself, a shape as one, or nothing
+    struct no_stops {
+      explicit no_stops(const S&) {}
+    };
+    struct of_surface {
+      explicit of_surface(const S& s) : model(s) {}
+      proxy_surface_model<S> model;
+    };
+    struct of_shape {
+      explicit of_shape(const S& s) : surface(s), model(surface) {}
+      shape_surface<S> surface;
+      proxy_surface_model<shape_surface<S>> model;
+    };
+    using stops_type = std::conditional_t<
+        is_followed, std::type_identity<no_stops>,
+        std::conditional_t<ProxySurface<S>, std::type_identity<of_surface>, std::type_identity<of_shape>>>;
+
     wall<S> held;
     bounding_box<D> box;  // after what is looked at
+    typename stops_type::type stops;
   };
 
   std::shared_ptr<const any_model> held_;

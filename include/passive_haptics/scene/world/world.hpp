@@ -3,13 +3,12 @@
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/scene/world/handle_proxy.hpp>
 #include <passive_haptics/scene/world/neighbour_list.hpp>
 #include <passive_haptics/scene/world/strongest_contacts.hpp>
-#include <passive_haptics/scene/world/world_walls.hpp>
+#include <passive_haptics/scene/world/world_geometry.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -20,10 +19,13 @@ namespace passive_haptics {
 /// contacts are those of a scan over all of them (neighbour_list.hpp). At most Capacity contacts, those of
 /// the largest forces.
 ///
-/// The walls are shared by copies and never change; each copy has its own memory of the handle. Walls that
-/// stay where they are and have finite bounds lie in a tree; the others (unbounded, moving or followed ones,
-/// TrackedShape) are compared one by one in each cycle that is not skipped: keep them few. Cost: a comparison
-/// where nothing can have been reached; else neighbour_list.hpp. Construction O(n log n); it alone allocates.
+/// The walls are shared by copies and never change; each copy has its own memory of the handle. Shapes that
+/// stay where they are and have finite bounds lie in a tree; the others (unbounded, moving and thin ones) are
+/// compared one by one in each cycle that is not skipped: keep them few. Cost: a comparison where nothing can
+/// have been reached; else neighbour_list.hpp. Construction O(n log n); it alone allocates.
+///
+/// A world with a mesh keeps a proxy of the handle, which all meshes and the shapes beside them stop
+/// (handle_proxy.hpp): walls side by side are felt as one.
 template <int D, int Capacity = D + 1>
 class world {
  public:
@@ -36,6 +38,8 @@ class world {
     near_ = neighbour_list<D>(geometry_->others.size(), geometry_->tree.scale());
     motions_.resize(geometry_->moving.size());
     trackers_.resize(geometry_->trackers.back());
+    if (geometry_->needs_proxy) proxy_ = detail::handle_proxy<D>(walls.all().size(), geometry_->extent);
+    nearest_.resize(geometry_->others.size());
     start_trackers();
   }
 
@@ -48,7 +52,8 @@ class world {
         found_.add({.depth = std::numeric_limits<double>::quiet_NaN()});
         return found_.in_order();
       }
-      near_.visit(geometry_->tree, x, [&](int item) { return look(item, x); });
+      if (geometry_->needs_proxy) follow(x);
+      else near_.visit(geometry_->tree, x, [&](int item) { return look(item, x); });
     }
     previous_ = x;
     return found_.in_order();
@@ -58,7 +63,7 @@ class world {
   /// TrackedShape only from the touch on. Another margin than before costs the search of a jump.
   void set_margin(double margin) {
     margin_ = margin;
-    near_.set_margin(margin);
+    near_.set_margin(std::max(margin, reach_));
   }
 
   /// How many contacts at the latest x found no room.
@@ -72,16 +77,17 @@ class world {
     const auto found = std::lower_bound(moving.begin(), moving.end(), number);
     if (found == moving.end() || *found != number || !all_finite(displacement, velocity)) return false;
     const auto k = static_cast<std::size_t>(found - moving.begin());
-    move(k, {displacement, velocity, displacement});
+    motions_[k].displacement = displacement;
+    motions_[k].velocity = velocity;
+    move(k, displacement);
     return true;
   }
 
   /// Carries each moving wall on with its velocity for this time [s] from where set_motion put it.
   void extrapolate(double seconds) {
     for (std::size_t k = 0; k < motions_.size(); ++k) {
-      const motion& m = motions_[k];
-      const point<D> ahead = m.displacement + seconds * m.velocity;
-      if (all_finite(ahead)) move(k, {m.displacement, m.velocity, ahead});
+      const point<D> ahead = motions_[k].displacement + seconds * motions_[k].velocity;
+      if (all_finite(ahead)) move(k, ahead);
     }
   }
 
@@ -93,122 +99,151 @@ class world {
   }
 
   /// Takes over what another world remembers of the handle at the walls that both share (copies of one
-  /// any_wall under one number), so that the handle does not slip through them where a scene is exchanged. At
-  /// other walls the handle is seen for the first time.
+  /// any_wall under one number), so that it does not slip through them where a scene is exchanged. At other
+  /// walls it is seen for the first time, its proxy where the shared ones hold it.
   void remember(const world& other) noexcept {
     const geometry &mine = *geometry_, &others = *other.geometry_;
+    const auto is_shared = [&](int item) {
+      return item < 0 && mine.shares(others, geometry::place_of(item));
+    };
     previous_ = other.previous_;
     for (std::size_t k = 0; k < std::min(mine.others.size(), others.others.size()); ++k) {
-      const numbered_wall &now = mine.others[k], &before = others.others[k];
-      if (now.number != before.number || !now.wall.shares(before.wall)) continue;
+      if (!mine.shares(others, k)) continue;
+      nearest_[k] = other.nearest_[k];
       std::copy_n(other.trackers_.begin() + others.tracker_at(k), mine.tracker_at(k + 1) - mine.tracker_at(k),
                   trackers_.begin() + mine.tracker_at(k));
-      if (k < std::min(motions_.size(), other.motions_.size())) motions_[k].seen = other.motions_[k].seen;
+      if (k < std::min(motions_.size(), other.motions_.size()))
+        motions_[k].take_over(other.motions_[k], previous_);
     }
+    if (other.proxy_.rests_where([&](int item) { return item >= 0 || is_shared(item); }))
+      proxy_.take_over(other.proxy_, is_shared);
   }
 
  private:
-  // Storage in which any tracker can be made
-  struct alignas(std::max_align_t) tracker_bytes {
-    std::array<std::byte, sizeof(std::max_align_t)> bytes;
-  };
+  using geometry = detail::world_geometry<D>;
+  using motion = detail::wall_motion<D>;
 
-  struct numbered_wall {
-    any_wall<D> wall;
-    int number;
-  };
-
-  // What never changes
-  struct geometry {
-    explicit geometry(const world_walls<D>& walls) : moving(walls.moving()) {
-      const auto numbered = [&](int i) -> numbered_wall {
-        return {walls.all()[static_cast<std::size_t>(i)], i};
-      };
-      for (const int i : moving) others.push_back(numbered(i));
-      std::vector<int> bounded;
-      std::vector<bounding_box<D>> boxes;
-      for (int i = 0; i < static_cast<int>(walls.all().size()); ++i) {
-        if (std::binary_search(moving.begin(), moving.end(), i)) continue;
-        const any_wall<D>& wall = walls.all()[static_cast<std::size_t>(i)];
-        if (wall.tracker_size() == 0 && all_finite(wall.bounds().lower, wall.bounds().upper)) {
-          bounded.push_back(i);
-          boxes.push_back(wall.bounds());
-        } else {
-          others.push_back(numbered(i));
-        }
-      }
-      tree = bounding_volume_tree<D>(boxes);
-      in_tree.reserve(bounded.size());
-      for (int place = 0; place < static_cast<int>(bounded.size()); ++place)
-        in_tree.push_back(numbered(bounded[static_cast<std::size_t>(tree.item(place))]));
-      for (const numbered_wall& w : others) {
-        const std::size_t units = (w.wall.tracker_size() + sizeof(tracker_bytes) - 1) / sizeof(tracker_bytes);
-        trackers.push_back(trackers.back() + units);
-      }
-    }
-
-    std::ptrdiff_t tracker_at(std::size_t other) const {
-      return static_cast<std::ptrdiff_t>(trackers[other]);
-    }
-
-    bounding_volume_tree<D> tree;
-    std::vector<numbered_wall> in_tree;  // by their places there
-    std::vector<numbered_wall> others;   // outside, the moving ones first
-    std::vector<int> moving;             // their numbers
-    // Where the tracker of each of the others begins, and the last ends [tracker_bytes]
-    std::vector<std::size_t> trackers{0};
-  };
-
-  struct motion {
-    point<D> displacement = point<D>::Zero();  // as set [m]
-    point<D> velocity = point<D>::Zero();      // [m/s]
-    point<D> now = point<D>::Zero();           // displacement in this cycle [m]
-    point<D> seen = point<D>::Zero();          // in the cycle that looked last [m]
-  };
-
-  void move(std::size_t k, motion m) {
-    m.seen = motions_[k].seen;
-    near_.moved(k, (m.now - motions_[k].now).norm());
-    motions_[k] = m;
+  void move(std::size_t k, const point<D>& to) {
+    near_.moved(k, (to - motions_[k].now).norm());
+    motions_[k].go_to(to, previous_);
   }
 
   void start_trackers() {
     for (std::size_t k = 0; k < geometry_->others.size(); ++k)
       geometry_->others[k].wall.start_tracker(tracker(k));
+    std::fill(nearest_.begin(), nearest_.end(), not_seen);
+    proxy_.set_tracker({});
+    keep_within(0);
   }
   void* tracker(std::size_t other) { return trackers_.data() + geometry_->trackers[other]; }
 
-  // At an item of near_: those outside the tree have negative numbers
-  double look(int item, const point<D>& x) {
-    touched_.clear();
-    const auto k = static_cast<std::size_t>(item >= 0 ? item : -1 - item);
-    const auto& [wall, number] = item >= 0 ? geometry_->in_tree[k] : geometry_->others[k];
-    double distance;
-    if (item >= 0) {
-      distance = wall.look(x, x, margin_, nullptr, touched_);
-    } else if (k < motions_.size()) {
-      motion& m = motions_[k];
-      distance = wall.look(previous_ - m.seen, x - m.now, margin_, tracker(k), touched_);
-      for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
-      m.seen = m.now;
-    } else {
-      distance = wall.look(previous_, x, margin_, tracker(k), touched_);
+  motion* motion_of(int item) {
+    const auto k = geometry::place_of(item);
+    return item < 0 && k < motions_.size() ? &motions_[k] : nullptr;
+  }
+
+  // By the proxy. When it is first stopped, what it slides to may lie beside the way: once more, with all
+  // near
+  void follow(const point<D>& x) {
+    const auto before = proxy_.tracker();
+    const point<D> from = all_finite(previous_) ? previous_ : x;
+    go(from, x, before.held ? (x - proxy_.position()).norm() : 0);
+    if (proxy_.held() && !before.held) {
+      const double way = std::max((x - from).norm(), (x - proxy_.position()).norm());
+      proxy_.set_tracker(before);
+      go(from, x, way);
     }
+    if (!proxy_.held()) keep_within(0);
+    std::replace(nearest_.begin(), nearest_.end(), not_seen, 0);
+    for (const auto& s : proxy_.surfaces())
+      if (motion* m = motion_of(s.number)) m->before = m->now;
+    proxy_.contacts_at(x, [&](const point<D>& normal, double depth, int item) {
+      touched_.clear();
+      const motion m = motion_of(item) ? *motion_of(item) : motion();
+      contact<D> c = geometry_->wall_of(item).wall.contact_by_proxy(proxy_.position() - m.now);
+      c.normal = normal;
+      if (!std::isnan(c.depth)) c.depth = depth;
+      c.wall_velocity += m.velocity;
+      touched_.append_unchecked(c);
+      add_touched(item, x);
+    });
+  }
+
+  // reach: how far [m] from x something may stop the proxy
+  void go(const point<D>& from, const point<D>& x, double reach) {
+    if (reach > reach_) keep_within(2 * reach);
+    found_.clear();
+    proxy_.forget_surfaces();
+    near_.visit(geometry_->tree, x, [&](int item) { return look_at_surface(item, x); });
+    proxy_.go(from, x);
+  }
+
+  void keep_within(double reach) {
+    if (reach == reach_) return;
+    reach_ = reach;
+    near_.set_margin(std::max(margin_, reach));
+  }
+
+  // At an item of near_ that may stop the proxy. A shape gives contacts before the touch itself
+  double look_at_surface(int item, const point<D>& x) {
+    const auto& wall = geometry_->wall_of(item).wall;
+    const auto* surface = wall.surface();
+    if (surface == nullptr) return look(item, x);
+    const motion m = motion_of(item) ? *motion_of(item) : motion();
+    const point<D> at = x - m.now;
+    proxy_.add({surface, m.now, item}, m.before_cycle(previous_));
+    if (proxy_.rests_on(item)) return 0;
+    if (surface->is_solid()) {
+      const double distance = sense_wall(item, x);
+      if (touched_.empty() || !(touched_[0].depth > 0)) add_touched(item, x);
+      return std::max(0.0, distance + margin_ - std::max(margin_, reach_));
+    }
+    int& nearest = nearest_[geometry::place_of(item)];
+    int hint = std::max(nearest, 0);
+    const double clearance = surface->clearance(at, hint);
+    if (nearest != not_seen) nearest = hint;
+    else if (const point<D> entry = surface->entry(at); entry != at) proxy_.start_at(entry + m.now);
+    return std::max(0.0, clearance - reach_);
+  }
+
+  double look(int item, const point<D>& x) {
+    const double distance = sense_wall(item, x);
+    add_touched(item, x);
+    return distance;
+  }
+  double sense_wall(int item, const point<D>& x) {
+    touched_.clear();
+    const auto& [wall, number, is_followed] = geometry_->wall_of(item);
+    const auto k = geometry::place_of(item);
+    if (item >= 0) return wall.look(x, x, margin_, nullptr, touched_);
+    if (k >= motions_.size()) return wall.look(previous_, x, margin_, tracker(k), touched_);
+    motion& m = motions_[k];
+    const point<D> from = is_followed ? point<D>(previous_ - m.before_cycle(previous_)) : x;
+    const double distance = wall.look(from, x - m.now, margin_, tracker(k), touched_);
+    if (is_followed) m.before = m.now;
+    for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
+    return distance;
+  }
+
+  void add_touched(int item, const point<D>& x) {
     for (contact<D>& c : touched_) {
-      c.wall_number = number;
+      c.wall_number = geometry_->wall_of(item).number;
       c.sensed_at = x;
       found_.add(c);
     }
-    return distance;
   }
 
   std::shared_ptr<const geometry> geometry_;
   neighbour_list<D> near_;
   point<D> previous_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());  // x of the cycle before
   std::vector<motion> motions_;  // in the order of walls.moving()
-  std::vector<tracker_bytes> trackers_;
+  std::vector<typename geometry::tracker_bytes> trackers_;
+  static constexpr int not_seen = -1;
+  std::vector<int> nearest_;  // of the others: a facet near the handle, where to search first
+  detail::handle_proxy<D> proxy_;
   double margin_ = 0;       // [m]
-  contacts<D, D> touched_;  // of one wall
+  double reach_ = 0;        // from the handle, within which what stops the proxy is looked at [m]
+  contacts<D, D> touched_;  // of one wall, by sense_wall
   strongest_contacts<D, Capacity> found_;
 };
 

@@ -1,9 +1,9 @@
 /// @file
-/// The contacts of a handle whose proxy rests on facets of a mesh.
+/// The contacts of a handle whose proxy rests on facets of surfaces.
 #pragma once
 
 #include <passive_haptics/core/linear/least_distance.hpp>
-#include <passive_haptics/scene/mesh/proxy.hpp>
+#include <passive_haptics/scene/proxy/proxy_way.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -21,23 +21,29 @@ vector<double, K> shares_of_displacement(const matrix<double, D, K>& N, const ve
   return least.multipliers * (least.multipliers.dot(depth) / square);
 }
 
-/// Facets of one smooth surface make one contact, others one each.
-template <int D>
+/// Facets of one smooth surface make one contact, others one each; also facets of surfaces side by side.
+template <class S>
 class proxy_contacts {
+  static constexpr int D = S::dimension;
+
  public:
-  /// Of a handle at x whose proxy rests on these facets. cos_crease: of the largest angle within a smooth
-  /// surface.
-  proxy_contacts(const mesh<D>& surface, const proxy_tracker<D>& tracker, const point<D>& x,
-                 double cos_crease)
-      : cos_crease_(cos_crease) {
-    for (int k = 0; k < tracker.facet_count; ++k) {
-      const auto& f = surface[tracker.facets[static_cast<std::size_t>(k)]];
-      normals_.col(k) = f.normal;
-      depths_[k] = -f.height(x);
+  /// Of a handle at x whose proxy, as the tracker has it, rests on facets of these surfaces.
+  proxy_contacts(std::span<const placed_surface<S>> surfaces, const proxy_tracker<D>& tracker,
+                 const point<D>& x) {
+    const point<D> p(tracker.position.data());
+    int k = 0;
+    for (const facet_of_surface& f : tracker.resting()) {
+      const auto* s = surface_of(surfaces, f.surface);
+      const auto [normal, height] = s->plane(f.facet, p);
+      normals_.col(k) = normal;
+      depths_[k] = normal.dot(p - x) - height;
+      crease_cosines_[static_cast<std::size_t>(k)] = s->surface->crease_cosine();
+      numbers_[static_cast<std::size_t>(k++)] = f.surface;
     }
   }
 
-  /// Calls add(normal, depth) for each, at most D: as many facets hold a point.
+  /// Calls add(normal, depth, number) for each, at most D: as many facets hold a point. The number is that of
+  /// the surface, of several side by side of the first that the proxy met.
   template <class Add>
   void add_to(Add&& add) const {
     if (!(depths_.maxCoeff() > 0)) return;
@@ -58,6 +64,11 @@ class proxy_contacts {
 
   static bool holds(half_space_set set, int k) { return (set >> k & 1u) != 0; }
 
+  bool are_smooth(int i, int j) const {
+    const auto cosine = [this](int k) { return crease_cosines_[static_cast<std::size_t>(k)]; };
+    return normals_.col(i).dot(normals_.col(j)) > std::max(cosine(i), cosine(j));
+  }
+
   // The first of `left` and what is connected with it by angles less than the crease angle.
   half_space_set smooth_group(half_space_set left) const {
     half_space_set group = left & (~left + 1u);
@@ -65,8 +76,7 @@ class proxy_contacts {
       before = group;
       for (int i = 0; i < max_facets; ++i) {
         for (int j = 0; j < max_facets; ++j) {
-          if (holds(group, i) && holds(left, j) && normals_.col(i).dot(normals_.col(j)) > cos_crease_)
-            group |= 1u << j;
+          if (holds(group, i) && holds(left, j) && are_smooth(i, j)) group |= 1u << j;
         }
       }
     }
@@ -86,17 +96,18 @@ class proxy_contacts {
       depths[k] = 0;
     }
     if (!(depths.maxCoeff() > 0)) return;
+    const int first = std::countr_zero(group), number = numbers_[static_cast<std::size_t>(first)];
     if (std::has_single_bit(group)) {
-      const int only = std::countr_zero(group);
-      add(point<D>(N.col(only)), std::min(depths[only], shares[only]));
+      add(point<D>(N.col(first)), std::min(depths[first], shares[first]), number);
       return;
     }
     const point<D> way = N * shares_of_displacement<D, max_facets>(N, depths);
     const double depth = way.norm();
-    if (depth > 0) add(point<D>(way / depth), std::min(depth, (N * shares).norm()));
+    if (depth > 0) add(point<D>(way / depth), std::min(depth, (N * shares).norm()), number);
   }
 
-  double cos_crease_;
+  std::array<double, std::size_t(max_facets)> crease_cosines_{};
+  std::array<int, std::size_t(max_facets)> numbers_{};
   matrix<double, D, max_facets> normals_ = matrix<double, D, max_facets>::Zero();
   vector<double, max_facets> depths_ = vector<double, max_facets>::Zero();
 };

@@ -1,0 +1,77 @@
+/// @file
+/// A shape as what stops a proxy.
+#pragma once
+
+#include <passive_haptics/scene/proxy/proxy_surface.hpp>
+
+#include <numbers>
+#include <utility>
+
+namespace passive_haptics {
+
+/// Any Shape as a ProxySurface of one facet, the plane of which is that of the nearest point: a half-space or
+/// a box beside a mesh. As in a scene, a handle that is on both sides of a thin shape within one cycle has
+/// passed it. It refers to the shape, which must live longer.
+template <Shape S>
+class shape_surface {
+ public:
+  static constexpr int dimension = S::dimension;  ///< d
+  using at = point<dimension>;                    ///< A point [m].
+
+  /// Of this shape.
+  explicit shape_surface(const S& shape) : shape_(shape) {}
+
+  double skin() const { return skin_; }                   ///< [m]
+  double crease_cosine() const { return smooth_cosine; }  ///< As by default of a mesh_surface.
+
+  /// As of ProxySurface: where the distance falls to a skin, if it does so by the end of the step. Cost: one
+  /// distance, or a few until that place is found (false position, by the Illinois rule).
+  proxy_stop first_stop(const at& p, const at& step, std::span<const int> resting) const {
+    constexpr int most_looks = 60;
+    const double lip = lip_by_skin * skin_;
+    // A step along a curved surface falls away from it or a little into it
+    const double least = resting.empty() ? skin_ : 0.5 * skin_;
+    const auto gap_at = [&](double time) { return shape_.distance(p + time * step) - least; };
+    double outside = 0, inside = 1, gap = gap_at(outside);
+    const double overlap = gap_at(inside);
+    if (!(overlap < -lip)) return {};
+    double left = gap, right = overlap;  // what the place between is guessed by
+    int replaced = 0;                    // the end that was replaced last
+    for (int look = 0; look < most_looks && gap > lip; ++look) {
+      const double time = outside + (inside - outside) * left / (left - right), gap_there = gap_at(time);
+      if (gap_there >= 0) {
+        outside = time;
+        gap = left = gap_there;
+        if (std::exchange(replaced, 1) == 1) right *= 0.5;
+      } else {
+        inside = time;
+        right = gap_there;
+        if (std::exchange(replaced, -1) == -1) left *= 0.5;
+      }
+    }
+    return {outside, 0};
+  }
+
+  /// As of ProxySurface.
+  proxy_plane<dimension> plane(int, const at& p) const { return {shape_.gradient(p), shape_.distance(p)}; }
+  /// As of ProxySurface.
+  bool holds(int, const at& p) const { return !(shape_.distance(p) > (1 + 2 * lip_by_skin) * skin_); }
+  /// As of ProxySurface.
+  double clearance(const at& x, int&) const { return shape_.distance(x) - 2 * skin_; }
+  /// As of ProxySurface.
+  bool is_solid() const { return true; }
+  /// As of ProxySurface.
+  at entry(const at& x) const {
+    const double distance = shape_.distance(x);
+    return distance < 0 ? at(x + (skin_ - distance) * shape_.gradient(x)) : x;
+  }
+
+ private:
+  static constexpr double lip_by_skin = 1e-3;
+  static constexpr double smooth_cosine = 0.5 * std::numbers::sqrt3;  // 30 deg
+  static constexpr double skin_ = 1e-7;                               // [m]
+
+  const S& shape_;
+};
+
+}  // namespace passive_haptics

@@ -1,0 +1,185 @@
+/// @file
+/// The proxy of one handle among all surfaces near it.
+#pragma once
+
+#include <passive_haptics/scene/proxy/proxy_contacts.hpp>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace passive_haptics::detail {
+
+/// A proxy belongs to the handle, not to a surface: each cycle the surfaces near it are named anew, and all
+/// of them stop it. So a handle that slides from one surface to the next stays where it is felt to be.
+template <int D>
+class handle_proxy {
+ public:
+  using surface = placed_surface<any_proxy_surface<D>>;  ///< One of those near it.
+
+  handle_proxy() = default;
+  /// most: surfaces at once. extent: largest coordinate of the surfaces [m].
+  handle_proxy(std::size_t most, double extent) : far_(1e3 * (1 + extent)) {
+    surfaces_.reserve(most);
+    before_.reserve(most);
+  }
+
+  /// Whether a surface keeps it from the handle.
+  bool held() const { return tracker_.held; }
+  /// Where it is [m], if held.
+  point<D> position() const { return point<D>(tracker_.position.data()); }
+  /// Whether it rests on a surface whose number is one of those.
+  template <class Numbers>
+  bool rests_where(const Numbers& numbers) const {
+    return std::ranges::any_of(tracker_.resting(), [&](const auto& f) { return numbers(f.surface); });
+  }
+  /// Whether it rests on the surface of this number.
+  bool rests_on(int number) const {
+    return rests_where([number](int n) { return n == number; });
+  }
+
+  /// Forgets the surfaces near it.
+  void forget_surfaces() {
+    surfaces_.clear();
+    before_.clear();
+  }
+  /// Names a surface near it, which has come from a displacement [m].
+  void add(const surface& s, const point<D>& before) {
+    surfaces_.push_back(s);
+    before_.push_back(before);
+  }
+  /// The surfaces near it.
+  std::span<const surface> surfaces() const { return surfaces_; }
+
+  /// Goes from p [m] on in this cycle, where it is held.
+  void start_at(const point<D>& p) {
+    tracker_.held = is_here_ = true;
+    tracker_.facet_count = 0;
+    keep(p);
+  }
+
+  /// Towards a handle at x, as near as the surfaces let it; a free one comes from `from`.
+  void go(const point<D>& from, const point<D>& x) {
+    keep(within_reach(tracker_.held ? position() : from));
+    if (is_here_ || !any_moved()) go_on(x);
+    else go_with_surfaces(x);
+    if (tracker_.held) return;
+    for (const surface& s : surfaces_) {  // inside without a way to there: at first, or by a jump
+      const point<D> at = x - s.displacement;
+      int hint = 0;
+      if (!s.surface->is_solid() || s.surface->clearance(at, hint) > 0) continue;
+      const point<D> entry = s.surface->entry(at);
+      if (entry == at) continue;
+      start_at(entry + s.displacement);
+      return go_on(x);
+    }
+  }
+
+  /// Calls add(normal, depth, number of the surface) for each contact of a handle at x, at most D.
+  template <class Add>
+  void contacts_at(const point<D>& x, Add&& add) const {
+    if (tracker_.held) proxy_contacts<any_proxy_surface<D>>(surfaces_, tracker_, x).add_to(add);
+  }
+
+  /// What is remembered of the handle, but for the surfaces.
+  const proxy_tracker<D>& tracker() const { return tracker_; }
+  /// Goes back to what was remembered.
+  void set_tracker(const proxy_tracker<D>& t) {
+    tracker_ = t;
+    is_here_ = false;
+  }
+  /// Takes over where the handle's proxy was among other surfaces, of which those are here, too.
+  template <class Numbers>
+  void take_over(const handle_proxy& other, const Numbers& numbers) {
+    set_tracker(other.tracker_);
+    const auto begin = tracker_.facets.begin();
+    const auto gone = [&](const facet_of_surface& f) { return !numbers(f.surface); };
+    tracker_.facet_count =
+        static_cast<int>(std::remove_if(begin, begin + tracker_.facet_count, gone) - begin);
+  }
+
+ private:
+  void keep(const point<D>& p) { point<D>::Map(tracker_.position.data()) = p; }
+  void go_on(const point<D>& x) {
+    is_here_ = false;
+    proxy_way<any_proxy_surface<D>>(surfaces_, tracker_).go_to(within_reach(x));
+  }
+
+  // Coordinates so large that their rounding is thicker than a skin are brought nearer.
+  point<D> within_reach(const point<D>& x) const { return x.cwiseMax(-far_).cwiseMin(far_); }
+
+  bool any_moved() const {
+    for (std::size_t k = 0; k < surfaces_.size(); ++k)
+      if (surfaces_[k].displacement != before_[k]) return true;
+    return false;
+  }
+  point<D> moved_by(std::size_t k) const { return surfaces_[k].displacement - before_[k]; }
+
+  // Surfaces go straight on within the cycle, as the handle does. A free proxy goes with the handle until one
+  // of them meets it; from then on it keeps to the facets on which it rests, and stays in front of all others
+  void go_with_surfaces(const point<D>& x) {
+    point<D> p = position();
+    double time = 0;
+    if (!tracker_.held) {
+      const auto [met, surface] = first_met(p, x);
+      if (met.facet < 0) return keep(x);
+      time = met.time;
+      p += time * (x - p);
+      tracker_.facets[0] = {surfaces_[surface].number, met.facet};
+      tracker_.facet_count = 1;
+    }
+    point<D> at = carried(p, time);
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+      const point<D> now = surfaces_[k].displacement, then = now - (1 - time) * moved_by(k);
+      if (p - then == at - now) continue;
+      const surface alone{surfaces_[k].surface, point<D>::Zero(), surfaces_[k].number};
+      proxy_tracker<D> seen_from_it;
+      point<D>::Map(seen_from_it.position.data()) = p - then;
+      proxy_way<any_proxy_surface<D>>({&alone, 1}, seen_from_it).go_to(at - now);
+      if (seen_from_it.held) at = point<D>(seen_from_it.position.data()) + now;
+    }
+    keep(at);
+    go_on(x);
+  }
+
+  // The surface that the handle meets first on its way from p to x, and when
+  struct meeting {
+    proxy_stop met;
+    std::size_t surface = 0;
+  };
+  meeting first_met(const point<D>& p, const point<D>& x) const {
+    meeting first;
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+      const point<D> start = p - before_[k], end = within_reach(x) - surfaces_[k].displacement;
+      const proxy_stop met = surfaces_[k].surface->first_stop(start, end - start, {});
+      if (met.facet >= 0 && (first.met.facet < 0 || met.time < first.met.time)) first = {met, k};
+    }
+    return first;
+  }
+
+  // Where the facets on which it rests take it from p in the rest of the cycle, by the shortest way
+  point<D> carried(const point<D>& p, double time) const {
+    constexpr int sweeps = 8;
+    point<D> way = point<D>::Zero();
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      for (const facet_of_surface& f : tracker_.resting()) {
+        for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+          if (surfaces_[k].number != f.surface) continue;
+          const point<D> moved = (1 - time) * moved_by(k);
+          const point<D> n =
+              surfaces_[k].surface->plane(f.facet, p - surfaces_[k].displacement + moved).normal;
+          way += n.dot(moved - way) * n;
+        }
+      }
+    }
+    return p + way;
+  }
+
+  proxy_tracker<D> tracker_;
+  std::vector<surface> surfaces_;
+  std::vector<point<D>> before_;  // their displacements in the cycle before [m]
+  double far_ = 0;                // [m]
+  bool is_here_ = false;          // placed in this cycle: no surface has moved since
+};
+
+}  // namespace passive_haptics::detail

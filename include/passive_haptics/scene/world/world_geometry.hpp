@@ -1,0 +1,116 @@
+/// @file
+/// What never changes of a world: its walls, and the tree in which most of them lie.
+#pragma once
+
+#include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
+#include <passive_haptics/scene/world/world_walls.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace passive_haptics::detail {
+
+/// Motion of a wall that was added by add_moving.
+template <int D>
+struct wall_motion {
+  point<D> displacement = point<D>::Zero();  ///< As set [m].
+  point<D> velocity = point<D>::Zero();      ///< [m/s]
+  point<D> now = point<D>::Zero();           ///< Displacement in this cycle [m].
+  point<D> before = point<D>::Zero();        ///< Before it moved in this cycle [m].
+  /// Where the handle was in the cycle before it moved last [m]: whether this is that cycle.
+  point<D> handle = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());
+
+  /// Goes to where it is now; the handle was at `previous` in the cycle before.
+  void go_to(const point<D>& place, const point<D>& previous) {
+    before = before_cycle(previous);
+    handle = previous;
+    now = place;
+  }
+  /// Takes over from the same wall in another world, which saw the handle at `previous` in the cycle before.
+  void take_over(const wall_motion& other, const point<D>& previous) {
+    before = other.now;
+    handle = previous;
+  }
+  /// Displacement in the cycle before, in which the handle was at `previous` [m].
+  point<D> before_cycle(const point<D>& previous) const { return handle == previous ? before : now; }
+};
+
+/// The walls of a world. Items of a search are places in the tree, and -1, -2, ... the others.
+template <int D>
+struct world_geometry {
+  /// Storage in which any tracker can be made.
+  struct alignas(std::max_align_t) tracker_bytes {
+    std::array<std::byte, sizeof(std::max_align_t)> bytes;  ///< Of it.
+  };
+
+  /// A wall and its number.
+  struct numbered_wall {
+    any_wall<D> wall;  ///< The wall.
+    int number;        ///< Of its contacts.
+    bool is_followed;  ///< By a tracker of its own.
+  };
+
+  /// Throws std::invalid_argument with the text of validate(walls).
+  explicit world_geometry(const world_walls<D>& walls) : moving(walls.moving()) {
+    const auto numbered = [&](int i) -> numbered_wall {
+      const any_wall<D>& wall = walls.all()[static_cast<std::size_t>(i)];
+      return {wall, i, wall.tracker_size() > 0};
+    };
+    for (const int i : moving) others.push_back(numbered(i));
+    std::vector<int> bounded;
+    std::vector<bounding_box<D>> boxes;
+    for (int i = 0; i < static_cast<int>(walls.all().size()); ++i) {
+      if (std::binary_search(moving.begin(), moving.end(), i)) continue;
+      const any_wall<D>& wall = walls.all()[static_cast<std::size_t>(i)];
+      if (wall.is_solid() && all_finite(wall.bounds().lower, wall.bounds().upper)) {
+        bounded.push_back(i);
+        boxes.push_back(wall.bounds());
+      } else {
+        others.push_back(numbered(i));
+      }
+    }
+    tree = bounding_volume_tree<D>(boxes);
+    in_tree.reserve(bounded.size());
+    for (int place = 0; place < static_cast<int>(bounded.size()); ++place)
+      in_tree.push_back(numbered(bounded[static_cast<std::size_t>(tree.item(place))]));
+    for (const numbered_wall& w : others) {
+      const std::size_t units = (w.wall.tracker_size() + sizeof(tracker_bytes) - 1) / sizeof(tracker_bytes);
+      trackers.push_back(trackers.back() + units);
+    }
+    for (const any_wall<D>& wall : walls.all()) {
+      if (!wall.needs_proxy()) continue;
+      needs_proxy = true;
+      extent = std::max(extent, detail::largest_coordinate(wall.bounds()));
+    }
+  }
+
+  /// Where a wall stands in its list.
+  static std::size_t place_of(int item) { return static_cast<std::size_t>(item >= 0 ? item : -1 - item); }
+  /// The wall of an item.
+  const numbered_wall& wall_of(int item) const { return (item >= 0 ? in_tree : others)[place_of(item)]; }
+
+  /// Whether the walls outside of both trees at this place are one.
+  bool shares(const world_geometry& with, std::size_t place) const {
+    if (place >= others.size() || place >= with.others.size()) return false;
+    const numbered_wall &mine = others[place], &its = with.others[place];
+    return mine.number == its.number && mine.wall.shares(its.wall);
+  }
+
+  /// Where the tracker of another begins [tracker_bytes].
+  std::ptrdiff_t tracker_at(std::size_t other) const { return static_cast<std::ptrdiff_t>(trackers[other]); }
+
+  bounding_volume_tree<D> tree;        ///< Of the boxes about most walls.
+  std::vector<numbered_wall> in_tree;  ///< By their places there.
+  std::vector<numbered_wall> others;   ///< Outside of it, the moving ones first.
+  std::vector<int> moving;             ///< Their numbers.
+  std::vector<std::size_t> trackers{
+      0};                    ///< Where the tracker of each of the others begins, and the last ends.
+  bool needs_proxy = false;  ///< For a mesh.
+  double extent = 0;         ///< Largest coordinate of the meshes [m].
+};
+
+}  // namespace passive_haptics::detail
