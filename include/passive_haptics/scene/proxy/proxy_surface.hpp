@@ -80,24 +80,26 @@ class any_proxy_surface {
 template <ProxySurface S>
 class proxy_surface_model final : public any_proxy_surface<S::dimension> {
   using at = point<S::dimension>;
+  using plane_type = proxy_plane<S::dimension>;
 
  public:
   /// Of this surface.
-  explicit proxy_surface_model(const S& surface) : surface_(surface) {}
+  explicit proxy_surface_model(const S& surface) : s_(surface) {}
 
-  double skin() const override { return surface_.skin(); }
-  double crease_cosine() const override { return surface_.crease_cosine(); }
-  proxy_plane<S::dimension> plane(int facet, const at& p) const override { return surface_.plane(facet, p); }
-  bool holds(int facet, const at& p) const override { return surface_.holds(facet, p); }
-  double clearance(const at& x, int& hint) const override { return surface_.clearance(x, hint); }
-  bool is_solid() const override { return surface_.is_solid(); }
-  at entry(const at& x) const override { return surface_.entry(x); }
+  double skin() const override { return s_.skin(); }                                   ///< [m]
+  double crease_cosine() const override { return s_.crease_cosine(); }                 ///< [1]
+  plane_type plane(int f, const at& p) const override { return s_.plane(f, p); }       ///< Under p.
+  bool holds(int f, const at& p) const override { return s_.holds(f, p); }             ///< p on f.
+  double clearance(const at& x, int& f) const override { return s_.clearance(x, f); }  ///< [m]
+  bool is_solid() const override { return s_.is_solid(); }                             ///< Or thin.
+  at entry(const at& x) const override { return s_.entry(x); }                         ///< [m]
+  /// Where a way meets it.
   proxy_stop first_stop(const at& p, const at& step, std::span<const int> resting) const override {
-    return surface_.first_stop(p, step, resting);
+    return s_.first_stop(p, step, resting);
   }
 
  private:
-  const S& surface_;
+  const S& s_;
 };
 
 }  // namespace passive_haptics

@@ -4,6 +4,7 @@
 
 #include <passive_haptics/scene/proxy/proxy_surface.hpp>
 
+#include <cstddef>
 #include <numbers>
 #include <utility>
 
@@ -74,4 +75,38 @@ class shape_surface {
   const S& shape_;
 };
 
+namespace detail {
+
+/// What a wall of any geometry stops a proxy by: itself, a Shape as a shape_surface, else nothing. It refers
+/// to the geometry.
+template <class S>
+class stops_of {
+ public:
+  /// Of nothing.
+  explicit stops_of(const S&) {}
+  /// nullptr
+  static constexpr std::nullptr_t surface() { return nullptr; }
+};
+template <ProxySurface S>
+class stops_of<S> {
+ public:
+  explicit stops_of(const S& s) : model_(s) {}
+  const any_proxy_surface<S::dimension>* surface() const { return &model_; }
+
+ private:
+  proxy_surface_model<S> model_;
+};
+template <class S>
+  requires(Shape<S> && !ProxySurface<S>)
+class stops_of<S> {
+ public:
+  explicit stops_of(const S& s) : surface_(s), model_(surface_) {}
+  const any_proxy_surface<S::dimension>* surface() const { return &model_; }
+
+ private:
+  shape_surface<S> surface_;
+  proxy_surface_model<shape_surface<S>> model_;
+};
+
+}  // namespace detail
 }  // namespace passive_haptics

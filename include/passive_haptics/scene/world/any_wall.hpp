@@ -2,6 +2,7 @@
 /// A wall whose shape is known at run time only.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 #include <passive_haptics/scene/proxy/shape_surface.hpp>
 #include <passive_haptics/scene/wall.hpp>
@@ -9,8 +10,6 @@
 
 #include <memory>
 #include <new>
-#include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace passive_haptics {
@@ -95,10 +94,7 @@ class any_wall {
     const bounding_box<D>& bounds() const override { return box; }
     bool is_solid() const override { return Shape<S>; }
     bool needs_proxy() const override { return ProxySurface<S>; }
-    const any_proxy_surface<D>* surface() const override {
-      if constexpr (is_followed) return nullptr;
-      else return &stops.model;
-    }
+    const any_proxy_surface<D>* surface() const override { return stops.surface(); }
     contact<D> contact_by_proxy(const point<D>& p) const override {
       if constexpr (ProxySurface<S> || !Shape<S>) return {.stiffness = held.stiffness()};
       else return contact_of(held, p, 0);
@@ -110,8 +106,8 @@ class any_wall {
     void start_tracker(void* storage) const override {
       if constexpr (is_followed) ::new (storage) typename S::tracker();
     }
-    double look(const point<D>& from, const point<D>& x, double margin, void* tracker,
-                contacts<D, D>& found) const override {
+    PASSIVE_HAPTICS_FLATTEN double look(const point<D>& from, const point<D>& x, double margin, void* tracker,
+                                        contacts<D, D>& found) const override {
       if constexpr (is_followed) {
         const auto add = [&](const point<D>& normal, double depth) {
           found.push_back({.normal = normal, .depth = depth, .stiffness = held.stiffness()});
@@ -127,26 +123,9 @@ class any_wall {
       }
     }
 
-    // What stops a proxy: the surface itself, a shape as one, or nothing
-    struct no_stops {
-      explicit no_stops(const S&) {}
-    };
-    struct of_surface {
-      explicit of_surface(const S& s) : model(s) {}
-      proxy_surface_model<S> model;
-    };
-    struct of_shape {
-      explicit of_shape(const S& s) : surface(s), model(surface) {}
-      shape_surface<S> surface;
-      proxy_surface_model<shape_surface<S>> model;
-    };
-    using stops_type = std::conditional_t<
-        is_followed, std::type_identity<no_stops>,
-        std::conditional_t<ProxySurface<S>, std::type_identity<of_surface>, std::type_identity<of_shape>>>;
-
     wall<S> held;
     bounding_box<D> box;  // after what is looked at
-    typename stops_type::type stops;
+    detail::stops_of<S> stops;
   };
 
   std::shared_ptr<const any_model> held_;

@@ -121,11 +121,11 @@ class handle_proxy {
     point<D> p = position();
     double time = 0;
     if (!tracker_.held) {
-      const auto [met, surface] = first_met(p, x);
+      const auto [met, place] = first_met(p, x);
       if (met.facet < 0) return keep(x);
       time = met.time;
       p += time * (x - p);
-      tracker_.facets[0] = {surfaces_[surface].number, met.facet};
+      tracker_.facets[0] = {surfaces_[place].number, met.facet};
       tracker_.facet_count = 1;
     }
     point<D> at = carried(p, time);
@@ -145,7 +145,7 @@ class handle_proxy {
   // The surface that the handle meets first on its way from p to x, and when
   struct meeting {
     proxy_stop met;
-    std::size_t surface = 0;
+    std::size_t place = 0;
   };
   meeting first_met(const point<D>& p, const point<D>& x) const {
     meeting first;

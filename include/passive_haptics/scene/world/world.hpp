@@ -121,11 +121,12 @@ class world {
 
  private:
   using geometry = detail::world_geometry<D>;
+  using numbered_wall = typename geometry::numbered_wall;
   using motion = detail::wall_motion<D>;
 
   void move(std::size_t k, const point<D>& to) {
     near_.moved(k, (to - motions_[k].now).norm());
-    motions_[k].go_to(to, previous_);
+    motions_[k].go_to(to, geometry_->remembers() ? &previous_ : nullptr);
   }
 
   void start_trackers() {
@@ -144,7 +145,7 @@ class world {
 
   // By the proxy. When it is first stopped, what it slides to may lie beside the way: once more, with all
   // near
-  void follow(const point<D>& x) {
+  [[gnu::noinline]] void follow(const point<D>& x) {
     const auto before = proxy_.tracker();
     const point<D> from = all_finite(previous_) ? previous_ : x;
     go(from, x, before.held ? (x - proxy_.position()).norm() : 0);
@@ -165,7 +166,7 @@ class world {
       if (!std::isnan(c.depth)) c.depth = depth;
       c.wall_velocity += m.velocity;
       touched_.append_unchecked(c);
-      add_touched(item, x);
+      add_touched(geometry_->wall_of(item).number, x);
     });
   }
 
@@ -186,16 +187,16 @@ class world {
 
   // At an item of near_ that may stop the proxy. A shape gives contacts before the touch itself
   double look_at_surface(int item, const point<D>& x) {
-    const auto& wall = geometry_->wall_of(item).wall;
-    const auto* surface = wall.surface();
+    const numbered_wall& w = geometry_->wall_of(item);
+    const auto* surface = w.wall.surface();
     if (surface == nullptr) return look(item, x);
     const motion m = motion_of(item) ? *motion_of(item) : motion();
     const point<D> at = x - m.now;
     proxy_.add({surface, m.now, item}, m.before_cycle(previous_));
     if (proxy_.rests_on(item)) return 0;
     if (surface->is_solid()) {
-      const double distance = sense_wall(item, x);
-      if (touched_.empty() || !(touched_[0].depth > 0)) add_touched(item, x);
+      const double distance = sense_wall(w, item, x);
+      if (touched_.empty() || !(touched_[0].depth > 0)) add_touched(w.number, x);
       return std::max(0.0, distance + margin_ - std::max(margin_, reach_));
     }
     int& nearest = nearest_[geometry::place_of(item)];
@@ -207,27 +208,26 @@ class world {
   }
 
   double look(int item, const point<D>& x) {
-    const double distance = sense_wall(item, x);
-    add_touched(item, x);
+    const numbered_wall& w = geometry_->wall_of(item);
+    const double distance = sense_wall(w, item, x);
+    add_touched(w.number, x);
     return distance;
   }
-  double sense_wall(int item, const point<D>& x) {
+  [[gnu::always_inline]] double sense_wall(const numbered_wall& w, int item, const point<D>& x) {
     touched_.clear();
-    const auto& [wall, number, is_followed] = geometry_->wall_of(item);
-    const auto k = geometry::place_of(item);
-    if (item >= 0) return wall.look(x, x, margin_, nullptr, touched_);
-    if (k >= motions_.size()) return wall.look(previous_, x, margin_, tracker(k), touched_);
+    if (item >= 0) return w.wall.look(x, x, margin_, nullptr, touched_);
+    const std::size_t k = geometry::place_of(item);
+    if (k >= motions_.size()) return w.wall.look(previous_, x, margin_, tracker(k), touched_);
     motion& m = motions_[k];
-    const point<D> from = is_followed ? point<D>(previous_ - m.before_cycle(previous_)) : x;
-    const double distance = wall.look(from, x - m.now, margin_, tracker(k), touched_);
-    if (is_followed) m.before = m.now;
+    const point<D> from = w.is_followed ? point<D>(previous_ - m.before_cycle(previous_)) : x;
+    const double distance = w.wall.look(from, x - m.now, margin_, tracker(k), touched_);
+    if (w.is_followed) m.before = m.now;
     for (contact<D>& c : touched_) c.wall_velocity += m.velocity;
     return distance;
   }
-
-  void add_touched(int item, const point<D>& x) {
+  [[gnu::always_inline]] void add_touched(int number, const point<D>& x) {
     for (contact<D>& c : touched_) {
-      c.wall_number = geometry_->wall_of(item).number;
+      c.wall_number = number;
       c.sensed_at = x;
       found_.add(c);
     }

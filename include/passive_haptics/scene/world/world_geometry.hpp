@@ -24,10 +24,12 @@ struct wall_motion {
   /// Where the handle was in the cycle before it moved last [m]: whether this is that cycle.
   point<D> handle = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());
 
-  /// Goes to where it is now; the handle was at `previous` in the cycle before.
-  void go_to(const point<D>& place, const point<D>& previous) {
-    before = before_cycle(previous);
-    handle = previous;
+  /// Goes to where it is now; the handle was at `previous` in the cycle before, nullptr if nobody must know.
+  void go_to(const point<D>& place, const point<D>* previous) {
+    if (previous != nullptr) {
+      before = before_cycle(*previous);
+      handle = *previous;
+    }
     now = place;
   }
   /// Takes over from the same wall in another world, which saw the handle at `previous` in the cycle before.
@@ -87,6 +89,9 @@ struct world_geometry {
       extent = std::max(extent, detail::largest_coordinate(wall.bounds()));
     }
   }
+
+  /// Whether a wall or the proxy must know where a wall has come from.
+  bool remembers() const { return needs_proxy || trackers.back() > 0; }
 
   /// Where a wall stands in its list.
   static std::size_t place_of(int item) { return static_cast<std::size_t>(item >= 0 ? item : -1 - item); }
