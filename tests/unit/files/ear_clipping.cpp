@@ -98,6 +98,51 @@ TEST_F(a_polygon, with_corners_in_its_edges_has_no_triangle_without_area) {
   EXPECT_EQ(read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 3 0 0\nf 1 2 4 2\nf 1 2 3\n").slivers, 2);
 }
 
+// Corners within edges that a float rounds to either side of them, anywhere in space.
+TEST_F(a_polygon, with_corners_in_its_edges_is_filled_whatever_a_float_makes_of_them) {
+  constexpr std::uint64_t seed = 20040627;
+  ph::testing::random_source random(seed);
+  const auto direction = [&] {
+    return ph::point<3>(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+  };
+  for (int k = 0; k < 1000; ++k) {
+    const int n = 4 + k % 8;
+    std::vector<ph::point<2>> corners, all;
+    for (int i = 0; i < n; ++i) {
+      const double r = random.uniform(0.2, 1.2),
+                   angle = (i + random.uniform(0.0, 0.8)) * 2 * std::numbers::pi / n;
+      corners.emplace_back(r * std::cos(angle), r * std::sin(angle));
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const ph::point<2> along = corners[(i + 1) % corners.size()] - corners[i];
+      const int parts = static_cast<int>(random.uniform(1.0, 5.0));
+      for (int part = 0; part < parts; ++part) all.push_back(corners[i] + along * part / parts);
+    }
+    const ph::point<3> x = direction().normalized(), z = ph::cross(x, direction()).normalized(),
+                       y = ph::cross(z, x);
+    const ph::point<3> origin = std::pow(30, k % 3 - 1) * direction();
+    std::vector<ph::point<3>> vertices;
+    std::vector<int> polygon;
+    for (const auto& c : all) {
+      ph::point<3> in_space = origin + c[0] * x + c[1] * y;
+      for (double& coordinate : in_space) coordinate = static_cast<float>(coordinate);
+      polygon.push_back(static_cast<int>(vertices.size()));
+      vertices.push_back(in_space);
+    }
+    std::vector<std::array<int, 3>> triangles;
+    ASSERT_EQ(ph::detail::cut_polygon(vertices, polygon, triangles), ph::detail::polygon_cut::exact)
+        << "seed " << seed << ", polygon " << k;
+    ph::point<3> area = ph::point<3>::Zero();
+    for (const auto& f : triangles) {
+      const auto at = [&](std::size_t i) { return vertices[static_cast<std::size_t>(f[i])]; };
+      EXPECT_GT(ph::detail::slenderness<3>({at(0), at(1), at(2)}), ph::least_slenderness);
+      area += ph::cross<double>(at(1) - at(0), at(2) - at(0));
+    }
+    EXPECT_EQ(triangles.size(), all.size() - 2);
+    EXPECT_NEAR(area.dot(z), twice_area(all), 1e-3);
+  }
+}
+
 TEST_F(a_polygon, that_is_convex_is_cut_from_its_first_corner) {
   const auto file = read(polygon({{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}}));
   const std::vector<std::array<int, 3>> fan{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};

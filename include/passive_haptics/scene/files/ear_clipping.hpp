@@ -4,11 +4,11 @@
 
 #include <passive_haptics/scene/mesh/mesh_parameters.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace passive_haptics::detail {
@@ -31,21 +31,11 @@ class ear_clipping {
   /// False, and nothing is added, if the polygon crosses itself.
   bool add_to(std::vector<index_triangle>& triangles) {
     const std::size_t before = triangles.size();
-    bool takes_flat = false;
-    for (std::size_t tip = 1, passed = 0; left_.size() > 3;) {
-      if (takes_flat ? is_flat(tip) : is_ear(tip)) {
-        triangles.push_back({corner(tip + left_.size() - 1), corner(tip), corner(tip + 1)});
-        left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(tip));
-        tip %= left_.size();
-        passed = 0;
-        takes_flat = false;
-      } else {
-        tip = (tip + 1) % left_.size();
-        if (++passed < left_.size()) continue;
-        if (takes_flat) break;
-        passed = 0;
-        takes_flat = true;  // only where nothing else is left: a triangle without area opens the mesh
-      }
+    while (left_.size() > 3) {
+      if (!find_tip()) break;
+      triangles.push_back({corner(tip_ + left_.size() - 1), corner(tip_), corner(tip_ + 1)});
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(tip_));
+      tip_ %= left_.size();
     }
     if (left_.size() == 3 && turn(at(0), at(1), at(2)) >= -rounding_ && rounding_ > 0) {
       triangles.push_back({left_[0], left_[1], left_[2]});
@@ -58,19 +48,35 @@ class ear_clipping {
  private:
   int corner(std::size_t i) const { return left_[i % left_.size()]; }
   const point<3>& at(std::size_t i) const { return vertices_[static_cast<std::size_t>(corner(i))]; }
+  // The next corner to be cut off. Needles come last: where an edge has corners between its ends, rounding
+  // may put these on either side of it. A triangle without area opens the mesh, so that it is the last
+  // resort.
+  bool find_tip() {
+    constexpr double needle = 1e-4;  // height by length
+    return find_next([&] { return is_ear(needle); }) || find_next([&] { return is_ear(0); }) ||
+           find_next([&] { return std::abs(turn(before_tip(), at(tip_), at(tip_ + 1))) <= rounding_; });
+  }
+  template <class Condition>
+  bool find_next(const Condition& holds) {
+    for (std::size_t passed = 0; passed < left_.size(); ++passed, tip_ = (tip_ + 1) % left_.size())
+      if (holds()) return true;
+    return false;
+  }
+  const point<3>& before_tip() const { return at(tip_ + left_.size() - 1); }
   // Twice the area of a triangle times that of the polygon, > 0 if both run the same way round
   double turn(const point<3>& a, const point<3>& b, const point<3>& c) const {
     return cross<double>(b - a, c - a).dot(whole_);
   }
-  double turn_at(std::size_t tip) const { return turn(at(tip + left_.size() - 1), at(tip), at(tip + 1)); }
-  bool is_flat(std::size_t tip) const { return std::abs(turn_at(tip)) <= rounding_; }
-  bool is_ear(std::size_t tip) const {
-    if (!(turn_at(tip) > rounding_)) return false;
-    const std::size_t n = left_.size();
-    const point<3>&a = at(tip + n - 1), &b = at(tip), &c = at(tip + 1);
-    for (std::size_t k = 2; k + 1 < n; ++k) {
-      const point<3>& x = at(tip + k);
-      const bool is_inside = turn(a, b, x) >= 0 && turn(b, c, x) >= 0 && turn(c, a, x) >= 0;
+  // Whether the tip can be cut off, and no other corner is in that triangle or as near to one of its sides
+  bool is_ear(double narrowest) const {
+    const point<3>&a = before_tip(), &b = at(tip_), &c = at(tip_ + 1);
+    const double least = narrowest * whole_.norm();
+    const double ab = least * (b - a).squaredNorm(), bc = least * (c - b).squaredNorm(),
+                 ca = least * (a - c).squaredNorm();
+    if (!(turn(a, b, c) > std::max({rounding_, ab, bc, ca}))) return false;
+    for (std::size_t k = 2; k + 1 < left_.size(); ++k) {
+      const point<3>& x = at(tip_ + k);
+      const bool is_inside = turn(a, b, x) >= -ab && turn(b, c, x) >= -bc && turn(c, a, x) >= -ca;
       if (is_inside && x != a && x != b && x != c) return false;
     }
     return true;
@@ -78,6 +84,7 @@ class ear_clipping {
 
   const std::vector<point<3>>& vertices_;
   std::vector<int> left_;
+  std::size_t tip_ = 1;                // of `left_`
   point<3> whole_ = point<3>::Zero();  // twice the area, along the normal
   double rounding_;
 };
