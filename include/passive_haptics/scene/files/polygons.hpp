@@ -28,10 +28,10 @@ struct polygons {
   std::vector<std::size_t> places;  ///< Where in the file each polygon is.
   const char* place_name = "polygon ";  ///< What a place counts.
 
-  std::size_t not_polygons = 0;  ///< Points and lines.
-  std::size_t skipped_bytes = 0;
-  std::size_t skipped_lines = 0;
-  std::string first_skipped;  ///< "line 7: 'Kd'"
+  std::size_t not_polygons = 0;   ///< Points and lines.
+  std::size_t skipped_bytes = 0;  ///< Behind the end of the data.
+  std::size_t skipped_lines = 0;  ///< Of other programs.
+  std::string first_skipped;      ///< "line 7: 'Kd'"
 
   /// Adds one; its corners must be indices of vertices, at most `max_corners`.
   void add(std::span<const int> polygon, std::size_t place) {
