@@ -25,6 +25,7 @@
 
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/mesh/height_field.hpp>
+#include <passive_haptics/scene/mesh/mesh_plausibility.hpp>
 #include <passive_haptics/scene/mesh/mesh_solid.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>

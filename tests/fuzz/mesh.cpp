@@ -31,7 +31,10 @@ void check(const ph::mesh_file& file, std::size_t bytes) {
   const auto& m = file.mesh;
   const std::string error = validate(m);
   require(error.empty(), "a mesh that is not valid was read", error);
+  const bool is_all = file.slivers == 0 && file.not_triangles == 0 && file.twisted_quads == 0 &&
+                      file.skipped_lines == 0 && file.skipped_bytes == 0;
   require(file.slivers >= 0 && file.not_triangles >= 0, "a negative number of what was left out");
+  require(is_all == file.remarks.empty(), "something was left out without a remark", file.remarks);
   require(m.facets.size() <= bytes && m.vertices.size() <= 3 * m.facets.size(), "more than the file has");
   const ph::triangle_mesh made(m);  // which promises to take what is valid
   require(ph::all_finite(made.bounds().lower) && ph::all_finite(made.bounds().upper), "bounds without end");

@@ -45,7 +45,7 @@ inline std::string add_part(const aiMesh& part, const aiMatrix4x4t<double>& plac
       corners.push_back(static_cast<int>(first + index));
     }
     if (mirrored) std::reverse(corners.begin(), corners.end());
-    to.add(corners);
+    to.add(corners, to.ends.size());
   }
   return {};
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -15,11 +16,24 @@ namespace passive_haptics {
 namespace detail {
 
 /// What says nothing of where a surface is.
-inline bool is_no_geometry_of_obj(std::string_view word) {
-  constexpr std::array<std::string_view, 17> words{
-      "vt",     "vn",  "o",  "g",     "s",        "mg",       "usemtl",     "mtllib",   "usemap",
-      "maplib", "lod", "vp", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
-  return word.front() == '#' || std::find(words.begin(), words.end(), word) != words.end();
+inline constexpr std::array<std::string_view, 18> no_geometry_of_obj{
+    "vt",     "vn",  "o",  "g",     "s",        "mg",       "usemtl",     "mtllib",    "usemap",
+    "maplib", "lod", "vp", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "t"};
+/// Curves, surfaces that are not made of polygons, and other files.
+inline constexpr std::array<std::string_view, 8> not_read_of_obj{"curv", "curv2", "surf", "bzp",
+                                                                 "bsp",  "cdc",   "cdp",  "call"};
+
+inline bool is_one_of(std::string_view word, std::span<const std::string_view> keywords) {
+  return std::ranges::any_of(keywords, [&](std::string_view k) { return is_keyword(word, k); });
+}
+
+/// Whether a word may be the keyword of another program: two letters or more, digits and '_' behind the
+/// first.
+inline bool is_unknown_keyword(std::string_view word) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return word.size() > 1 && is_letter(word.front()) && std::ranges::all_of(word, [&](char c) {
+           return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
+         });
 }
 
 /// "7", "7/2", "7//3" or "-1/2/3": the index of a vertex, from 1 or back from the last one; those of texture
@@ -33,29 +47,61 @@ inline int obj_index(const mesh_source& from, std::string_view word, std::size_t
   return static_cast<int>(named > 0 ? named - 1 : count + named);
 }
 
-inline void read_obj(const std::filesystem::path& path, polygons& to) {
-  mesh_source from(path);
-  std::vector<int> corners;
-  for (std::string_view word = from.word(); !word.empty(); from.next_line(), word = from.word()) {
-    if (word == "v") {
-      point<3> x;
-      for (double& coordinate : x) coordinate = from.number<double>(from.word_in_line(), "a coordinate");
-      if (to.vertices.size() == polygons::max_count) from.fail(word, "fewer vertices");
-      while (!(word = from.word_in_line()).empty() && word.front() != '#')
-        from.number<double>(word, "a weight or a colour");
-      to.vertices.push_back(x);
-    } else if (word == "f") {
-      corners.clear();
-      while (!(word = from.word_in_line()).empty() && word.front() != '#') {
-        if (corners.size() == polygons::max_corners) from.fail(word, "a polygon of fewer corners");
-        corners.push_back(obj_index(from, word, to.vertices.size()));
-      }
-      if (corners.size() < 3) from.fail(word, "three corners or more");
-      to.add(corners);
-    } else if (word == "l" || word == "p") {
-      ++to.not_polygons;
-    } else if (!is_no_geometry_of_obj(word)) {
+inline void read_obj_vertex(mesh_source& from, polygons& to) {
+  point<3> x;
+  for (double& coordinate : x) coordinate = from.number<double>(from.word_in_line(), "a coordinate");
+  if (to.vertices.size() == polygons::max_count) from.fail("v", "fewer vertices");
+  for (auto word = from.word_in_line(); !word.empty() && word.front() != '#'; word = from.word_in_line())
+    from.number<double>(word, "a weight or a colour");
+  to.vertices.push_back(x);
+}
+
+inline void read_obj_face(mesh_source& from, polygons& to, std::vector<int>& corners) {
+  const std::size_t line = from.line();
+  corners.clear();
+  std::string_view word = from.word_in_line();
+  for (; !word.empty() && word.front() != '#'; word = from.word_in_line()) {
+    if (corners.size() == polygons::max_corners) from.fail(word, "a polygon of fewer corners");
+    corners.push_back(obj_index(from, word, to.vertices.size()));
+  }
+  if (corners.size() < 3) from.fail(word, "three corners or more");
+  to.add(corners, line);
+}
+
+/// Any other line and those that backslashes join to it. A name may end in a backslash, too: no vertex and no
+/// face are passed over for that.
+inline void pass_over_obj_line(mesh_source& from, std::string_view word, polygons& to) {
+  if (is_keyword(word, "l") || is_keyword(word, "p")) {
+    ++to.not_polygons;
+  } else if (!is_one_of(word, no_geometry_of_obj)) {
+    if (is_one_of(word, not_read_of_obj) || !is_unknown_keyword(word))
       from.fail(word, "v, f or another keyword of a mesh; curves and free-form surfaces are not read");
+    to.skip_line(from.place_of(word));
+  }
+  while (from.next_line()) {
+    word = from.word_in_line();
+    if (is_keyword(word, "v") || is_keyword(word, "f"))
+      from.fail(word, "no vertex or face behind a line that ends in a backslash; remove the backslash");
+  }
+}
+
+inline void read_obj(const std::filesystem::path& path, polygons& to) {
+  mesh_source from(path, true);
+  from.begin_text();
+  to.skipped_bytes = from.cut_padding(1);  // the zero that ends a text in C
+  to.place_name = "line ";
+  std::vector<int> corners;
+  for (std::string_view word = from.word(); !word.empty(); word = from.word()) {
+    if (is_keyword(word, "v")) {
+      read_obj_vertex(from, to);
+      from.next_line();
+    } else if (is_keyword(word, "f") || is_keyword(word, "fo")) {  // fo: as old programs write it
+      read_obj_face(from, to, corners);
+      from.next_line();
+    } else if (word.front() == '#') {
+      from.next_line();  // whose backslash joins nothing
+    } else {
+      pass_over_obj_line(from, word, to);
     }
   }
 }
@@ -63,12 +109,13 @@ inline void read_obj(const std::filesystem::path& path, polygons& to) {
 }  // namespace detail
 
 /// The mesh of an OBJ file whose unit is `metres_per_unit` (1e-3: millimetres): all objects and groups as
-/// one. Polygons are cut into triangles; one that no fan of triangles fills is refused. A face names vertices
-/// of lines above it.
+/// one. Polygons are cut into triangles. A face names vertices of lines above it. Lines with keywords of
+/// other programs and a zero byte at the end are passed over; mesh_file says what was. Such a text has no end
+/// of its own: if it is cut off between two lines, no reader can see that.
 ///
 /// Throws std::invalid_argument that names file and line, and what was expected: no regular file, not OBJ, an
-/// index out of range, coordinates that are not finite, no triangle with an area, a scale that is not
-/// positive. For set-up, never for a control cycle.
+/// index out of range, coordinates that are not finite, a polygon that crosses itself, no triangle with an
+/// area, a scale that is not positive. For set-up, never for a control cycle.
 inline mesh_file read_obj(const std::filesystem::path& path, double metres_per_unit = 1) {
   return detail::read_mesh_file(path, metres_per_unit, detail::read_obj);
 }

@@ -44,9 +44,15 @@ class ply_values {
       fail(indexed("a list of ", n, " values"), "0 or more, and no more than the file has");
     return static_cast<std::size_t>(n);
   }
+  /// Passes over a property; in a text its values may be any words ("-1.#IND").
   void skip(const ply_property& p) {
-    for (std::size_t n = p.is_list() ? length(p) : 1; n > 0; --n) real(p.type);
+    for (std::size_t n = p.is_list() ? length(p) : 1; n > 0; --n) {
+      if (!header_.is_text) real(p.type);
+      else if (from_.word().empty()) from_.fail({}, "a value");
+    }
   }
+  /// The line of a text, or the byte.
+  std::size_t place() const { return header_.is_text ? from_.line() : from_.byte(); }
   /// What was read last is wrong.
   [[noreturn]] void fail(const std::string& found, std::string_view expected) const {
     if (header_.is_text) from_.fail(found, expected);
@@ -70,6 +76,7 @@ inline void read_ply_vertices(ply_values& from, const ply_element& vertex, polyg
 inline void read_ply_polygon(ply_values& from, const ply_property& list, std::size_t vertices, polygons& to,
                              std::vector<int>& corners) {
   corners.resize(from.length(list));
+  const std::size_t place = from.place();
   if (corners.size() > polygons::max_corners)
     from.fail(indexed("a polygon of ", corners.size(), " corners"), "at most 1000");
   for (int& corner : corners) {
@@ -79,7 +86,7 @@ inline void read_ply_polygon(ply_values& from, const ply_property& list, std::si
                 indexed("0 or more and less than ", vertices, ", as many as there are"));
     corner = static_cast<int>(i);
   }
-  to.add(corners);
+  to.add(corners, place);
 }
 
 inline bool is_corner_list(const ply_property& p) {
@@ -101,13 +108,16 @@ inline void check_ply_header(const mesh_source& from, const ply_header& header) 
             "properties x, y and z of the vertices");
   const ply_element* const face = header.find("face");
   require(face != nullptr, "'element face' and how many there are");
+  const ply_element* const strips = header.find("tristrips");
+  require(strips == nullptr || strips->rows == 0, "faces alone; triangle strips are not read");
   int lists = 0;
   for (const ply_property& p : face->properties)
     lists += is_corner_list(p) && p.is_list() && is_whole(p.type);
   require(lists == 1, "'property list uchar int vertex_indices' of the faces");
   for (const ply_element& e : header.elements) {
     const std::size_t least = e.least_row(header.is_text);
-    if (least == 0 || e.rows > (from.left() + 1) / least)  // the last row may have no end of line
+    if (e.rows > 0 &&
+        (least == 0 || e.rows > (from.left() + 1) / least))  // the last row may have no end of line
       fail_mesh_file(from.path(),
                      indexed("element " + e.name + " has ", e.rows, " rows of ")
                          .append(indexed("", least, " bytes or more, expected "))
@@ -117,9 +127,14 @@ inline void check_ply_header(const mesh_source& from, const ply_header& header) 
 
 inline void read_ply(const std::filesystem::path& path, polygons& to) {
   mesh_source from(path);
-  const ply_header header = read_ply_header(from);
+  const ply_header header = read_ply_header(from, to);
   check_ply_header(from, header);
   const std::size_t vertices = header.find("vertex")->rows;
+  if (header.is_text) {
+    from.begin_text();
+    to.skipped_bytes = from.cut_padding();
+  }
+  to.place_name = header.is_text ? "line " : "byte ";
   ply_values values(from, header);
   std::vector<int> corners;
   for (const ply_element& e : header.elements) {
@@ -137,7 +152,9 @@ inline void read_ply(const std::filesystem::path& path, polygons& to) {
   if (header.is_text) {
     if (const auto word = from.word(); !word.empty())
       from.fail(word, "the end of the file, as the header says");
-  } else if (from.left() > 0) {
+  } else if (from.only_padding_is_left()) {
+    to.skipped_bytes = from.left();
+  } else {
     from.fail_here(indexed("", from.left(), " bytes more"), "the end of the file, as the header says");
   }
 }
@@ -145,12 +162,12 @@ inline void read_ply(const std::filesystem::path& path, polygons& to) {
 }  // namespace detail
 
 /// The mesh of a PLY file whose unit is `metres_per_unit` (1e-3: millimetres), in double where the file is.
-/// Polygons are cut into triangles; one that no fan of triangles fills is refused. Other elements and
-/// properties are passed over.
+/// Polygons are cut into triangles. Other elements and properties are passed over, and zero bytes, Ctrl-Z and
+/// blanks behind the data; mesh_file says how many.
 ///
 /// Throws std::invalid_argument that names file and line, or byte, and what was expected. Causes: no regular
-/// file, not PLY, cut off, an index out of range, coordinates that are not finite, no triangle with an area,
-/// a scale that is not positive. For set-up, never for a control cycle.
+/// file, not PLY, cut off, an index out of range, coordinates that are not finite, a polygon that crosses
+/// itself, no triangle with an area, a scale that is not positive. For set-up, never for a control cycle.
 inline mesh_file read_ply(const std::filesystem::path& path, double metres_per_unit = 1) {
   return detail::read_mesh_file(path, metres_per_unit, detail::read_ply);
 }

@@ -23,7 +23,7 @@ inline ply_type ply_type_of(std::string_view word) {
   constexpr std::array<std::string_view, 9> sized{"",      "int8",   "uint8",   "int16",  "uint16",
                                                   "int32", "uint32", "float32", "float64"};
   std::size_t i = old.size() - 1;
-  while (i > 0 && word != old[i] && word != sized[i]) --i;
+  while (i > 0 && !is_keyword(word, old[i]) && !is_keyword(word, sized[i])) --i;
   return static_cast<ply_type>(i);
 }
 
@@ -75,6 +75,14 @@ struct ply_header {
   const ply_element* find(std::string_view element) const { return find_named(elements, element); }
 };
 
+/// A name as the reader knows it, in small letters if it is one of those that say where a surface is.
+inline std::string ply_name(std::string_view word) {
+  constexpr std::array<std::string_view, 9> known{"vertex", "face", "edge",           "tristrips",   "x",
+                                                  "y",      "z",    "vertex_indices", "vertex_index"};
+  const auto found = std::ranges::find_if(known, [&](std::string_view k) { return is_keyword(word, k); });
+  return std::string(found == known.end() ? word : *found);
+}
+
 inline ply_property read_ply_property(mesh_source& from) {
   constexpr const char* types = "a type: char, uchar, short, ushort, int, uint, float or double";
   const auto type_of = [&](std::string_view word) {
@@ -83,21 +91,21 @@ inline ply_property read_ply_property(mesh_source& from) {
   };
   ply_property p;
   std::string_view word = from.word_in_line();
-  if (word == "list") {
+  if (is_keyword(word, "list")) {
     word = from.word_in_line();
     p.count = type_of(word);
     if (!is_whole(p.count)) from.fail(word, "a type of whole numbers");
     word = from.word_in_line();
   }
   p.type = type_of(word);
-  p.name = from.word_in_line();
+  p.name = ply_name(from.word_in_line());
   if (p.name.empty()) from.fail({}, "the name of a property");
   return p;
 }
 
 inline ply_element read_ply_element(mesh_source& from) {
   ply_element e;
-  e.name = from.word_in_line();
+  e.name = ply_name(from.word_in_line());
   if (e.name.empty()) from.fail({}, "the name of an element");
   e.rows = from.number<std::size_t>(from.word_in_line(), "how many rows there are");
   return e;
@@ -105,47 +113,58 @@ inline ply_element read_ply_element(mesh_source& from) {
 
 inline void read_ply_format(mesh_source& from, ply_header& header) {
   const std::string_view format = from.word_in_line();
-  header.is_text = format == "ascii";
-  header.order = format == "binary_big_endian" ? std::endian::big : std::endian::little;
-  if (!header.is_text && format != "binary_big_endian" && format != "binary_little_endian")
+  header.is_text = is_keyword(format, "ascii");
+  const bool is_big = is_keyword(format, "binary_big_endian");
+  header.order = is_big ? std::endian::big : std::endian::little;
+  if (!header.is_text && !is_big && !is_keyword(format, "binary_little_endian"))
     from.fail(format, "ascii, binary_little_endian or binary_big_endian");
   if (const auto version = from.word_in_line(); version != "1.0") from.fail(version, "version 1.0");
 }
 
-/// From "ply" to "end_header" and the end of its line.
-inline ply_header read_ply_header(mesh_source& from) {
+/// From "ply" to "end_header" and the end of its line. Before the first element, where no property can be
+/// meant, lines of other programs are passed over.
+inline ply_header read_ply_header(mesh_source& from, polygons& to) {
   ply_header header;
+  constexpr std::string_view end = "end_header";
+  const std::size_t found = from.bytes().find(end);
+  from.begin_text(found == std::string_view::npos ? 0 : found + end.size() + 1);  // not the data behind it
   const auto end_line = [&] {
     if (const auto word = from.word_in_line(); !word.empty()) from.fail(word, "the end of the line");
     if (from.left() == 0) from.fail({}, "'end_header' and the data; the file was cut off");
     from.next_line();
   };
-  const auto expect = [&](std::string_view expected) {
-    if (const auto word = from.word_in_line(); word != expected)
-      from.fail(word, std::string("'").append(expected).append("'"));
+  const auto next = [&] {  // the first word of the next line that says something
+    for (;;) {
+      end_line();
+      const auto word = from.word_in_line();
+      const bool is_comment = is_keyword(word, "comment") || is_keyword(word, "obj_info");
+      if (!word.empty() && !is_comment) return word;
+      while (!from.word_in_line().empty()) {
+      }
+    }
   };
-  expect("ply");
-  end_line();
-  expect("format");
+  std::string_view word = from.word_in_line();
+  if (!is_keyword(word, "ply")) from.fail(word, "'ply'");
+  word = next();
+  if (!is_keyword(word, "format")) from.fail(word, "'format'");
   read_ply_format(from, header);
-  end_line();
-  for (std::string_view word = from.word_in_line(); word != "end_header"; word = from.word_in_line()) {
-    if (word == "element") {
+  for (word = next(); !is_keyword(word, end); word = next()) {
+    if (is_keyword(word, "element")) {
       ply_element e = read_ply_element(from);
       if (header.find(e.name) != nullptr) from.fail(e.name, "an element of another name");
       header.elements.push_back(std::move(e));
-    } else if (word == "property" && !header.elements.empty()) {
+    } else if (is_keyword(word, "property") && !header.elements.empty()) {
       ply_property p = read_ply_property(from);
       ply_element& of = header.elements.back();
       if (of.find(p.name) != nullptr) from.fail(p.name, "a property of another name");
       of.properties.push_back(std::move(p));
-    } else if (word == "comment" || word == "obj_info") {
+    } else if (header.elements.empty() && !is_keyword(word, "property")) {
+      to.skip_line(from.place_of(word));
       while (!from.word_in_line().empty()) {
       }
     } else {
       from.fail(word, "element, property, comment, obj_info or end_header");
     }
-    end_line();
   }
   end_line();
   return header;

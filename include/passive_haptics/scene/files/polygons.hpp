@@ -1,12 +1,13 @@
 /// @file
-/// Polygons as files have them, and the triangles that they are cut into.
+/// Polygons as files have them, and the mesh of their triangles.
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/scene/files/ear_clipping.hpp>
+#include <passive_haptics/scene/files/mesh_file.hpp>
 #include <passive_haptics/scene/mesh/mesh_topology.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -14,64 +15,39 @@
 #include <utility>
 #include <vector>
 
-namespace passive_haptics {
+namespace passive_haptics::detail {
 
-/// What was found in a file of meshes.
-struct mesh_file {
-  mesh_parameters<3> mesh;  ///< All of its triangles as one mesh, vertices in the same place as one.
-  /// Triangles without area that were left out; a mesh may be open there, see without_slivers.
-  int slivers = 0;
-  int not_triangles = 0;  ///< Points and lines that were left out.
-};
-
-namespace detail {
-
-/// Vertices, and polygons one after the other.
+/// Vertices, polygons one after the other, and what of the file is neither.
 struct polygons {
   static constexpr std::size_t max_corners = 1000;                           ///< Of one polygon.
   static constexpr std::size_t max_count = std::numeric_limits<int>::max();  ///< Vertices or triangles.
 
   std::vector<point<3>> vertices;
-  std::vector<int> corners;       ///< Of all polygons; each is the index of a vertex, which is to be valid.
-  std::vector<std::size_t> ends;  ///< Where in `corners` each polygon ends.
-  std::size_t not_polygons = 0;   ///< Points and lines, which were left out.
+  std::vector<int> corners;         ///< Of all polygons; each is the index of a vertex, which is to be valid.
+  std::vector<std::size_t> ends;    ///< Where in `corners` each polygon ends.
+  std::vector<std::size_t> places;  ///< Where in the file each polygon is.
+  const char* place_name = "polygon ";  ///< What a place counts.
+
+  std::size_t not_polygons = 0;   ///< Points and lines.
+  std::size_t skipped_bytes = 0;  ///< Behind the end of the data.
+  std::size_t skipped_lines = 0;  ///< Of other programs.
+  std::string first_skipped;      ///< "line 7: 'Kd'"
 
   /// Adds one; its corners must be indices of vertices, at most `max_corners`.
-  void add(std::span<const int> polygon) {
+  void add(std::span<const int> polygon, std::size_t place) {
     if (polygon.size() < 3) {
       ++not_polygons;
       return;
     }
     corners.insert(corners.end(), polygon.begin(), polygon.end());
     ends.push_back(corners.size());
+    places.push_back(place);
+  }
+  /// Counts a line whose keyword is that of another program: "line 7: 'Kd'".
+  void skip_line(const std::string& place) {
+    if (skipped_lines++ == 0) first_skipped = place;
   }
 };
-
-/// Cuts a polygon into triangles that all fan out from one corner, the first for which none is turned over:
-/// corner 0 of a convex polygon. False if there is no such corner.
-inline bool add_fan(const std::vector<point<3>>& vertices, std::span<const int> polygon,
-                    std::vector<std::array<int, 3>>& triangles) {
-  const std::size_t n = polygon.size();
-  const auto corner = [&](std::size_t i) { return polygon[i % n]; };
-  const auto at = [&](std::size_t i) -> const point<3>& {
-    return vertices[static_cast<std::size_t>(corner(i))];
-  };
-  const auto turn = [&](std::size_t from, std::size_t k) {
-    const point<3> u = at(from + k) - at(from), v = at(from + k + 1) - at(from);
-    return cross(u, v);
-  };
-  point<3> whole = point<3>::Zero();  // twice the area, along the normal
-  for (std::size_t k = 1; k + 1 < n; ++k) whole += turn(0, k);
-  const double rounding = 1e-9 * whole.squaredNorm();
-  for (std::size_t from = 0; from < n; ++from) {
-    std::size_t k = 1;
-    while (k + 1 < n && (n == 3 || turn(from, k).dot(whole) >= -rounding)) ++k;
-    if (k + 1 < n) continue;
-    for (k = 1; k + 1 < n; ++k) triangles.push_back({corner(from), corner(from + k), corner(from + k + 1)});
-    return true;
-  }
-  return false;
-}
 
 /// A copy of a mesh with only the vertices that are used, each place once.
 inline mesh_parameters<3> compact(const mesh_parameters<3>& m) {
@@ -92,28 +68,72 @@ inline mesh_parameters<3> compact(const mesh_parameters<3>& m) {
   return small;
 }
 
-/// Makes one mesh of all polygons, with coordinates in metres; empty, or why there is none.
-inline std::string to_mesh(polygons&& from, double metres_per_unit, mesh_file& file) {
-  for (std::size_t v = 0; v < from.vertices.size(); ++v) {
-    from.vertices[v] *= metres_per_unit;
-    if (!all_finite(from.vertices[v]))
-      return indexed("vertex ", v, " is not finite, expected coordinates; the file is damaged");
-  }
-  file.not_triangles = static_cast<int>(std::min(from.not_polygons, polygons::max_count));
-  if (from.ends.empty()) return "no triangles, expected one or more; points and lines have no sides";
-  mesh_parameters<3> all{std::move(from.vertices), {}};
+/// Cuts all polygons into triangles; empty, or which of them is no polygon, and why.
+inline std::string cut_all(const polygons& from, const std::vector<point<3>>& vertices,
+                           std::vector<index_triangle>& triangles, std::vector<std::size_t>& twisted) {
   std::size_t begin = 0;
   for (std::size_t i = 0; i < from.ends.size(); begin = from.ends[i++]) {
     const auto polygon = std::span<const int>(from.corners).subspan(begin, from.ends[i] - begin);
-    if (!add_fan(all.vertices, polygon, all.facets))
-      return indexed("polygon ", i, " is concave, expected triangles; cut it where the file is made");
+    const auto here = [&](const std::string& error) {
+      return indexed(from.place_name, from.places[i], ": ").append(error);
+    };
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const point<3>& x = vertices[static_cast<std::size_t>(polygon[k])];
+      if (!all_finite(x))
+        return here(indexed("corner ", k + 1, indexed(" = (", x[0], ", "))
+                        .append(indexed("", x[1], ", "))
+                        .append(indexed("", x[2], "), expected finite coordinates; the file is damaged")));
+    }
+    const polygon_cut cut = cut_polygon(vertices, polygon, triangles);
+    if (cut == polygon_cut::twisted) twisted.push_back(from.places[i]);
+    if (cut == polygon_cut::crossing)
+      return here(indexed("a polygon of ", polygon.size(),
+                          " corners crosses itself, expected its corners in their order around it; cut it "
+                          "into triangles where the file is made"));
   }
+  return triangles.size() > polygons::max_count ? "more than 2^31 - 1 triangles, expected fewer" : "";
+}
+
+/// The counts of a file in words.
+inline std::string remarks_on(const mesh_file& file, const std::string& first_twisted,
+                              const std::string& first_skipped) {
+  std::string all;
+  const auto remark = [&](const char* what, auto count, const std::string& more) {
+    if (count > 0) all.append(indexed(what, count, more)).append("\n");
+  };
+  remark("triangles without area, left out: ", file.slivers, "; the mesh may be open there");
+  remark("points and lines, left out: ", file.not_triangles, "");
+  remark("twisted quads, cut along a diagonal: ", file.twisted_quads,
+         ", the first at " + first_twisted + "; how they run between their edges is a guess");
+  remark("lines with keywords of other programs, skipped: ", file.skipped_lines,
+         ", the first is " + first_skipped);
+  remark("bytes behind the end of the data, skipped: ", file.skipped_bytes, "");
+  return all;
+}
+
+/// Makes one mesh of all polygons, with coordinates in metres; empty, or why there is none.
+inline std::string to_mesh(polygons&& from, double metres_per_unit, mesh_file& file) {
+  const auto counted = [](std::size_t n) { return static_cast<int>(std::min(n, polygons::max_count)); };
+  if (from.ends.empty()) {
+    if (from.skipped_lines == 0) return "no triangles, expected one or more; points and lines have no sides";
+    return from.first_skipped + ", expected a keyword of a mesh; the file has no triangles";
+  }
+  mesh_parameters<3> all{std::move(from.vertices), {}};
+  for (point<3>& x : all.vertices) x *= metres_per_unit;
+  std::vector<std::size_t> twisted;
+  if (std::string error = cut_all(from, all.vertices, all.facets, twisted); !error.empty()) return error;
+  for (point<3>& x : all.vertices)
+    if (!all_finite(x)) x.setZero();  // used by no polygon, but NaN has no place in an order
   const std::size_t count = all.facets.size();
-  if (count > polygons::max_count) return "more than 2^31 - 1 triangles, expected fewer";
   file.mesh = compact(without_slivers(std::move(all)));
   file.slivers = static_cast<int>(count - file.mesh.facets.size());
+  file.not_triangles = counted(from.not_polygons);
+  file.twisted_quads = counted(twisted.size());
+  file.skipped_lines = counted(from.skipped_lines);
+  file.skipped_bytes = from.skipped_bytes;
+  file.remarks = remarks_on(file, twisted.empty() ? "" : indexed(from.place_name, twisted.front(), ""),
+                            from.first_skipped);
   return file.mesh.facets.empty() ? "no triangle has an area, expected one or more" : "";
 }
 
-}  // namespace detail
-}  // namespace passive_haptics
+}  // namespace passive_haptics::detail

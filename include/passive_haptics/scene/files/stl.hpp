@@ -4,6 +4,7 @@
 
 #include <passive_haptics/scene/files/mesh_source.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -15,10 +16,10 @@ namespace passive_haptics {
 namespace detail {
 
 /// Three vertices of its own for each triangle.
-inline void add_loose_triangle(const std::array<point<3>, 3>& corners, polygons& to) {
+inline void add_loose_triangle(const std::array<point<3>, 3>& corners, std::size_t place, polygons& to) {
   const int first = static_cast<int>(to.vertices.size());
   to.vertices.insert(to.vertices.end(), corners.begin(), corners.end());
-  to.add(std::array{first, first + 1, first + 2});
+  to.add(std::array{first, first + 1, first + 2}, place);
 }
 
 inline constexpr std::size_t stl_head = 84, stl_triangle = 50;  // [bytes]
@@ -29,69 +30,119 @@ inline std::size_t stl_count(mesh_source& from) {
   return from.value<std::uint32_t>(std::endian::little);
 }
 
+/// What a binary file has behind its triangles is passed over, unless it may be triangles, too.
+inline void check_end_of_stl(mesh_source& from, std::size_t count, polygons& to) {
+  const std::size_t size = stl_head + count * stl_triangle, found = from.bytes().size();
+  from.seek(std::min(size, found));
+  if (found < size)
+    from.fail_here("the file ends", indexed(indexed("", size, " bytes, those of "), count,
+                                            " triangles; it was cut off, or is no STL"));
+  const std::size_t more = from.left() / stl_triangle;
+  if (more > 0 && (more > count || from.left() % stl_triangle == 0) && !from.only_padding_is_left()) {
+    from.seek(stl_head - sizeof(std::uint32_t));
+    from.fail_here(indexed("a count of ", count, " triangles"),
+                   indexed("", count + more, ", for which the file has bytes; write the file anew"));
+  }
+  to.skipped_bytes = from.left();
+}
+
 /// 80 bytes of a title, the number of triangles, and of each normal, corners and two bytes.
 inline void read_binary_stl(mesh_source& from, polygons& to) {
   const std::size_t count = stl_count(from);
+  check_end_of_stl(from, count, to);
   to.vertices.reserve(3 * count);
+  to.place_name = "byte ";
   for (std::size_t i = 0; i < count; ++i) {
-    from.seek(stl_head + i * stl_triangle + 3 * sizeof(float));
+    const std::size_t begin = stl_head + i * stl_triangle;
+    from.seek(begin + 3 * sizeof(float));
     std::array<point<3>, 3> corners;
     for (auto& corner : corners)
       for (double& x : corner) x = from.value<float>(std::endian::little);
-    add_loose_triangle(corners, to);
+    add_loose_triangle(corners, begin, to);
   }
 }
 
-/// "solid NAME", facets, "endsolid NAME", as often as there are solids.
-inline void read_ascii_stl(mesh_source& from, polygons& to) {
-  const auto expect = [&](std::string_view word) {
-    if (const auto found = from.word(); found != word)
-      from.fail(found, std::string("'").append(word).append("'"));
+/// "facet normal X Y Z outer loop", three times "vertex X Y Z", "endloop endfacet", behind its first word.
+/// The normal is not read.
+inline void read_ascii_facet(mesh_source& from, polygons& to) {
+  const auto expect = [&](std::string_view keyword, std::string_view word) {
+    if (!is_keyword(word, keyword)) from.fail(word, quoted(keyword));
   };
-  for (std::string_view word = from.word(); !word.empty(); word = from.word()) {
-    if (word != "solid") from.fail(word, "'solid', or the end of the file");
+  const auto expect_end = [&](std::string_view of) {  // "endloop" or "end loop"
+    const std::string_view word = from.word();
+    expect(is_keyword(word, "end") ? "end" : of, word);
+    if (is_keyword(word, "end")) expect(of.substr(3), from.word());
+  };
+  const std::size_t line = from.line();
+  expect("normal", from.word());
+  std::string_view word = from.word();
+  for (int i = 0; i < 3 && !is_keyword(word, "outer"); ++i) word = from.word();
+  expect("outer", word);
+  expect("loop", from.word());
+  std::array<point<3>, 3> corners;
+  for (auto& corner : corners) {
+    expect("vertex", from.word());
+    for (double& x : corner) x = from.number<double>(from.word(), "a number");
+  }
+  expect_end("endloop");
+  expect_end("endfacet");
+  add_loose_triangle(corners, line, to);
+}
+
+/// "solid NAME", facets, "endsolid NAME", as often as there are solids. Between them may stand comments, and
+/// lines with a colour.
+inline void read_ascii_stl(mesh_source& from, polygons& to) {
+  from.begin_text();
+  to.skipped_bytes = from.cut_padding();
+  to.place_name = "line ";
+  const auto next = [&] {
+    std::string_view word = from.word();
+    while (is_keyword(word, "color") || word.starts_with('#') || word.starts_with(';')) {
+      to.skip_line(from.place_of(word));
+      from.next_line();
+      word = from.word();
+    }
+    return word;
+  };
+  std::string_view word = next();
+  if (!is_keyword(word, "solid")) from.fail(word, "'solid'; it was cut off, or is no STL");
+  while (!word.empty()) {
     from.next_line();
-    for (word = from.word(); word != "endsolid"; word = from.word()) {
-      if (word != "facet") from.fail(word, "'facet' or 'endsolid'");
-      expect("normal");
-      for (int i = 0; i < 3; ++i) from.word();  // the corners say it better
-      expect("outer");
-      expect("loop");
-      std::array<point<3>, 3> corners;
-      for (auto& corner : corners) {
-        expect("vertex");
-        for (double& x : corner) x = from.number<double>(from.word(), "a number");
-      }
-      expect("endloop");
-      expect("endfacet");
-      add_loose_triangle(corners, to);
+    for (word = next(); !is_keyword(word, "endsolid"); word = next()) {
+      if (is_keyword(word, "end") && is_keyword(from.word_in_line(), "solid")) break;
+      if (!is_keyword(word, "facet")) from.fail(word, "'facet' or 'endsolid'");
+      read_ascii_facet(from, to);
     }
     from.next_line();
+    word = next();
+    if (!word.empty() && !is_keyword(word, "solid")) from.fail(word, "'solid', or the end of the file");
   }
 }
 
 inline void read_stl(const std::filesystem::path& path, polygons& to) {
   mesh_source from(path);
   const std::string_view bytes = from.bytes();
-  const bool has_head = bytes.size() >= stl_head;
-  const std::size_t size = has_head ? stl_head + stl_triangle * stl_count(from) : stl_head;
-  from.seek(0);
   if (bytes.size() / stl_triangle > polygons::max_count / 3)
     from.fail_here("a file that large", "fewer triangles");
-  if (has_head && bytes.size() == size) return read_binary_stl(from, to);
-  if (bytes.substr(0, 5) == "solid") return read_ascii_stl(from, to);
-  from.fail_here(indexed("a file of ", bytes.size(), " bytes that does not begin with 'solid'"),
-                 indexed("", size, " bytes of a binary file; it was cut off, or is no STL"));
+  const bool has_head = bytes.size() >= stl_head;
+  const bool is_whole = has_head && bytes.size() == stl_head + stl_triangle * stl_count(from);
+  // A text has no zero byte, but for the ends of some; a count has one, if it is below 2^24
+  const bool has_count = has_head && bytes.substr(0, stl_head).find('\0') != bytes.npos && !from.is_utf16();
+  if (is_whole || has_count) return read_binary_stl(from, to);
+  from.seek(0);
+  read_ascii_stl(from, to);
 }
 
 }  // namespace detail
 
 /// The mesh of an STL file whose unit is `metres_per_unit` (1e-3: millimetres). Its normals are not read:
-/// which side is free follows from the order of the corners. Coordinates of binary files have 24 bits.
+/// which side is free follows from the order of the corners. Coordinates of binary files have 24 bits. What
+/// stands behind the triangles of a binary file, comments and colours are passed over; mesh_file says what
+/// was.
 ///
 /// Throws std::invalid_argument that names file and line, or byte, and what was expected: no regular file,
-/// not STL, cut off, coordinates that are not finite, no triangle with an area, a scale that is not positive.
-/// For set-up, never for a control cycle.
+/// not STL, cut off, a wrong count of triangles, coordinates that are not finite, no triangle with an area, a
+/// scale that is not positive. For set-up, never for a control cycle.
 inline mesh_file read_stl(const std::filesystem::path& path, double metres_per_unit = 1) {
   return detail::read_mesh_file(path, metres_per_unit, detail::read_stl);
 }

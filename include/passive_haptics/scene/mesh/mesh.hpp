@@ -44,6 +44,10 @@ class mesh {
   /// Why it is not closed, by vertices and facets; empty if it is.
   const std::string& hole() const { return data_->hole; }
 
+  /// Edges (2-D: vertices) whose two facets run the same way along them, so that one of both faces the wrong
+  /// side.
+  int turned_edges() const { return data_->turned_edges; }
+
   /// Enclosed area [m^2] (2-D) or volume [m^3] (3-D) of a closed mesh; < 0 if the outside is solid.
   double content() const { return data_->content; }
 
@@ -96,6 +100,7 @@ class mesh {
     bounding_volume_tree<D> tree;
     bounding_box<D> bounds;
     std::string hole;
+    int turned_edges = 0;
     double content;
 
     explicit data(const mesh_parameters<D>& p) : vertices(p.facets), edges(p.facets.size()) {
@@ -143,6 +148,7 @@ class mesh {
         }
         edge_normals.push_back(
             detail::direction_or<D>(sum, facets[static_cast<std::size_t>(first->facet)].normal));
+        if (r - first == 2 && first->turn == first[1].turn) ++turned_edges;
         if (hole.empty()) hole = detail::check_ridge<D>(first, r);
       }
     }
