@@ -26,9 +26,9 @@ std::string plausibility(const mesh<D>& m, double reach) {
   };
   const double size = (m.bounds().upper - m.bounds().lower).maxCoeff();
   if (size > largest * reach)
-    remark(
-        "size of the mesh [m] = ", size,
-        detail::indexed("up to ", largest * reach, ": a file in millimetres, whose metres_per_unit is 1e-3?"));
+    remark("size of the mesh [m] = ", size,
+           detail::indexed("up to ", largest * reach,
+                           ": a file in millimetres, whose metres_per_unit is 1e-3?"));
   if (size < smallest * reach)
     remark("size of the mesh [m] = ", size,
            detail::indexed("over ", smallest * reach, ": a file in metres, whose metres_per_unit is 1?"));
