@@ -127,14 +127,14 @@ class mesh_source {
 /// The mesh of a file whose polygons `read(path, polygons)` adds.
 inline mesh_file read_mesh_file(const std::filesystem::path& path, double metres_per_unit,
                                 void (&read)(const std::filesystem::path&, polygons&)) {
-  const auto require = [&](const std::string& error) {
+  const auto refuse = [&](const std::string& error) {
     if (!error.empty()) fail_mesh_file(path, error);
   };
-  require(check_value("metres_per_unit", metres_per_unit, "", range::positive));
+  refuse(check_value("metres_per_unit", metres_per_unit, "", range::positive));
   polygons found;
   read(path, found);
   mesh_file file;
-  require(to_mesh(std::move(found), metres_per_unit, file));
+  refuse(to_mesh(std::move(found), metres_per_unit, file));
   return file;
 }
 

@@ -76,11 +76,11 @@ class mesh_surface {
       return 0;
     }
     if (!t.held) {
-      const point<D> start = t.known && all_finite(from) ? near(from) : entry(x, t);
+      const point<D> start = t.known && all_finite(from) ? limited(from) : entry(x, t);
       point<D>::Map(t.position.data()) = start;
     }
     t.known = true;
-    detail::proxy_way<D>(surface_, skin_, t).go_to(near(x));
+    detail::proxy_way<D>(surface_, skin_, t).go_to(limited(x));
     if (t.held) {
       detail::proxy_contacts<D>(surface_, t, x, cos_crease_).add_to(add);
       return 0;
@@ -97,15 +97,15 @@ class mesh_surface {
   static constexpr double slab_reach = 4;  // no point of a facet's slab is further from it, in skins
 
   // Coordinates so large that their rounding is thicker than a skin are brought nearer.
-  point<D> near(const point<D>& x) const { return x.cwiseMax(-far_).cwiseMin(far_); }
+  point<D> limited(const point<D>& x) const { return x.cwiseMax(-far_).cwiseMin(far_); }
 
   // Where a handle that was not seen before is taken to come from.
   point<D> entry(const point<D>& x, const tracker& t) const {
     constexpr double flat = 1e-9;  // of the box about it: all folded flat, such a mesh encloses nothing
     const double box = (surface_.bounds().upper - surface_.bounds().lower).prod();
-    if (!surface_.closed() || !(std::abs(surface_.content()) > flat * box)) return near(x);
+    if (!surface_.closed() || !(std::abs(surface_.content()) > flat * box)) return limited(x);
     const auto nearest = surface_.nearest(x, t.nearest);
-    if (surface_.signed_distance(x, nearest) >= 0) return near(x);
+    if (surface_.signed_distance(x, nearest) >= 0) return limited(x);
     return nearest.position + skin_ * surface_.normal_at(nearest);
   }
 
