@@ -1,6 +1,7 @@
 # Sourced by the run scripts: what they share. All output goes to build/.
 
 set -o pipefail
+unset CDPATH  # with which cd goes elsewhere, and prints where
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$PWD/build
 jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc 2>/dev/null || echo 2)}
@@ -56,6 +57,7 @@ present() {
 found_by_dpkg() { dpkg -s "$1" 2>/dev/null | grep -q '^Status: .* installed$'; }
 found_by_cmake() {
   local probe=$build/probe/$1
+  made_here "$probe/build" || rm -rf "$probe/build"
   mkdir -p "$probe"
   printf 'cmake_minimum_required(VERSION 3.25)\nproject(probe CXX)\nfind_package(%s REQUIRED)\n' "$1" \
     >"$probe/CMakeLists.txt"
@@ -82,10 +84,29 @@ need() {
   return 1
 }
 
+# cached FOLDER NAME: a variable of CMake in a build folder; nothing where there is none.
+cached() { sed -n "s/^$2:[A-Z]*=//p" "$1/CMakeCache.txt" 2>/dev/null || true; }
+# Whether a build folder stands where CMake made it. CMake refuses one that was copied or moved.
+made_here() { [[ ! -e $1/CMakeCache.txt || $(cached "$1" CMAKE_CACHEFILE_DIR) -ef $1 ]]; }
+# Whether build/PRESET is of the compiler that CXX names; CMake reads CXX only once, and not where the preset has its own.
+made_by_cxx() {
+  local compiler=$(cached "$build/$1" CMAKE_CXX_COMPILER)
+  [[ ! ${CXX:-} || ! $compiler || $(command -v ${CXX%% *}) -ef $compiler ]] ||
+    cmake --preset "$1" -N | grep CMAKE_CXX_COMPILER= >/dev/null
+}
+# check_build_folder PRESET: of one that cannot be used, fails with the command that removes it.
+check_build_folder() {
+  local folder=$build/$1 made=
+  made_here "$folder" || made="in $(cached "$folder" CMAKE_CACHEFILE_DIR), then copied or moved"
+  [[ $made ]] || made_by_cxx "$1" || made="by $(cached "$folder" CMAKE_CXX_COMPILER), but CXX is $CXX"
+  [[ ! $made ]] || fail "build/$1 was made $made. To build anew, remove it: rm -rf $(printf %q "$folder")"
+}
+
 # build_preset PRESET [TARGET...]: configures and builds into build/PRESET.
 build_preset() {
   local preset=$1 log=$build/$1.configure.log
   shift
+  check_build_folder "$preset"
   say "configuring build/$preset"
   mkdir -p "$build"
   cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; return 1; }

@@ -2,11 +2,13 @@
 # What including the library costs a user's build: CPU time of the compiler, the least of ten, one source after the
 # other in each round. Only ratios mean anything.
 set -eu
+unset CDPATH
+export LC_ALL=C  # times have a decimal point
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 compiler=${CXX:-g++}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-flags="-std=c++20 -I$root/include $(pkg-config --cflags-only-I eigen3 2>/dev/null | sed 's/-I/-isystem /g')"
+flags=(-std=c++20 "-I$root/include" $(pkg-config --cflags-only-I eigen3 2>/dev/null | sed 's/-I/-isystem /g'))
 
 echo '#include <Eigen/Dense>' >"$folder/Eigen_Dense.cpp"
 echo '#include <passive_haptics/passive_haptics.hpp>' >"$folder/umbrella.cpp"
@@ -23,7 +25,7 @@ END
 # seconds NAME FLAG...: CPU time, user and system.
 TIMEFORMAT='%U %S'
 seconds() {
-  { time "$compiler" $flags "${@:2}" "$folder/$1.cpp"; } 2>&1 | awk '{ print $1 + $2 }'
+  { time "$compiler" "${flags[@]}" "${@:2}" "$folder/$1.cpp"; } 2>&1 | awk '{ print $1 + $2 }'
 }
 # Names the least of each row of $folder/times, "row seconds".
 least() { awk -v row="$1" '$1 == row && (!found || $2 < best) { best = $2; found = 1 } END { print best }' "$folder/times"; }

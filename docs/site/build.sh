@@ -2,6 +2,7 @@
 # Makes the site, build/docs/html/index.html, from the folder of the repository. It needs no server.
 # Needs Debian's doxygen doxygen-awesome-css libjs-katex fonts-katex.
 set -eu
+unset CDPATH
 cd "$(dirname "$0")/../.."
 parts=build/docs html=build/docs/html
 mkdir -p $parts

@@ -11,6 +11,8 @@ FNR == 1 {
   gsub(/Fig\. /, "Fig.\\\\ ")
   gsub(/Figs\. /, "Figs.\\\\ ")
 }
+# The name of a function in brackets, where a macro has the same name
+/^constexpr T\([a-z]+\)\(/ { sub(/T\(/, "T "); sub(/\)\(/, "(") }
 group && /^namespace passive_haptics(::testing)? \{$/ { $0 = $0 " /** @addtogroup " group " */ /** @{ */" }
 group && /^\}  \/\/ namespace passive_haptics(::testing)?$/ { $0 = "/** @} */ " $0 }
 { print }

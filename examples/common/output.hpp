@@ -3,6 +3,7 @@
 #pragma once
 
 #include <output_file.hpp>
+#include <shell_quotes.hpp>
 
 #include <array>
 #include <cstdio>
@@ -31,9 +32,10 @@ inline void draw(const std::filesystem::path& directory, const std::string& name
               << (directory / (name + ".gp")).string() << "\n";
     return;
   }
-  // Through us, as gnuplot does not say that a disk is full
-  const std::string run =
-      "cd '" + directory.string() + "' && gnuplot -e \"output='/dev/stdout'\" '" + name + ".gp'";
+  // Through us, as gnuplot does not say that a disk is full. The path is absolute, as `cd -` and, with
+  // CDPATH, `cd folder` go elsewhere
+  const std::string run = "cd " + in_shell_quotes(std::filesystem::absolute(directory).string()) +
+                          " && gnuplot -d -e \"output='/dev/stdout'\" " + in_shell_quotes(name + ".gp");
   output_file file(picture, leftover::replace);
   FILE* drawn = popen(run.c_str(), "r");
   std::array<char, 4096> bytes;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace example {
 namespace {
@@ -19,6 +20,11 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::string_view without_quotes(std::string_view text) {
+  const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
+  return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 bool take(std::string_view& text, std::string_view beginning) {
   if (!text.starts_with(beginning)) return false;
   text.remove_prefix(beginning.size());
@@ -28,20 +34,34 @@ bool take(std::string_view& text, std::string_view beginning) {
 }  // namespace
 
 log_reader::log_reader(std::istream& in, std::string name) : in_(in), file_(std::move(name)) {
-  if (!next_line()) fail(0, "the log is empty", "a line of names, t,q1,...");
+  read_header();
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    if (find(names_[i]) != i) fail(i + 1, "a second " + in_quotes(names_[i]), "each name once");
+  if (!unit_cells_.empty()) {
+    split(unit_cells_, fields_);
+    units_.assign(fields_.begin(), fields_.end());
+    if (units_.size() != names_.size())
+      fail(0, std::to_string(names_.size()) + " names",
+           std::to_string(units_.size()) + ", as there are units");
+  }
+  time_column_ = column("t", {"s"});
+  time_ = -std::numeric_limits<double>::infinity();
+}
+
+// The names stand in the first line that is no remark; or, as NumPy writes them, in a remark, above a row.
+void log_reader::read_header() {
+  const char* const expected = "a line of names, t,q1,...";
+  if (!next_line()) fail(0, "the log is empty", expected);
   if (line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);  // a byte order mark
   while (line_.starts_with('#')) {
     read_remark();
-    if (!next_line()) fail(0, "the log ends", "a line of names, t,q1,...");
+    if (next_line()) continue;
+    if (names_.empty()) fail(0, "the log ends", expected);
+    return;
   }
-  split(line_, fields_);
-  names_.assign(fields_.begin(), fields_.end());
-  for (std::size_t i = 0; i < names_.size(); ++i)
-    if (find(names_[i]) != i) fail(i + 1, "a second " + in_quotes(names_[i]), "each name once");
-  if (!units_.empty() && units_.size() != names_.size())
-    fail(0, std::to_string(names_.size()) + " names", std::to_string(units_.size()) + ", as there are units");
-  time_column_ = column("t", {"s"});
-  time_ = -std::numeric_limits<double>::infinity();
+  row_is_read_ = !take_names(line_) && !names_.empty();
+  if (names_.empty())
+    fail(0, "no column 't'", "one among " + in_quotes(line_) + ", separated by commas, semicolons or tabs");
 }
 
 void log_reader::read_remark() {
@@ -50,9 +70,26 @@ void log_reader::read_remark() {
     if (text != std::to_string(log_version))
       fail(0, std::string("version ").append(text), "version " + std::to_string(log_version));
   } else if (take(text, "# units:")) {
-    split(text, fields_);
-    units_.assign(fields_.begin(), fields_.end());
+    unit_cells_ = text;
+  } else {
+    take_names(text.substr(1));
   }
+}
+
+// Those of a line in which there is a t, by whatever separator.
+bool log_reader::take_names(std::string_view line) {
+  for (const char separator : {',', ';', '\t'}) {
+    const char before = std::exchange(separator_, separator);
+    split(line, fields_);
+    if (std::find(fields_.begin(), fields_.end(), "t") != fields_.end()) {
+      names_.assign(fields_.begin(), fields_.end());
+      header_ = trimmed(line);
+      header_number_ = number_;
+      return true;
+    }
+    separator_ = before;
+  }
+  return false;
 }
 
 std::optional<std::size_t> log_reader::find(std::string_view name) const {
@@ -63,7 +100,7 @@ std::optional<std::size_t> log_reader::find(std::string_view name) const {
 
 std::size_t log_reader::column(std::string_view name, const std::vector<std::string_view>& units) const {
   const auto found = find(name);
-  if (!found) fail(0, "no column " + in_quotes(name), "one among " + in_quotes(line_));
+  if (!found) fail(0, "no column " + in_quotes(name), "one among " + in_quotes(header_));
   const std::string_view of = unit(*found);
   if (!of.empty() && std::find(units.begin(), units.end(), of) == units.end()) {
     std::string choices;
@@ -78,7 +115,7 @@ std::string_view log_reader::unit(std::size_t column) const {
 }
 
 bool log_reader::next() {
-  if (!next_line()) return false;
+  if (!std::exchange(row_is_read_, false) && !next_line()) return false;
   if (line_.empty()) {  // blank lines may end a log
     while (next_line())
       if (!line_.empty()) fail(0, "a blank line before this one", "numbers in each line");
@@ -110,7 +147,8 @@ double log_reader::number(std::size_t column) const {
   if (error == std::errc::result_out_of_range) refuse(in_quotes(field) + " is out of range");
   if (error != std::errc()) refuse(in_quotes(field));
   if (stop != end) {
-    if (*stop == ';' || *stop == '\t') fail(column + 1, in_quotes(field), "cells separated by commas");
+    if (*stop == ';' || *stop == '\t') fail(column + 1, in_quotes(field), "cells separated as the names are");
+    if (*stop == ',') fail(column + 1, in_quotes(field), "a decimal point in place of the comma");
     refuse(in_quotes(std::string_view(stop, static_cast<std::size_t>(end - stop))) + " after a number",
            " alone; units stand in the header");
   }
@@ -120,7 +158,7 @@ double log_reader::number(std::size_t column) const {
 
 void log_reader::fail(std::size_t column, const std::string& found, const std::string& expected) const {
   std::string where = file_;
-  where.append(", line ").append(std::to_string(number_));
+  where.append(", line ").append(std::to_string(row_is_read_ ? header_number_ : number_));
   if (column > 0) where.append(", column ").append(std::to_string(column));
   where.append(": ").append(found).append(", expected ").append(expected);
   throw log_error(passive_haptics::detail::printable(where));
@@ -135,7 +173,7 @@ bool log_reader::next_line() {
       if (!line_.empty() && line_.back() == '\r') line_.pop_back();
       return true;
     }
-    if (c == '\0') fail(0, "a zero byte", "text");
+    if (c == '\0') fail(0, "a zero byte", "text in UTF-8");
     line_.push_back(static_cast<char>(c));
     if (line_.size() > longest_line)
       fail(0, "more than " + std::to_string(longest_line) + " characters", "a shorter line");
@@ -143,15 +181,15 @@ bool log_reader::next_line() {
   return !line_.empty();
 }
 
-// At the commas outside of quotes.
+// At the separators outside of quotes.
 void log_reader::split(std::string_view line, std::vector<std::string_view>& fields) const {
   fields.clear();
   bool inside = false;
   std::size_t from = 0;
   for (std::size_t i = 0; i <= line.size(); ++i) {
     if (i < line.size() && line[i] == '"') inside = !inside;
-    if (i < line.size() && (line[i] != ',' || inside)) continue;
-    fields.push_back(trimmed(line.substr(from, i - from)));
+    if (i < line.size() && (line[i] != separator_ || inside)) continue;
+    fields.push_back(without_quotes(trimmed(line.substr(from, i - from))));
     from = i + 1;
   }
 }

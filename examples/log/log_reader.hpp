@@ -19,6 +19,8 @@ struct log_error : std::runtime_error {
 
 /// Columns are found by name, in any order, beside others that nobody needs. Memory does not grow with the
 /// log. A log without lines on version and units is taken as one of this version in the units that are read.
+/// Cells are separated by commas, semicolons or tabs, as the names are. A cell may stand in quotes, the names
+/// behind a #.
 class log_reader {
  public:
   static constexpr std::size_t longest_line = 4096;  ///< Longer lines are a mistake, not a log [characters].
@@ -44,14 +46,18 @@ class log_reader {
   [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected) const;
   bool next_line();
   void split(std::string_view line, std::vector<std::string_view>& fields) const;
+  void read_header();
   void read_remark();
+  bool take_names(std::string_view line);
 
   std::istream& in_;
-  std::string file_, line_;
+  std::string file_, line_, header_, unit_cells_;
   std::vector<std::string> names_, units_;
   std::vector<std::string_view> fields_;
-  std::size_t number_ = 0, time_column_ = 0;
+  std::size_t number_ = 0, header_number_ = 0, time_column_ = 0;
   double time_ = 0;
+  char separator_ = ',';
+  bool row_is_read_ = false;  // as it was no line of names
 };
 
 }  // namespace example

@@ -1,51 +1,15 @@
 // The examples as their users meet them: options, folders that cannot be written, help without a compiler.
-#include <gtest/gtest.h>
-
-#include <sys/wait.h>
+#include "a_shell.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
-#include <string>
 #include <utility>
 
 namespace {
 
-namespace fs = std::filesystem;
-
-const std::string source = PASSIVE_HAPTICS_SOURCE_DIR, folder = PASSIVE_HAPTICS_EXAMPLES_DIR;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-struct an_example : ::testing::Test {
-  struct outcome {
-    int status;  // or 128 + the signal that it died of, as of a shell
-    std::string out, err;
-  };
-  fs::path here;
-
-  an_example() {
-    std::string name = (fs::temp_directory_path() / "examples_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no directory " + name);
-    here = name;
-  }
-  ~an_example() override { fs::remove_all(here); }
-
-  // A line of a shell that stands in `here`.
-  outcome shell(const std::string& line) const {
-    const std::string there = "cd '" + here.string() + "' && ";
-    const int status = std::system((there + "{ " + line + "; } >out.txt 2>err.txt").c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(here / "out.txt"),
-            text_of(here / "err.txt")};
-  }
+struct an_example : a_shell {
   outcome run(const std::string& program, const std::string& arguments) const {
-    return shell("'" + folder + "/" + program + "' " + arguments);
+    return shell(quoted(folder + "/" + program) + " " + arguments);
   }
 };
 
@@ -93,6 +57,18 @@ TEST_F(an_example, makes_its_folder_and_the_last_one_counts) {
   EXPECT_FALSE(fs::exists(here / "there"));
 }
 
+TEST_F(an_example, draws_its_picture_in_any_folder) {
+  if (shell("command -v gnuplot").status != 0) GTEST_SKIP() << "gnuplot is not installed";
+  std::ofstream(here / ".gnuplot") << "set print '-'\nprint 'of every session'\n";
+  for (const std::string there : {"there", "two words", "it's", "-", "-d", "$HOME", "a\"b", "back\\slash"}) {
+    const outcome o = shell("HOME=$PWD CDPATH=.:/ OLDPWD=/ " + quoted(folder + "/02_passive_fme") +
+                            " --output=" + quoted(there));
+    EXPECT_EQ(o.status, 0) << there;
+    EXPECT_NE(o.out.find("picture: "), std::string::npos) << there << ": " << o.out << o.err;
+    EXPECT_EQ(text_of(here / there / "passive_fme.svg").rfind("<?xml", 0), 0U) << there;
+  }
+}
+
 TEST_F(an_example, tells_of_a_folder_that_cannot_be_written) {
   fs::create_directories(here / "taken/passive_fme_outlines.csv");
   fs::create_directories(here / "taken/wall_following_no_direct_control.csv");
@@ -107,14 +83,14 @@ TEST_F(an_example, tells_of_a_folder_that_cannot_be_written) {
 
 TEST_F(an_example, tells_of_a_disk_that_is_full) {
   // Files of nothing at all stand for it
-  const outcome o = shell("(trap '' XFSZ; ulimit -f 0; '" + folder +
-                          "/02_passive_fme' --output there 2>&1 >/dev/null; echo $?) | cat");
+  const outcome o = shell("(trap '' XFSZ; ulimit -f 0; " + quoted(folder + "/02_passive_fme") +
+                          " --output there 2>&1 >/dev/null; echo $?) | cat");
   EXPECT_EQ(o.out.rfind("error: cannot write all of 'there/passive_fme_outlines.csv.part': ", 0), 0U)
       << o.out;
   EXPECT_EQ(o.out.substr(o.out.find('\n')), "\n1\n");
   for (const char* name : {"01_one_wall", "02_passive_fme", "03_wall_following", "04_new_mechanism"}) {
     const std::string arguments = name[1] == '2' || name[1] == '3' ? " --output there" : "";
-    const outcome full = shell("'" + folder + "/" + name + "'" + arguments + " >/dev/full");
+    const outcome full = shell(quoted(folder + "/" + name) + arguments + " >/dev/full");
     EXPECT_EQ(full.status, 1) << name;
     EXPECT_EQ(full.err, "error: cannot write all of the output: No space left on device\n") << name;
   }
@@ -122,17 +98,13 @@ TEST_F(an_example, tells_of_a_disk_that_is_full) {
 
 TEST_F(an_example, is_explained_without_a_compiler) {
   // Whoever builds or installs leaves a trace
-  fs::create_directory(here / "bin");
-  for (const char* tool : {"cmake", "apt-get", "ninja", "g++", "sudo"}) {
-    const fs::path stub = here / "bin" / tool;
-    std::ofstream(stub) << "#!/bin/sh\ntouch '" << (here / "trace").string() << "'\n";
-    fs::permissions(stub, fs::perms::owner_all);
-  }
+  for (const char* tool : {"cmake", "apt-get", "ninja", "g++", "sudo"})
+    stand_in(tool, "touch " + quoted(here / "trace"));
   int count = 0;
   for (const auto& one : fs::directory_iterator(source + "/examples")) {
     if (one.path().extension() != ".cpp") continue;
     const std::string stem = one.path().stem(), name = stem.substr(3);
-    const std::string there = "PATH='" + (here / "bin").string() + "':$PATH '" + source + "/examples/run' ";
+    const std::string there = on_path() + quoted(source + "/examples/run") + " ";
     const std::string expected = text_of(source + "/examples/help/" + stem + ".txt");
     EXPECT_NE(expected.find("Usage: " + name + " [OPTIONS]"), std::string::npos) << stem;
     for (const char* help : {" --help", " --output=there -h"}) {

@@ -1,5 +1,6 @@
 // What README says that the main example prints.
 #include <page_tables.hpp>
+#include <shell_quotes.hpp>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,8 @@ std::string between(const std::string& text, const std::string& begin, const std
 TEST(pages, readme_shows_what_the_main_example_prints) {
   const auto directory =
       std::filesystem::temp_directory_path() / ("passive_haptics_pages_" + std::to_string(getpid()));
-  const std::string run = PASSIVE_HAPTICS_WALL_FOLLOWING " --output '" + directory.string() + "'";
+  const std::string run = example::in_shell_quotes(PASSIVE_HAPTICS_WALL_FOLLOWING) + " --output " +
+                          example::in_shell_quotes(directory.string());
   std::string printed;
   {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(run.c_str(), "r"), pclose);

@@ -98,12 +98,12 @@ bool neighbours_agree(const input<M>& in, const ph::step_result<M>& here) {
   const double apart = std::same_as<T, float> ? 1e-5 : 1e-9;
   numbers random;
   for (int k = 0; k < 8; ++k) {
-    input<M> near = in;
-    near.state.q += random.vector<T, n>(-apart, apart);
-    near.state.qd += random.vector<T, n>(-apart, apart);
-    near.state.hand_force += random.vector<T, d>(-apart, apart);
-    near.wall.depth *= 1 + random.between(-apart, apart);
-    if (!same_kind(decide<M, L>(near), here)) return false;
+    input<M> close_by = in;
+    close_by.state.q += random.vector<T, n>(-apart, apart);
+    close_by.state.qd += random.vector<T, n>(-apart, apart);
+    close_by.state.hand_force += random.vector<T, d>(-apart, apart);
+    close_by.wall.depth *= 1 + random.between(-apart, apart);
+    if (!same_kind(decide<M, L>(close_by), here)) return false;
   }
   return true;
 }

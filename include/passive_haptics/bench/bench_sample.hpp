@@ -26,8 +26,8 @@ struct estimate {
 /// Throws std::invalid_argument with the first number that cannot be: fewer samples than `least`, one that is
 /// not finite, time that does not go on.
 inline void require_samples(std::span<const bench_sample> samples, std::size_t least) {
-  detail::require(samples.size() >= least, "samples", samples.size(),
-                  detail::indexed("at least ", least, ": record longer or faster"));
+  detail::refuse_unless(samples.size() >= least, "samples", samples.size(),
+                        detail::indexed("at least ", least, ": record longer or faster"));
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const bench_sample& s = samples[k];
     const auto named = [k](const char* member) {
@@ -38,8 +38,8 @@ inline void require_samples(std::span<const bench_sample> samples, std::size_t l
                             check_value(named("current").c_str(), s.current, "A", range::not_negative),
                             check_value(named("position").c_str(), s.position, "rad", range::finite),
                             check_value(named("torque").c_str(), s.torque, "N m", range::finite)));
-    detail::require(k == 0 || s.time > samples[k - 1].time, named("time [s]"), s.time,
-                    "more than that of the sample before");
+    detail::refuse_unless(k == 0 || s.time > samples[k - 1].time, named("time [s]"), s.time,
+                          "more than that of the sample before");
   }
 }
 
@@ -49,7 +49,7 @@ inline void require_turning(std::span<const bench_sample> samples, std::size_t p
   for (std::size_t i = 0; i < parts; ++i) {
     const bench_sample& first = samples[i * (samples.size() - 1) / parts];
     const bench_sample& last = samples[(i + 1) * (samples.size() - 1) / parts];
-    detail::require(
+    detail::refuse_unless(
         last.position > first.position,
         detail::indexed("way [rad] from ", first.time, detail::indexed(" s to ", last.time, " s")),
         last.position - first.position,

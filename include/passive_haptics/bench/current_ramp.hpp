@@ -60,12 +60,12 @@ namespace detail {
 
 // The parabola through the samples within this width of a current, read there
 inline estimate torque_near(std::span<const branch_sample> all, bool falling, double current, double width) {
-  std::vector<branch_sample> near;
+  std::vector<branch_sample> close_by;
   for (const auto& s : all)
-    if (s.falling == falling && std::abs(s.current - current) <= width) near.push_back(s);
-  require(near.size() >= 8, indexed("samples near ", current, " A"), near.size(),
-          "at least 8: ramp more slowly, and up to the same current and down to 0");
-  const auto parabola = fit_curve<3>(near, vector<double, 3>::Zero(),
+    if (s.falling == falling && std::abs(s.current - current) <= width) close_by.push_back(s);
+  refuse_unless(close_by.size() >= 8, indexed("samples near ", current, " A"), close_by.size(),
+                "at least 8: ramp more slowly, and up to the same current and down to 0");
+  const auto parabola = fit_curve<3>(close_by, vector<double, 3>::Zero(),
                                      [&]<class S>(const branch_sample& s, const vector<S, 3>& p) -> S {
                                        const double x = (s.current - current) / width;
                                        return p[0] + x * (p[1] + x * p[2]) - s.torque;
@@ -88,8 +88,8 @@ inline ramp_corners corners_of_ramp(std::span<const bench_sample> samples) {
   at.end = at.leave;
   while (at.end + 1 < samples.size() && samples[at.end].current > 0) ++at.end;
   const std::size_t pause = samples[0].current == 0 ? at.start + 1 : 0;
-  require(samples[at.top].current > 0, "greatest current [A]", samples[at.top].current, "> 0: ramp up");
-  require(pause >= 8, "samples at 0 A before the ramp", pause, "at least 8: begin with a pause at 0 A");
+  refuse_unless(samples[at.top].current > 0, "greatest current [A]", samples[at.top].current, "> 0: ramp up");
+  refuse_unless(pause >= 8, "samples at 0 A before the ramp", pause, "at least 8: begin with a pause at 0 A");
   return at;
 }
 
@@ -135,7 +135,8 @@ inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, cons
   const detail::ramp_corners at = detail::corners_of_ramp(samples);
   const double share =
       std::max(delay.rising, delay.falling) / (samples[at.top].time - samples[at.start].time);
-  detail::require(share < 0.02, "delay over the time of the ramp", share, "less than 0.02: ramp more slowly");
+  detail::refuse_unless(share < 0.02, "delay over the time of the ramp", share,
+                        "less than 0.02: ramp more slowly");
 
   current_ramp found;
   found.greatest_current = samples[at.top].current;

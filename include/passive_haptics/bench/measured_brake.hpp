@@ -68,10 +68,10 @@ inline std::string validate(const measured_brake& found) {
 /// std::invalid_argument with the text of validate(), or where the steps are not one up and one down.
 inline measured_brake measured_brake_of(const step_response& up, const step_response& down,
                                         const current_ramp& ramp, double rate_dead_band) {
-  detail::require(up.change.value > 0, "up.change [N m]", up.change.value,
-                  "> 0: give the step up first, then that down");
-  detail::require(down.change.value < 0, "down.change [N m]", down.change.value,
-                  "< 0: give the step up first, then that down");
+  detail::refuse_unless(up.change.value > 0, "up.change [N m]", up.change.value,
+                        "> 0: give the step up first, then that down");
+  detail::refuse_unless(down.change.value < 0, "down.change [N m]", down.change.value,
+                        "< 0: give the step up first, then that down");
   return require_valid(measured_brake{up.time_constant, down.time_constant, ramp, rate_dead_band});
 }
 

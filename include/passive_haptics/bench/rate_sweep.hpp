@@ -24,8 +24,9 @@ inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_samp
   require_samples(samples, 2);
   std::vector<rate_and_torque> all;
   for (std::size_t first = 0, k = 0; k < samples.size(); ++k) {
-    detail::require(samples[k].current == samples[0].current, detail::indexed("samples[", k, "].current [A]"),
-                    samples[k].current, "that of the first: a sweep of the rate is at one current");
+    detail::refuse_unless(samples[k].current == samples[0].current,
+                          detail::indexed("samples[", k, "].current [A]"), samples[k].current,
+                          "that of the first: a sweep of the rate is at one current");
     const double elapsed = samples[k].time - samples[first].time;
     if (elapsed < duration) continue;
     double sum = 0;
@@ -34,7 +35,8 @@ inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_samp
         {(samples[k].position - samples[first].position) / elapsed, sum / static_cast<double>(k - first)});
     first = k;
   }
-  detail::require(all.size() >= 8, "windows", all.size(), "at least 8: record longer, or shorter windows");
+  detail::refuse_unless(all.size() >= 8, "windows", all.size(),
+                        "at least 8: record longer, or shorter windows");
   return all;
 }
 
@@ -52,7 +54,8 @@ curve_fit<N> fit_against_rate(std::span<const rate_and_torque> means, const vect
 inline double fastest(std::span<const rate_and_torque> means) {
   double fastest_rate = 0;
   for (const auto& s : means) fastest_rate = std::max(fastest_rate, std::abs(s.rate));
-  require(fastest_rate > 0, "fastest rate [rad/s]", fastest_rate, "> 0: turn the axis, slowly and fast");
+  refuse_unless(fastest_rate > 0, "fastest rate [rad/s]", fastest_rate,
+                "> 0: turn the axis, slowly and fast");
   return fastest_rate;
 }
 

@@ -28,7 +28,7 @@ inline std::size_t step_of_current(std::span<const bench_sample> samples) {
     step = k;
     ++steps;
   }
-  require(steps == 1, "steps of the current", steps, "1: record one up and one down, apart");
+  refuse_unless(steps == 1, "steps of the current", steps, "1: record one up and one down, apart");
   return step;
 }
 
@@ -71,11 +71,11 @@ inline step_response fit_step_response(std::span<const bench_sample> samples) {
 
   constexpr double sure = 5;  // standard errors
   const double noise = best.deviation / std::sqrt(static_cast<double>(end - tail));
-  detail::require(std::abs(best.value[1]) > sure * noise, "change of the torque [N m]", best.value[1],
-                  "a step beyond the noise: step to a larger current");
+  detail::refuse_unless(std::abs(best.value[1]) > sure * noise, "change of the torque [N m]", best.value[1],
+                        "a step beyond the noise: step to a larger current");
   const double recorded = samples.back().time - t_step, needed = best.value[3] + 5 * best.value[2];
-  detail::require(recorded >= needed, "record after the step [s]", recorded,
-                  detail::indexed("at least t_d + 5 T = ", needed, ": record longer"));
+  detail::refuse_unless(recorded >= needed, "record after the step [s]", recorded,
+                        detail::indexed("at least t_d + 5 T = ", needed, ": record longer"));
   return {best[0], best[1], best[2], best[3], best.deviation};
 }
 

@@ -25,7 +25,7 @@ struct scene_requirements {
 };
 
 // In place of an argument that was not given.
-struct no_argument {};
+struct nothing_given {};
 
 // What must hold of the order of a controller's arguments.
 template <class M, class B, class S, class L>
@@ -39,7 +39,7 @@ struct controller_order {
   static_assert(!(names_sizes<S> || names_torque_limit<S> || is_unlimited<S> || ControlLaw<S>),
                 "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this "
                 "order: the third one is no scene, such as scene(wall(shape, stiffness)).");
-  static_assert(!std::is_same_v<L, no_argument>,
+  static_assert(!std::is_same_v<L, nothing_given>,
                 "passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law): one is "
                 "missing.");
   static_assert(!(names_sizes<L> || names_torque_limit<L> || is_unlimited<L> || gives_contacts<L>),

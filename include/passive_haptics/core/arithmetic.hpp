@@ -36,15 +36,17 @@ constexpr T rounding_tolerance(int n) {
   return static_cast<T>(4 * n) * std::numeric_limits<T>::epsilon();
 }
 
-/// Radians of an angle given in degrees.
+/// Radians of an angle given in degrees. Where a macro has this name, as Arduino's has, write
+/// `(radians)(angle)`.
 template <class T>
-constexpr T radians(T degrees) {
+constexpr T(radians)(T degrees) {
   return degrees * (std::numbers::pi_v<T> / T(180));
 }
 
-/// Degrees of an angle given in radians.
+/// Degrees of an angle given in radians. Where a macro has this name, as Arduino's has, write
+/// `(degrees)(angle)`.
 template <class T>
-constexpr T degrees(T radians) {
+constexpr T(degrees)(T radians) {
   return radians * (T(180) / std::numbers::pi_v<T>);
 }
 

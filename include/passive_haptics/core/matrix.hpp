@@ -14,6 +14,10 @@
 #include <concepts>
 #include <type_traits>
 
+#if !EIGEN_VERSION_AT_LEAST(3, 4, 0)
+#error "passive_haptics needs Eigen 3.4 or newer: this file includes an older one, look at the compiler's -I."
+#endif
+
 namespace passive_haptics {
 
 /// Column of N scalars.

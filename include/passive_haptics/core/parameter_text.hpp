@@ -27,8 +27,8 @@ inline std::vector<std::string_view> choices_of(const member_description& member
 
 /// Where a value in this unit usually lies with a device on a desk, and what the writer else may have meant.
 constexpr range usual_range(std::string_view unit) {
-  constexpr double far = 5, two_turns = 4 * std::numbers::pi;  // [m], [rad]
-  if (unit == "m") return range::between(-far, far).as("within 5 m: millimetres?");
+  constexpr double farthest = 5, two_turns = 4 * std::numbers::pi;  // [m], [rad]
+  if (unit == "m") return range::between(-farthest, farthest).as("within 5 m: millimetres?");
   if (unit == "N/m") return range::between(100, 1e9).as("100 to 1e9: N/mm?");
   if (unit == "rad") return range::between(-two_turns, two_turns).as("within two turns: degrees?");
   return range::anything;

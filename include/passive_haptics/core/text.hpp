@@ -62,7 +62,7 @@ error_message error_text(std::string_view name, T value, std::string_view expect
 
 // Ends as require_no_error() does if a condition does not hold.
 template <class T>
-void require(bool holds, std::string_view name, T value, std::string_view expected) {
+void refuse_unless(bool holds, std::string_view name, T value, std::string_view expected) {
   if (!holds) require_no_error(error_text(name, value, expected));
 }
 

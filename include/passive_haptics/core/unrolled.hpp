@@ -12,8 +12,8 @@ namespace passive_haptics {
 /// control cycle.
 template <int N, class F>
 [[gnu::always_inline]] constexpr void unrolled(F&& f) {
-  [&]<int... I>(std::integer_sequence<int, I...>)
-      PASSIVE_HAPTICS_INLINE { (f(I), ...); }(std::make_integer_sequence<int, N>());
+  [&]<int... Index>(std::integer_sequence<int, Index...>)
+      PASSIVE_HAPTICS_INLINE { (f(Index), ...); }(std::make_integer_sequence<int, N>());
 }
 
 }  // namespace passive_haptics

@@ -79,8 +79,8 @@ class rate_estimator {
  public:
   /// Throws std::invalid_argument with the text of validate(p), or if the window is over Capacity.
   explicit rate_estimator(const rate_estimator_parameters& p = {}) : p_(require_valid(p)) {
-    detail::require(p.window <= Capacity, "window [periods]", p.window,
-                    detail::indexed("at most the capacity, ", Capacity, ""));
+    detail::refuse_unless(p.window <= Capacity, "window [periods]", p.window,
+                          detail::indexed("at most the capacity, ", Capacity, ""));
   }
 
   /// Positions at this time [s]; the rates [unit/s]. A position that is NaN or infinite, or a time that is

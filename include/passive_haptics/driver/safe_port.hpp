@@ -87,7 +87,7 @@ class safe_port {
   /// Gives the brakes their currents [A], or what the state allows of them; see applied().
   port_state write(const currents& wanted) noexcept {
     if (state_ == port_state::closed) return state_;
-    const auto bad = std::ranges::find_if_not(wanted, [](double I) { return std::isfinite(I) && I >= 0; });
+    const auto bad = std::ranges::find_if_not(wanted, [](double x) { return std::isfinite(x) && x >= 0; });
     if (holds() && bad != wanted.end())
       fail({fault::current_not_valid, fault_source::brakes, static_cast<int>(bad - wanted.begin())});
     currents asked{};

@@ -20,7 +20,7 @@ template <class T>
 struct approximation_parameters {
   /// Beyond this angle between desired and producible force nothing is displayed [rad]: 1 / cos^2 explodes
   /// near 90 degrees. In (0, pi/2]; pi/2 cuts nothing off.
-  T max_approximation_angle = radians(T(89));
+  T max_approximation_angle = (radians)(T(89));
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {

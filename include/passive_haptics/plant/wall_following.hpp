@@ -103,8 +103,8 @@ contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& contro
                             const wall_following_parameters& parameters, Observer&& observe = {}) {
   using T = typename M::scalar;
   const wall_following_parameters& p = require_valid(parameters);
-  detail::require(p.watched_brake >= 0 && p.watched_brake < M::brake_count, "watched_brake", p.watched_brake,
-                  "a brake of the device, from 0");
+  detail::refuse_unless(p.watched_brake >= 0 && p.watched_brake < M::brake_count, "watched_brake",
+                        p.watched_brake, "a brake of the device, from 0");
   constexpr int d = M::task_dimension;
   force_sensor<T, d> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed, p.sensor_scale});
   contact_meter meter(p.path_end, p.time_step);

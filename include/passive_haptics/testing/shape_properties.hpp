@@ -63,9 +63,9 @@ TYPED_TEST_SUITE_P(shape_properties);
 TYPED_TEST_P(shape_properties, distance_is_1_lipschitz) {
   constexpr int d = TestFixture::dimension;
   this->for_each_point([&](const point<d>& x, random_source& random) {
-    const point<d> near = x + random.positive(1e-9, 1e-1) * random.direction<double, d>();
-    const point<d> far = random.between<double, d>(TypeParam::lower(), TypeParam::upper());
-    for (const point<d>& y : {far, near}) {
+    const point<d> close_by = x + random.positive(1e-9, 1e-1) * random.direction<double, d>();
+    const point<d> far_off = random.between<double, d>(TypeParam::lower(), TypeParam::upper());
+    for (const point<d>& y : {far_off, close_by}) {
       ASSERT_LE(std::abs(this->shape.distance(x) - this->shape.distance(y)),
                 (x - y).norm() + this->rounding())
           << "y = " << y.transpose();

@@ -105,9 +105,9 @@ TYPED_TEST_P(tracked_shape_properties, what_may_be_skipped_is_free) {
     const double may_go = this->follow(from, x, t).may_go;
     if (!(may_go > 0)) return;
     using at = point<TypeParam::shape::dimension>;
-    const at near = x + random.uniform(0.0, 1.0) * may_go *
-                            random.template direction<double, TypeParam::shape::dimension>();
-    ASSERT_TRUE(this->follow(x, near, t).felt.empty());
+    const at close_by = x + random.uniform(0.0, 1.0) * may_go *
+                                random.template direction<double, TypeParam::shape::dimension>();
+    ASSERT_TRUE(this->follow(x, close_by, t).felt.empty());
     // along the outside of a face of the bounds
     const auto bounds = this->shape.bounds();
     const int axis = tried % this->d;

@@ -160,10 +160,16 @@ TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
   const malformed all[] = {
       {"nothing at all", "", "line 1: the log is empty, expected a line of names, t,q1,..."},
       {"remarks alone", "# a\n", "line 2: the log ends, expected a line of names, t,q1,..."},
-      {"no header", good, "line 1: no column 't', expected one among '0.5,1,x'"},
+      {"no header", good,
+       "line 1: no column 't', expected one among '0.5,1,x', separated by commas, semicolons or tabs"},
       {"no such column", "t,q2\n", "line 1: no column 'q1', expected one among 't,q2'"},
       {"a column twice", "t,q1,q1\n", "line 1, column 3: a second 'q1', expected each name once"},
-      {"a unit in a name", "t [s],q1\n", "line 1: no column 't', expected one among 't [s],q1'"},
+      {"a unit in a name", "t [s],q1\n",
+       "line 1: no column 't', expected one among 't [s],q1', separated by commas, semicolons or tabs"},
+      {"names separated by blanks", "t q1\n",
+       "line 1: no column 't', expected one among 't q1', separated by commas, semicolons or tabs"},
+      {"no such column in a remark", "# t,q2\n# by hand\n0,1\n",
+       "line 1: no column 'q1', expected one among 't,q2'"},
       {"another unit", "# units: s,deg,\n" + header,
        "line 2, column 2: 'q1' in 'deg', expected it in rad or m"},
       {"time in another unit", "# units: ms,rad,\n" + header,
@@ -175,11 +181,12 @@ TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
       {"no time", header + " ,1,2\n",
        "line 2, column 1: no time, expected no time before that of the line above"},
       {"a word", header + "0,two,3\n", "line 2, column 2: 'two'" + number},
-      {"a quoted number", header + "0,\"1\",2\n", "line 2, column 2: '\"1\"'" + number},
       {"a number with a unit", header + "0,1 rad,2\n",
        "line 2, column 2: ' rad' after a number" + number + " alone; units stand in the header"},
-      {"a decimal comma", header + "0,1;5,2\n",
-       "line 2, column 2: '1;5', expected cells separated by commas"},
+      {"two separators", header + "0,1;5,2\n",
+       "line 2, column 2: '1;5', expected cells separated as the names are"},
+      {"a decimal comma", "t;q1\n0;1,5\n",
+       "line 2, column 2: '1,5', expected a decimal point in place of the comma"},
       {"not a number", header + "0,nan,2\n", "line 2, column 2: 'nan'" + number},
       {"infinity", header + "0,-inf,2\n", "line 2, column 2: '-inf'" + number},
       {"a number out of range", header + "0,1e999,2\n", "line 2, column 2: '1e999' is out of range" + number},
@@ -190,7 +197,7 @@ TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
        "line 3, column 1: time 0.4, expected no time before that of the line above"},
       {"a blank line in between", header + good + "\n" + good,
        "line 4: a blank line before this one, expected numbers in each line"},
-      {"a zero byte", header + std::string("0,1,2\0,3", 8), "line 2: a zero byte, expected text"},
+      {"a zero byte", header + std::string("0,1,2\0,3", 8), "line 2: a zero byte, expected text in UTF-8"},
       {"control characters", header + "0,1\x1b[2J\t,3\n",
        "line 2, column 2: '?[2J?' after a number" + number + " alone; units stand in the header"},
       {"an endless line", header + std::string(5000, '1'),
@@ -210,6 +217,36 @@ TEST(log_reader, takes_what_programs_write) {
   EXPECT_EQ(lines_in(header + "0,1,2"), 1U);                              // no newline at the end
   EXPECT_EQ(lines_in(header + good + "\n\n"), 1U);                        // blank lines at the end
   EXPECT_EQ(lines_in(header + "+0,1e0,\n1,.5,\n2,-3.,\n3,1e-320,"), 4U);  // all spellings of a number
+}
+
+TEST(log_reader, takes_what_other_programs_write) {
+  const struct {
+    const char* program;
+    std::string log;
+  } all[] = {
+      {"R, write.csv", "\"\",\"t\",\"q1\"\n\"1\",0,1.5\n\"2\",1,2.5\n"},
+      {"R, write.csv2 with a decimal point", "\"\";\"t\";\"q1\"\n\"1\";0;1.5\n\"2\";1;2.5\n"},
+      {"readr, write_excel_csv", "\xEF\xBB\xBF\"t\",\"q1\"\r\n0,1.5\r\n1,2.5\r\n"},
+      {"Python, csv.QUOTE_ALL", "\"t\",\"q1\"\n\"0\",\"1.5\"\n\"1\",\"2.5\"\n"},
+      {"NumPy, savetxt with a header",
+       "# t,q1\n0.000000000000000000e+00,1.500000000000000000e+00\n1e+00,2.5e+00\n"},
+      {"pandas, without a name of its index", ",t,q1\n0,0,1.5\n1,1,2.5\n"},
+      {"a table of tabs", "t\tq1\tnote\n0\t1.5\ta; b, c\n1\t2.5\t\n"},
+      {"names behind #, then more remarks", "#t,q1\n# units: s,rad\n# by hand\n0,1.5\n1,2.5"},
+      {"a remark that names columns, then names", "# q1 over t, t\nt,q1\n0,1.5\n1,2.5\n"},
+  };
+  for (const auto& [program, log] : all) {
+    std::istringstream in(log);
+    log_reader reader(in, "a.csv");
+    const std::size_t t = reader.column("t", {"s"}), q = reader.column("q1", {"rad"});
+    for (const double expected : {0.0, 1.0}) {
+      ASSERT_TRUE(reader.next()) << program;
+      EXPECT_EQ(reader.number(t), expected) << program;
+      EXPECT_EQ(reader.number(q), expected + 1.5) << program;
+    }
+    EXPECT_FALSE(reader.next()) << program;
+  }
+  EXPECT_EQ(lines_in("# t,q1\n"), 0U);
 }
 
 TEST(live_stream, sends_each_row_as_json_to_a_port_of_this_machine) {

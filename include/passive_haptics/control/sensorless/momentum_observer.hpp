@@ -75,7 +75,7 @@ class momentum_observer {
   const estimate_type& update(const State& state, const brake_vector<M>& capacity) noexcept {
     const brake_vector<M> strength = mean_strength(state.time, capacity);
     const motion now = motion_of(state);
-    estimate_.outcome = check(state, now, capacity);
+    estimate_.outcome = verdict(state, now, capacity);
     if (estimate_.outcome != status::ok) {
       reset();
       return estimate_;
@@ -147,7 +147,7 @@ class momentum_observer {
   }
 
   template <class State>
-  static status check(const State& state, const motion& now, const brake_vector<M>& capacity) {
+  static status verdict(const State& state, const motion& now, const brake_vector<M>& capacity) {
     if (!all_finite(state.time, state.q, state.qd, capacity)) return status::state_not_finite;
     return all_finite(now.bias, now.w, now.mass) ? status::ok : status::pose_undefined;
   }

@@ -78,7 +78,7 @@ struct several_walls {
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>&) const {
-    const status outcome = check(done);
+    const status outcome = verdict(done);
     if (outcome != status::ok) return released<Result>(outcome);
     const auto of_governing = [&](const force& Fc) PASSIVE_HAPTICS_INLINE {
       const display_steps<M> one{Fc, done.scale.alpha[governing], done.Fc_scaled, done.td};
@@ -157,7 +157,7 @@ struct several_walls {
   }
 
   // ok, or why this is no command
-  status check(const steps& done) const {
+  status verdict(const steps& done) const {
     vector<T, capacity> magnitude = vector<T, capacity>::Zero();
     for (int j = 0; j < touched.size(); ++j) magnitude[j] = Fd(j).magnitude;
     const auto alpha = done.scale.alpha.array();

@@ -65,7 +65,7 @@ struct torques_of_law {
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>& memory) const {
-    if (const status s = check(); s != status::ok)
+    if (const status s = verdict(); s != status::ok)
       return passive_haptics::released<Result>(setup, device.time, s, memory);
     constexpr bool is_account = requires(Result result) { result.torque; };
     display_steps<M> as_force{.td = done.td};
@@ -94,7 +94,7 @@ struct torques_of_law {
     else return false;
   }
 
-  status check() const {
+  status verdict() const {
     if (walls_of_law().size() > most_contacts<L>) return status::too_many_contacts;
     return check_contacts<T>(touched);
   }

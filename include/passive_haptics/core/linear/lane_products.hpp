@@ -96,11 +96,11 @@ template <class T, int N>
   } else {  // the bits of all registers in one, and then of its numbers
     typename detail::truths_of<T>::type all{};
     unrolled<mask::count>([&](auto k) {
-      const auto bit = [&](int part) {
+      const auto flag = [&](int part) {
         const int i = k * mask::width + part * mask::width / 4;
         return i < N ? 1 << i : 0;  // what is beyond N is of no interest
       };
-      all |= x.p[k] & typename detail::truths_of<T>::type{bit(0), bit(1), bit(2), bit(3)};
+      all |= x.p[k] & typename detail::truths_of<T>::type{flag(0), flag(1), flag(2), flag(3)};
     });
     all |= __builtin_shufflevector(all, all, 2, 3, 0, 1);
     if constexpr (mask::width == 4) all |= __builtin_shufflevector(all, all, 1, 0, 3, 2);

@@ -72,8 +72,8 @@ struct lanes {
     lanes a;
     unrolled<N / width>([&](auto k) { std::memcpy(&a.p[k], x + k * width, sizeof(packet)); });
     if constexpr (rest != 0) {
-      [&]<int... I>(std::integer_sequence<int, I...>) {
-        a.p[count - 1] = packet{x[N - rest + I]...};
+      [&]<int... Index>(std::integer_sequence<int, Index...>) {
+        a.p[count - 1] = packet{x[N - rest + Index]...};
       }(std::make_integer_sequence<int, rest>());
     }
     return a;

@@ -45,28 +45,28 @@ template <class Floats, class Words>
 /// For |x| >= 1, in integers: x = m 2^e, times those 96 bits of 2/pi that decide x 2/pi modulo 4 (Payne,
 /// Hanek). NaN where x is not finite.
 [[gnu::noinline]] inline reduced_angle<float, std::uint32_t> reduced_in_integers(float x) {
-  using word = std::uint32_t;
+  using short_word = std::uint32_t;
   using long_word = std::uint64_t;
-  constexpr word two_over_pi[] = {0,          0xa2f9836e, 0x4e441529, 0xfc2757d1,
-                                  0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab};
-  constexpr word half_pi = 0xc90fdaa2;  // times 2^-31
+  constexpr short_word two_over_pi[] = {0,          0xa2f9836e, 0x4e441529, 0xfc2757d1,
+                                        0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab};
+  constexpr short_word half_pi = 0xc90fdaa2;  // times 2^-31
   if (!(std::abs(x) <= std::numeric_limits<float>::max())) return {x - x, 0, 0};
 
-  const word bits = bit_cast<word>(x), m = (bits & 0x7fffff) | 0x800000;
-  const word first = (bits >> 23 & 0xff) - 120;  // of the bits of 2/pi that are taken
-  const auto taken = [&](word i) {
-    const word* w = two_over_pi + first / 32 + i;
+  const short_word bits = bit_cast<short_word>(x), m = (bits & 0x7fffff) | 0x800000;
+  const short_word first = (bits >> 23 & 0xff) - 120;  // of the bits of 2/pi that are taken
+  const auto taken = [&](short_word i) {
+    const short_word* w = two_over_pi + first / 32 + i;
     return ((long_word(w[0]) << 32 | w[1]) << first % 32) >> 32;
   };
   // In right angles, modulo 4: two bits before the point, 62 behind it
   const long_word turned = (m * taken(0) << 32) + m * taken(1) + (m * taken(2) >> 32);
-  const word quadrant = word((turned + (long_word(1) << 61)) >> 62);
+  const short_word quadrant = short_word((turned + (long_word(1) << 61)) >> 62);
   const auto behind = std::int64_t(turned - (long_word(quadrant) << 62));
 
   const long_word size = behind < 0 ? -long_word(behind) : long_word(behind);
   const int zeros = std::countl_zero(size);
-  const word rest = word((size << zeros >> 32) * half_pi >> 32), last_bits = 0xff;
-  const float unit = bit_cast<float>(word(127 - 29 - zeros) << 23);
+  const short_word rest = short_word((size << zeros >> 32) * half_pi >> 32), last_bits = 0xff;
+  const float unit = bit_cast<float>(short_word(127 - 29 - zeros) << 23);
   const float signed_unit = (behind < 0) == (x < 0) ? unit : -unit;
   return {float(rest & ~last_bits) * signed_unit, float(rest & last_bits) * signed_unit,
           x < 0 ? -quadrant : quadrant};
@@ -87,8 +87,8 @@ template <class Floats, class Words>
 
 // sin and cos of one angle and of two, each within 0.9 units in the last place.
 [[gnu::always_inline]] inline sine_cosine_pair<float> float_sine_cosine(float x) {
-  using word = std::uint32_t;
-  return sine_cosine_of(std::abs(x) <= few_turns ? reduced<float, word>(x) : reduced_in_integers(x));
+  using short_word = std::uint32_t;
+  return sine_cosine_of(std::abs(x) <= few_turns ? reduced<float, short_word>(x) : reduced_in_integers(x));
 }
 [[gnu::always_inline]] inline std::array<sine_cosine_pair<float>, 2> float_sine_cosine(float x, float y) {
   if (!(std::abs(x) <= few_turns && std::abs(y) <= few_turns))

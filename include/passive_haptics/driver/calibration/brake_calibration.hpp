@@ -69,12 +69,12 @@ class brake_calibration {
     double& torque = torque_[i];
     const double asked = capacity > 0 ? capacity : 0;
     if (asked != torque) falling = asked < torque;
-    const double I = current_of_torque(p, asked - (falling ? p.hysteresis : 0), temperature);
-    const double rising = torque_of_current(p, I, temperature);
+    const double coil_current = current_of_torque(p, asked - (falling ? p.hysteresis : 0), temperature);
+    const double rising = torque_of_current(p, coil_current, temperature);
     // What it makes at an end of its range; within, the very number, so that the same capacity is no change
-    const bool within = I > 0 && I < p.current_limit;
+    const bool within = coil_current > 0 && coil_current < p.current_limit;
     torque = within ? asked : std::max(rising, std::min(torque, rising + p.hysteresis));
-    return I;
+    return coil_current;
   }
 
   brake_curves<Brakes> curves_;

@@ -28,8 +28,8 @@ namespace passive_haptics::detail {
 
 /// Whether a word is this keyword, in small letters or capitals; `keyword` is in small letters.
 inline bool is_keyword(std::string_view word, std::string_view keyword) {
-  return std::ranges::equal(word, keyword,
-                            [](char c, char small) { return (c >= 'A' && c <= 'Z' ? c + 32 : c) == small; });
+  return std::ranges::equal(
+      word, keyword, [](char c, char letter) { return (c >= 'A' && c <= 'Z' ? c + 32 : c) == letter; });
 }
 
 /// A word as messages show it; of a long one the begin.
@@ -183,14 +183,14 @@ class mesh_source {
 /// The mesh of a file whose polygons `read(path, polygons)` adds.
 inline mesh_file read_mesh_file(const std::filesystem::path& path, double metres_per_unit,
                                 void (&read)(const std::filesystem::path&, polygons&)) {
-  const auto require = [&](const std::string& error) {
+  const auto refuse = [&](const std::string& error) {
     if (!error.empty()) fail_mesh_file(path, error);
   };
-  require(check_value("metres_per_unit", metres_per_unit, "", range::positive));
+  refuse(check_value("metres_per_unit", metres_per_unit, "", range::positive));
   polygons found;
   read(path, found);
   mesh_file file;
-  require(to_mesh(std::move(found), metres_per_unit, file));
+  refuse(to_mesh(std::move(found), metres_per_unit, file));
   return file;
 }
 

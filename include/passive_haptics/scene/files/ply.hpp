@@ -95,25 +95,25 @@ inline bool is_corner_list(const ply_property& p) {
 
 /// Both elements with what makes them such, and no more rows than the file has bytes for.
 inline void check_ply_header(const mesh_source& from, const ply_header& header) {
-  const auto require = [&](bool holds, const char* expected) {
+  const auto refuse_unless = [&](bool holds, const char* expected) {
     if (!holds)
       fail_mesh_file(from.path(),
                      std::string("the header is not that of a mesh, expected ").append(expected));
   };
   const ply_element* const vertex = header.find("vertex");
-  require(vertex != nullptr && vertex->rows <= polygons::max_count,
-          "'element vertex' and how many there are");
+  refuse_unless(vertex != nullptr && vertex->rows <= polygons::max_count,
+                "'element vertex' and how many there are");
   for (const char* axis : {"x", "y", "z"})
-    require(vertex->find(axis) != nullptr && !vertex->find(axis)->is_list(),
-            "properties x, y and z of the vertices");
+    refuse_unless(vertex->find(axis) != nullptr && !vertex->find(axis)->is_list(),
+                  "properties x, y and z of the vertices");
   const ply_element* const face = header.find("face");
-  require(face != nullptr, "'element face' and how many there are");
+  refuse_unless(face != nullptr, "'element face' and how many there are");
   const ply_element* const strips = header.find("tristrips");
-  require(strips == nullptr || strips->rows == 0, "faces alone; triangle strips are not read");
+  refuse_unless(strips == nullptr || strips->rows == 0, "faces alone; triangle strips are not read");
   int lists = 0;
   for (const ply_property& p : face->properties)
     lists += is_corner_list(p) && p.is_list() && is_whole(p.type);
-  require(lists == 1, "'property list uchar int vertex_indices' of the faces");
+  refuse_unless(lists == 1, "'property list uchar int vertex_indices' of the faces");
   for (const ply_element& e : header.elements) {
     const std::size_t least = e.least_row(header.is_text);
     if (e.rows > 0 &&

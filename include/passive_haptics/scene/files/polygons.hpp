@@ -53,19 +53,19 @@ struct polygons {
 inline mesh_parameters<3> compact(const mesh_parameters<3>& m) {
   const std::vector<int> first = welded<3>(m.vertices);
   std::vector<int> number(m.vertices.size(), -1);
-  mesh_parameters<3> small;
-  small.facets = m.facets;
-  for (auto& f : small.facets) {
+  mesh_parameters<3> used;
+  used.facets = m.facets;
+  for (auto& f : used.facets) {
     for (int& v : f) {
       const auto place = static_cast<std::size_t>(first[static_cast<std::size_t>(v)]);
       if (number[place] < 0) {
-        number[place] = static_cast<int>(small.vertices.size());
-        small.vertices.push_back(m.vertices[place]);
+        number[place] = static_cast<int>(used.vertices.size());
+        used.vertices.push_back(m.vertices[place]);
       }
       v = number[place];
     }
   }
-  return small;
+  return used;
 }
 
 /// Cuts all polygons into triangles; empty, or which of them is no polygon, and why.

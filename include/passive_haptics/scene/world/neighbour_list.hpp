@@ -51,12 +51,12 @@ class neighbour_list {
     if (!(step < usual_reach_)) return jump(tree, x, look);  // the first time, too
     travelled_ = (travelled_ + step) * (1 + 4 * epsilon);    // rather too far than too short
     if (collecting_) collect(tree, nodes_per_cycle);
-    double from_centre = (x - near().centre).norm();
-    if (!(from_centre < near().reach)) {
+    double from_centre = (x - now().centre).norm();
+    if (!(from_centre < now().reach)) {
       start_collecting(tree, x);
       collect(tree, std::numeric_limits<int>::max());
       from_centre = 0;
-    } else if (!collecting_ && from_centre > start_early * near().reach) {
+    } else if (!collecting_ && from_centre > start_early * now().reach) {
       start_collecting(tree, x);
     }
 
@@ -66,10 +66,10 @@ class neighbour_list {
     };
     look_at_near(next_due);
     look_at_others(next_due);
-    if (near().reach == 0) look_about(tree, x, look);  // more items about x than the list holds
-    double clearance = std::min(near().size > 0 ? near().items[0].due : unbounded, first_other_) - travelled_;
+    if (now().reach == 0) look_about(tree, x, look);  // more items about x than the list holds
+    double clearance = std::min(now().size > 0 ? now().items[0].due : unbounded, first_other_) - travelled_;
     // The next list in time; and while one is collected, every cycle takes its share
-    clearance = collecting_ ? 0 : std::min(clearance, start_early * near().reach - from_centre);
+    clearance = collecting_ ? 0 : std::min(clearance, start_early * now().reach - from_centre);
     clearance = std::max(clearance - slack, 0.0);
     squared_clearance_ = clearance * clearance;
   }
@@ -95,8 +95,8 @@ class neighbour_list {
   /// Forgets where the handle was.
   void reset() {
     squared_clearance_ = 0;
-    near().size = 0;
-    near().reach = 0;
+    now().size = 0;
+    now().reach = 0;
     collecting_ = false;
     std::fill(others_.begin(), others_.end(), 0.0);
     first_other_ = 0;
@@ -129,7 +129,7 @@ class neighbour_list {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   static constexpr double relative_rounding = 64 * epsilon;
 
-  list& near() { return lists_[static_cast<std::size_t>(current_)]; }
+  list& now() { return lists_[static_cast<std::size_t>(current_)]; }
   list& next() { return lists_[static_cast<std::size_t>(1 - current_)]; }
 
   // Nothing of before is of use, and nothing is kept that the next jump would make useless.
@@ -155,14 +155,14 @@ class neighbour_list {
   // The list is in the order in which its items are due: those that are stand at its head.
   template <class NextDue>
   void look_at_near(const NextDue& next_due) {
-    auto& items = near().items;
+    auto& items = now().items;
     const auto at = [&](int k) -> neighbour& { return items[static_cast<std::size_t>(k)]; };
     int due = 0;
-    for (; due < near().size && at(due).due <= travelled_; ++due) at(due).due = next_due(at(due).item);
+    for (; due < now().size && at(due).due <= travelled_; ++due) at(due).due = next_due(at(due).item);
     for (int k = due - 1; k >= 0; --k) {
       const neighbour moved = at(k);
       int to = k;
-      for (; to + 1 < near().size && at(to + 1).due < moved.due; ++to) at(to) = at(to + 1);
+      for (; to + 1 < now().size && at(to + 1).due < moved.due; ++to) at(to) = at(to + 1);
       at(to) = moved;
     }
   }
@@ -182,7 +182,7 @@ class neighbour_list {
     next().centre = x;
     next().size = 0;
     // A list half full is found fastest: nothing has to give way
-    const double reach = (Listed / 2 > near().size ? 1.25 : 0.8) * near().reach;
+    const double reach = (Listed / 2 > now().size ? 1.25 : 0.8) * now().reach;
     squared_limit_ = reach > 0 ? (reach + margin_) * (reach + margin_) : unbounded;
     started_at_ = travelled_;
     search_ = tree.start();
@@ -220,9 +220,9 @@ class neighbour_list {
     if (next().reach == 0) next().size = 0;
     else usual_reach_ = next().reach;
     current_ = 1 - current_;
-    const double early = margin_ + rounding(near().centre);
-    for (neighbour& n : near()) n.due -= early;
-    std::sort(near().begin(), near().end());
+    const double early = margin_ + rounding(now().centre);
+    for (neighbour& n : now()) n.due -= early;
+    std::sort(now().begin(), now().end());
   }
 
   point<D> last_ = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());

@@ -1,0 +1,126 @@
+// The run scripts as their users' surroundings are: a build folder of another place or compiler, an exported
+// CDPATH. Other programs have stand-ins, so nothing is built.
+#include "a_shell.hpp"
+
+#include <regex>
+#include <string>
+#include <utility>
+
+namespace {
+
+struct run_scripts : a_shell {
+  const fs::path clone = here / "it's a clone";
+
+  run_scripts() {
+    make_clone(clone, "one");
+    stand_in("dpkg", "echo Status: install ok installed");
+    stand_in("ctest", "for word; do case $word in *.junit.xml) : >\"$word\" ;; esac; done");
+    stand_in("cmake", "case \"$*\" in *full*-N*) echo 'CMAKE_CXX_COMPILER=\"clang++\"' ;; esac");
+    for (const char* tool : {"g++", "clang++", "ninja", "gnuplot", "pkg-config"}) stand_in(tool, "exec true");
+  }
+
+  // Its scripts alone, beside an example that is built.
+  static void make_clone(const fs::path& place, const std::string& example) {
+    for (const char* part : {".ci", "examples/help", "tests", "build/examples/examples"})
+      fs::create_directories(place / part);
+    for (const char* script : {".ci/setup.sh", "examples/run", "tests/run"})
+      fs::copy_file(source + "/" + script, place / script);
+    std::ofstream(place / ("examples/01_" + example + ".cpp"));
+    std::ofstream(place / ("examples/help/01_" + example + ".txt"));
+    const fs::path program = place / ("build/examples/examples/01_" + example);
+    std::ofstream(program) << "#!/bin/sh\necho ran\n";
+    fs::permissions(program, fs::perms::owner_all);
+  }
+
+  // As CMake leaves it.
+  void cache(const std::string& preset, const fs::path& made_in, const std::string& compiler) const {
+    fs::create_directories(clone / "build" / preset);
+    std::ofstream(clone / "build" / preset / "CMakeCache.txt")
+        << "CMAKE_CACHEFILE_DIR:INTERNAL=" << made_in.string()
+        << "\nCMAKE_CXX_COMPILER:FILEPATH=" << (here / "bin" / compiler).string() << "\n";
+  }
+  fs::path built(const std::string& preset) const { return clone / "build" / preset; }
+
+  outcome run(const std::string& script, const std::string& variables = "") const {
+    return shell("unset CXX; " + variables + " " + on_path() + quoted(clone) + "/" + script);
+  }
+};
+
+TEST_F(run_scripts, name_the_command_that_removes_a_build_folder_which_was_moved) {
+  for (const auto& [script, preset] : {std::pair{"examples/run one", "examples"}, {"tests/run", "debug"}}) {
+    cache(preset, "/moved/from/here", "g++");
+    const outcome refused = run(script);
+    EXPECT_EQ(refused.status, 1);
+    const std::string say = std::string("error: build/") + preset +
+                            " was made in /moved/from/here, then copied or moved. "
+                            "To build anew, remove it: ";
+    const std::size_t at = refused.err.find(say);
+    ASSERT_NE(at, std::string::npos) << refused.err;
+    const std::string rest = refused.err.substr(at + say.size());
+    EXPECT_EQ(shell(rest.substr(0, rest.find('\n'))).status, 0);
+    EXPECT_FALSE(fs::exists(built(preset)));
+  }
+  EXPECT_EQ(run("tests/run").status, 0);
+}
+
+TEST_F(run_scripts, name_the_command_that_removes_a_build_folder_of_another_compiler) {
+  cache("examples", built("examples"), "g++");
+  for (const char* same : {"", "CXX=g++", "CXX='g++ -m32'"}) {
+    const outcome o = run("examples/run one", same);
+    EXPECT_EQ(o.status, 0) << same << o.err;
+    EXPECT_EQ(o.out, "ran\n") << same;
+  }
+  const outcome refused = run("examples/run one", "CXX=clang++");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.err.find("error: build/examples was made by " + (here / "bin/g++").string() +
+                             ", but CXX is clang++. To build anew, remove it: rm -rf "),
+            std::string::npos)
+      << refused.err;
+  // Where the preset names its compiler, CXX does not count
+  cache("full", built("full"), "clang++");
+  EXPECT_EQ(run("tests/run full", "CXX=g++").status, 0);
+}
+
+TEST_F(run_scripts, look_for_packages_anew_where_the_build_folder_was_moved) {
+  stand_in("dpkg", "exit 1");  // not Debian
+  stand_in("apt-get", "exit 1");
+  stand_in("cmake", "case $1 in -S) ! [ -e \"$4/CMakeCache.txt\" ] ;; esac");  // refuses it
+  for (const char* package : {"Eigen3", "Boost", "CLI11"})
+    cache(std::string("probe/") + package + "/build", "/moved", "g++");
+  EXPECT_EQ(run("examples/run one").out, "ran\n");
+}
+
+TEST_F(run_scripts, go_to_their_own_folder_whatever_CDPATH_is) {
+  make_clone(here / "elsewhere", "other");
+  const outcome o = shell("cd " + quoted(clone) + " && CDPATH=../elsewhere examples/run list");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.out, "one\n");
+}
+
+TEST_F(run_scripts, time_the_compiler_in_a_folder_of_any_name) {
+  fs::create_directory(clone / "benchmarks");
+  fs::copy_file(source + "/benchmarks/compile_time.sh", clone / "benchmarks/compile_time.sh");
+  stand_in("g++", "for word; do echo \"$word\"; done >>words; exit 0");
+  fs::create_directory(here / "two words");
+  const outcome o = shell("unset CXX; TMPDIR=$PWD/'two words' CDPATH=.:/ " + on_path() +
+                          quoted("it's a clone/benchmarks/compile_time.sh"));
+  EXPECT_NE(text_of(here / "words").find("\n-I" + clone.string() + "/include\n"), std::string::npos) << o.err;
+}
+
+// Also those that no test can run in a moment.
+TEST_F(run_scripts, that_call_cd_unset_CDPATH) {
+  const std::regex relative("(^|[\n( ])cd [^/]"), unset("\n(unset CDPATH|source .*/setup.sh)");
+  int count = 0;
+  for (const char* part : {".ci", "benchmarks", "docs", "examples", "tests"})
+    for (const auto& one : fs::recursive_directory_iterator(source + "/" + part)) {
+      const std::string text = one.is_regular_file() ? text_of(one.path()) : "";
+      std::smatch cd, before;
+      if (!(text.starts_with("#!") || one.path().extension() == ".sh")) continue;
+      if (!std::regex_search(text, cd, relative)) continue;
+      EXPECT_TRUE(std::regex_search(text, before, unset) && before.position() < cd.position()) << one.path();
+      ++count;
+    }
+  EXPECT_GE(count, 6);
+}
+
+}  // namespace
