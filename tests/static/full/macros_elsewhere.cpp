@@ -76,6 +76,9 @@
 
 #include <passive_haptics/passive_haptics.hpp>
 
+#include <firmware/brake_controller.hpp>  // for microcontrollers
+#include <firmware/byte_queue.hpp>
+
 #undef word                  // Arduino has no files
 #include <every_header.hpp>  // made by CMake
 
