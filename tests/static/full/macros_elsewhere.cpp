@@ -57,7 +57,8 @@
 // ---- Qt: qobjectdefs.h, qforeach.h
 #pragma GCC poison signals slots emit foreach forever SIGNAL SLOT METHOD Q_OBJECT
 
-// ---- curses.h, which takes back box, clear, erase and move for C++
+// ---- curses.h, which takes back box, clear, erase and move for C++; term.h is left out, which renames
+// hundreds of words, such as columns
 #pragma GCC poison OK ERR stdscr curscr LINES COLS COLOR_RED getch addch addstr insch delch bkgd attron standout
 #define border(l, r, t, b, tl, tr, bl, br) @
 #define timeout(delay) @
@@ -74,6 +75,9 @@
 #pragma GCC poison ABS SIGN SQR ARRAY_SIZE container_of linux unix
 
 #include <passive_haptics/passive_haptics.hpp>
+
+#include <firmware/brake_controller.hpp>  // for microcontrollers
+#include <firmware/byte_queue.hpp>
 
 #undef word                  // Arduino has no files
 #include <every_header.hpp>  // made by CMake
