@@ -17,7 +17,8 @@ struct air_brake {
   };
 
   ph::brake_resistance<double> advance(double dt, double command, double, state& now) const noexcept {
-    const double wanted = ph::valid_command(command, torque_limit), step = filling * dt;
+    const double wanted = ph::valid_command(command, torque_limit);
+    const double step = filling * ph::valid_time_step(dt);
     now.torque = std::clamp(wanted, now.torque - step, now.torque + step);
     return {.strength = now.torque};
   }

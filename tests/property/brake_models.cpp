@@ -77,7 +77,7 @@ struct right {
     double strength = 0;
   };
   ph::brake_resistance<double> advance(double dt, double command, double, state& now) const noexcept {
-    now.strength = ph::lagged(now.strength, ph::valid_command(command, 1.0), dt, 0.02);
+    now.strength = ph::lagged(now.strength, ph::valid_command(command, 1.0), ph::valid_time_step(dt), 0.02);
     return {now.strength, 0};
   }
   double torque_limit_at(double) const noexcept { return 1; }
@@ -112,13 +112,24 @@ struct by_the_step : right {
     return {now.strength, 0};
   }
 };
+struct backwards_in_time : right {
+  ph::brake_resistance<double> advance(double dt, double command, double, state& now) const noexcept {
+    now.strength = std::clamp(ph::lagged(now.strength, ph::valid_command(command, 1.0), dt, 0.02), 0.0, 1.0);
+    return {now.strength, 0};
+  }
+};
+struct trusting_rates : right {
+  ph::brake_resistance<double> advance(double dt, double command, double rate, state& now) const noexcept {
+    return {right::advance(dt, command, 0, now).strength / (1 + rate * rate), 0};
+  }
+};
 struct badly_inverted : right {
   double command_for(double torque, double, const state&) const noexcept { return 0.99 * torque; }
 };
 
 template <class B>
 std::string broken_law(const B& brake) {
-  for (const std::string& text : {broken_energy_law(brake, 1, 100000), broken_command_law(brake, 1),
+  for (const std::string& text : {broken_energy_law(brake, 1, 100000), broken_input_law(brake, 1),
                                   broken_time_step_law(brake, 1), broken_inverse_law(brake, 1, 0)})
     if (!text.empty()) return text.substr(0, text.find(':'));
   return "none";
@@ -131,6 +142,8 @@ TEST(brake_model_suite, finds_what_is_wrong) {
   EXPECT_EQ(broken_law(over_its_limit()), "not bounded");
   EXPECT_EQ(broken_law(trusting()), "not passive");
   EXPECT_EQ(broken_law(by_the_step()), "not of first order");
+  EXPECT_EQ(broken_law(backwards_in_time()), "time step");
+  EXPECT_EQ(broken_law(trusting_rates()), "rate");
   EXPECT_EQ(broken_law(badly_inverted()), "inverse");
 }
 

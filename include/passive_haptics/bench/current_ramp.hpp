@@ -2,10 +2,13 @@
 /// Torque of a current, hysteresis and residual torque, from a slow ramp of the current up and down.
 #pragma once
 
-#include <passive_haptics/bench/curve_fit.hpp>
+#include <passive_haptics/bench/torque_fit.hpp>
 #include <passive_haptics/driver/calibration/brake_curve.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
 #include <vector>
 
 namespace passive_haptics {
@@ -37,18 +40,20 @@ struct current_ramp {
   estimate hysteresis;
   std::vector<branch_sample> samples;  ///< Both branches.
 
-  /// For a brake_calibration: a table of the rising branch, without the points that do not rise.
+  /// For a brake_calibration: a table of the rising branch, without the points that do not rise beyond doubt
+  /// or are not below the last one. A residual torque below 0 is 0 in it.
   brake_curve curve() const {
     brake_curve p;
-    p.residual_torque = residual_torque.value;
+    p.residual_torque = std::max(residual_torque.value, 0.0);
     p.current_limit = greatest_current;
     p.hysteresis = std::max(hysteresis.value, 0.0);
-    p.table[0] = {0, residual_torque.value};
+    p.table[0] = {0, p.residual_torque};
     p.points = 1;
+    constexpr double sure = 3;  // standard errors
     for (std::size_t i = 1; i < rising.size(); ++i) {
       const double torque = rising[i].value, least = p.table[static_cast<std::size_t>(p.points - 1)].torque;
-      const bool last = i + 1 == rising.size();
-      if (torque > least + (last ? 0 : 3 * rising[i].standard_error))
+      const bool rises = torque > least + sure * rising[i].standard_error && torque < rising.back().value;
+      if (rises || i + 1 == rising.size())
         p.table[static_cast<std::size_t>(p.points++)] = {
             greatest_current * static_cast<double>(i) / (points - 1), torque};
     }
@@ -56,21 +61,58 @@ struct current_ramp {
   }
 };
 
+/// What of a ramp's result cannot be, with what to do; empty if nothing, and then its curve() is valid.
+inline std::string validate(const current_ramp& ramp) {
+  constexpr double sure = 3;  // standard errors
+  const estimate &top = ramp.rising.back(), &residual = ramp.residual_torque,
+                 &most = *std::max_element(
+                     ramp.rising.begin(), ramp.rising.end(),
+                     [](const estimate& a, const estimate& b) { return a.value < b.value; });
+  const auto doubt = [&](double standard_error) {
+    return std::max(sure * standard_error, detail::least_noise * std::abs(top.value));
+  };
+  if (!(ramp.greatest_current > 0))
+    return detail::error_text("greatest_current [A]", ramp.greatest_current,
+                              "> 0: record a ramp, and give its fit_current_ramp");
+  if (!(top.value > residual.value + doubt(top.standard_error)))
+    return detail::error_text(
+        "rising[10] [N m]", top.value,
+        top.value < residual.value - doubt(top.standard_error)
+            ? "more than residual_torque: give torque_per_unit of the bench the other sign"
+            : "more than residual_torque: ramp up to a larger current");
+  if (!(residual.value >= -doubt(residual.standard_error)))
+    return detail::error_text("residual_torque [N m]", residual.value,
+                              ">= 0: set torque_at_zero of the bench while nothing pulls");
+  if (top.value < most.value - doubt(std::hypot(most.standard_error, top.standard_error)))
+    return detail::error_text("rising[10] [N m]", top.value,
+                              detail::indexed("no less than ", most.value,
+                                              ", which is there at less current: ramp up to where the torque "
+                                              "still rises, and let the brake cool before"));
+  const std::string error = validate(ramp.curve());
+  return error.empty() ? error : std::string("curve().").append(error).append(": ramp more slowly");
+}
+
 namespace detail {
 
+inline void require_ramp(const current_ramp& ramp) {
+  const std::string error = validate(ramp);
+  require_no_error(error.empty() ? error : std::string("ramp.").append(error));
+}
+
 // The parabola through the samples within this width of a current, read there
-inline estimate torque_near(std::span<const branch_sample> all, bool falling, double current, double width) {
+inline estimate torque_near(std::span<const branch_sample> all, bool falling, double current, double width,
+                            sensor_noise noise) {
   std::vector<branch_sample> close_by;
   for (const auto& s : all)
     if (s.falling == falling && std::abs(s.current - current) <= width) close_by.push_back(s);
   refuse_unless(close_by.size() >= 8, indexed("samples near ", current, " A"), close_by.size(),
                 "at least 8: ramp more slowly, and up to the same current and down to 0");
-  const auto parabola = fit_curve<3>(close_by, vector<double, 3>::Zero(),
-                                     [&]<class S>(const branch_sample& s, const vector<S, 3>& p) -> S {
-                                       const double x = (s.current - current) / width;
-                                       return p[0] + x * (p[1] + x * p[2]) - s.torque;
-                                     });
-  return parabola[0];
+  return fit_torques<3>(indexed("samples near ", current, " A"), close_by, noise,
+                        {vector<double, 3>(0, 0, 0)},
+                        [&]<class S>(const branch_sample& s, const vector<S, 3>& p) -> S {
+                          const double x = (s.current - current) / width;
+                          return p[0] + x * (p[1] + x * p[2]) - s.torque;
+                        })[0];
 }
 
 // Where the current begins to rise, is greatest first and last, and is 0 again
@@ -125,9 +167,11 @@ inline std::vector<branch_sample> branches_of_ramp(std::span<const bench_sample>
 /// so that a lag is no hysteresis; what is left of it is at most the error of the delay times the slope of
 /// the ramp.
 ///
-/// Throws std::invalid_argument with name, value and what to do: samples that cannot be, an axis that stands
-/// still, no pause, no ramp, one that is too quick for its delay or for its samples.
-inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, const ramp_delay& delay = {}) {
+/// Throws std::invalid_argument with name, value and what to do: samples that cannot be, torques without
+/// noise, an axis that stands still, no pause, no ramp, one that is too quick for its delay or for its
+/// samples; and with the text of validate(result), so that its curve() is valid.
+inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, const ramp_delay& delay = {},
+                                     sensor_noise noise = sensor_noise::present) {
   require_samples(samples, 100);
   require_turning(samples, 20);
   require_no_error(detail::first_error(check_value("rising", delay.rising, "s", range::not_negative),
@@ -140,8 +184,8 @@ inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, cons
 
   current_ramp found;
   found.greatest_current = samples[at.top].current;
-  found.residual_torque = fit_curve<1>(
-      samples.first(at.start + 1), vector<double, 1>::Zero(),
+  found.residual_torque = detail::fit_torques<1>(
+      "samples before the ramp", samples.first(at.start + 1), noise, {vector<double, 1>::Zero()},
       []<class S>(const bench_sample& s, const vector<S, 1>& p) -> S { return p[0] - s.torque; })[0];
   found.samples = detail::branches_of_ramp(samples, at, delay);
 
@@ -150,12 +194,14 @@ inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, cons
   for (std::size_t i = 0; i < found.rising.size(); ++i) {
     const double current = found.greatest_current * static_cast<double>(i) / last;
     found.rising[i] =
-        i == 0 ? found.residual_torque : detail::torque_near(found.samples, false, current, width);
-    found.falling[i] = i == last ? found.rising[i] : detail::torque_near(found.samples, true, current, width);
+        i == 0 ? found.residual_torque : detail::torque_near(found.samples, false, current, width, noise);
+    found.falling[i] =
+        i == last ? found.rising[i] : detail::torque_near(found.samples, true, current, width, noise);
     const double apart = found.falling[i].value - found.rising[i].value;
     if (i == 0 || apart > found.hysteresis.value)
       found.hysteresis = {apart, std::hypot(found.falling[i].standard_error, found.rising[i].standard_error)};
   }
+  detail::require_ramp(found);
   return found;
 }
 

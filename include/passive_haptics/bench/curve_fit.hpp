@@ -7,7 +7,8 @@
 #include <passive_haptics/core/scalar/dual_number.hpp>
 
 #include <algorithm>
-#include <initializer_list>
+#include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace passive_haptics {
@@ -30,15 +31,18 @@ struct curve_fit {
     for (int i = 0; i < N; ++i) p[i] = dual_number<double, N>::variable(value[i], i);
     const dual_number<double, N> y = f(p);
     const double variance = y.derivatives().dot(covariance * y.derivatives());
-    return {y.value(),
-            std::isfinite(variance) ? std::sqrt(variance) : std::numeric_limits<double>::infinity()};
+    return {y.value(), std::isfinite(variance) ? std::sqrt(std::max(variance, 0.0))
+                                               : std::numeric_limits<double>::infinity()};
   }
 };
 
 /// argmin_p sum_k residual(sample_k, p)^2 from `start` on, by Levenberg and Marquardt: (A + lambda diag A) dp
 /// = -J^T r with A = J^T J. `residual(sample, p)` is a template over the scalar of p; J by automatic
-/// differentiation. Where it is not finite, p is out of its range and is not gone to. More samples than
-/// constants, with independent errors of one size. Cost: some tens of passes over the samples.
+/// differentiation. Where it is not finite, p is out of its range and is not gone to. The samples have
+/// independent errors of one size. Cost: some tens of passes over the samples.
+///
+/// Throws std::invalid_argument with name, value and what to do where there are no more samples than
+/// constants, or the residuals at `start` are not finite.
 template <int N, class Samples, class Residual>
 curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, const Residual& residual) {
   using variable = dual_number<double, N>;
@@ -59,8 +63,12 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
     return squares;
   };
 
+  detail::refuse_unless(std::ssize(samples) > N, "samples of a fit", std::ssize(samples),
+                        detail::indexed("more than its ", N, " constants: record longer or faster"));
   curve_fit<N> fit{.value = start};
   matrix<double, N + 1, N + 1> least = squares_at(start);
+  detail::refuse_unless(std::isfinite(least(N, N)), "sum of the squared residuals where a fit begins",
+                        least(N, N), "a finite number: give finite samples, in the units of the formula");
   double lambda = 1e-3;
   for (int step = 0; step < max_steps && lambda < 1e12; ++step) {
     matrix<double, N, N> damped = least.template topLeftCorner<N, N>();
@@ -94,15 +102,5 @@ curve_fit<N> fit_curve(const Samples& samples, const vector<double, N>& start, c
   else fit.covariance.setConstant(std::numeric_limits<double>::infinity());
   return fit;
 }
-
-namespace detail {
-
-// The closest of these fits.
-template <int N>
-curve_fit<N> best_of(std::initializer_list<curve_fit<N>> fits) {
-  return std::min(fits, [](const auto& a, const auto& b) { return a.deviation < b.deviation; });
-}
-
-}  // namespace detail
 
 }  // namespace passive_haptics

@@ -30,7 +30,10 @@ auto magnetorheological_torque(const vector<S, 4>& p, const M& m) {
 
 /// Least squares of torque = residual_torque + torque_limit tanh(k m) / tanh(k) to a ramp, with j the current
 /// for the greatest one, m = max(j - c, 0) on the way up and m = min(j + c, 1 - c) on the way down.
-inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& ramp) {
+/// Throws as fit_current_ramp.
+inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& ramp,
+                                                           sensor_noise noise = sensor_noise::present) {
+  detail::require_ramp(ramp);
   const double greatest = ramp.greatest_current, residual = ramp.residual_torque.value;
   const auto left_over = [greatest]<class S>(const branch_sample& s, const vector<S, 4>& p) -> S {
     if (!(p[1] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
@@ -39,8 +42,8 @@ inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& r
     const S m = s.falling ? (down < limit ? down : limit) : (up > S(0) ? up : S(0));
     return detail::magnetorheological_torque(p, m) - s.torque;
   };
-  const auto fit =
-      fit_curve<4>(ramp.samples, {ramp.rising.back().value - residual, 1.0, 0.02, residual}, left_over);
+  const vector<double, 4> start(ramp.rising.back().value - residual, 1.0, 0.02, residual);
+  const auto fit = detail::fit_torques<4>("samples of the ramp", ramp.samples, noise, {start}, left_over);
   return {greatest, fit[0], fit[1], fit[2], fit[3], fit.deviation};
 }
 
@@ -56,8 +59,11 @@ struct magnetorheological_step {
 /// J to 0 A. The torque itself is no first-order lag: it begins late and ends early. Throws as
 /// fit_step_response.
 inline magnetorheological_step fit_magnetorheological_step(std::span<const bench_sample> samples,
-                                                           const magnetorheological_loop& loop) {
-  const auto torque = fit_step_response(samples);
+                                                           const magnetorheological_loop& loop,
+                                                           sensor_noise noise = sensor_noise::present) {
+  detail::refuse_unless(loop.greatest_current > 0, "loop.greatest_current [A]", loop.greatest_current,
+                        "> 0: give the fit_magnetorheological_loop of a ramp");
+  const auto torque = fit_step_response(samples, noise);
   const std::size_t step = detail::step_of_current(samples);
   const bench_sample &last_before = samples[step - 1], &first_after = samples[step];
   const bool down = first_after.current < last_before.current;
@@ -74,7 +80,9 @@ inline magnetorheological_step fit_magnetorheological_step(std::span<const bench
     const S m = down ? (fallen < limit ? fallen : limit) : (up > S(0) ? up : S(0));
     return detail::magnetorheological_torque<double>(constants, m) - s.torque;
   };
-  const auto fit = fit_curve<2>(samples, {torque.time_constant.value, torque.dead_time.value}, left_over);
+  const vector<double, 2> start(torque.time_constant.value, torque.dead_time.value);
+  const auto fit = detail::fit_torques<2>("samples", samples, noise, {start}, left_over);
+  require_no_error(check_time_constant("time constant [s]", fit.value[0]));
   return {fit[0], fit[1], fit.deviation};
 }
 
@@ -89,18 +97,18 @@ struct magnetorheological_identification {
 /// From a step up of a brake that was not energised before, a step down to 0 A and a ramp: the lag of the
 /// torque, with it the loop, with that the lag of the current, and so on until they fit each other. Throws as
 /// fit_step_response and fit_current_ramp.
-inline magnetorheological_identification fit_magnetorheological_brake(std::span<const bench_sample> up,
-                                                                      std::span<const bench_sample> down,
-                                                                      std::span<const bench_sample> ramp) {
+inline magnetorheological_identification fit_magnetorheological_brake(
+    std::span<const bench_sample> up, std::span<const bench_sample> down, std::span<const bench_sample> ramp,
+    sensor_noise noise = sensor_noise::present) {
   const auto late = [](const auto& step) { return step.time_constant.value + step.dead_time.value; };
   magnetorheological_identification found;
-  ramp_delay delay{late(fit_step_response(up)), late(fit_step_response(down))};
+  ramp_delay delay{late(fit_step_response(up, noise)), late(fit_step_response(down, noise))};
   constexpr int rounds = 3;  // the third changes the loop by less than its standard errors
   for (int k = 0; k < rounds; ++k) {
-    found.ramp = fit_current_ramp(ramp, delay);
-    found.loop = fit_magnetorheological_loop(found.ramp);
-    found.rising = fit_magnetorheological_step(up, found.loop);
-    found.falling = fit_magnetorheological_step(down, found.loop);
+    found.ramp = fit_current_ramp(ramp, delay, noise);
+    found.loop = fit_magnetorheological_loop(found.ramp, noise);
+    found.rising = fit_magnetorheological_step(up, found.loop, noise);
+    found.falling = fit_magnetorheological_step(down, found.loop, noise);
     delay = {late(found.rising), late(found.falling)};
   }
   return found;

@@ -27,9 +27,10 @@ namespace detail {
 inline std::string check_measured(const char* name, const estimate& found, const char* fix) {
   const std::string error = check_value(name, found.value, "", range::positive);
   if (!error.empty()) return std::string(error).append(": ").append(fix);
-  if (found.standard_error < found.value) return {};
-  return error_text(std::string(name).append(".standard_error"), found.standard_error,
-                    std::string("less than the value: ").append(fix));
+  if (!(found.standard_error < found.value))
+    return error_text(std::string(name).append(".standard_error"), found.standard_error,
+                      std::string("less than the value: ").append(fix));
+  return check_time_constant(name, found.value);
 }
 
 }  // namespace detail
@@ -38,8 +39,6 @@ inline std::string check_measured(const char* name, const estimate& found, const
 inline std::string validate(const measured_brake& found) {
   const char *const step_up = "record a larger step up, and give its fit_step_response",
                     *const step_down = "record a larger step down, and give its fit_step_response";
-  const current_ramp& ramp = found.ramp;
-  const estimate& top = ramp.rising.back();
   if (std::string text = detail::check_measured("time_constant [s]", found.time_constant, step_up);
       !text.empty())
     return text;
@@ -47,18 +46,7 @@ inline std::string validate(const measured_brake& found) {
           detail::check_measured("fall_time_constant [s]", found.fall_time_constant, step_down);
       !text.empty())
     return text;
-  if (!(ramp.greatest_current > 0))
-    return detail::error_text("ramp.greatest_current [A]", ramp.greatest_current,
-                              "> 0: record a ramp, and give its fit_current_ramp");
-  constexpr double sure = 3;  // standard errors
-  if (!(top.value > ramp.residual_torque.value + sure * top.standard_error))
-    return detail::error_text("ramp.rising[10] [N m]", top.value,
-                              "more than ramp.residual_torque: ramp up to a larger current");
-  if (ramp.residual_torque.value < 0)
-    return detail::error_text("ramp.residual_torque [N m]", ramp.residual_torque.value,
-                              ">= 0: set torque_at_zero of the bench while nothing pulls");
-  if (std::string text = validate(ramp.curve()); !text.empty())
-    return std::string("ramp.curve().").append(text).append(": ramp more slowly, and up to a larger current");
+  if (const std::string text = validate(found.ramp); !text.empty()) return std::string("ramp.").append(text);
   const std::string error = check_value("rate_dead_band", found.rate_dead_band, "rad/s", range::positive);
   if (error.empty()) return {};
   return std::string(error).append(": give rate_dead_band(resolution, window, period) of its encoder");
@@ -130,7 +118,7 @@ std::array<brake_curve, Brakes> measured_curves(const std::array<measured_brake,
 /// residual torque [N m], so its gain is 1. Throws std::invalid_argument with the text of validate(found).
 inline coulomb_brake<double> simulated_brake(const measured_brake& found) {
   require_valid(found);
-  const double residual = found.ramp.residual_torque.value, rise = found.time_constant.value;
+  const double residual = found.ramp.curve().residual_torque, rise = found.time_constant.value;
   return {.torque_limit = found.ramp.rising.back().value - residual,
           .time_constant = rise,
           .fall_ratio = found.fall_time_constant.value / rise,

@@ -2,7 +2,7 @@
 /// What a brake's torque depends on beside its current: drag, Stribeck effect, eddy currents.
 #pragma once
 
-#include <passive_haptics/bench/curve_fit.hpp>
+#include <passive_haptics/bench/torque_fit.hpp>
 
 #include <vector>
 
@@ -42,21 +42,38 @@ inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_samp
 
 namespace detail {
 
-// The formula for w > 0 holds against the turn at any w
-template <int N, class Formula>
-curve_fit<N> fit_against_rate(std::span<const rate_and_torque> means, const vector<double, N>& start,
-                              const Formula& formula) {
-  return fit_curve<N>(means, start, [&]<class S>(const rate_and_torque& s, const vector<S, N>& p) -> S {
-    return formula(std::abs(s.rate), p) - (s.rate < 0 ? -s.torque : s.torque);
-  });
-}
-
+// The largest rate [rad/s] of means that can be
 inline double fastest(std::span<const rate_and_torque> means) {
   double fastest_rate = 0;
-  for (const auto& s : means) fastest_rate = std::max(fastest_rate, std::abs(s.rate));
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    const auto named = [k](const char* member) { return indexed("means[", k, "].").append(member); };
+    require_no_error(
+        first_error(check_value(named("rate").c_str(), means[k].rate, "rad/s", range::finite),
+                    check_value(named("torque").c_str(), means[k].torque, "N m", range::finite)));
+    fastest_rate = std::max(fastest_rate, std::abs(means[k].rate));
+  }
   refuse_unless(fastest_rate > 0, "fastest rate [rad/s]", fastest_rate,
                 "> 0: turn the axis, slowly and fast");
   return fastest_rate;
+}
+
+inline double torque_against_turn(const rate_and_torque& s) { return s.rate < 0 ? -s.torque : s.torque; }
+
+// The closest of the fits from these starts. The formula for w > 0 holds against the turn at any w
+template <int N, class Formula>
+curve_fit<N> fit_against_rate(std::span<const rate_and_torque> means, sensor_noise noise,
+                              std::initializer_list<vector<double, N>> starts, const Formula& formula) {
+  const auto fit = fit_torques<N>("means", means, noise, starts,
+                                  [&]<class S>(const rate_and_torque& s, const vector<S, N>& p) -> S {
+                                    return formula(std::abs(s.rate), p) - torque_against_turn(s);
+                                  });
+  double sum = 0;
+  for (const auto& s : means) sum += torque_against_turn(s);
+  constexpr double sure = 5;  // standard errors
+  const auto count = static_cast<double>(means.size());
+  refuse_unless(sum / count >= -sure * fit.deviation / std::sqrt(count), "mean torque against the turn [N m]",
+                sum / count, ">= 0: give torque_per_unit of the bench the other sign");
+  return fit;
 }
 
 }  // namespace detail
@@ -68,11 +85,15 @@ struct viscous_friction {
   double deviation = 0;  ///< Of the means [N m].
 };
 
-/// Least squares of torque = strength + drag w. Throws std::invalid_argument where nothing turns.
-inline viscous_friction fit_viscous_friction(std::span<const rate_and_torque> means) {
+/// Least squares of torque = strength + drag w. Throws std::invalid_argument with name, value and what to do:
+/// numbers that are not finite, no more means than constants, torques without noise, an axis that stands
+/// still in all, torques that push the turn on.
+inline viscous_friction fit_viscous_friction(std::span<const rate_and_torque> means,
+                                             sensor_noise noise = sensor_noise::present) {
   detail::fastest(means);
   const auto fit = detail::fit_against_rate<2>(
-      means, {0, 0}, []<class S>(double w, const vector<S, 2>& p) -> S { return p[0] + p[1] * w; });
+      means, noise, {vector<double, 2>(0, 0)},
+      []<class S>(double w, const vector<S, 2>& p) -> S { return p[0] + p[1] * w; });
   return {fit[0], fit[1], fit.deviation};
 }
 
@@ -86,19 +107,19 @@ struct stribeck_friction {
 };
 
 /// Least squares of torque = strength (1 + (static_ratio - 1) exp(-(w / stribeck_rate)^2)) + drag w. Throws
-/// std::invalid_argument where nothing turns.
-inline stribeck_friction fit_stribeck_friction(std::span<const rate_and_torque> means) {
-  const double fast = detail::fastest(means), strength = fit_viscous_friction(means).strength.value;
+/// as fit_viscous_friction.
+inline stribeck_friction fit_stribeck_friction(std::span<const rate_and_torque> means,
+                                               sensor_noise noise = sensor_noise::present) {
+  const double fast = detail::fastest(means), strength = fit_viscous_friction(means, noise).strength.value;
   const auto torque = []<class S>(double w, const vector<S, 4>& p) -> S {
     using std::exp;
     if (!(p[2] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
     const S ratio = w / p[2];
     return p[0] * (S(1) + (p[1] - S(1)) * exp(-ratio * ratio)) + p[3] * w;
   };
-  const auto from = [&](double share) {
-    return detail::fit_against_rate<4>(means, {strength, 1.2, share * fast, 0}, torque);
-  };
-  const auto best = detail::best_of({from(0.003), from(0.01), from(0.03), from(0.1), from(0.3)});
+  const auto from = [&](double share) { return vector<double, 4>(strength, 1.2, share * fast, 0); };
+  const auto best = detail::fit_against_rate<4>(
+      means, noise, {from(0.003), from(0.01), from(0.03), from(0.1), from(0.3)}, torque);
   return {best[0], best[1], best[2], best[3], best.deviation};
 }
 
@@ -111,9 +132,9 @@ struct eddy_current_torque {
   double deviation = 0;    ///< Of the means [N m].
 };
 
-/// Least squares of torque = strength + drag w / (1 + (w / critical_rate)^2). Throws std::invalid_argument
-/// where nothing turns.
-inline eddy_current_torque fit_eddy_current_torque(std::span<const rate_and_torque> means) {
+/// Least squares of torque = strength + drag w / (1 + (w / critical_rate)^2). Throws as fit_viscous_friction.
+inline eddy_current_torque fit_eddy_current_torque(std::span<const rate_and_torque> means,
+                                                   sensor_noise noise = sensor_noise::present) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const double fast = detail::fastest(means);
   // In 1 / critical_rate^2, in which the formula is almost linear, also at 0
@@ -122,11 +143,8 @@ inline eddy_current_torque fit_eddy_current_torque(std::span<const rate_and_torq
     if (!(weakened > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
     return p[0] + p[1] * w / weakened;
   };
-  const auto from = [&](double share) {
-    const double bend = share / fast;
-    return detail::fit_against_rate<3>(means, bend * bend * vector<double, 3>::UnitZ(), torque);
-  };
-  const auto fit = detail::best_of({from(0.3), from(1), from(3), from(10)});
+  const auto from = [&](double share) { return vector<double, 3>(0, 0, share / fast * (share / fast)); };
+  const auto fit = detail::fit_against_rate<3>(means, noise, {from(0.3), from(1), from(3), from(10)}, torque);
   eddy_current_torque found{fit[0], fit[1], {infinite, infinite}, {infinite, infinite}, fit.deviation};
   constexpr double sure = 4;  // standard errors from 0
   if (!(fit[2].value > sure * fit[2].standard_error)) return found;

@@ -2,7 +2,7 @@
 /// Dead time and time constant of a brake, from its torque after a step of the current.
 #pragma once
 
-#include <passive_haptics/bench/curve_fit.hpp>
+#include <passive_haptics/bench/torque_fit.hpp>
 
 namespace passive_haptics {
 
@@ -43,9 +43,11 @@ inline std::size_t step_of_current(std::span<const bench_sample> samples) {
 /// the last sample with the current before. The dead time holds the delays of bus and power stage, and of the
 /// torque sensor. Of a brake that is no first-order lag the deviation is more than that of the sensor.
 ///
-/// Throws std::invalid_argument with name, value and what to do: samples that cannot be, an axis that stands
-/// still, no step or two, a change within the noise, a record that ends before five time constants.
-inline step_response fit_step_response(std::span<const bench_sample> samples) {
+/// Throws std::invalid_argument with name, value and what to do: samples that cannot be, torques without
+/// noise, an axis that stands still, no step or two, a change within the noise or against that of the
+/// current, a record that ends before five time constants, one over longest_time_constant.
+inline step_response fit_step_response(std::span<const bench_sample> samples,
+                                       sensor_noise noise = sensor_noise::present) {
   const std::size_t step = detail::step_of_current(samples);
   const auto mean = [&](std::size_t from, std::size_t to) {
     double sum = 0;
@@ -65,17 +67,24 @@ inline step_response fit_step_response(std::span<const bench_sample> samples) {
   // The dead time has a kink in the formula: the best of several starts within the first sample
   const double late = samples[step].time - t_step;
   const auto from = [&](double share) {
-    return fit_curve<4>(samples, {before, change, (1 - share) * late, share * late}, residual);
+    return vector<double, 4>(before, change, (1 - share) * late, share * late);
   };
-  const auto best = detail::best_of({from(0.02), from(0.1), from(0.3), from(0.6), from(0.9)});
+  const auto best = detail::fit_torques<4>(
+      "samples", samples, noise, {from(0.02), from(0.1), from(0.3), from(0.6), from(0.9)}, residual);
 
-  constexpr double sure = 5;  // standard errors
-  const double noise = best.deviation / std::sqrt(static_cast<double>(end - tail));
-  detail::refuse_unless(std::abs(best.value[1]) > sure * noise, "change of the torque [N m]", best.value[1],
+  constexpr double sure = 5;  // standard errors, of at least the rounding
+  const double error = std::max(best.deviation, detail::least_noise * detail::largest_torque(samples)) /
+                       std::sqrt(static_cast<double>(end - tail));
+  detail::refuse_unless(std::abs(best.value[1]) > sure * error, "change of the torque [N m]", best.value[1],
                         "a step beyond the noise: step to a larger current");
+  const bool rises = samples[step].current > samples[step - 1].current;
+  detail::refuse_unless((best.value[1] > 0) == rises, "change of the torque [N m]", best.value[1],
+                        std::string(rises ? "> 0 as the current rises" : "< 0 as the current falls")
+                            .append(": give torque_per_unit of the bench the other sign"));
   const double recorded = samples.back().time - t_step, needed = best.value[3] + 5 * best.value[2];
   detail::refuse_unless(recorded >= needed, "record after the step [s]", recorded,
                         detail::indexed("at least t_d + 5 T = ", needed, ": record longer"));
+  require_no_error(check_time_constant("time constant [s]", best.value[2]));
   return {best[0], best[1], best[2], best[3], best.deviation};
 }
 

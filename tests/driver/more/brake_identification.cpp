@@ -224,7 +224,7 @@ ph::current_ramp exact_ramp(double (*apart)(double)) {
     const double t = 1e-3 * k, I = std::clamp(std::min(t - 0.25, 2.5 - t), 0.0, 1.0);
     all.push_back({t, I, 2 * t, 0.25 + I + (t > 1.3 ? apart(I) : 0)});
   }
-  return ph::fit_current_ramp(all);
+  return ph::fit_current_ramp(all, {}, ph::sensor_noise::none);
 }
 
 TEST(a_measured_ramp, has_the_hysteresis_of_the_current_where_it_is_widest) {

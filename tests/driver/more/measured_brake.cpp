@@ -202,16 +202,27 @@ TEST(a_bench, whose_results_are_missing_or_cannot_be_is_refused_with_what_to_do)
                 "fit_current_ramp");
   EXPECT_EQ(error_of([](results& r) { r.ramp.rising.back().value = 0.02; }),
             second +
-                "ramp.rising[10] [N m] = 0.02, expected more than ramp.residual_torque: ramp up to a "
-                "larger current");
+                "ramp.rising[10] [N m] = 0.02, expected more than residual_torque: ramp up to a larger "
+                "current");
   EXPECT_EQ(error_of([](results& r) { r.ramp.residual_torque.value = -0.1; }),
             second +
                 "ramp.residual_torque [N m] = -0.1, expected >= 0: set torque_at_zero of the bench while "
                 "nothing pulls");
-  EXPECT_EQ(error_of([](results& r) { r.ramp.rising.back().value = 0.5; }),
+  EXPECT_EQ(
+      error_of([](results& r) { r.ramp.rising.back().value = 0.02 - 0.1; }),
+      second +
+          "ramp.rising[10] [N m] = -0.08, expected more than residual_torque: give torque_per_unit of the "
+          "bench the other sign");
+  EXPECT_EQ(error_of([](results& r) { r.ramp.rising.back().value = 0.7; }),
             second +
-                "ramp.curve().current_limit [A] = 0.5, expected at most the last current of the table: "
-                "ramp more slowly, and up to a larger current");
+                "ramp.rising[10] [N m] = 0.7, expected no less than 0.74, which is there at less current: "
+                "ramp up to "
+                "where the torque still rises, and let the brake cool before");
+  EXPECT_EQ(
+      error_of([](results& r) { r.fall_time_constant.value = 30; }),
+      second +
+          "fall_time_constant [s] = 30, expected at most 5: give the times of the samples in seconds, not "
+          "milliseconds");
   EXPECT_EQ(error_of([](results& r) { r.rate_dead_band = results().rate_dead_band; }),
             second +
                 "rate_dead_band [rad/s] = nan, expected a finite number > 0: give "

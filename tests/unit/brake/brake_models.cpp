@@ -10,6 +10,7 @@
 #include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -136,6 +137,27 @@ TEST(eddy_current_brake, is_drag_at_low_rates_and_nothing_at_rest) {
   EXPECT_NEAR(settled(brake, 1.0, 100), 1, 1e-15) << "a command is the torque at the critical rate";
   EXPECT_NEAR(settled(brake, 1.0, 1e4), 2 / (100 + 0.01), 1e-15) << "the field is weakened";
   EXPECT_NEAR(settled(brake, brake.command_for(0.03, 1, {}), 1), 0.03, 1e-16);
+}
+
+TEST(eddy_current_brake, keeps_its_limit_at_rates_that_are_barely_numbers) {
+  using real = std::numeric_limits<double>;
+  for (const double critical_rate : {1e-3, 102.1, 1e6}) {
+    const ph::eddy_current_brake<double> brake{.critical_rate = critical_rate};
+    for (const double rate : {real::denorm_min(), real::min(), 1e-300, 1e-154, 1e154, 1e300, real::max()}) {
+      const double torque = settled(brake, 1e9, rate);
+      EXPECT_LE(torque, brake.torque_limit_at(rate)) << critical_rate << ' ' << rate;
+      EXPECT_TRUE(std::isfinite(torque)) << critical_rate << ' ' << rate;
+    }
+  }
+}
+
+TEST(brake_models, whose_torque_overflows_are_refused) {
+  EXPECT_EQ(validate(ph::eddy_current_brake<double>{.peak_torque = 1e300, .critical_rate = 1e-20}),
+            "2 peak_torque / critical_rate [N m s] = inf, expected a finite number");
+  ph::compensated_brake<ph::stribeck_brake<double>> brake;
+  brake.model.coulomb.torque_limit = 1e300;
+  brake.model.static_ratio = 1e10;
+  EXPECT_EQ(validate(brake), "model.static_ratio torque_limit [N m] = inf, expected a finite number");
 }
 
 TEST(magnetorheological_brake, goes_around_a_loop) {

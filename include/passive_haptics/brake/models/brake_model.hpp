@@ -5,6 +5,7 @@
 #include <passive_haptics/core/parameters.hpp>
 
 #include <concepts>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -53,10 +54,12 @@ concept limits_brake = names_brake_scalar<B> && requires(const B brake, typename
 ///   - `scalar torque_limit_at(scalar rate) const noexcept`: the most torque [N m] at this rate by command,
 ///     all of the model that a controller may use.
 ///
-/// Laws, of any command, rate and history (testing/brake_model_properties.hpp):
+/// Laws, of any command, rate and history (testing/support/brake_model_laws.hpp):
 ///   - passive: strength and drag are finite and >= 0;
 ///   - bounded: strength + drag |rate| <= torque_limit_at(rate);
-///   - a command that is negative or NaN is 0, an infinite one is the greatest that there is.
+///   - a command that is negative or NaN is 0, an infinite one is the greatest that there is (valid_command);
+///   - a time step that is negative, NaN or infinite is 0, in which no time passes (valid_time_step);
+///   - a rate that is NaN is 0, an infinite one is the greatest of its sign (valid_rate).
 ///
 /// Optional:
 ///   - `brake_resistance<scalar> residual`, a member or a function: what is there without a command and adds
@@ -112,11 +115,25 @@ typename B::scalar compliance_of(const B& brake) {
   else return {};
 }
 
-/// A command [N m] as a brake takes it: 0 where it is negative or NaN, never more than `most`.
+/// A command [N m] as a brake takes it: 0 where it is negative or NaN, never more than `limit`.
 template <class T>
 constexpr T valid_command(T command, T limit) {
   if (!(command > T(0))) return T(0);
   return command < limit ? command : limit;
+}
+
+/// A time step [s] as a brake takes it: 0 where it is negative, NaN or infinite.
+template <class T>
+constexpr T valid_time_step(T dt) {
+  return dt > T(0) && dt < std::numeric_limits<T>::infinity() ? dt : T(0);
+}
+
+/// A rate [rad/s] as a brake takes it: 0 where it is NaN, an infinite one the greatest of its sign.
+template <class T>
+constexpr T valid_rate(T rate) {
+  constexpr T greatest = std::numeric_limits<T>::max();
+  if (!(rate == rate)) return T(0);
+  return rate < -greatest ? -greatest : rate > greatest ? greatest : rate;
 }
 
 }  // namespace passive_haptics

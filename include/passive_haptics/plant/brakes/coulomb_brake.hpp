@@ -41,7 +41,7 @@ struct coulomb_brake {
   brake_resistance<T> advance(T dt, T command, T /*rate*/, state& now) const noexcept {
     const T target = valid_command(gain * command, torque_limit);
     const T lag = target < now.strength ? fall_ratio * time_constant : time_constant;
-    now.strength = lagged(now.strength, target, dt, lag);
+    now.strength = lagged(now.strength, target, valid_time_step(dt), lag);
     return {now.strength, T(0)};
   }
 

@@ -41,9 +41,10 @@ struct delayed_brake {
       now.waiting[at(now.first + now.count++)] = {now.time + static_cast<double>(dead_time), wanted};
       now.last = wanted;
     }
-    const double soon = now.time + static_cast<double>(dt) / 2;
+    const auto passed = static_cast<double>(valid_time_step(dt));
+    const double soon = now.time + passed / 2;
     while (now.count > 0 && now.waiting[at(now.first)].due <= soon) act(now);
-    now.time += static_cast<double>(dt);
+    now.time += passed;
     return model.advance(dt, now.acting, rate, now);
   }
 

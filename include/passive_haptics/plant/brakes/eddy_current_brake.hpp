@@ -40,25 +40,29 @@ struct eddy_current_brake {
     T excitation = T(0);  ///< e [N m].
   };
 
-  /// Torque at this rate for that at the critical one [1].
-  T factor(T rate) const noexcept {
-    const T ratio = std::abs(rate) / critical_rate;
-    return T(2) / (ratio + T(1) / ratio);
+  /// Drag [N m s] of an excitation e [N m] at this rate.
+  T drag_of(T excitation, T rate) const noexcept {
+    const T ratio = valid_rate(rate) / critical_rate;
+    return excitation * T(2) / (critical_rate * (T(1) + ratio * ratio));
+  }
+  /// Torque [N m] of an excitation e [N m] at this rate.
+  T torque_of(T excitation, T rate) const noexcept {
+    return drag_of(excitation, rate) * std::abs(valid_rate(rate));
   }
 
   /// See BrakeModel.
   brake_resistance<T> advance(T dt, T command, T rate, state& now) const noexcept {
-    const T ratio = rate / critical_rate;
-    now.excitation = lagged(now.excitation, valid_command(command, peak_torque), dt, time_constant);
-    return {T(0), now.excitation * T(2) / (critical_rate * (T(1) + ratio * ratio))};
+    now.excitation =
+        lagged(now.excitation, valid_command(command, peak_torque), valid_time_step(dt), time_constant);
+    return {T(0), drag_of(now.excitation, rate)};
   }
 
   /// In proportion to the rate where it is low [N m].
-  T torque_limit_at(T rate) const noexcept { return factor(rate) * peak_torque; }
+  T torque_limit_at(T rate) const noexcept { return torque_of(peak_torque, rate); }
 
   /// Exact within the limit, at this rate.
   T command_for(T torque, T rate, const state&) const noexcept {
-    return valid_command(torque / factor(rate), peak_torque);
+    return valid_command(torque / torque_of(T(1), rate), peak_torque);
   }
 
   /// The table of core/parameters.hpp.
@@ -68,6 +72,10 @@ struct eddy_current_brake {
                         member("critical_rate", &p::critical_rate, "rad/s", range::positive),
                         member("time_constant", &p::time_constant, "s", range::not_negative),
                         member("residual", &p::residual));
+  }
+  /// The drag at rest does not overflow.
+  error_message rules() const {
+    return check_value("2 peak_torque / critical_rate", drag_of(peak_torque, T(0)), "N m s", range::finite);
   }
 };
 

@@ -64,7 +64,7 @@ struct magnetorheological_brake {
 
   /// See BrakeModel.
   brake_resistance<T> advance(T dt, T command, T /*rate*/, state& now) const noexcept {
-    now.current = lagged(now.current, magnetisation_of(command), dt, time_constant);
+    now.current = lagged(now.current, magnetisation_of(command), valid_time_step(dt), time_constant);
     now.magnetisation =
         std::clamp(now.magnetisation, now.current - coercive_current, now.current + coercive_current);
     return {torque_of(now.magnetisation), T(0)};

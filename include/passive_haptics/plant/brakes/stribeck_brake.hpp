@@ -27,7 +27,7 @@ struct stribeck_brake {
 
   /// g(w) [1].
   T factor(T rate) const noexcept {
-    const T ratio = rate / stribeck_rate;
+    const T ratio = valid_rate(rate) / stribeck_rate;
     return T(1) + (static_ratio - T(1)) * std::exp(-ratio * ratio);
   }
 
@@ -53,6 +53,10 @@ struct stribeck_brake {
     return member_table(member("coulomb", &p::coulomb),
                         member("static_ratio", &p::static_ratio, "1", range::at_least(1)),
                         member("stribeck_rate", &p::stribeck_rate, "rad/s", range::positive));
+  }
+  /// The strength at rest does not overflow.
+  error_message rules() const {
+    return check_value("static_ratio torque_limit", torque_limit_at(T(0)), "N m", range::finite);
   }
 };
 
