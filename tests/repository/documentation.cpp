@@ -137,12 +137,13 @@ TEST(documentation, explains_messages_that_programs_have) {
       if (entry.is_regular_file()) sources += read_file(entry.path());
   static const std::regex row(R"(^\| `([^`]+)` \|.*$)");
   int explained = 0;
-  for (const std::string& line : split(read_file(root / "docs/guide/troubleshooting.md"))) {
-    std::smatch match;
-    if (!std::regex_match(line, match, row)) continue;
-    ++explained;
-    EXPECT_NE(sources.find(match[1]), std::string::npos) << match[1];
-  }
+  for (const char* page : {"docs/guide/troubleshooting.md", "docs/guide/brake_identification.md"})
+    for (const std::string& line : split(read_file(root / page))) {
+      std::smatch match;
+      if (!std::regex_match(line, match, row)) continue;
+      ++explained;
+      EXPECT_NE(sources.find(match[1]), std::string::npos) << match[1];
+    }
   EXPECT_GT(explained, 10);
 }
 

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <type_traits>
 
 #if !EIGEN_VERSION_AT_LEAST(3, 4, 0)
@@ -68,6 +69,16 @@ vector<To, N> as(const vector<T, N>& x) {
   vector<To, N> y;
   unrolled<N>([&](auto i) { y[i] = static_cast<To>(x[i]); });
   return y;
+}
+
+/// x / |x| of a finite x of any length but 0, also where its square or its length overflows or is denormal; 0
+/// of 0.
+template <class T, int N>
+vector<T, N> direction_of(const vector<T, N>& x) {
+  using real = std::numeric_limits<T>;
+  const T largest = x.cwiseAbs().maxCoeff();
+  const bool is_extreme = largest < real::min() / real::epsilon() || largest > real::max() / T(N);
+  return (is_extreme && largest > T(0) ? vector<T, N>(x / largest) : x).stableNormalized();
 }
 
 /// a x b, a number.

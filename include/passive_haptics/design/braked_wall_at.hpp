@@ -18,12 +18,14 @@ namespace passive_haptics {
 template <class M>
 using encoder_resolution = vector<typename M::scalar, encoder_axes<M>::count>;
 
-/// What the residual torques [N m] push a handle along the unit normal n with [N] that slides with a velocity
-/// along the wall: n . F of F = -G s t_r (4), as long as nothing accelerates. 0 for a handle that rests.
+/// What the residual torques [N m] push a handle along the normal n, of any length > 0, with [N] that slides
+/// with a velocity along the wall: n . F of F = -G s t_r (4), as long as nothing accelerates. 0 for a handle
+/// that rests.
 template <Dynamics M>
 typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q,
-                                    const task_vector<M>& velocity, const task_vector<M>& n,
+                                    const task_vector<M>& velocity, const task_vector<M>& normal,
                                     const brake_vector<M>& residual_torque) {
+  const task_vector<M> n = direction_of(normal);
   const task_vector<M> along = velocity - n * n.dot(velocity);
   const auto found = displayable(mechanism, q, along, n);
   const brake_vector<M> t = found.signs.cwiseProduct(residual_torque);
@@ -36,23 +38,24 @@ typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q
   else return -n.dot(passive_haptics::inertial_force_generators(mechanism, q) * t);
 }
 
-/// The wall of unit normal n (base frame, out of the wall) that these brakes can make at joint positions q,
-/// touched with `velocity` [m/s]; a hand of this mass [kg] moves with the handle, the encoders have this
-/// resolution.
+/// The wall of normal n (base frame, out of the wall, any length > 0) that these brakes can make at joint
+/// positions q, touched with `velocity` [m/s]; a hand of this mass [kg] moves with the handle, the encoders
+/// have this resolution.
 ///
 /// The motion decides which way each brake can push, and it changes while the handle lands. Its mean is
 /// taken: all of the velocity along the wall and half of it into the wall. The forces are 0 where nothing can
-/// be displayed (displayable). Where the handle cannot move along n, the inertia is not finite, which
-/// limits_of refuses.
+/// be displayed (displayable). Where the handle cannot move along n, or n is 0 or not finite, the inertia is
+/// not finite, which limits_of refuses.
 ///
 /// Time, rates and the hand's forces are left at their defaults. Cost: a displayable and some solutions with
 /// the mass matrix.
 template <Dynamics M>
 braked_wall braked_wall_at(const M& mechanism, const joint_vector<M>& q, const task_vector<M>& velocity,
-                           const task_vector<M>& n, const switchable_brakes<M>& brakes,
+                           const task_vector<M>& normal, const switchable_brakes<M>& brakes,
                            const brake_vector<M>& residual_torque, const encoder_resolution<M>& resolution,
                            typename M::scalar hand_mass) {
   using T = typename M::scalar;
+  const task_vector<M> n = direction_of(normal);
   const T outward = n.dot(velocity);
   const auto found = displayable(mechanism, q, task_vector<M>(velocity - outward / 2 * n), n, brakes);
   const pose_dynamics<M> device({mechanism, q}, joint_vector<M>::Zero(), hand_mass);

@@ -181,8 +181,7 @@ displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
   if (found.outcome != status::ok) return found;
   const brake_matrix<M> E(passive_haptics::brake_jacobian(mechanism, q));
   if (all_finite(E))
-    detail::find_displayable(found, mechanism, q, E, task_vector<M>(direction.stableNormalized()),
-                             task_vector<M>(normal.stableNormalized()), brakes);
+    detail::find_displayable(found, mechanism, q, E, direction_of(direction), direction_of(normal), brakes);
   else found.outcome = status::pose_undefined;
   return found;
 }

@@ -71,7 +71,7 @@ struct wall_limits {
   double depth;
   double rigid_depth;  ///< Largest depth under force approximation, for a wall of any stiffness [m].
   /// Largest useful stiffness under force approximation [N/m]: the hand gets half as deep again as into a
-  /// rigid wall. 0 where the brakes cannot hold it.
+  /// rigid wall. 0 where the brakes cannot hold the hand, infinite where the hand does not get into a wall.
   double stiffness;
   /// Least noticeable drift off the wall or into it [m/s]: the ripple of its measured rate is as large as
   /// itself.
@@ -137,14 +137,22 @@ inline double resting_depth(const braked_wall& wall) {
 ///
 /// **Residual torque.** A hand that slides is pushed_out where sliding_residual > 0 is at least P.
 ///
-/// Throws std::invalid_argument with the text of validate(wall). Depths are those of the
-/// equation to 0.1 % and 1 um. Cost: twice up to 100 000 steps of ten operations and an exponential.
+/// Throws std::invalid_argument with the text of validate(wall), or where finite values overflow, so that a
+/// depth is no number. Depths are those of the equation to 0.1 % and 1 um. Cost: twice up to 100 000 steps of
+/// ten operations and an exponential.
 inline wall_limits limits_of(const braked_wall& wall) {
   require_valid(wall);
   const double late = std::max(wall.control_period, wall.scene_period) / 2;
-  const double held = detail::landing_depth(wall, wall.force, late + wall.reaction_time);
-  const double rigid = detail::landing_depth(wall, wall.approximated_force, late);
-  return {std::max(held, detail::resting_depth(wall)), rigid, wall.approximated_force / rigid,
+  const auto landing_depth = [&](double force, double delay) {
+    const double depth = detail::landing_depth(wall, force, delay);
+    detail::refuse_unless(depth >= 0, "depth of the landing at a braked_wall [m]", depth,
+                          "a number: give forces in N and the inertia in kg, so that none of them overflows");
+    return depth;
+  };
+  const double held = landing_depth(wall.force, late + wall.reaction_time);
+  const double rigid = landing_depth(wall.approximated_force, late);
+  const double stiffness = wall.approximated_force > 0 ? wall.approximated_force / rigid : 0;
+  return {std::max(held, detail::resting_depth(wall)), rigid, stiffness,
           wall.depth_resolution / (2 * wall.averaging_time),
           wall.sliding_residual > 0 && wall.sliding_residual >= wall.push};
 }

@@ -150,7 +150,7 @@ void expect_refused(const ph::contact<2>& bad) {
 
 TYPED_TEST(control_step, refuses_a_normal_that_is_no_unit_vector_and_a_negative_stiffness) {
   using M = typename TestFixture::table_type;
-  for (const double length : {0.0, 0.5, 1 - 1e-5, 1 + 1e-5, 3.0, 1000.0})
+  for (const double length : {0.0, 0.5, 1 - 1e-5, 1 + 1e-5, 3.0, 1000.0, 1e154, 1e200, 1e308, 1.7e308})
     expect_refused<ph::no_direct_control, M>({.normal = {0, length}, .depth = 1e-3, .stiffness = 1e7});
   for (const double depth : {1e-3, -1e-3})
     expect_refused<ph::no_direct_control, M>({.normal = {0, 1}, .depth = depth, .stiffness = -1e7});

@@ -26,6 +26,15 @@ TEST(shapes, plane_measures_along_its_normal) {
   EXPECT_TRUE(plane.gradient({7, 7}).isApprox(ph::point<2>(0.6, 0.8)));
 }
 
+TEST(shapes, plane_has_a_unit_normal_whatever_length_is_given) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  for (const double length : {least, 3 * least, 1e-310, 1e-200, 1e154, 1e200, 1e308}) {
+    const ph::point<2> n = ph::half_space<2>({0, 0}, {length, length}).gradient({0, 0});
+    EXPECT_NEAR(n.norm(), 1, 1e-15) << length;
+    EXPECT_EQ(n[0], n[1]) << length;
+  }
+}
+
 TEST(shapes, solid_ball_is_free_outside_and_hollow_ball_inside) {
   const ph::ball<3> solid({1, 0, 0}, 2), hollow({1, 0, 0}, 2, ph::filling::hollow);
   EXPECT_DOUBLE_EQ(solid.distance({4, 0, 0}), 1);

@@ -78,6 +78,7 @@ struct beside_effects {
     done.td.torque = torques_beside(map, box, done.td.torque, normals(), demand_of(device, done.effects),
                                     passive_haptics::torque_units_of<M>(signs, device.brakes));
     done.td.limited = done.td.limited || passive_haptics::any_at_limit(done.td.torque, device.brakes);
+    if (!all_finite(done.td.torque)) done.outcome = status::result_not_finite;  // demands near overflow
     return done;
   }
 

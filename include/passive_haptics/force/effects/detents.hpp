@@ -47,7 +47,7 @@ class detents {
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit detents(const detents_parameters<T, D>& p) : p_(require_valid(p)) {
-    p_.direction.stableNormalize();
+    p_.direction = direction_of(p_.direction);
   }
 
   /// Way from the nearest detent along the direction [m], at most spacing / 2 in size.

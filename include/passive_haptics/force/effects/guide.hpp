@@ -56,7 +56,9 @@ class guide {
   static constexpr int dimension = D;  ///< d
 
   /// Throws std::invalid_argument with the text of validate(p).
-  explicit guide(const guide_parameters<T, D>& p) : p_(require_valid(p)) { p_.direction.stableNormalize(); }
+  explicit guide(const guide_parameters<T, D>& p) : p_(require_valid(p)) {
+    p_.direction = direction_of(p_.direction);
+  }
 
   /// Way off the guide [m], at right angles to it.
   vector<T, D> deviation(const vector<T, D>& x) const { return across(x - p_.point); }

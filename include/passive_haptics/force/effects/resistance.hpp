@@ -4,12 +4,25 @@
 
 #include <passive_haptics/core/matrix.hpp>
 
+#include <limits>
+
 namespace passive_haptics {
 
 /// Speed under which a handle counts as at rest [m/s]: the brakes' rate dead band, 0.02 rad/s
 /// (brake_parameters.hpp), at the paper's link length of 0.15 m (section 5).
 template <class T>
 inline constexpr T default_velocity_dead_band = T(0.003);
+
+namespace detail {
+
+// |x|, also where its square overflows
+template <class T, int D>
+T length_of_any_size(const vector<T, D>& x) {
+  const T length = x.norm();
+  return length < std::numeric_limits<T>::infinity() ? length : x.stableNorm();
+}
+
+}  // namespace detail
 
 /// Force of size `limit` against the velocity v; inside the dead band, limit v / dead_band plus what holds
 /// against the push, together no more than limit.
@@ -23,10 +36,10 @@ inline constexpr T default_velocity_dead_band = T(0.003);
 /// Systems, Measurement, and Control 107(1), 1985, pp. 100-103.
 template <class T, int D>
 vector<T, D> resistance(T limit, const vector<T, D>& v, T dead_band, const vector<T, D>& push) {
-  const T speed = v.norm();
+  const T speed = detail::length_of_any_size(v);
   if (speed > dead_band) return -limit / speed * v;
   const vector<T, D> wanted = limit / dead_band * v + push;
-  const T size = wanted.norm();
+  const T size = detail::length_of_any_size(wanted);
   return size > limit ? vector<T, D>(-limit / size * wanted) : vector<T, D>(-wanted);
 }
 

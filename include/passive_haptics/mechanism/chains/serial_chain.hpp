@@ -124,7 +124,7 @@ class serial_chain {
       to.turns = p.joints[i].kind == joint_kind::revolute;
       // A slide has no point of its own: its body is measured from the point before
       const vector<T, D> point = to.turns ? p.joints[i].point : previous;
-      to.axis = to.turns && D == 2 ? vector<T, D>::Zero().eval() : p.joints[i].axis.stableNormalized();
+      to.axis = to.turns && D == 2 ? vector<T, D>::Zero().eval() : direction_of(p.joints[i].axis);
       to.offset = point - previous;
       previous = point;
     }

@@ -50,23 +50,20 @@ struct mesh_surface_parameters {
 /// A handle that is seen for the first time within the wall of a closed mesh is taken to have come through
 /// the nearest facet.
 template <int D>
-class mesh_surface {
+class mesh_surface : public mesh_stops<D> {
  public:
-  static constexpr int dimension = D;  ///< d
-  using tracker = proxy_tracker<D>;    ///< What is remembered of one handle.
+  using tracker = proxy_tracker<D>;  ///< What is remembered of one handle.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit mesh_surface(const mesh_surface_parameters<D>& p)
-      : surface_(require_valid(p).surface),
-        skin_(p.skin),
-        cos_crease_(std::cos(p.crease_angle)),
-        far_(1e3 * (1 + detail::largest_coordinate(surface_.bounds()))) {}
+      : mesh_stops<D>(require_valid(p).surface, p.skin, std::cos(p.crease_angle)),
+        far_(1e3 * (1 + detail::largest_coordinate(p.surface.bounds()))) {}
 
   /// A surface that is felt as by default.
   explicit mesh_surface(mesh<D> surface) : mesh_surface(mesh_surface_parameters<D>{std::move(surface)}) {}
 
   /// The box about the surface and what a proxy stays away from it.
-  bounding_box<D> bounds() const { return surface_.bounds().grown(stops::slab_reach * skin_); }
+  bounding_box<D> bounds() const { return this->surface().bounds().grown(this->slab_reach()); }
 
   /// See TrackedShape. While it touches, `from` is not read. Cost: free, a search for the way and one for the
   /// nearest facet; in contact, a search or two of the few facets near the proxy.
@@ -78,7 +75,7 @@ class mesh_surface {
     }
     if (!t.held)
       point<D>::Map(t.position.data()) =
-          t.known && all_finite(from) ? within_reach(from) : within_reach(entry(x));
+          t.known && all_finite(from) ? within_reach(from) : within_reach(this->entry(x));
     t.known = true;
     const placed_surface<mesh_surface> here{this, point<D>::Zero(), 0};
     const std::span<const placed_surface<mesh_surface>> all(&here, 1);
@@ -89,42 +86,19 @@ class mesh_surface {
     return 0;
   }
 
-  double skin() const { return skin_; }                 ///< As of ProxySurface [m].
-  double crease_cosine() const { return cos_crease_; }  ///< As of ProxySurface.
-  /// As of ProxySurface. Cost: a search of the few facets near the way.
-  proxy_stop first_stop(const point<D>& p, const point<D>& step, std::span<const int> resting) const {
-    return slabs().first_stop(p, step, resting);
-  }
-  /// As of ProxySurface.
-  proxy_plane<D> plane(int facet, const point<D>& p) const {
-    return {surface_[facet].normal, surface_[facet].height(p)};
-  }
-  /// As of ProxySurface.
-  bool holds(int facet, const point<D>& p) const { return slabs().slab(facet).holds(p); }
   /// As of ProxySurface. Cost: a search for the nearest facet.
   double clearance(const point<D>& x, int& hint) const {
-    const auto nearest = surface_.nearest(x, hint);
+    const auto nearest = this->surface().nearest(x, hint);
     hint = nearest.facet;
-    return nearest.distance() - stops::slab_reach * skin_;
+    return nearest.distance() - this->slab_reach();
   }
   /// As of ProxySurface.
   bool is_solid() const { return false; }
-  /// As of ProxySurface. Cost: a search for the nearest facet.
-  point<D> entry(const point<D>& x) const { return slabs().entry(x); }
-
-  /// Its facets.
-  const mesh<D>& surface() const { return surface_; }
 
  private:
-  using stops = detail::mesh_stops<D>;
-  stops slabs() const { return {surface_, skin_}; }
-
   // Coordinates so large that their rounding is thicker than a skin are brought nearer.
   point<D> within_reach(const point<D>& x) const { return x.cwiseMax(-far_).cwiseMin(far_); }
 
-  mesh<D> surface_;
-  double skin_;
-  double cos_crease_;
   double far_;
 };
 

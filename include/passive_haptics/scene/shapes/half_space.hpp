@@ -31,7 +31,7 @@ class half_space {
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit half_space(const half_space_parameters<D>& p)
-      : normal_(require_valid(p).normal.stableNormalized()), point_(p.surface_point) {}
+      : normal_(direction_of(require_valid(p).normal)), point_(p.surface_point) {}
 
   /// Wall through surface_point with the free side where normal points.
   half_space(const point<D>& surface_point, const point<D>& normal)

@@ -26,7 +26,7 @@ template <int D>
 static_scene<half_space<D>, half_space<D>> slot(const point<D>& centre, const point<D>& normal,
                                                 double half_width, double stiffness = 1e7) {
   require_no_error(check_value("half_width", half_width, "m", range::not_negative, "a slot"));
-  const point<D> n = normal.stableNormalized();
+  const point<D> n = direction_of(normal);
   return scene(wall(half_space<D>(centre + half_width * n, -n), stiffness),
                wall(half_space<D>(centre - half_width * n, n), stiffness));
 }

@@ -156,9 +156,71 @@ TEST(wall_limits, impossible_values_are_refused_by_name) {
     EXPECT_NE(std::string(error.what()).find("inertia of a braked_wall [kg] = 0"), std::string::npos)
         << error.what();
   }
-  wall = {};
-  wall.push = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(limits_of(wall), std::invalid_argument);
+}
+
+// Each member in turn.
+TEST(wall_limits, numbers_that_are_none_are_refused_by_name) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  ph::braked_wall wall;
+  ph::for_each_member(wall, [&](const ph::member_description& about, double& value) {
+    const double good = value;
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
+      value = bad;
+      try {
+        limits_of(wall);
+        ADD_FAILURE() << about.name << " = " << bad;
+      } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find(std::string(about.name) + " of a braked_wall"),
+                  std::string::npos)
+            << error.what();
+      }
+    }
+    value = good;
+  });
+}
+
+TEST(wall_limits, numbers_that_overflow_are_refused_by_name) {
+  ph::braked_wall wall;
+  wall.inertia = wall.hand_damping = std::numeric_limits<double>::max();
+  wall.approach_speed = 2;
+  try {
+    limits_of(wall);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(
+        std::string(error.what()),
+        "passive_haptics: depth of the landing at a braked_wall [m] = nan, expected a number: give forces "
+        "in N and the inertia in kg, so that none of them overflows");
+  }
+}
+
+TEST(wall_limits, of_a_normal_of_any_length_are_those_of_its_direction) {
+  using M = ph::tendon_two_link<double>;
+  using V = ph::vector<double, 2>;
+  const M arm;
+  const V q = arm.inverse({0.1, 0.2}, ph::elbow::left).q, n(0.6, -0.8), v(0.05, 0.1);
+  const auto wall = [&](const V& normal) {
+    return ph::braked_wall_at(arm, q, v, normal, ph::brakes_of<M>(), V(0.1, 0.1), V(1e-3, 1e-3), 0.5);
+  };
+  const ph::braked_wall expected = wall(n);
+  for (const double length : {1e-200, 2.0, 1e200, 1e308}) {
+    const ph::braked_wall found = wall(length * n);
+    ph::for_each_member(found, [&](const auto& about, double value) {
+      EXPECT_NEAR(value, expected.*about.pointer, 1e-12 * std::abs(value)) << about.name << ' ' << length;
+    });
+    EXPECT_NEAR(limits_of(found).depth, limits_of(expected).depth, 1e-9);
+  }
+  for (const V& none : {V(0, 0), V(std::nan(""), 0), V(0, std::numeric_limits<double>::infinity())})
+    EXPECT_THROW(limits_of(wall(none)), std::invalid_argument);
+}
+
+TEST(wall_limits, without_force_no_stiffness_is_of_use) {
+  ph::braked_wall wall;
+  wall.approximated_force = wall.approach_speed = 0;
+  wall.push = -1;
+  EXPECT_EQ(limits_of(wall).stiffness, 0) << "no NaN";
+  wall.approximated_force = 1;
+  EXPECT_TRUE(std::isinf(limits_of(wall).stiffness)) << "of a wall that the hand does not get into";
 }
 
 // Slides along x and y: along y the brake of y holds, and drags along x do not matter.

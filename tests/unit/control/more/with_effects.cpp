@@ -6,11 +6,13 @@
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
+#include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
+#include <cmath>
 #include <limits>
 
 namespace {
@@ -141,6 +143,31 @@ TEST(with_effects, act_through_a_wall_that_asks_for_nothing) {
   const auto result = ph::step(M(), ph::unlimited_brakes(), ph::with_effects(touched, drag_of(2)),
                                ph::no_direct_control(), state_of<M>({0, 0}, {0, -1}), memory);
   EXPECT_EQ(result.torque, ph::point<2>(0, 2));
+}
+
+// Forces of effects that are barely numbers, of a spatial device, whose torques are found by scaling.
+TEST(effects_beside_a_wall, of_velocities_near_overflow_give_a_status_or_torques) {
+  using M = ph::delta<double>;
+  const M device;
+  const ph::viscous_field<double, 3> drag({.viscosity = 3 * ph::matrix<double, 3, 3>::Identity()});
+  ph::testing::random_source random(1);
+  int faults = 0, steps = 0;
+  for (int k = 0; k < 300; ++k) {
+    ph::device_state<M> state{0, 0.5 * random.direction<double, 3>(), random.direction<double, 3>(),
+                              random.direction<double, 3>()};
+    state.qd[k % 3] = std::pow(10.0, random.uniform(k % 4 < 2 ? 150.0 : 307.5, 308.2));
+    ph::contacts<3, 1> touched;
+    if (k % 2 == 0)
+      touched.push_back({.normal = random.direction<double, 3>(), .depth = 1e-3, .stiffness = 1e4});
+    ph::step_memory<ph::direct_control> memory;
+    const auto result = ph::step(device, ph::brakes_of<M>(), ph::with_effects(touched, drag),
+                                 ph::direct_control(), state, memory);
+    ASSERT_TRUE(ph::all_finite(result.capacity) && ph::all_finite(result.torque)) << k;
+    ASSERT_TRUE(result.outcome == ph::status::ok || result.capacity.isZero(0)) << k;
+    ++(result.outcome == ph::status::ok ? steps : faults);
+  }
+  EXPECT_GT(faults, 10);
+  EXPECT_GT(steps, 10);
 }
 
 }  // namespace

@@ -111,6 +111,26 @@ TEST(displayable, knows_the_empty_cone) {
   EXPECT_EQ(display({0, 1}, {0, -1}), ph::display_class::exact);
 }
 
+TEST(displayable, depends_on_no_length_of_the_normal_or_the_direction) {
+  const tendon_arm arm;
+  const ph::vector<double, 2> q(0.7, 1.1), limit(1, 2), n(-0.6, 0.8), v(0.28, -0.96);
+  const auto expected = ph::displayable(arm, q, v, n, limit);
+  ASSERT_EQ(expected.outcome, ph::status::ok);
+  EXPECT_GT(expected.strongest, 0);
+  for (const double largest : {1e-320, 1e-200, 1e154, 1e200, 1e308, 1.7e308}) {  // of the components
+    const double rounding = largest < 1e-300 ? 1e-3 : 1e-12;
+    const auto as_long = [&](const ph::vector<double, 2>& x) -> ph::vector<double, 2> {
+      return largest * (x / x.cwiseAbs().maxCoeff());
+    };
+    for (const auto& found :
+         {ph::displayable(arm, q, v, as_long(n), limit), ph::displayable(arm, q, as_long(v), n, limit)}) {
+      EXPECT_EQ(found.outcome, ph::status::ok) << largest;
+      EXPECT_NEAR(found.strongest, expected.strongest, rounding * expected.strongest) << largest;
+      EXPECT_NEAR(found.angle, expected.angle, rounding) << largest;
+    }
+  }
+}
+
 TEST(displayable, says_what_is_wrong) {
   const tendon_arm arm;
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -191,6 +191,15 @@ TEST(resistance, at_rest_holds_a_push_up_to_its_limit) {
   EXPECT_LE((ph::resistance<double, 2>(5, rest, 0.1, {30, 40}) - vector(-3, -4)).norm(), 8 * eps);
 }
 
+TEST(resistance, of_a_velocity_or_push_whose_square_overflows_has_its_limit) {
+  const ph::vector<double, 2> along(0.6, 0.8), none(0, 0);
+  for (const double huge : {1e155, 1e200, 1e307}) {
+    EXPECT_LE((ph::resistance<double, 2>(5, huge * along, 0.1, none) + 5 * along).norm(), 8 * eps) << huge;
+    EXPECT_LE((ph::resistance<double, 2>(5, none, 0.1, huge * along) + 5 * along).norm(), 8 * eps) << huge;
+  }
+  EXPECT_TRUE(std::isnan(ph::resistance<double, 2>(5, {std::nan(""), 1}, 0.1, none)[0]));
+}
+
 TEST(one_way_resistance, lets_the_other_way_free) {
   EXPECT_EQ(ph::one_way_resistance(5.0, 0.2, 0.1, 0.0), 5);
   EXPECT_EQ(ph::one_way_resistance(5.0, 0.05, 0.1, 0.0), 2.5);
