@@ -19,10 +19,7 @@ class handle_proxy {
 
   handle_proxy() = default;
   /// most: surfaces at once. extent: largest coordinate of the surfaces [m].
-  handle_proxy(std::size_t most, double extent) : far_(1e3 * (1 + extent)) {
-    surfaces_.reserve(most);
-    before_.reserve(most);
-  }
+  handle_proxy(std::size_t most, double extent) : room_(most), before_(most), far_(1e3 * (1 + extent)) {}
 
   /// Whether a surface keeps it from the handle.
   bool held() const { return tracker_.held; }
@@ -39,17 +36,15 @@ class handle_proxy {
   }
 
   /// Forgets the surfaces near it.
-  void forget_surfaces() {
-    surfaces_.clear();
-    before_.clear();
-  }
+  void forget_surfaces() { count_ = 0; }
   /// Names a surface near it, which has come from a displacement [m].
   void add(const surface& s, const point<D>& before) {
-    surfaces_.push_back(s);
-    before_.push_back(before);
+    if (count_ == room_.size()) return;
+    room_[count_] = s;
+    before_[count_++] = before;
   }
   /// The surfaces near it.
-  std::span<const surface> surfaces() const { return surfaces_; }
+  std::span<const surface> surfaces() const { return {room_.data(), count_}; }
 
   /// Goes from p [m] on in this cycle, where it is held.
   void start_at(const point<D>& p) {
@@ -64,7 +59,7 @@ class handle_proxy {
     if (is_here_ || !any_moved()) go_on(x);
     else go_with_surfaces(x);
     if (tracker_.held) return;
-    for (const surface& s : surfaces_) {  // inside without a way to there: at first, or by a jump
+    for (const surface& s : surfaces()) {  // inside without a way to there: at first, or by a jump
       const point<D> at = x - s.displacement;
       int hint = 0;
       if (!s.surface->is_solid() || s.surface->clearance(at, hint) > 0) continue;
@@ -78,7 +73,7 @@ class handle_proxy {
   /// Calls add(normal, depth, number of the surface) for each contact of a handle at x, at most D.
   template <class Add>
   void contacts_at(const point<D>& x, Add&& add) const {
-    if (tracker_.held) proxy_contacts<any_proxy_surface<D>>(surfaces_, tracker_, x).add_to(add);
+    if (tracker_.held) proxy_contacts<any_proxy_surface<D>>(surfaces(), tracker_, x).add_to(add);
   }
 
   /// What is remembered of the handle, but for the surfaces.
@@ -102,18 +97,18 @@ class handle_proxy {
   void keep(const point<D>& p) { point<D>::Map(tracker_.position.data()) = p; }
   void go_on(const point<D>& x) {
     is_here_ = false;
-    proxy_way<any_proxy_surface<D>>(surfaces_, tracker_).go_to(within_reach(x));
+    proxy_way<any_proxy_surface<D>>(surfaces(), tracker_).go_to(within_reach(x));
   }
 
   // Coordinates so large that their rounding is thicker than a skin are brought nearer.
   point<D> within_reach(const point<D>& x) const { return x.cwiseMax(-far_).cwiseMin(far_); }
 
   bool any_moved() const {
-    for (std::size_t k = 0; k < surfaces_.size(); ++k)
-      if (surfaces_[k].displacement != before_[k]) return true;
+    for (std::size_t k = 0; k < count_; ++k)
+      if (room_[k].displacement != before_[k]) return true;
     return false;
   }
-  point<D> moved_by(std::size_t k) const { return surfaces_[k].displacement - before_[k]; }
+  point<D> moved_by(std::size_t k) const { return room_[k].displacement - before_[k]; }
 
   // Surfaces go straight on within the cycle, as the handle does. A free proxy goes with the handle until one
   // of them meets it; from then on it keeps to the facets on which it rests, and stays in front of all others
@@ -125,14 +120,14 @@ class handle_proxy {
       if (met.facet < 0) return keep(x);
       time = met.time;
       p += time * (x - p);
-      tracker_.facets[0] = {surfaces_[place].number, met.facet};
+      tracker_.facets[0] = {room_[place].number, met.facet};
       tracker_.facet_count = 1;
     }
     point<D> at = carried(p, time);
-    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-      const point<D> now = surfaces_[k].displacement, then = now - (1 - time) * moved_by(k);
+    for (std::size_t k = 0; k < count_; ++k) {
+      const point<D> now = room_[k].displacement, then = now - (1 - time) * moved_by(k);
       if (p - then == at - now) continue;
-      const surface alone{surfaces_[k].surface, point<D>::Zero(), surfaces_[k].number};
+      const surface alone{room_[k].surface, point<D>::Zero(), room_[k].number};
       proxy_tracker<D> seen_from_it;
       point<D>::Map(seen_from_it.position.data()) = p - then;
       proxy_way<any_proxy_surface<D>>({&alone, 1}, seen_from_it).go_to(at - now);
@@ -149,9 +144,9 @@ class handle_proxy {
   };
   meeting first_met(const point<D>& p, const point<D>& x) const {
     meeting first;
-    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-      const point<D> start = p - before_[k], end = within_reach(x) - surfaces_[k].displacement;
-      const proxy_stop met = surfaces_[k].surface->first_stop(start, end - start, {});
+    for (std::size_t k = 0; k < count_; ++k) {
+      const point<D> start = p - before_[k], end = within_reach(x) - room_[k].displacement;
+      const proxy_stop met = room_[k].surface->first_stop(start, end - start, {});
       if (met.facet >= 0 && (first.met.facet < 0 || met.time < first.met.time)) first = {met, k};
     }
     return first;
@@ -163,11 +158,10 @@ class handle_proxy {
     point<D> way = point<D>::Zero();
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       for (const facet_of_surface& f : tracker_.resting()) {
-        for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-          if (surfaces_[k].number != f.surface) continue;
+        for (std::size_t k = 0; k < count_; ++k) {
+          if (room_[k].number != f.surface) continue;
           const point<D> moved = (1 - time) * moved_by(k);
-          const point<D> n =
-              surfaces_[k].surface->plane(f.facet, p - surfaces_[k].displacement + moved).normal;
+          const point<D> n = room_[k].surface->plane(f.facet, p - room_[k].displacement + moved).normal;
           way += n.dot(moved - way) * n;
         }
       }
@@ -176,10 +170,11 @@ class handle_proxy {
   }
 
   proxy_tracker<D> tracker_;
-  std::vector<surface> surfaces_;
+  std::vector<surface> room_;     // for the surfaces near it: a copy allocates, the control loop does not
   std::vector<point<D>> before_;  // their displacements in the cycle before [m]
-  double far_ = 0;                // [m]
-  bool is_here_ = false;          // placed in this cycle: no surface has moved since
+  std::size_t count_ = 0;
+  double far_ = 0;        // [m]
+  bool is_here_ = false;  // placed in this cycle: no surface has moved since
 };
 
 }  // namespace passive_haptics::detail
