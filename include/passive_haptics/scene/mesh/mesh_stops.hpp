@@ -47,8 +47,8 @@ class mesh_stops {
   }
 
   /// As of ProxySurface.
-  proxy_plane<D> plane(int facet, const point<D>& p) const {
-    return {surface_[facet].normal, surface_[facet].height(p)};
+  proxy_plane<D> plane(int facet, const point<D>&) const {
+    return {surface_[facet].normal, surface_[facet].corners[0]};
   }
   /// As of ProxySurface.
   bool holds(int facet, const point<D>& p) const { return slab(facet).holds(p); }

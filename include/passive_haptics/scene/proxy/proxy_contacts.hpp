@@ -34,9 +34,9 @@ class proxy_contacts {
     int k = 0;
     for (const facet_of_surface& f : tracker.resting()) {
       const auto* s = surface_of(surfaces, f.surface);
-      const auto [normal, height] = s->plane(f.facet, p);
-      normals_.col(k) = normal;
-      depths_[k] = normal.dot(p - x) - height;
+      const auto plane = s->plane(f.facet, p);
+      normals_.col(k) = plane.normal;
+      depths_[k] = -plane.height(x);
       crease_cosines_[static_cast<std::size_t>(k)] = s->surface->crease_cosine();
       numbers_[static_cast<std::size_t>(k++)] = f.surface;
     }

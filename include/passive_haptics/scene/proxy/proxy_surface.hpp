@@ -20,11 +20,14 @@ struct proxy_stop {
   int facet = -1;   ///< On which facet; -1 if it meets none.
 };
 
-/// The plane of a facet, seen from a point.
+/// The plane of a facet.
 template <int D>
 struct proxy_plane {
-  point<D> normal;  ///< Unit, to the free side.
-  double height;    ///< Of the point over the plane [m].
+  point<D> normal;    ///< Unit, to the free side.
+  point<D> position;  ///< A point of it [m].
+
+  /// Of x over the plane [m].
+  double height(const point<D>& x) const { return normal.dot(x - position); }
 };
 
 /// A surface that lets nothing from its front to its back, by facets: those of a mesh, or the whole of a

@@ -50,7 +50,9 @@ struct placed_surface {
 
   /// Its facet `f` seen from p.
   auto plane(int facet, const point<S::dimension>& p) const {
-    return surface->plane(facet, p - displacement);
+    auto under_p = surface->plane(facet, p - displacement);
+    under_p.position += displacement;
+    return under_p;
   }
 };
 
@@ -172,10 +174,10 @@ class proxy_way {
     constexpr double low = 0.9;  // of the skin
     for (int k = 0; k < tracker_.facet_count; ++k) {
       const auto* s = surface_of(surfaces_, resting(k).surface);
-      const auto [normal, height] = s->plane(resting(k).facet, p_);
-      const double skin = s->surface->skin();
+      const auto plane = s->plane(resting(k).facet, p_);
+      const double skin = s->surface->skin(), height = plane.height(p_);
       if (!(height < low * skin)) continue;
-      const point<D> step = (skin - height) * normal;
+      const point<D> step = (skin - height) * plane.normal;
       p_ += first_stop(step, true).time * step;
     }
   }

@@ -54,7 +54,10 @@ class shape_surface {
   }
 
   /// As of ProxySurface.
-  proxy_plane<dimension> plane(int, const at& p) const { return {shape_.gradient(p), shape_.distance(p)}; }
+  proxy_plane<dimension> plane(int, const at& p) const {
+    const at n = shape_.gradient(p);
+    return {n, p - shape_.distance(p) * n};
+  }
   /// As of ProxySurface.
   bool holds(int, const at& p) const { return !(shape_.distance(p) > (1 + 2 * lip_by_skin) * skin_); }
   /// As of ProxySurface.
