@@ -81,6 +81,13 @@ vector<T, N> direction_of(const vector<T, N>& x) {
   return (is_extreme && largest > T(0) ? vector<T, N>(x / largest) : x).stableNormalized();
 }
 
+/// Length of |A| |x|, of what adds up to A x: the rounding of A x is some eps times this, however short A x
+/// is.
+template <class T, int Rows, int Columns>
+T size_of_terms(const matrix<T, Rows, Columns>& A, const vector<T, Columns>& x) {
+  return (A.cwiseAbs() * x.cwiseAbs()).norm();
+}
+
 /// a x b, a number.
 template <class T>
 T cross_in_plane(const vector<T, 2>& a, const vector<T, 2>& b) {

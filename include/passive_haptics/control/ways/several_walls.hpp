@@ -192,7 +192,7 @@ struct several_walls {
     if (!displays_by_generators<M> && !is_in_cone(device, done, F)) {
       F = done.Fc_scaled;
     } else {
-      const T tolerance = rounding_tolerance<T>(m + capacity) * terms_of(done.map, F);
+      const T tolerance = rounding_tolerance<T>(m + capacity) * size_of_terms(done.map.G, F.torque);
       bool met = true;
       for (int j = 0; j < touched.size(); ++j) {
         const auto wanted = Fd(j);
@@ -217,17 +217,12 @@ struct several_walls {
     return whole;
   }
 
-  // Size of what adds up to F = G t [N]: that of its rounding, which grows with the condition of G
-  static T terms_of(const force_map<T, d, m>& map, const force& F) {
-    return (map.G.cwiseAbs() * F.torque.cwiseAbs()).norm();
-  }
-
   // Whether brakes of these signs can make F, to rounding: s_i t_i <= 0 for t = E^T F, 0 where off
   template <class Device>
   static bool is_in_cone(const Device& device, const steps& done, const force& F) {
     const matrix<T, d, m> E(device.E);
     const vector<T, m> t = E.transpose() * F.force;
-    const T tolerance = rounding_tolerance<T>(1) * terms_of(done.map, F);
+    const T tolerance = rounding_tolerance<T>(1) * size_of_terms(done.map.G, F.torque);
     const auto off = passive_haptics::brakes_off(done.signs, device.brakes);
     bool all = true;
     for (int i = 0; i < m; ++i) {

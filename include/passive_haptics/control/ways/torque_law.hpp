@@ -147,7 +147,7 @@ struct torques_of_law {
       F.force = G * F.torque;
       const matrix<T, d, m> E(device.E);
       const vector<T, m> balance = Fd.magnitude * (E.cwiseAbs().transpose() * Fd.direction.cwiseAbs());
-      terms = (G.cwiseAbs() * (balance + F.torque.cwiseAbs())).norm();
+      terms = size_of_terms(G, vector<T, m>(balance + F.torque.cwiseAbs()));
     }
     F.cosine_squared = cosine_squared(F.force, Fd.direction);
     const T off = (F.force - Fd.magnitude * Fd.direction).norm();

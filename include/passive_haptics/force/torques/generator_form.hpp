@@ -22,7 +22,7 @@ approximated_force<T, D, Brakes> approximate_by_generators(const matrix<T, D, Br
   if (!(square >= least * least)) return {};
   // What is left of n, against the size of the terms that were added up where F is their sum
   T rounding = rounding_tolerance<T>(D + Brakes);
-  if constexpr (D > 3) rounding *= T(1) + (G.cwiseAbs() * nearest.torque.cwiseAbs()).norm();
+  if constexpr (D > 3) rounding *= T(1) + size_of_terms(G, nearest.torque);
   if ((n - nearest.force).norm() <= rounding) return {display_class::exact, n, nearest.torque, T(1)};
   return {display_class::approximate, nearest.force / square, nearest.torque / square, square};
 }

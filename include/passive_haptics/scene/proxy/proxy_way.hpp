@@ -48,7 +48,7 @@ struct placed_surface {
   point<S::dimension> displacement;  ///< From where it was made [m].
   int number;                        ///< By which facets refer to it.
 
-  /// Its facet `f` seen from p.
+  /// The plane of a facet of it, under p [m].
   auto plane(int facet, const point<S::dimension>& p) const {
     auto under_p = surface->plane(facet, p - displacement);
     under_p.position += displacement;

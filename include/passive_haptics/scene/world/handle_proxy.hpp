@@ -158,12 +158,11 @@ class handle_proxy {
     point<D> way = point<D>::Zero();
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       for (const facet_of_surface& f : tracker_.resting()) {
-        for (std::size_t k = 0; k < count_; ++k) {
-          if (room_[k].number != f.surface) continue;
-          const point<D> moved = (1 - time) * moved_by(k);
-          const point<D> n = room_[k].surface->plane(f.facet, p - room_[k].displacement + moved).normal;
-          way += n.dot(moved - way) * n;
-        }
+        const surface* s = surface_of(surfaces(), f.surface);
+        if (s == nullptr) continue;
+        const point<D> moved = (1 - time) * moved_by(static_cast<std::size_t>(s - room_.data()));
+        const point<D> n = s->surface->plane(f.facet, p - s->displacement + moved).normal;
+        way += n.dot(moved - way) * n;
       }
     }
     return p + way;

@@ -153,6 +153,39 @@ TEST(meshes_side_by_side, a_half_space_beside_a_mesh) {
   }
 }
 
+// A handle that is first seen inside, or that jumps there, has come through the nearest side.
+TEST(meshes_side_by_side, push_a_hand_out_that_is_first_seen_inside) {
+  const at inside(0.1, 0.1, -0.004);
+  for (const ph::any_wall<3>& wall : {surface(block(0, 0, 0.2, 0.2)), solid(block(0, 0, 0.2, 0.2))}) {
+    ph::world<3> world = world_of({wall, surface(sheet(0.5, 0, 0.6, 0.2))});
+    ASSERT_LT((felt(world, inside) - at(0, 0, 0.004)).norm(), exact);
+    ASSERT_LT((felt(world, inside - at(0.01, 0, 0)) - at(0, 0, 0.004)).norm(), exact);
+    world.reset();
+    ASSERT_LT((felt(world, {0.197, 0.1, -0.01}) - at(0.003, 0, 0)).norm(), exact);
+  }
+  ph::world<3> beside = world_of({box(0, 0, 0.2, 0.2), surface(sheet(0.5, 0, 0.6, 0.2))});
+  ASSERT_LT((felt(beside, inside) - at(0, 0, 0.004)).norm(), exact);
+  felt(beside, {0.1, 0.1, 0.5});
+  ASSERT_LT((felt(beside, inside) - at(0, 0, 0.004)).norm(), exact);
+}
+
+// Deep under a floor the proxy meets what stands on it, however far that is from the hand.
+TEST(meshes_side_by_side, a_block_on_the_floor_stops_a_hand_deep_below) {
+  constexpr double deep = 0.03;
+  for (const auto& make : {surface, solid}) {
+    ph::mesh_parameters<3> bump = block(0.1, 0.05, 0.12, 0.15, -0.01);
+    for (at& v : bump.vertices) v[2] += 0.01;
+    ph::world<3> world = world_of({surface(sheet(0, 0, 0.2, 0.2)), make(bump)});
+    for (int k = 0; k <= 100; ++k) felt(world, {0.02, 0.1, 0.001 - deep * k / 100});
+    for (int k = 0; k <= 300; ++k) {
+      const double x = 0.02 + 0.12 * k / 300;
+      const at push = felt(world, {x, 0.1, 0.001 - deep});
+      ASSERT_LT((push - at(-std::max(0.0, x - 0.1), 0, deep - 0.001)).norm(), 3e-7)
+          << x << ": " << push.transpose();
+    }
+  }
+}
+
 // Two sheets that move together, and one that moves along beside one that stands.
 TEST(meshes_side_by_side, are_one_floor_that_moves) {
   for (const bool both : {true, false}) {
