@@ -67,7 +67,9 @@ class simulated_device {
   }
 
   /// One time step dt [s] under commanded capacities [N m] and the force [N] that the hand's muscles exert.
+  /// As of a BrakeModel, no time passes where dt is not a finite number > 0.
   void advance(scalar dt, const brake_vector<M>& capacity, const task_vector<M>& muscle_force) {
+    if (valid_time_step(dt) == scalar(0)) return;
     const task_vector<M> drift = mechanism_.bias_acceleration(q_, qd_);
     const task_vector<M> handle_force = muscle_force - hand_mass_ * drift;
     const joint_vector<M> drive = J_.transpose() * handle_force - mechanism_.bias_torque(q_, qd_);

@@ -6,6 +6,7 @@
 #include <passive_haptics/plant/simulated_device.hpp>
 
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace {
@@ -41,6 +42,19 @@ TYPED_TEST(simulated, starts_at_rest_where_it_is_put) {
   EXPECT_TRUE(device.qd().isZero(0) && device.velocity().isZero(0) && device.rates().isZero(0));
   EXPECT_TRUE(device.brake_torque().isZero(0) && device.sensed_force().isZero(0));
   EXPECT_EQ(device.position(), device.mechanism().position(device.q()));
+}
+
+TYPED_TEST(simulated, waits_where_the_time_step_is_none) {
+  using T = TypeParam;
+  using real = std::numeric_limits<T>;
+  auto device = this->make_tendon(T(0.02), 1, T(0.5)), other = device;
+  for (int k = 0; k < 100; ++k) {
+    for (const T dt : {T(0), T(-1e-3), real::quiet_NaN(), real::infinity(), -real::infinity()})
+      device.advance(dt, {T(0.1), T(0.2)}, {T(3), T(-2)});
+    for (auto* d : {&device, &other}) d->advance(T(1e-3), {T(0.1), T(0.2)}, {T(3), T(-2)});
+    ASSERT_EQ(device.q(), other.q());
+    ASSERT_EQ(device.brake_torque(), other.brake_torque());
+  }
 }
 
 TYPED_TEST(simulated, brakes_that_are_strong_enough_hold_exactly) {
