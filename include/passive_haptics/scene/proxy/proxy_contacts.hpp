@@ -97,7 +97,7 @@ class proxy_contacts {
     }
     if (!(depths.maxCoeff() > 0)) return;
     const int first = std::countr_zero(group), number = numbers_[static_cast<std::size_t>(first)];
-    if (std::has_single_bit(group)) {
+    if (group == 1u << first) {
       add(point<D>(N.col(first)), std::min(depths[first], shares[first]), number);
       return;
     }
