@@ -6,10 +6,12 @@
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
+#include <passive_haptics/core/eager_operators.hpp>
 #include <passive_haptics/core/unrolled.hpp>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -54,6 +56,47 @@ matrix<T, C, R> transposed(const matrix<T, R, C>& A) {
   return At;
 }
 
+/// Column j of A as a value.
+template <class T, int R, int C>
+vector<T, R> column(const matrix<T, R, C>& A, int j) {
+  return A.col(j);
+}
+
+/// Row i of A as a value, upright.
+template <class T, int R, int C>
+vector<T, C> row_of(const matrix<T, R, C>& A, int i) {
+  vector<T, C> a;
+  unrolled<C>([&](auto j) { a[j] = A(i, j); });
+  return a;
+}
+
+/// Makes x row i of A.
+template <class T, int R, int C>
+void set_row(matrix<T, R, C>& A, int i, const vector<T, C>& x) {
+  unrolled<C>([&](auto j) { A(i, j) = x[j]; });
+}
+
+/// a_i b_i
+template <class T, int N>
+vector<T, N> entrywise_product(const vector<T, N>& a, const vector<T, N>& b) {
+  return a.cwiseProduct(b);
+}
+
+/// diag(d) A: row i times d_i.
+template <class T, int R, int C>
+matrix<T, R, C> scaled_rows(const vector<T, R>& d, matrix<T, R, C> A) {
+  for (int i = 0; i < R; ++i) {
+    for (int j = 0; j < C; ++j) A(i, j) *= d[i];
+  }
+  return A;
+}
+
+/// |a_ij|
+template <class T, int R, int C>
+matrix<T, R, C> absolute(const matrix<T, R, C>& A) {
+  return A.cwiseAbs();
+}
+
 /// A with rows of zeros under it, `Rows` rows in all.
 template <int Rows, class T, int R, int C>
 matrix<T, Rows, C> padded(const matrix<T, R, C>& A) {
@@ -71,21 +114,37 @@ vector<To, N> as(const vector<T, N>& x) {
   return y;
 }
 
+/// |x|, also where its square overflows or is denormal; not finite where a number of x is not. (Eigen's
+/// stableNorm takes the compiler as long as a law.)
+template <class T, int N>
+T length_of(const vector<T, N>& x) {
+  using std::abs, std::sqrt;
+  T largest(0);
+  for (int i = 0; i < N; ++i) {
+    if (!(abs(x[i]) <= largest)) largest = abs(x[i]);
+  }
+  if (!(largest > T(0) && largest < std::numeric_limits<T>::infinity())) return largest;
+  const vector<T, N> scaled = x / largest;
+  return largest * sqrt(scaled.squaredNorm());
+}
+
 /// x / |x| of a finite x of any length but 0, also where its square or its length overflows or is denormal; 0
 /// of 0.
 template <class T, int N>
 vector<T, N> direction_of(const vector<T, N>& x) {
-  using real = std::numeric_limits<T>;
-  const T largest = x.cwiseAbs().maxCoeff();
-  const bool is_extreme = largest < real::min() / real::epsilon() || largest > real::max() / T(N);
-  return (is_extreme && largest > T(0) ? vector<T, N>(x / largest) : x).stableNormalized();
+  using std::abs, std::sqrt;
+  T largest(0);
+  for (int i = 0; i < N; ++i) largest = std::max(largest, abs(x[i]));
+  if (!(largest > T(0))) return x;
+  const vector<T, N> scaled = x / largest;
+  return scaled / sqrt(scaled.squaredNorm());
 }
 
 /// Length of |A| |x|, of what adds up to A x: the rounding of A x is some eps times this, however short A x
 /// is.
 template <class T, int Rows, int Columns>
 T size_of_terms(const matrix<T, Rows, Columns>& A, const vector<T, Columns>& x) {
-  return (A.cwiseAbs() * x.cwiseAbs()).norm();
+  return vector<T, Rows>(absolute(A) * absolute(x)).norm();
 }
 
 /// a x b, a number.

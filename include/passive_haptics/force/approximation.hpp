@@ -70,7 +70,7 @@ template <class T, int D>
 T cosine_squared(const vector<T, D>& force, const vector<T, D>& n) {
   const T along = n.dot(force);
   if (!(along > T(0))) return T(0);
-  const T cosine = along / force.stableNorm();
+  const T cosine = along / length_of(force);
   return cosine * cosine;
 }
 

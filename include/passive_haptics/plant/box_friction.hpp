@@ -4,6 +4,7 @@
 
 #include <passive_haptics/core/linear/cholesky.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -23,7 +24,9 @@ namespace detail {
 // p, brought within the box |p_i| <= limit_i
 template <class T, int Brakes>
 vector<T, Brakes> within(const vector<T, Brakes>& p, const vector<T, Brakes>& limit) {
-  return p.cwiseMin(limit).cwiseMax(-limit);
+  vector<T, Brakes> q;
+  for (int i = 0; i < Brakes; ++i) q[i] = std::max(std::min(p[i], limit[i]), -limit[i]);
+  return q;
 }
 
 }  // namespace detail
@@ -44,6 +47,7 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
   modes.fill(mode::stick);
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const T slack = rounding_tolerance<T>(Brakes);
+  const vector<T, Brakes> added = absolute(A) * limit;  // at most, to each rate
 
   vector<T, Brakes> p, w;
   const int max_pivots = 1 << (2 * Brakes + 2);
@@ -55,9 +59,8 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
     for (int i = 0; i < Brakes; ++i) {
       if (sticks(i)) continue;
       p[i] = modes[at(i)] == mode::lower ? -limit[i] : (modes[at(i)] == mode::upper ? limit[i] : T(0));
-      rhs -= A.col(i) * p[i];
-      K.row(i) = vector<T, Brakes>::Unit(i);
-      K.col(i) = vector<T, Brakes>::Unit(i);
+      rhs -= column(A, i) * p[i];
+      for (int j = 0; j < Brakes; ++j) K(i, j) = K(j, i) = T(i == j);
     }
     for (int i = 0; i < Brakes; ++i) {
       if (!sticks(i)) rhs[i] = p[i];
@@ -68,7 +71,7 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
     int violating = -1;
     for (int i = 0; i < Brakes && violating < 0; ++i) {
       if (!(limit[i] > T(0))) continue;
-      const T rate_slack = slack * (std::abs(w0[i]) + A.row(i).cwiseAbs().dot(limit));
+      const T rate_slack = slack * (std::abs(w0[i]) + added[i]);
       const bool over = modes[at(i)] == mode::stick
                             ? std::abs(p[i]) > limit[i] * (T(1) + slack)
                             : (modes[at(i)] == mode::upper ? w[i] > rate_slack : w[i] < -rate_slack);

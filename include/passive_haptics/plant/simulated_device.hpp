@@ -72,28 +72,28 @@ class simulated_device {
     if (valid_time_step(dt) == scalar(0)) return;
     const task_vector<M> drift = mechanism_.bias_acceleration(q_, qd_);
     const task_vector<M> handle_force = muscle_force - hand_mass_ * drift;
-    const joint_vector<M> drive = J_.transpose() * handle_force - mechanism_.bias_torque(q_, qd_);
+    const joint_vector<M> drive = transposed(J_) * handle_force - mechanism_.bias_torque(q_, qd_);
     const matrix<scalar, M::dof, M::brake_count> Tt =
         passive_haptics::transposed_transmission(mechanism_, q_);
     const transmission_matrix<M> T = transposed(Tt);
     const resistances now = resist(dt, capacity, T * qd_);
-    const transmission_matrix<M> drag = (dt * (now.commanded_drag + now.residual_drag)).asDiagonal() * T;
+    const transmission_matrix<M> drag = scaled_rows(dt * (now.commanded_drag + now.residual_drag), T);
     const cholesky<scalar, M::dof> inverse_mass(mass_ + Tt * drag);
 
     const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(mass_ * qd_ + dt * drive));
-    const brake_matrix A = T * inverse_mass.solve(Tt);
+    brake_matrix A = T * inverse_mass.solve(Tt);
     const brake_vector<M> limit = dt * (strength_ + now.residual_strength);
     // A shaft of compliance c does not slip where w = -c (p / dt - t) / dt, with t the friction before:
     // the condition of stick with A + c / dt^2 for A and w0 - c t / dt for w0
     const brake_vector<M> give = now.compliance / (dt * dt);
-    const brake_vector<M> impulse =
-        friction(A + brake_matrix(give.asDiagonal()), T * free - dt * give.cwiseProduct(friction_), limit);
+    for (int i = 0; i < M::brake_count; ++i) A(i, i) += give[i];
+    const brake_vector<M> impulse = friction(A, T * free - dt * entrywise_product(give, friction_), limit);
     friction_ = impulse / dt;
 
     const joint_vector<M> next = free + inverse_mass.solve(joint_vector<M>(Tt * impulse));
     sensed_force_ = handle_force - hand_mass_ / dt * (J_ * (next - qd_));
     const brake_vector<M> rates = T * next;
-    const brake_vector<M> commanded_drag = now.commanded_drag.cwiseProduct(rates);
+    const brake_vector<M> commanded_drag = entrywise_product(now.commanded_drag, rates);
     brake_torque_ = scalar(1) / dt * impulse - commanded_drag;
 
     // Work at the mid-point rate: see energy_balance
@@ -187,7 +187,7 @@ class simulated_device {
     const mechanism_pose<M> pose(mechanism_, q_);
     x_ = pose.position();
     J_ = task_matrix(pose.jacobian());
-    mass_ = pose.mass_matrix() + hand_mass_ * J_.transpose() * J_;
+    mass_ = pose.mass_matrix() + hand_mass_ * transposed(J_) * J_;
   }
 
   double kinetic_energy() const { return as_double(qd_.dot(mass_ * qd_)) / 2; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/torque_interval.hpp>
+#include <passive_haptics/core/linear/lanes.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 
@@ -115,16 +116,16 @@ class settled_rates {
       if (std::abs(x.self(i, k)) > std::abs(x.self(i, pivot))) pivot = k;
     if (!(std::abs(x.self(i, pivot)) > least_share_ * largest_[i])) return false;
     x.self.col(pivot).swap(x.self.col(x.depth));
-    const vector<T, m> motion = x.self.col(x.depth) / x.self(i, x.depth);
-    for (int k = x.depth + 1; k < self_motions_; ++k) without(x.self.col(k), motion, i);
-    unrolled<d>([&](auto k) { without(x.rates.col(k), motion, i); });
+    const lanes<T, m> motion = lanes<T, m>::load(&x.self(0, x.depth)) / x.self(i, x.depth);
+    for (int k = x.depth + 1; k < self_motions_; ++k) without(&x.self(0, k), motion, i);
+    unrolled<d>([&](auto k) { without(&x.rates(0, k), motion, i); });
     ++x.depth;
     return true;
   }
 
-  template <class Column>
-  static void without(Column&& rates, const vector<T, m>& motion, int i) {
-    rates -= rates[i] * motion;
+  // rates[0], ..., rates[m - 1] without that part of the motion which moves brake i
+  static void without(T* rates, const lanes<T, m>& motion, int i) {
+    (lanes<T, m>::load(rates) - motion * rates[i]).store(rates);
     rates[i] = T(0);
   }
 

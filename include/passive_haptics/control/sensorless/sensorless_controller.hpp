@@ -146,7 +146,7 @@ class sensorless_controller {
       rest = std::max(rest, time - rest_since_[i]);
     });
     const auto x = as<double>(mechanism().position(q));
-    const point<M::task_dimension> n = as<double>(result.desired_force).stableNormalized();
+    const point<M::task_dimension> n = direction_of(as<double>(result.desired_force));
     const probe_phase before = probe_.now(), phase = probe_.update(time, x, n, rest);
     if (phase == probe_phase::watching) {
       if (before != phase) rest_since_.setConstant(time);

@@ -146,8 +146,8 @@ struct torques_of_law {
       const matrix<T, d, m> G = passive_haptics::force_map_of(device.pose, device.E).G;
       F.force = G * F.torque;
       const matrix<T, d, m> E(device.E);
-      const vector<T, m> balance = Fd.magnitude * (E.cwiseAbs().transpose() * Fd.direction.cwiseAbs());
-      terms = size_of_terms(G, vector<T, m>(balance + F.torque.cwiseAbs()));
+      const vector<T, m> balance = Fd.magnitude * (absolute(transposed(E)) * absolute(Fd.direction));
+      terms = size_of_terms(G, vector<T, m>(balance + absolute(F.torque)));
     }
     F.cosine_squared = cosine_squared(F.force, Fd.direction);
     const T off = (F.force - Fd.magnitude * Fd.direction).norm();

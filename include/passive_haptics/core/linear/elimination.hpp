@@ -40,8 +40,12 @@ template <class T, int N>
 class elimination {
  public:
   /// Held unknowns have these values; others that no level sees become 0.
-  elimination(const vector<T, N>& values, const vector<bool, N>& held)
-      : x_(held.select(values, T(0))), known_(held), left_(N - static_cast<int>(held.count())) {}
+  elimination(const vector<T, N>& values, const vector<bool, N>& held) : x_(values), known_(held) {
+    for (int i = 0; i < N; ++i) {
+      if (held[i]) --left_;
+      else x_[i] = T(0);
+    }
+  }
 
   /// Minimises |A x - b| in what is left to decide. True if nothing is left then.
   template <int Rows>
@@ -55,14 +59,15 @@ class elimination {
       T longest = T(-1);
       for (int j = 0; j < N; ++j) {
         if (known_[j]) continue;
-        if (const T length = A.col(j).squaredNorm(); !(length <= longest)) longest = length, p = j;
+        if (const T length = column(A, j).squaredNorm(); !(length <= longest)) longest = length, p = j;
       }
       if (longest <= least) break;  // not with NaN
       known_[p] = true;
       --left_;
       pivot_[count_] = p;
-      beta_[count_] = A.col(p).dot(b) / longest;
-      for (int j = 0; j < N; ++j) rho_(j, count_) = known_[j] ? T(0) : A.col(p).dot(A.col(j)) / longest;
+      const vector<T, Rows> a = column(A, p);
+      beta_[count_] = a.dot(b) / longest;
+      for (int j = 0; j < N; ++j) rho_(j, count_) = known_[j] ? T(0) : a.dot(column(A, j)) / longest;
       substitute(count_++, A, b);
       growth_ = std::max(growth_, square / longest);
     }
@@ -72,7 +77,7 @@ class elimination {
   /// x of least squares.
   vector<T, N> solution() const {
     vector<T, N> x = x_;
-    for (int k = count_ - 1; k >= 0; --k) x[pivot_[k]] = beta_[k] - rho_.col(k).dot(x);
+    for (int k = count_ - 1; k >= 0; --k) x[pivot_[k]] = beta_[k] - column(rho_, k).dot(x);
     return x;
   }
 
@@ -86,14 +91,14 @@ class elimination {
   // Puts equation k into A x = b.
   template <int Rows>
   void substitute(int k, matrix<T, Rows, N>& A, vector<T, Rows>& b) const {
-    const vector<T, Rows> a = A.col(pivot_[k]);
+    const vector<T, Rows> a = column(A, pivot_[k]);
     b -= beta_[k] * a;
     for (int j = 0; j < N; ++j) A.col(j) -= rho_(j, k) * a;
   }
 
   vector<T, N> x_;  // of unknowns that are held
   vector<bool, N> known_;
-  int left_, count_ = 0;
+  int left_ = N, count_ = 0;
   T growth_ = T(1);  // square of what eliminating makes of rounding
   vector<int, N> pivot_;
   vector<T, N> beta_;

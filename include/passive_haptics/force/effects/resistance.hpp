@@ -19,7 +19,7 @@ namespace detail {
 template <class T, int D>
 T length_of_any_size(const vector<T, D>& x) {
   const T length = x.norm();
-  return length < std::numeric_limits<T>::infinity() ? length : x.stableNorm();
+  return length < std::numeric_limits<T>::infinity() ? length : length_of(x);
 }
 
 }  // namespace detail

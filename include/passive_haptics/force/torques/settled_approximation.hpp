@@ -201,7 +201,7 @@ class settled_forces {
     const T square = G.squaredNorm();
     if (s.prod() == T(0) || !(square < max_square && square > T(1) / max_square))
       return nearest_torque(G, s, n).force;
-    return detail::face_of(matrix<T, d, Brakes>(G * (-s).asDiagonal()), n).point;
+    return detail::face_of(matrix<T, d, Brakes>(G * vector<T, Brakes>(-s).asDiagonal()), n).point;
   }
 
   // Fc = Fp / |Fp|^2 and t = E^T Fc. Where rounding left a brake a torque that it should not or cannot have,

@@ -144,7 +144,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
     const S circumradius = sqrt(S(aa * bb * c.squaredNorm() / nn)) / T(2);
     const S height = side_ * sqrt(S((p_.forearm - circumradius) * (p_.forearm + circumradius) / nn));
     const S to_centre = T(1) / (T(2) * nn);
-    return P1 + (aa * bn + bb * na) * to_centre + height * n;
+    return P1.array() + (aa * bn.array() + bb * na.array()) * to_centre + height * n.array();
   }
 
   // With the platform at x, or else where it is
@@ -156,11 +156,11 @@ class delta : public leg_chain<delta<T>, T, 3> {
       const vector<T, 3> a = lever(i, angle[std::size_t(i)]), e = radial(i);
       P[std::size_t(i)] = elbow_point(i, a);
       at.lever.col(i) = a;
-      at.tangent.col(i) = a[2] * e - a.dot(e) * vector<T, 3>::UnitZ();
+      at.tangent.col(i) = vector<T, 3>(a[2] * e[0], a[2] * e[1], -a.dot(e));
     }
     at.handle = x != nullptr ? *x : handle(P[0], P[1], P[2]);
     at.lengths = p_.forearm * p_.forearm * p_.forearm;
-    for (int i = 0; i < 3; ++i) at.link.row(i) = at.handle - P[std::size_t(i)];
+    for (int i = 0; i < 3; ++i) at.link.row(i) = at.handle.transpose() - P[std::size_t(i)].transpose();
     return at;
   }
 

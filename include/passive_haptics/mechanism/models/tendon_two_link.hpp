@@ -41,7 +41,7 @@ class tendon_two_link : public two_link<T> {
     const auto& p = this->parameters();
     const matrix<T, 2, 2> t = transmission();
     return this->link_mass_matrix(at) +
-           t.transpose() * vector<T, 2>(p.rotor_inertia_1, p.rotor_inertia_2).asDiagonal() * t;
+           transposed(t) * scaled_rows<T>(vector<T, 2>(p.rotor_inertia_1, p.rotor_inertia_2), t);
   }
   /// M(q)
   matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(this->pose(q)); }

@@ -81,7 +81,7 @@ struct on_longest_edge {
 template <int D>
 double slenderness(const facet_corners<D>& c) {
   if constexpr (D == 2) {
-    const double length = (c[1] - c[0]).stableNorm();
+    const double length = length_of(c[1] - c[0]);
     return length / length > 0 ? 1 : 0;
   } else {
     const on_longest_edge<D> edge(c);
@@ -95,7 +95,7 @@ double slenderness(const facet_corners<D>& c) {
 template <int D>
 point<D> normal_of(const facet_corners<D>& c) {
   if constexpr (D == 2) {
-    const point<D> along = (c[1] - c[0]).stableNormalized();
+    const point<D> along = direction_of(c[1] - c[0]);
     return {along[1], -along[0]};
   } else {
     const on_longest_edge<D> edge(c);

@@ -27,7 +27,7 @@ struct capsule_parameters {
   }
   /// The length does not overflow.
   error_message rules() const {
-    return check_value("length", (to - from).stableNorm(), "m", range::finite, type_name);
+    return check_value("length", length_of(to - from), "m", range::finite, type_name);
   }
 };
 
@@ -43,7 +43,7 @@ class capsule {
   explicit capsule(const capsule_parameters<D>& p)
       : from_(require_valid(p).from),
         axis_(detail::direction_or<D>(p.to - p.from, point<D>::Zero())),
-        length_((p.to - p.from).stableNorm()),
+        length_(length_of(p.to - p.from)),
         radius_(p.radius) {}
 
   /// Bar with a radius [m] about the segment between two points [m].

@@ -87,8 +87,8 @@ class convex_polygon {
       const point<2>& start = p.corners[next];
       next = (next + 1) % corner_count;
       const auto r = (p.corners[next] - start).eval();
-      const auto along = r.stableNormalized();
-      e = {start, along, {turn * along.y(), -turn * along.x()}, r.stableNorm()};
+      const auto along = direction_of(r);
+      e = {start, along, {turn * along.y(), -turn * along.x()}, length_of(r)};
     }
   }
 

@@ -84,7 +84,7 @@ struct bang_bang_control {
     const vector<T, D> n = as<T>(c.normal);
     const brake_vector<M> w = slipping_rates(device);
     const vector<T, D> v = device.E * w - as<T>(c.wall_velocity);
-    const T speed = v.stableNorm(), slope = speed > T(0) ? n.dot(v) / speed : T(0);
+    const T speed = length_of(v), slope = speed > T(0) ? n.dot(v) / speed : T(0);
 
     remembered.walls.begin_cycle();
     steering& wall = remembered.walls.of(c.wall_number);

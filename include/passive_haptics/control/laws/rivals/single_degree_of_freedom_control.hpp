@@ -102,13 +102,13 @@ struct single_degree_of_freedom_control {
       w = P * w;
       share = P.diagonal();
     }
-    const T nothing = rounding_tolerance<T>(M::brake_count) * vector<T, D>(device.E * w).stableNorm();
+    const T nothing = rounding_tolerance<T>(M::brake_count) * length_of(vector<T, D>(device.E * w));
     brake_vector<M> slope;
     unrolled<M::brake_count>([&](auto i) {
       brake_vector<M> others = w;
       if (share[i] > T(0)) others[i] -= w[i] / share[i];  // else no joint turns it
       const vector<T, D> v = device.E * others - as<T>(c.wall_velocity);
-      const T speed = v.stableNorm();
+      const T speed = length_of(v);
       slope[i] = speed > nothing ? as<T>(c.normal).dot(v) / speed : T(0);
     });
     return slope;

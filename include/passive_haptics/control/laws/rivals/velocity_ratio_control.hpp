@@ -94,7 +94,7 @@ struct velocity_ratio_control {
     const T outward = n.dot(v);
     const double slope = std::clamp((c.depth - parameters.reference_depth) / parameters.approach_length,
                                     -parameters.steepest_slope, parameters.steepest_slope);
-    const T wanted_outward = static_cast<T>(slope) * (v - outward * n).stableNorm();
+    const T wanted_outward = static_cast<T>(slope) * length_of(v - outward * n);
     const orthogonal_decomposition<T, D, M::brake_count> inverse(E, rounding_tolerance<T>(M::brake_count));
     return w + inverse.solve((wanted_outward - outward) * n);
   }

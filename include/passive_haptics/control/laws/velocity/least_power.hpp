@@ -85,21 +85,28 @@ vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, cons
 }
 
 /// Torques for the first `count` of these walls, each with its `force` [N] and its response `along` the
-/// normal (acceleration_display.hpp). No wall holds a handle that leaves it: a force < 0 counts as none.
+/// normal (acceleration_display.hpp). Of several no wall holds a handle that leaves it: a force < 0 counts as
+/// none.
 template <class Wall, std::size_t Capacity, class T, int Brakes, class Units = equal_units>
 vector<T, Brakes> least_power_torques(const std::array<Wall, Capacity>& walls, int count,
                                       const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,
                                       const Units& u = Units()) {
-  constexpr int capacity = static_cast<int>(Capacity);
-  matrix<T, capacity, Brakes> rows = matrix<T, capacity, Brakes>::Zero();
-  vector<T, capacity> wanted = vector<T, capacity>::Zero();
-  for (int j = 0; j < count; ++j) {
-    const Wall& wall = walls[std::size_t(j)];
-    rows.row(j) = wall.along.inertia * wall.along.g.transpose();
-    wanted[j] = std::max(wall.force, T(0));
+  if (Capacity == 1 || count == 1)
+    return least_power_torques<T, Brakes>(walls[0].along.g, walls[0].force / walls[0].along.inertia, range,
+                                          w);
+  if constexpr (Capacity > 1) {
+    constexpr int capacity = static_cast<int>(Capacity);
+    matrix<T, capacity, Brakes> rows = matrix<T, capacity, Brakes>::Zero();
+    vector<T, capacity> wanted = vector<T, capacity>::Zero();
+    for (int j = 0; j < count; ++j) {
+      const Wall& wall = walls[std::size_t(j)];
+      set_row<T>(rows, j, wall.along.inertia * wall.along.g);
+      wanted[j] = std::max(wall.force, T(0));
+    }
+    if ((wanted.array() > T(0)).any())
+      return least_power_torques<T, Brakes, capacity>(rows, wanted, range, w, u);
   }
-  if (!(wanted.array() > T(0)).any()) return range.smallest;
-  return least_power_torques<T, Brakes, capacity>(rows, wanted, range, w, u);
+  return range.smallest;
 }
 
 }  // namespace passive_haptics

@@ -118,9 +118,7 @@ class velocity_direct_control {
     const auto brakes = passive_haptics::torque_ranges_of(
         device, dynamics, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
     const auto u = passive_haptics::torque_units_of<M>(brake_vector<M>(-brakes.sign), device.brakes);
-    brake_vector<M> t = alone ? least_power_torques<T, m>(walls[0].along.g,
-                                                          walls[0].force / walls[0].along.inertia, brakes, w)
-                              : least_power_torques(walls, touched.size(), brakes, w, u);
+    brake_vector<M> t = least_power_torques(walls, touched.size(), brakes, w, u);
     for (int j = 0; j < touched.size(); ++j) learn(walls[std::size_t(j)], brakes, t, dt);
     const bool sinks = alone && walls[0].speed_error > T(0);
     for (int i = 0; i < m; ++i)
