@@ -1,6 +1,5 @@
 // The library with what the peers of kinematics compute, too: the orientation of the last body, and the rows
-// of the Jacobian for the angular velocity. No part of a cycle needs them. In a file of its own: beside the
-// other row the compiler would inline neither.
+// of the Jacobian for the angular velocity. No part of a cycle needs them.
 #include "kinematics_problems.hpp"
 
 namespace {
