@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::printf("Instructions of one control cycle, %.0f states each, seed %u\n", states, worst_case::seed);
-  std::printf("%-22s %5s  %-26s %8s %9s %9s\n%-22s %5s  %-26s %8s %9s %9s\n", "", "", "", "ordinary",
+  std::printf("%-24s %5s  %-26s %8s %9s %9s\n%-24s %5s  %-26s %8s %9s %9s\n", "", "", "", "ordinary",
               "ordinary", "hard", "device", "walls", "law", "mean", "worst", "worst");
   for (const device& one : all)
     if (is_chosen(one.name)) one.print(static_cast<long>(states));

@@ -52,7 +52,7 @@ class law_row {
   }
 
   void print(const std::string& device, const char* law) const {
-    std::printf("%-22s %5d  %-26s %8.0f %9llu %9llu\n", device.c_str(), Walls, law, sum_ / double(ordinary_),
+    std::printf("%-24s %5d  %-26s %8.0f %9llu %9llu\n", device.c_str(), Walls, law, sum_ / double(ordinary_),
                 static_cast<unsigned long long>(worst_ordinary_),
                 static_cast<unsigned long long>(worst_hard_));
     if (calls_ != 0)
