@@ -11,6 +11,7 @@
 #include <results.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <functional>
 #include <initializer_list>
@@ -76,6 +77,9 @@ controller make_controller() {
   return controller(arm(), ph::brakes_of<arm>(), ph::scene(ph::wall(plane, wall_stiffness)), {}, options);
 }
 
+constexpr std::array ways{"library", "its account", "lanes",     "by hand",
+                          "inverse", "partial LU",  "damped SVD"};
+
 using way = std::function<by_hand::command(const ph::device_state<arm>&)>;
 
 // All ways command the same torques
@@ -117,6 +121,9 @@ int main(int argc, char** argv) {
     return by_hand::lanes(device, wall, measured(s));
   };
   const auto hand = [](const ph::device_state<arm>& s) { return by_hand::step(device, wall, measured(s)); };
+  const auto inverse = [](const ph::device_state<arm>& s) {
+    return textbook::step<textbook::inverse>(device, wall, measured(s));
+  };
   const auto lu = [](const ph::device_state<arm>& s) {
     return textbook::step<textbook::partial_lu>(device, wall, measured(s));
   };
@@ -124,7 +131,8 @@ int main(int argc, char** argv) {
     return textbook::step<textbook::damped_svd>(device, wall, measured(s));
   };
   for (const situation& where : situations) {
-    if (!agree(where, "by hand", hand) || !agree(where, "lanes", in_lanes) || !agree(where, "partial LU", lu))
+    if (!agree(where, "by hand", hand) || !agree(where, "lanes", in_lanes) ||
+        !agree(where, "inverse", inverse) || !agree(where, "partial LU", lu))
       return 1;  // damping changes the torques
     add_row("library", where, [control = make_controller()](const ph::device_state<arm>& s) mutable {
       return control.command(s);
@@ -133,27 +141,28 @@ int main(int argc, char** argv) {
             [control = make_controller()](const ph::device_state<arm>& s) mutable { return control(s); });
     add_row("lanes", where, in_lanes);
     add_row("by hand", where, hand);
+    add_row("inverse", where, inverse);
     add_row("partial LU", where, lu);
     add_row("damped SVD", where, svd);
   }
   const auto all = benchmarks::run(argc, argv,
                                    {"--benchmark_min_time=0.05", "--benchmark_repetitions=9",
                                     "--benchmark_enable_random_interleaving=true"});
-  if (all.size() < 24) return 0;  // filtered
+  if (all.size() < ways.size() * situations.size()) return 0;  // filtered
   std::printf("One control cycle [ns of CPU time], %zu random states, seed %u\n", state_count, seed);
   std::printf("%-12s %8s %8s %12s %12s\n", "", "free", "exact", "approximate", "any contact");
   const auto time = [&](const std::string& way, const char* where) {
     return all.at(way + "/" + where).cpu_time;
   };
-  for (const char* way : {"library", "its account", "lanes", "by hand", "partial LU", "damped SVD"})
+  for (const char* way : ways)
     std::printf("%-12s %8.1f %8.1f %12.1f %12.1f\n", way, time(way, "free"), time(way, "exact"),
                 time(way, "approximate"), time(way, "any contact"));
   const double ours = time("library", "any contact");
   std::printf(
-      "summary: in contact %.2fx of the lanes by hand, %.2fx of by hand; partial LU %.1fx, damped SVD %.1fx "
-      "of "
-      "the library; its account %.2fx; free %.2fx of contact\n",
+      "summary: in contact %.2fx of the lanes by hand, %.2fx of by hand; inverse %.1fx, partial LU %.1fx, "
+      "damped SVD %.1fx of the library; its account %.2fx; free %.2fx of contact\n",
       ours / time("lanes", "any contact"), ours / time("by hand", "any contact"),
-      time("partial LU", "any contact") / ours, time("damped SVD", "any contact") / ours,
-      time("its account", "any contact") / ours, time("library", "free") / ours);
+      time("inverse", "any contact") / ours, time("partial LU", "any contact") / ours,
+      time("damped SVD", "any contact") / ours, time("its account", "any contact") / ours,
+      time("library", "free") / ours);
 }

@@ -5,6 +5,8 @@
 #include <daqp/api.h>
 #include <daqp/utils.h>
 
+#include <array>
+
 namespace {
 
 using namespace peers;
@@ -31,12 +33,27 @@ class daqp {
     free_daqp_ldp(&work_);
   }
 
-  ph::vector<double, N> solve(const problem& p) {
+  ph::vector<double, N> solve(const problem& p) { return solve(p, nullptr); }
+
+  // From these half-spaces on
+  ph::vector<double, N> solve(const cone_problem<N>& p, const int* active) {
+    qp_.sense = const_cast<int*>(active);     // only read
     qp_.A = const_cast<double*>(p.B.data());  // only read; its rows are the columns of B
     above_.noalias() = -(p.B.transpose() * p.f);
     daqp_update_ldp(DAQP_UPDATE_M | DAQP_UPDATE_d | DAQP_UPDATE_sense, &work_, &qp_);
     daqp_solve(&result_, &work_);
     return p.f + x_;
+  }
+
+  // Of each half-space DAQP_ACTIVE if it holds back the solution, else 0
+  std::array<int, N> active(const problem& p) {
+    ph::vector<double, N> multipliers;
+    result_.lam = multipliers.data();  // not elsewhere: they cost time
+    solve(p);
+    result_.lam = nullptr;
+    std::array<int, N> all;
+    for (int j = 0; j < N; ++j) all[std::size_t(j)] = multipliers[j] > 0 ? DAQP_ACTIVE : 0;
+    return all;
   }
 
  private:
@@ -47,6 +64,22 @@ class daqp {
   DAQPWorkspace work_{};
 };
 
-const bool added = add_cone_solver<daqp>(PEER);
+// The half-spaces that hold back the solution are known, as in the row of ours that begins with them.
+template <int N>
+class warm_daqp {
+ public:
+  struct problem : cone_problem<N> {
+    problem(const cone_problem<N>& p) : cone_problem<N>(p), active(daqp<N>().active(p)) {}
+    std::array<int, N> active;
+  };
+  static constexpr double tolerance = daqp<N>::tolerance;
+
+  ph::vector<double, N> solve(const problem& p) { return solver_.solve(p, p.active.data()); }
+
+ private:
+  daqp<N> solver_;
+};
+
+const bool added = add_cone_solver<daqp>(PEER) && add_cone_solver<warm_daqp>(PEER ", warm");
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The library, and the same active set written out by hand.
+// The library, and the same active set written out by hand. The multipliers stay in the solver, as a peer's
+// do: a compiler that saw that nobody reads them would leave them out.
 #include "cone_problems.hpp"
 #include "hand_written_cone.hpp"
 
@@ -13,16 +14,24 @@ using namespace peers;
 constexpr double rounding = 1e-9;  // of the worst-conditioned of the problems, generously
 
 template <int N>
-struct library {
+class library {
+ public:
   using problem = cone_problem<N>;
   static constexpr double tolerance = rounding;
 
-  ph::vector<double, N> solve(const problem& p) { return ph::project_onto_half_spaces(p.B, p.f).point; }
+  ph::vector<double, N> solve(const problem& p) {
+    found_ = ph::project_onto_half_spaces(p.B, p.f);
+    return found_.point;
+  }
+
+ protected:
+  ph::half_space_projection<double, N, N> found_;
 };
 
 // The half-spaces that hold back the solution are known from the problem before: here from the same one.
 template <int N>
-struct warm {
+class warm {
+ public:
   struct problem : cone_problem<N> {
     problem(const cone_problem<N>& p) : cone_problem<N>(p) { ph::project_onto_half_spaces(p.B, p.f, start); }
     ph::half_space_start start;
@@ -31,8 +40,12 @@ struct warm {
 
   ph::vector<double, N> solve(const problem& p) {
     ph::half_space_start start = p.start;
-    return ph::project_onto_half_spaces(p.B, p.f, start).point;
+    found_ = ph::project_onto_half_spaces(p.B, p.f, start);
+    return found_.point;
   }
+
+ private:
+  ph::half_space_projection<double, N, N> found_;
 };
 
 // Those of another problem, which was solved before this one.
@@ -41,7 +54,8 @@ struct wrong : library<N> {
   ph::half_space_start start;
 
   ph::vector<double, N> solve(const cone_problem<N>& p) {
-    return ph::project_onto_half_spaces(p.B, p.f, start).point;
+    this->found_ = ph::project_onto_half_spaces(p.B, p.f, start);
+    return this->found_.point;
   }
 };
 

@@ -1,7 +1,8 @@
 # The peers of benchmark_peers. None is part of this repository: each is compared where CMake finds it (a system package,
 # CMAKE_PREFIX_PATH) and named as absent by the program elsewhere.
 
-target_sources(benchmark_peers PRIVATE peers/cone_problems.cpp peers/our_cone.cpp peers/our_kinematics.cpp)
+target_sources(benchmark_peers PRIVATE peers/cone_problems.cpp peers/our_cone.cpp peers/our_kinematics.cpp
+  peers/our_six_rows.cpp)
 set(absent)
 
 # peer(SOURCE NAME PACKAGE LIBRARY...): adds peers/SOURCE.cpp where PACKAGE was found. An object library of its own, so

@@ -51,13 +51,14 @@ template <class Two>
   const pair command = select(some, select(taken, alone, zero), t);
 
   const pair power = t * w;
-  const double pressing = -(at.fx * wall.nx + at.fy * wall.ny);
-  const double wanted = std::min(std::max(pressing, 0.0), Fd);  // alpha Fd, (12)
-  const double leaving = power[0] + power[1];
-  const pair scaled = size(command) * select(pair{leaving, leaving} > zero, one * wanted, one * Fd);
+  // alpha Fd, (12): std::max and std::min of numbers would be branches
+  const pair pressing = one * -(at.fx * wall.nx + at.fy * wall.ny), demanded = one * Fd;
+  const pair pushed = pressing > zero ? pressing : zero;
+  const pair wanted = pushed < demanded ? pushed : demanded;
+  const pair scaled = size(command) * select(power + swapped(power) > zero, wanted, demanded);
   const truths defined = scaled * zero == zero;
   if ((defined[0] & defined[1]) == 0) return {0, 0, region::fault};
-  const pair limit = one * d.torque_limit, capacity = select(scaled > limit, limit, scaled);
+  const pair limit = one * d.torque_limit, capacity = limit < scaled ? limit : scaled;
   const auto where = 1 + 2 * (some[0] & 1) - (some[0] & (taken[0] | taken[1]) & 1);  // no branch
   return {capacity[0], capacity[1], static_cast<region>(where)};
 }

@@ -1,5 +1,6 @@
 // The control cycle from the textbook: reference forces G = J^-T T^T (4)-(6) by a linear solver of Eigen,
-// then the nearest of them (Fig. 3).
+// then the nearest of them (Fig. 3). As one writes it with care: J is factorised once, T is constant, so that
+// its inverse is given, and sines are the library's, so that ways differ in their algebra alone.
 #pragma once
 
 #include "by_hand.hpp"
@@ -11,6 +12,10 @@ namespace textbook {
 
 using vector = Eigen::Vector2d;
 using matrix = Eigen::Matrix2d;
+
+struct inverse {
+  static matrix solve(const matrix& A, const matrix& B) { return A.inverse() * B; }
+};
 
 struct partial_lu {
   static matrix solve(const matrix& A, const matrix& B) { return A.partialPivLu().solve(B); }
@@ -28,22 +33,22 @@ struct damped_svd {
 
 template <class Solver>
 by_hand::command step(const by_hand::device& d, const by_hand::wall& wall, const by_hand::measurement& at) {
-  using std::cos, std::sin;
-  const double q12 = at.q1 + at.q2;
-  const vector link_2 = d.length_2 * vector(cos(q12), sin(q12));
-  const vector x = d.length_1 * vector(cos(at.q1), sin(at.q1)) + link_2;
+  const auto [first, second] = passive_haptics::sine_cosine(at.q1, at.q1 + at.q2);
+  const vector link_2 = d.length_2 * vector(second.cosine, second.sine);
+  const vector x = d.length_1 * vector(first.cosine, first.sine) + link_2;
   const vector n(wall.nx, wall.ny);
   const double depth = wall.offset - n.dot(x);
   if (!(depth > 0)) return {0, 0, by_hand::region::free};
   const double Fd = wall.stiffness * depth;
 
-  matrix J, T;
+  matrix J, T, T_inverse;
   J << -x[1], -link_2[1], x[0], link_2[0];
-  T << 1, 0, 1, 1 / d.reduction_2;
+  T << 1, 0, 1, d.per_reduction_2;
+  T_inverse << 1, 0, -d.reduction_2, d.reduction_2;
   const vector qd(at.qd1, at.qd2), w = T * qd, Fh(at.fx, at.fy);
   const matrix G = Solver::solve(J.transpose(), T.transpose());
-  const vector t = Solver::solve(T.transpose(), matrix(J.transpose())) * n;
-  const vector th = Solver::solve(T.transpose(), matrix(J.transpose())) * Fh;
+  const matrix E_transposed = T_inverse.transpose() * J.transpose();
+  const vector t = E_transposed * n, th = E_transposed * Fh;
   vector s;
   for (int i = 0; i < 2; ++i) s[i] = std::copysign(1.0, std::abs(w[i]) > d.rate_dead_band ? w[i] : th[i]);
 
