@@ -6,6 +6,7 @@
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
+#include <passive_haptics/core/scalar/number_of.hpp>
 #include <passive_haptics/core/unrolled.hpp>
 
 #include <Eigen/Core>
@@ -69,6 +70,20 @@ vector<To, N> as(const vector<T, N>& x) {
   vector<To, N> y;
   unrolled<N>([&](auto i) { y[i] = static_cast<To>(x[i]); });
   return y;
+}
+
+/// Parameters as they are, or for formulas over packs (core/scalar/pack.hpp) in packs: S is the scalar of the
+/// formula.
+template <class S, class T, int R, int C>
+decltype(auto) as_scalar(const matrix<T, R, C>& A) {
+  if constexpr (std::same_as<S, T>) return (A);
+  else return matrix<S, R, C>(A.template cast<S>());
+}
+/// Of a diagonal matrix.
+template <class S, class T, int N>
+decltype(auto) as_scalar(const diagonal_matrix<T, N>& A) {
+  if constexpr (std::same_as<S, T>) return (A);
+  else return diagonal_matrix<S, N>(A.diagonal().template cast<S>());
 }
 
 /// x / |x| of a finite x of any length but 0, also where its square or its length overflows or is denormal; 0
