@@ -192,13 +192,13 @@ approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const ve
   if (none(any(drives))) return {display_class::exact, n, t, T(1)};
   const lanes<T, D> Fp = select(drives, T(0), n), tp = select(drives, T(0), t);
   const T square = sum(Fp * Fp);
-  const auto is_displayed = (square > T(0)) & (square >= T(min_cosine * min_cosine));
   if constexpr (std::same_as<T, number_of<T>>) {
-    if (!is_displayed) return {};
+    if (!(square > T(0) && square >= min_cosine * min_cosine)) return {};
     return {display_class::approximate, Fp / square, tp / square, square};
   } else {  // packs
     const approximated_force<T, D, D> exact{display_class::exact, n, t, T(1)},
         nearest{display_class::approximate, Fp / square, tp / square, square};
+    const auto is_displayed = (square > T(0)) & (square >= T(min_cosine * min_cosine));
     return select(any(drives), select(is_displayed, nearest, {}), exact);
   }
 }

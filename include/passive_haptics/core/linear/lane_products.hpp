@@ -73,7 +73,10 @@ lanes<T, 2> horizontal_add(const lanes<T, 2>& x, const lanes<T, 2>& y) {
 template <class T, int N>
 T least(const lanes<T, N>& x) {
   T low = x[0];
-  unrolled<N - 1>([&](auto i) { low = detail::one_of(x[i + 1] < low, x[i + 1], low); });
+  unrolled<N - 1>([&](auto i) {
+    if constexpr (std::same_as<T, number_of<T>>) low = x[i + 1] < low ? x[i + 1] : low;
+    else low = min(low, x[i + 1]);
+  });
   return low;
 }
 

@@ -201,14 +201,20 @@ lanes<T, N> sgn(const lanes<T, N>& x) {
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> min(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
-  return lanes<T, N>::each([&](auto k) { return detail::one_of(b.p[k] < a.p[k], b.p[k], a.p[k]); });
+  return lanes<T, N>::each([&](auto k) {
+    if constexpr (std::same_as<T, number_of<T>>) return b.p[k] < a.p[k] ? b.p[k] : a.p[k];
+    else return min(a.p[k], b.p[k]);
+  });
 }
 
 /// The larger of each two; a where one is NaN.
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> max(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
-  return lanes<T, N>::each([&](auto k) { return detail::one_of(a.p[k] < b.p[k], b.p[k], a.p[k]); });
+  return lanes<T, N>::each([&](auto k) {
+    if constexpr (std::same_as<T, number_of<T>>) return a.p[k] < b.p[k] ? b.p[k] : a.p[k];
+    else return max(a.p[k], b.p[k]);
+  });
 }
 
 /// x within [lowest, highest], without a branch.
