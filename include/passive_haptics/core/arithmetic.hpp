@@ -27,6 +27,12 @@ constexpr To bit_cast(const From& x) noexcept {
   static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To>);
   return __builtin_bit_cast(To, x);
 }
+
+/// Bits of two registers: those of x where m is set, else those of y.
+template <class Register, class Bits>
+[[gnu::always_inline]] inline Register merged(const Bits& m, const Register& x, const Register& y) {
+  return bit_cast<Register>((bit_cast<Bits>(x) & m) | (bit_cast<Bits>(y) & ~m));
+}
 }  // namespace detail
 
 /// Rounding of a sum of n products, relative to the norms of its data: 4 n eps. Smaller values cannot be

@@ -7,6 +7,7 @@
 
 #include <passive_haptics/core/arithmetic.hpp>
 #include <passive_haptics/core/eager_operators.hpp>
+#include <passive_haptics/core/scalar/number_of.hpp>
 #include <passive_haptics/core/unrolled.hpp>
 
 #include <Eigen/Core>
@@ -126,6 +127,20 @@ T length_of(const vector<T, N>& x) {
   if (!(largest > T(0) && largest < std::numeric_limits<T>::infinity())) return largest;
   const vector<T, N> scaled = x / largest;
   return largest * sqrt(scaled.squaredNorm());
+}
+
+/// Parameters as they are, or for formulas over packs (core/scalar/pack.hpp) in packs: S is the scalar of the
+/// formula.
+template <class S, class T, int R, int C>
+decltype(auto) as_scalar(const matrix<T, R, C>& A) {
+  if constexpr (std::same_as<S, T>) return (A);
+  else return matrix<S, R, C>(A.template cast<S>());
+}
+/// Of a diagonal matrix.
+template <class S, class T, int N>
+decltype(auto) as_scalar(const diagonal_matrix<T, N>& A) {
+  if constexpr (std::same_as<S, T>) return (A);
+  else return diagonal_matrix<S, N>(A.diagonal().template cast<S>());
 }
 
 /// x / |x| of a finite x of any length but 0, also where its square or its length overflows or is denormal; 0

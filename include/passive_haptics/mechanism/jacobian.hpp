@@ -41,23 +41,24 @@ jacobian_matrix<M> automatic_jacobian(const M& mechanism, const joint_vector<M>&
 }
 
 /// A mechanism in one pose: what it gives there. What its members share, such as sines and cosines, is
-/// computed once, by the mechanism's pose(q) where it has one. Lives no longer than the mechanism and q.
-template <class M>
+/// computed once, by the mechanism's pose(q) where it has one. Lives no longer than the mechanism and q. T:
+/// its scalar, or a pack, so that these are W poses (core/scalar/pack.hpp).
+template <class M, class T = typename M::scalar>
 class mechanism_pose {
-  using T = typename M::scalar;
+  using joints = vector<T, M::dof>;
 
-  static auto pose_of(const M& mechanism, const joint_vector<M>& q) {
+  static auto pose_of(const M& mechanism, const joints& q) {
     if constexpr (detail::has_pose<M>) return mechanism.pose(q);
     else return q;
   }
 
  public:
   /// In pose q.
-  mechanism_pose(const M& mechanism, const joint_vector<M>& q)
+  mechanism_pose(const M& mechanism, const joints& q)
       : mechanism_(mechanism), q_(q), pose_(pose_of(mechanism, q)) {}
 
   /// x [m], base frame.
-  task_vector<M> position() const { return mechanism_.position(pose_); }
+  vector<T, M::task_dimension> position() const { return mechanism_.position(pose_); }
 
   /// J in v = J qd, d x n, base frame [m/rad or 1]: a matrix, or a diagonal_matrix where the mechanism's is.
   auto jacobian() const {
@@ -65,14 +66,14 @@ class mechanism_pose {
     static_assert(DifferentiableMechanism<M>,
                   "passive_haptics: the mechanism needs jacobian(q), or position(q) templated on the scalar "
                   "(`template <class S> vector<S, d> position(const vector<S, n>& q) const`).");
-    if constexpr (detail::jacobian_is_constant<M>) return mechanism_.jacobian();
+    if constexpr (detail::jacobian_is_constant<M>) return as_scalar<T>(mechanism_.jacobian());
     else if constexpr (detail::jacobian_depends_on_pose<M>) return mechanism_.jacobian(pose_);
     else return passive_haptics::automatic_jacobian(mechanism_, q_);
   }
 
   /// T in w = T qd, m x n: a matrix or a diagonal_matrix. Only for mechanisms that name a transmission.
   auto transmission() const {
-    if constexpr (detail::transmission_is_constant<M>) return mechanism_.transmission();
+    if constexpr (detail::transmission_is_constant<M>) return as_scalar<T>(mechanism_.transmission());
     else if constexpr (requires { mechanism_.transmission(pose_); }) return mechanism_.transmission(pose_);
     else return mechanism_.transmission(q_);
   }
@@ -86,10 +87,10 @@ class mechanism_pose {
   }
 
   /// Velocity of the end effector, v = J qd [m/s], base frame.
-  task_vector<M> velocity(const joint_vector<M>& qd) const { return times(jacobian(), qd); }
+  vector<T, M::task_dimension> velocity(const joints& qd) const { return times(jacobian(), qd); }
 
   /// Rates of the brakes' axes, w = T qd [rad/s or m/s].
-  brake_vector<M> brake_rates(const joint_vector<M>& qd) const {
+  vector<T, M::brake_count> brake_rates(const joints& qd) const {
     if constexpr (detail::has_exact_transmission<M>) return times(transmission(), qd);
     else return qd;
   }
@@ -116,12 +117,12 @@ class mechanism_pose {
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
   /// q [rad or m].
-  const joint_vector<M>& q() const { return q_; }
+  const joints& q() const { return q_; }
 
  private:
   const M& mechanism_;
-  const joint_vector<M>& q_;
-  decltype(pose_of(std::declval<const M&>(), std::declval<const joint_vector<M>&>())) pose_;
+  const joints& q_;
+  decltype(pose_of(std::declval<const M&>(), std::declval<const joints&>())) pose_;
 };
 
 /// J of one pose (mechanism_pose).

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
+#include <passive_haptics/core/scalar/number_of.hpp>
 #include <passive_haptics/core/unrolled.hpp>
 
 #include <concepts>
@@ -37,14 +38,9 @@ struct truths_of {
 template <class T>
   requires std::same_as<typename packet_of<T>::type, T>
 struct truths_of<T> {
-  using type = bool;
+  using type = truth_of<T>;
 };
 
-// Bits of two packets: those of x where m is set, else those of y.
-template <class Packet, class Bits>
-[[gnu::always_inline]] inline Packet merged(const Bits& m, const Packet& x, const Packet& y) {
-  return bit_cast<Packet>((bit_cast<Bits>(x) & m) | (bit_cast<Bits>(y) & ~m));
-}
 template <class Packet>
 [[gnu::always_inline]] inline Packet with_sign_of(const Packet& x, const Packet& y) {
   return merged(bit_cast<truths_of<double>::type>(-Packet{}), x, y);
@@ -60,7 +56,7 @@ struct lane_mask {
   typename detail::truths_of<T>::type p[std::size_t(count)];  ///< All bits of a number set where it is true.
 
   /// Truth i.
-  [[gnu::always_inline]] bool operator[](int i) const {
+  [[gnu::always_inline]] truth_of<T> operator[](int i) const {
     if constexpr (width == 1) return p[i];
     else return p[i / width][i % width * (4 / width)] != 0;
   }

@@ -73,14 +73,17 @@ lanes<T, 2> horizontal_add(const lanes<T, 2>& x, const lanes<T, 2>& y) {
 template <class T, int N>
 T least(const lanes<T, N>& x) {
   T low = x[0];
-  unrolled<N - 1>([&](auto i) { low = x[i + 1] < low ? x[i + 1] : low; });
+  unrolled<N - 1>([&](auto i) {
+    if constexpr (std::same_as<T, number_of<T>>) low = x[i + 1] < low ? x[i + 1] : low;
+    else low = min(low, x[i + 1]);
+  });
   return low;
 }
 
 /// Whether it is true of some.
 template <class T, int N>
-bool any(const lane_mask<T, N>& x) {
-  bool some = false;
+truth_of<T> any(const lane_mask<T, N>& x) {
+  truth_of<T> some = false;
   unrolled<N>([&](auto i) { some |= x[i]; });
   return some;
 }

@@ -16,13 +16,22 @@ class leg_chain {
   static constexpr int task_dimension = N;  ///< d
 
   /// All legs.
-  distal_links<T, N> pose(const vector<T, N>& q) const { return static_cast<const Model&>(*this).legs(q); }
+  template <class S = T>
+  distal_links<S, N> pose(const vector<S, N>& q) const {
+    return static_cast<const Model&>(*this).legs(q);
+  }
 
   /// Handle [m].
-  const vector<T, N>& position(const distal_links<T, N>& at) const { return at.handle; }
+  template <class S = T>
+  const vector<S, N>& position(const distal_links<S, N>& at) const {
+    return at.handle;
+  }
 
   /// J = A^-1 B [m/rad].
-  matrix<T, N, N> jacobian(const distal_links<T, N>& at) const { return at.jacobian(); }
+  template <class S = T>
+  matrix<S, N, N> jacobian(const distal_links<S, N>& at) const {
+    return at.jacobian();
+  }
 
   /// J [m/rad]
   matrix<T, N, N> jacobian(const vector<T, N>& q) const { return pose(q).jacobian(); }

@@ -1,0 +1,133 @@
+/// @file
+/// A mechanism, its brakes, a scene and a law, ready to be called for many states at once.
+#pragma once
+
+#include <passive_haptics/control/batch/batch_packs.hpp>
+#include <passive_haptics/control/batch/packable.hpp>
+#include <passive_haptics/control/controller.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace passive_haptics {
+
+/// The control cycle for N states at once, for maps, sweeps and studies: what a controller returns for each
+/// of them, called with a fresh memory and a scene that has not seen the handle before.
+///
+/// If is_vectorised, `width` states at a time are computed in a register. So are the two-link arms, the table
+/// and the five-bar with two brakes, in double, at one half_space or ball, under the paper's laws; and your
+/// mechanism, shape or law where it is branch_free (core/scalar/number_of.hpp). All else runs one state after
+/// the other, by the same call.
+template <class M, class S, class L, class B = brakes_of<M>,
+          int Width = native_pack_width<typename M::scalar>>
+class batch_controller {
+  static_assert(detail::controller_order<M, B, S, L>::met);
+  static_assert(mechanism_requirements<M>::met);
+  static_assert(detail::scene_requirements<S, M>::met);
+  static_assert(detail::step_requirements<M, typename S::contacts_type, L, device_state<M>, B>::met);
+
+ public:
+  using mechanism_type = M;                               ///< The mechanism.
+  using options_type = step_options<typename M::scalar>;  ///< Options of a step.
+  /// Whether several states are computed at a time.
+  static constexpr bool is_vectorised = detail::Packable<M, S, L, B>;
+  /// How many.
+  static constexpr int width = is_vectorised ? Width : 1;
+
+  /// Throws std::invalid_argument as a controller does.
+  batch_controller(M mechanism, const B& brakes, S scene, L law = {},
+                   const options_type& options = options_type())
+      : mechanism_(std::move(mechanism)),
+        brakes_(detail::require_valid_brakes(brakes)),
+        scene_(std::move(scene)),
+        law_(detail::require_valid_law(std::move(law))),
+        options_(options),
+        brake_jacobian_(mechanism_),
+        parameters_(passive_haptics::check_parameters(brakes_, law_, options_)) {}
+
+  /// Stores the results of these states. May be called by several threads at once, with other results. Throws
+  /// std::invalid_argument with the text of check_lengths(), or if the law needs a hand force and there is
+  /// none. Allocates nothing unless a copy of the scene does.
+  void operator()(const batch_states<M>& states, const batch_results<M>& results) const {
+    require_no_error(check_lengths(states));
+    require_no_error(check_lengths(results, states.size()));
+    if constexpr (needs_hand_force<L>) require_no_error(check_hand_force(states));
+    if (are_commands(results)) run<brake_command<M>>(states, results);
+    else run<step_result_for<M, typename S::contacts_type>>(states, results);
+  }
+
+  /// The mechanism.
+  const M& mechanism() const { return mechanism_; }
+  /// The brakes.
+  const B& brakes() const { return brakes_; }
+
+ private:
+  template <class Result>
+  void run(const batch_states<M>& states, const batch_results<M>& results) const {
+    const std::size_t n = states.size();
+    if constexpr (is_vectorised) {
+      const std::size_t rest = n % std::size_t(width);
+      run_packs<Result>(states, results, n - rest);
+      if (rest > 0) run_rest<Result>(states, results, {n - rest, static_cast<int>(rest)});
+    } else {
+      run_one_by_one<Result>(states, results);
+    }
+  }
+
+  // As many states as fill packs.
+  template <class Result>
+  PASSIVE_HAPTICS_FLATTEN void run_packs(const batch_states<M>& states, const batch_results<M>& results,
+                                         std::size_t count) const {
+    for (std::size_t k = 0; k < count; k += std::size_t(width)) {
+      const detail::whole_pack at{k};
+      detail::store<Result>(
+          results, at,
+          passive_haptics::packed_cycle<Result>(setup(), parameters_, detail::only_wall(scene_),
+                                                detail::packed<width>(states, at)));
+    }
+  }
+
+  // The states that are left over.
+  template <class Result>
+  PASSIVE_HAPTICS_FLATTEN void run_rest(const batch_states<M>& states, const batch_results<M>& results,
+                                        detail::rest_of_pack at) const {
+    detail::store<Result>(
+        results, at,
+        passive_haptics::packed_cycle<Result>(setup(), parameters_, detail::only_wall(scene_),
+                                              detail::packed<width>(states, at)));
+  }
+
+  template <class Result>
+  PASSIVE_HAPTICS_FLATTEN void run_one_by_one(const batch_states<M>& states,
+                                              const batch_results<M>& results) const {
+    S scene = scene_;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      step_memory<L> memory;
+      if constexpr (requires { scene.reset(); }) scene.reset();
+      detail::store<Result>(
+          results, k, passive_haptics::run_cycle<Result>(setup(), parameters_, scene, states[k], memory));
+    }
+  }
+
+  cycle_setup<M, B, L> setup() const { return {mechanism_, brakes_, law_, brake_jacobian_, options_}; }
+
+  M mechanism_;
+  [[no_unique_address]] B brakes_;
+  S scene_;
+  L law_;
+  options_type options_;
+  brake_jacobian_evaluator<M> brake_jacobian_;
+  status parameters_;  // of brakes_, law_ and options_
+};
+
+/// Of these types, in this order: others meet the message about the order.
+template <class M, class B, class S, class L>
+batch_controller(M, const B&, S, L) -> batch_controller<M, S, L, B>;
+/// With options.
+template <class M, class B, class S, class L>
+batch_controller(M, const B&, S, L, const step_options<typename M::scalar>&) -> batch_controller<M, S, L, B>;
+/// One argument is missing: meets the message about it.
+template <class M, class B, class S>
+batch_controller(M, const B&, S) -> batch_controller<M, S, detail::nothing_given, B>;
+
+}  // namespace passive_haptics

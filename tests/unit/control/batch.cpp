@@ -1,0 +1,218 @@
+// Batches of the paper's device: to the last bit what single cycles return, whatever stands in a state.
+#include "batch_cases.hpp"
+
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/laws/saturated_direct_control.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+using arm = ph::tendon_two_link<double>;
+using plane = ph::half_space<2>;
+
+std::vector<ph::device_state<arm>> states_about(double y, unsigned seed, std::size_t n) {
+  const arm mechanism;
+  return batch_cases::any_states<arm>(seed, n, [&](auto& random) {
+    const double depth = random.coin() ? random.uniform(-1e-3, 3e-3) : 0.0;
+    const auto elbow = random.coin() ? ph::elbow::left : ph::elbow::right;
+    return mechanism.inverse({random.uniform(-0.25, 0.25), y + depth}, elbow).q;
+  });
+}
+
+template <class L>
+void expect_that_of_single_cycles(const L& law, ph::saturation limits, double stiffness) {
+  ph::step_options<double> options;
+  options.limits = limits;
+  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), stiffness));
+  static_assert(ph::batch_controller<arm, ph::static_scene<plane>, L>::is_vectorised);
+  const auto seen = batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, law,
+                                                              options, states_about(0.225, 1, 5003));
+  for (const int count : seen) EXPECT_GT(count, 200);
+}
+
+TEST(batch, without_direct_control) {
+  expect_that_of_single_cycles(ph::no_direct_control(), ph::saturation::keep_direction, 1e7);
+}
+
+TEST(batch, of_direct_control_at_a_soft_wall) {
+  expect_that_of_single_cycles(ph::direct_control(), ph::saturation::clamp_each, 1e3);
+}
+
+TEST(batch, of_direct_control_with_a_dead_band) {
+  expect_that_of_single_cycles(ph::direct_control{0.2}, ph::saturation::keep_direction, 1e4);
+}
+
+TEST(batch, of_saturated_direct_control) {
+  expect_that_of_single_cycles(ph::saturated_direct_control(), ph::saturation::clamp_each, 1e7);
+}
+
+auto direct(double stiffness = 1e4) {
+  return ph::batch_controller(arm(), ph::brakes_of<arm>(),
+                              ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), stiffness)),
+                              ph::direct_control());
+}
+
+std::string error_of(const ph::batch_states<arm>& in, const ph::batch_results<arm>& out) {
+  try {
+    direct()(in, out);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+// The rest that fills no pack, and nothing beyond it: behind the arrays stands what stood there
+TEST(batch, of_any_number_of_states) {
+  const auto batch = direct();
+  for (std::size_t n = 0; n < 12; ++n) {
+    const auto given = states_about(0.225, 2, 12);
+    batch_cases::states<arm> in(given);
+    batch_cases::results<arm> all(12), some(12);
+    batch(in.spans(), all.spans());
+    batch(part_of(in.spans(), 0, n), part_of(some.spans(), 0, n));
+    for (std::size_t k = 0; k < 12; ++k) {
+      const double first = some.capacity.of[0][k], second = some.signs.of[1][k];
+      EXPECT_EQ(first, k < n ? all.capacity.of[0][k] : -7) << n << ", " << k;
+      EXPECT_EQ(second, k < n ? all.signs.of[1][k] : -7) << n << ", " << k;
+      EXPECT_TRUE(k >= n || some.display[k] == all.display[k]) << n << ", " << k;
+    }
+  }
+}
+
+TEST(batch, by_threads) {
+  constexpr std::size_t n = 4001;
+  const auto batch = direct();
+  batch_cases::states<arm> in(states_about(0.225, 3, n));
+  batch_cases::results<arm> alone(n), shared(n);
+  batch(in.spans(), alone.spans());
+  std::thread other([&] { batch(part_of(in.spans(), 0, 1999), part_of(shared.spans(), 0, 1999)); });
+  batch(part_of(in.spans(), 1999, n - 1999), part_of(shared.spans(), 1999, n - 1999));
+  other.join();
+  EXPECT_EQ(alone.capacity.of, shared.capacity.of);
+  EXPECT_EQ(alone.outcome, shared.outcome);
+  EXPECT_EQ(alone.display, shared.display);
+}
+
+TEST(batch, of_states_without_hand_force_and_time) {
+  const std::size_t n = 501;
+  std::vector<ph::device_state<arm>> given = states_about(0.225, 4, n);
+  for (auto& s : given) {
+    s.time = 0;
+    s.hand_force.setZero();
+  }
+  batch_cases::states<arm> in(given);
+  auto without = in.spans();
+  without.time = {};
+  without.hand_force = {};
+  batch_cases::results<arm> got(n), expected(n);
+  const ph::batch_controller batch(arm(), ph::brakes_of<arm>(),
+                                   ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4)),
+                                   ph::no_direct_control());
+  batch(in.spans(), expected.spans());
+  batch(without, got.spans());
+  EXPECT_EQ(got.capacity.of, expected.capacity.of);
+  EXPECT_EQ(got.outcome, expected.outcome);
+  EXPECT_EQ(got.signs.of, expected.signs.of);
+}
+
+TEST(batch, refuses_arrays_of_other_lengths) {
+  batch_cases::states<arm> in(states_about(0.225, 5, 10));
+  batch_cases::results<arm> out(10);
+  EXPECT_EQ(error_of(in.spans(), out.spans()), "");
+
+  auto states = in.spans();
+  states.qd[1] = states.qd[1].first(9);
+  EXPECT_EQ(error_of(states, out.spans()),
+            "passive_haptics: length of qd[1] = 9, expected 10, one number for each state, as q[0] has");
+  states = in.spans();
+  states.hand_force[0] = {};
+  EXPECT_EQ(
+      error_of(states, out.spans()),
+      "passive_haptics: length of hand_force[0] = 0, expected 10, one number for each state, as q[0] has; or "
+      "leave hand_force empty");
+  states.hand_force = {};
+  EXPECT_EQ(error_of(states, out.spans()),
+            "passive_haptics: length of hand_force[0] = 0, expected 10, as the law needs a hand force; or "
+            "take a law "
+            "that needs none (no_direct_control)");
+  auto results = out.spans();
+  results.outcome = {};
+  EXPECT_EQ(error_of(in.spans(), results),
+            "passive_haptics: length of outcome = 0, expected 10, one number for each state, as q[0] has");
+  results = out.spans();
+  results.alpha = results.alpha.first(1);
+  EXPECT_EQ(
+      error_of(in.spans(), results),
+      "passive_haptics: length of alpha = 1, expected 10, one number for each state, as q[0] has; or leave "
+      "alpha empty");
+  EXPECT_EQ(error_of({}, {}), "");
+}
+
+TEST(batch, refuses_what_a_controller_refuses) {
+  ph::brakes_of<arm> brakes;
+  brakes.torque_limit[0] = -1;
+  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1})));
+  EXPECT_THROW(ph::batch_controller(arm(), brakes, scene, ph::direct_control()), std::invalid_argument);
+  EXPECT_THROW(ph::batch_controller(arm(), ph::brakes_of<arm>(), scene, ph::direct_control{-1}),
+               std::invalid_argument);
+}
+
+TEST(batch, of_invalid_options_releases) {
+  ph::step_options<double> options;
+  options.min_cosine = std::numeric_limits<double>::quiet_NaN();
+  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1})));
+  batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, ph::direct_control(), options,
+                                            states_about(0.225, 6, 101));
+}
+
+// A law of one's own: alpha out of [0, 1] and NaN for some hands
+struct any_share {
+  static constexpr bool needs_hand_force = true, branch_free = true;
+  template <class T, int D>
+  T scale(const ph::contact_situation<T, D>& c) const noexcept {
+    return c.hand_force[0] / c.hand_force[1];
+  }
+};
+struct any_share_with_branches {
+  static constexpr bool needs_hand_force = true;
+  double scale(const ph::contact_situation<double, 2>& c) const noexcept {
+    return c.hand_force[0] > 0 ? 1.5 : 0.5;
+  }
+};
+struct wall_that_moves : plane {
+  using plane::plane;
+  ph::point<2> velocity(const ph::point<2>&) const { return {0.1, -0.1}; }
+};
+struct arm_of_ones_own : arm {
+  ph::two_link_pose<double> pose(const ph::vector<double, 2>& q) const { return arm::pose(q); }
+};
+
+TEST(batch, of_a_law_of_ones_own) {
+  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4));
+  const auto given = states_about(0.225, 7, 2001);
+  static_assert(ph::batch_controller<arm, ph::static_scene<plane>, any_share>::is_vectorised);
+  static_assert(!ph::batch_controller<arm, ph::static_scene<plane>, any_share_with_branches>::is_vectorised);
+  batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, any_share(), {}, given);
+  batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, any_share_with_branches(), {},
+                                            given);
+}
+
+TEST(batch, of_what_is_made_of_a_part_that_takes_packs) {
+  static_assert(
+      !ph::batch_controller<arm, ph::static_scene<wall_that_moves>, ph::direct_control>::is_vectorised);
+  static_assert(
+      !ph::batch_controller<arm_of_ones_own, ph::static_scene<plane>, ph::direct_control>::is_vectorised);
+  const auto scene = ph::scene(ph::wall(wall_that_moves({0, 0.225}, {0, -1}), 1e4));
+  batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, ph::direct_control(), {},
+                                            states_about(0.225, 8, 501));
+}
+
+}  // namespace
