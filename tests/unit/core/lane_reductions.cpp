@@ -116,6 +116,18 @@ TYPED_TEST(lane_reductions, largest_value_passes_over_what_is_no_number) {
   }
 }
 
+TYPED_TEST(lane_reductions, truths_are_the_bits_of_a_set) {
+  constexpr int N = TestFixture::length;
+  using truths = ph::lane_mask<typename TestFixture::number, N>;
+  for (unsigned set = 0; set < 1u << N; ++set) {
+    const truths of_set = truths::of(set);
+    for (int i = 0; i < N; ++i) ASSERT_EQ(of_set[i], (set >> i & 1u) != 0) << set;
+    EXPECT_EQ(bits(of_set), set);
+    EXPECT_TRUE(of_set == truths::of(set));
+    for (int i = 0; i < N; ++i) EXPECT_FALSE(of_set == truths::of(set ^ 1u << i)) << set << ", " << i;
+  }
+}
+
 TYPED_TEST(lane_reductions, largest_of_zeros_is_zero) {
   EXPECT_EQ(ph::detail::largest(typename TestFixture::vector{}).value, 0);
   EXPECT_EQ(ph::detail::largest_value(typename TestFixture::vector{}), 0);

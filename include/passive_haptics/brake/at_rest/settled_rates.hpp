@@ -18,6 +18,13 @@ using brake_set = unsigned;
 /// Whether brake i is in the set.
 constexpr bool contains(brake_set set, int i) { return (set >> i & 1u) != 0; }
 
+/// Whether the set has `Count` brakes, 1 or more. Not by std::popcount, for which g++ 12 calls a function.
+template <int Count>
+constexpr bool holds(brake_set set) {
+  for (int k = 1; k < Count; ++k) set &= set - 1;  // without its first brake
+  return set != 0 && (set & (set - 1)) == 0;
+}
+
 /// The brakes that can make no torque in a cycle, neither way: those that are off. None of brakes without an
 /// interval.
 template <class T, int Brakes, class B>

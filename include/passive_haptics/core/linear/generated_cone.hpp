@@ -5,6 +5,9 @@
 #include <passive_haptics/core/linear/least_norm.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 
+#include <algorithm>
+#include <bit>
+
 namespace passive_haptics {
 
 /// Nearest point of a cone { V x : x >= 0 }, from project_onto_generators.
@@ -19,11 +22,12 @@ namespace detail {
 /// Where the nearest point lies.
 template <class T, int D, int M>
 struct generated_face {
-  bool inside;                ///< f is in the cone: p = f.
-  half_space_set basis = 0;   ///< Independent generators that make p.
-  half_space_set usable = 0;  ///< All that lie in the same face.
+  using columns = lane_mask<T, M>;  ///< A set of generators.
+  bool is_shortest;                 ///< The coefficients are those of least norm.
+  columns basis;              ///< Independent generators that make p, and some that are parallel to one.
+  columns usable;             ///< All that lie in the same face.
   vector<T, D> point;         ///< p
-  vector<T, M> coefficients;  ///< x of the basis; unspecified where the basis does not determine it.
+  vector<T, M> coefficients;  ///< x of the basis; in the plane 0 where p = f.
 };
 
 template <int M>
@@ -34,50 +38,52 @@ inline constexpr half_space_set all_of = ~half_space_set(0) >> (32 - M);
 template <class T, int M>
 [[gnu::always_inline]] inline generated_face<T, 2, M> face_of(const matrix<T, 2, M>& V,
                                                               const vector<T, 2>& f) {
-  generated_face<T, 2, M> face{true, 0, all_of<M>, f, vector<T, M>::Zero()};
-  constexpr T none = T(-2);  // the angle a by (cos a) / (|cos a| + |sin a|), which falls from 1 to -1
-  int left = -1, right = -1;
-  T most_left = none, most_right = none;
-  unrolled<M>([&](auto i) {
-    const T c = f[0] * V(1, i) - f[1] * V(0, i), d = f[0] * V(0, i) + f[1] * V(1, i);
-    const T nearness = d / (std::abs(c) + std::abs(d));  // NaN of a zero column
-    const T on_left = c >= T(0) ? nearness : none, on_right = c < T(0) ? nearness : none;
-    left = on_left > most_left ? int(i) : left;
-    most_left = on_left > most_left ? on_left : most_left;
-    right = on_right > most_right ? int(i) : right;
-    most_right = on_right > most_right ? on_right : most_right;
-  });
-  if (left >= 0 && right >= 0) {
-    const vector<T, 2> r = V.col(right), l = V.col(left);
-    const T area = cross_in_plane(r, l);
-    const bool both_ahead = std::min(most_left, most_right) > T(0);
-    if (both_ahead || (area > T(0) && !are_parallel(area, r.squaredNorm(), l.squaredNorm()))) {
-      face.basis = 1u << left | 1u << right;
-      face.coefficients[right] = cross_in_plane(f, l) / area;
-      face.coefficients[left] = cross_in_plane(r, f) / area;
-      return face;
-    }
+  using per_column = lanes<T, M>;
+  using columns = lane_mask<T, M>;
+  const per_column x = row(V, 0), y = row(V, 1), none(T(0));
+  const per_column across = f[0] * y - f[1] * x, along = f[0] * x + f[1] * y;
+  // The angle a by 2 + (cos a) / (|cos a| + |sin a|), which falls from 3 to 1; NaN of a zero column
+  const per_column nearness = max(none, T(2) + along / (abs(across) + abs(along)));
+  const per_column on_left = select(across >= none, nearness, none),
+                   on_right = select(across < none, nearness, none);
+  const T left = largest_value(on_left), right = largest_value(on_right);
+  if (left + right > T(4) + rounding_tolerance<T>(3))  // less than 180 degrees
+    return {.is_shortest = false,
+            .basis = (on_left >= per_column(left)) | (on_right >= per_column(right)),
+            .usable = columns::of(all_of<M>),
+            .point = f,
+            .coefficients = vector<T, M>::Zero()};
+  if (!(std::max(left, right) > T(2)))
+    return {true, columns::of(0), columns::of(0), vector<T, 2>::Zero(), vector<T, M>::Zero()};
+  const columns nearest = left > right ? on_left >= per_column(left) : on_right >= per_column(right);
+  const vector<T, 2> v(sum(select(nearest, x, none)), sum(select(nearest, y, none)));
+  const T square = v.squaredNorm(), share_of_f = v.dot(f) / square;
+  // Those that are parallel to the nearest share
+  const per_column ahead = v[0] * x + v[1] * y, beside = v[0] * y - v[1] * x, squares = x * x + y * y;
+  constexpr T parallel = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
+  const columns share = (beside * beside <= parallel * square * squares) & (ahead > none);
+  const T of_each = share_of_f / sum(select(share, squares, none));
+  return {.is_shortest = true,
+          .basis = share,
+          .usable = share,
+          .point = share_of_f * v,
+          .coefficients = select(share, of_each * ahead, none)};
+}
+
+/// x of an f between its neighbours in the plane.
+template <class T, int M>
+vector<T, M> coefficients_between(const matrix<T, 2, M>& V, half_space_set neighbours,
+                                  const vector<T, 2>& f) {
+  vector<T, M> x = vector<T, M>::Zero();
+  int left = 0, right = 0;
+  for (half_space_set rest = neighbours; rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    (cross_in_plane<T>(f, V.col(i)) >= T(0) ? left : right) = i;
   }
-  const bool is_left = most_left > most_right;
-  const int held = is_left ? left : right;
-  face.inside = false;
-  face.point.setZero();
-  face.usable = 0;
-  if (!((is_left ? most_left : most_right) > T(0))) return face;
-  const vector<T, 2> v = V.col(held);
-  const T square = v.squaredNorm(), along = v.dot(f) / square;
-  face.point = along * v;
-  // Those that are parallel to it share
-  T shared = T(0);
-  for (int i = 0; i < M; ++i) {
-    const vector<T, 2> other = V.col(i);
-    const T length = other.squaredNorm();
-    if (!are_parallel(cross_in_plane(v, other), square, length) || !(other.dot(v) > T(0))) continue;
-    shared += length;
-    face.coefficients[i] = other.dot(face.point);
-  }
-  face.coefficients /= shared;
-  return face;
+  const vector<T, 2> l = V.col(left), r = V.col(right);
+  x[left] = cross_in_plane(r, f) / cross_in_plane(r, l);
+  x[right] = cross_in_plane(f, l) / cross_in_plane(r, l);
+  return x;
 }
 
 /// In space and beyond: f less its nearest point is the projection of f on the polar cone { r : V^T r <= 0 },
@@ -85,20 +91,27 @@ template <class T, int M>
 template <class T, int D, int M>
 [[gnu::always_inline]] inline generated_face<T, D, M> face_of(const matrix<T, D, M>& V,
                                                               const vector<T, D>& f) {
+  using per_column = lanes<T, M>;
+  using columns = lane_mask<T, M>;
+  // Three in space are solved in closed form, whose coefficients lose digits
+  constexpr bool loses_digits = D == 3 && M == 3;
   const auto polar = project_onto_half_spaces(V, f);
   const vector<T, D>& r = polar.point;
+  const columns basis = columns::of(polar.active), all = columns::of(all_of<M>);
   const T square = r.squaredNorm();
   constexpr T rounding = rounding_tolerance<T>(D);
   if (!(square > rounding * rounding * f.squaredNorm()))
-    return {true, polar.active, all_of<M>, f, polar.coefficients};
-  generated_face<T, D, M> face{false, polar.active, 0, f - r, polar.coefficients};
-  const vector<T, M> above = V.transpose() * r;
-  for (int i = 0; i < M; ++i) {
-    const T whole = V.col(i).squaredNorm() * square;
-    if (whole > T(0) && above[i] * above[i] <= rounding * rounding * whole) face.usable |= 1u << i;
-  }
-  face.usable |= face.basis;
-  return face;
+    return {basis == all && !loses_digits, basis, all, f, polar.coefficients};
+  per_column along(T(0)), squares(T(0));
+  unrolled<D>([&](auto k) PASSIVE_HAPTICS_INLINE {
+    const per_column v([&](int j) { return V(k, j); });
+    along += r[k] * v;
+    squares += v * v;
+  });
+  const columns normal = along * along <= rounding * rounding * square * squares,
+                usable = basis | (normal & (squares > per_column(T(0))));
+  const bool is_shortest = loses_digits ? polar.active == 0 : usable == basis;
+  return {is_shortest, basis, usable, f - r, polar.coefficients};
 }
 
 }  // namespace detail
@@ -114,13 +127,14 @@ template <class T, int D, int M>
 PASSIVE_HAPTICS_FLATTEN generated_point<T, D, M> project_onto_generators(const matrix<T, D, M>& V,
                                                                          const vector<T, D>& f) {
   const auto face = detail::face_of(V, f);
-  generated_point<T, D, M> answer{face.point, face.coefficients};
-  // Three in space are solved in closed form, whose coefficients lose digits
-  if ((face.usable == face.basis && !(D == 3 && M == 3)) || face.usable == 0) return answer;
-  vector<T, M> shortest;
-  if (detail::least_norm<T, D, M>(V, answer.point).solve(face.basis, face.usable, shortest))
-    answer.coefficients = shortest;
-  return answer;
+  if (face.is_shortest) return {face.point, face.coefficients};
+  generated_point<T, D, M> answer{face.point};
+  constexpr bool always_basis = D == 2 && M == 2;
+  if (!always_basis &&
+      detail::least_norm<T, D, M>(V, face.point).solve(face.basis, face.usable, answer.coefficients))
+    return answer;
+  if constexpr (D == 2) return {f, detail::coefficients_between(V, bits(face.basis), f)};
+  else return {face.point, face.coefficients};
 }
 
 }  // namespace passive_haptics

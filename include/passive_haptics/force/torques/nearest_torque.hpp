@@ -23,8 +23,8 @@ struct torque_box {
 /// infinite.
 template <class T, int Brakes>
 torque_box<T, Brakes> torques_within(const vector<T, Brakes>& s, const vector<T, Brakes>& limit) {
-  const vector<T, Brakes> none = vector<T, Brakes>::Zero();
-  return {(s.array() < T(0)).select(none, -limit), (s.array() > T(0)).select(none, limit)};
+  const lanes<T, Brakes> sign(s), most(limit);
+  return {select(sign < T(0), T(0), -most), select(sign > T(0), T(0), most)};
 }
 
 /// The box of torques that these brakes can make with signs s, from signs_within.
@@ -74,42 +74,55 @@ nearest_torque_result<T, D, Brakes> nearest_in_box(const matrix<T, D, Brakes>& G
   return {t.solution(), G * t.solution()};
 }
 
-// An unconstrained brake (s = 0) contributes both generators, + and - its column of V
+// Which way each brake may push without limits: t_i = way_i x_i with x_i >= 0, or any x_i. 0: not at all
+template <class T, int Brakes>
+struct open_ways {
+  vector<T, Brakes> way;           // -1, 0 or 1
+  lane_mask<T, Brakes> both_ways;  // x_i of any sign
+
+  explicit open_ways(const vector<T, Brakes>& s)
+      : way(copysign(T(1), -lanes(s))), both_ways(abs(lanes(s)) <= T(0)) {}
+  explicit open_ways(const torque_box<T, Brakes>& box) {
+    const auto up = lanes(box.upper) > T(0), down = lanes(box.lower) < T(0);
+    way = select(up, T(1), select(down, T(-1), T(0)));
+    both_ways = up & down;
+  }
+};
+
+// A brake that pushes both ways contributes two generators, + and - its column of V
 template <class T, int D, int Brakes>
 [[gnu::noinline]] nearest_torque_result<T, D, Brakes> nearest_both_ways(const matrix<T, D, Brakes>& V,
-                                                                        const vector<T, Brakes>& s,
+                                                                        const lane_mask<T, Brakes>& both_ways,
                                                                         const vector<T, D>& Fd) {
   matrix<T, D, 2 * Brakes> both;
   for (int i = 0; i < Brakes; ++i) {
     both.col(i) = V.col(i);
-    both.col(Brakes + i) = T(s[i] == T(0) ? -1 : 0) * V.col(i);
+    both.col(Brakes + i) = T(both_ways[i] ? -1 : 0) * V.col(i);
   }
   const auto nearest = project_onto_generators(both, Fd);
   const vector<T, 2 * Brakes>& x = nearest.coefficients;
   return {x.template head<Brakes>() - x.template tail<Brakes>(), nearest.point};
 }
 
-// V = G diag(-s), so that t = diag(-s) x with x >= 0; in units in which the squares of V are numbers
+// V = G diag(way), in units in which the squares of V are numbers
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_of_generators(const matrix<T, D, Brakes>& G,
-                                                          const vector<T, Brakes>& s,
-                                                          const vector<T, D>& Fd) {
+                                                          open_ways<T, Brakes> ways, const vector<T, D>& Fd) {
   constexpr T max_square = sizeof(T) > sizeof(float) ? T(1e60) : T(1e15);
-  vector<T, Brakes> sign;
-  unrolled<Brakes>([&](auto i) { sign[i] = std::copysign(T(1), -s[i]); });
-  matrix<T, D, Brakes> V = G * sign.asDiagonal();
+  vector<T, Brakes>& unit = ways.way;
+  matrix<T, D, Brakes> V = G * unit.asDiagonal();
   if (const T square = V.squaredNorm(); !(square < max_square && square > T(1) / max_square)) {
     const T largest = V.cwiseAbs().maxCoeff();
     if (!all_finite(V) || largest == T(0)) return {vector<T, Brakes>::Zero(), vector<T, D>::Zero()};
     V /= largest;
-    sign /= largest;
+    unit /= largest;
   }
   const auto [x, force] = [&]() -> nearest_torque_result<T, D, Brakes> {
-    if (s.prod() == T(0)) return nearest_both_ways(V, s, Fd);
+    if (bits(ways.both_ways) != 0) return nearest_both_ways(V, ways.both_ways, Fd);
     const auto nearest = project_onto_generators(V, Fd);
     return {nearest.coefficients, nearest.point};
   }();
-  return {sign.cwiseProduct(x), force};
+  return {unit.cwiseProduct(x), force};
 }
 
 }  // namespace detail
@@ -122,7 +135,7 @@ nearest_torque_result<T, D, Brakes> nearest_of_generators(const matrix<T, D, Bra
 template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G, const vector<T, Brakes>& s,
                                                    const vector<T, D>& Fd) {
-  if constexpr (D <= 3) return detail::nearest_of_generators(G, s, Fd);
+  if constexpr (D <= 3) return detail::nearest_of_generators(G, detail::open_ways<T, Brakes>(s), Fd);
   else {
     const vector<T, Brakes> unlimited = vector<T, Brakes>::Constant(std::numeric_limits<T>::infinity());
     return detail::nearest_in_box(G, torques_within(s, unlimited), Fd);
@@ -135,18 +148,10 @@ template <class T, int D, int Brakes>
 nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G,
                                                    const torque_box<T, Brakes>& box, const vector<T, D>& Fd) {
   if constexpr (D <= 3) {
-    const auto is_open = [](T bound) { return bound == T(0) || std::isinf(bound); };
-    if (box.lower.unaryExpr(is_open).all() && box.upper.unaryExpr(is_open).all()) {
-      vector<T, Brakes> s;
-      matrix<T, D, Brakes> usable = G;
-      for (int i = 0; i < Brakes; ++i) {
-        s[i] = T(box.lower[i] != T(0)) - T(box.upper[i] != T(0));
-        if (box.lower[i] != box.upper[i]) continue;
-        s[i] = T(1);  // any: it makes nothing
-        usable.col(i).setZero();
-      }
-      return detail::nearest_of_generators(usable, s, Fd);
-    }
+    // t + t = t is 0 or infinite
+    const lanes<T, Brakes> down = abs(lanes(box.lower)), up = abs(lanes(box.upper));
+    if (bits((down + down <= down) & (up + up <= up)) == detail::all_of<Brakes>)
+      return detail::nearest_of_generators(G, detail::open_ways<T, Brakes>(box), Fd);
   }
   return detail::nearest_in_box(G, box, Fd);
 }

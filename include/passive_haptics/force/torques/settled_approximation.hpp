@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -174,7 +173,7 @@ class settled_forces {
   static auto with_all_on(brake_set S, const rate_map& W, const vector<T, m>& signs, const Visit& visit) {
     constexpr int moving = m - r;
     if constexpr (moving > 0) {
-      if (std::popcount(S) == r) {
+      if (holds<r>(S)) {
         matrix<T, d, moving> G;
         vector<T, moving> s;
         each_moving(S, [&](int i, int k) {

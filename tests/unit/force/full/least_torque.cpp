@@ -58,7 +58,7 @@ double distance(oracle::wide_column a, const oracle::wide_column& b) {
 template <int D, int M>
 void expect_least_torques(int cases) {
   std::mt19937_64 engine(100 * D + M);
-  for (const double condition : {1.0, 1e2, 1e4, 1e6, 1e8, 1e10}) {
+  for (const double condition : {1.0, 1e2, 1e3, 1e4, 1e6, 1e8, 1e10}) {
     double worst_force = 0, worst_made = 0, worst_torque = 0;
     for (int k = 0; k < cases; ++k) {
       SCOPED_TRACE(::testing::Message() << D << " x " << M << ", condition " << condition << ", case " << k);
