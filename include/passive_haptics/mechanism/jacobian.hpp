@@ -2,6 +2,7 @@
 /// The Jacobian and the transmission of any mechanism, from whatever the mechanism gives.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/core/scalar/dual_number.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
@@ -46,7 +47,7 @@ template <class M>
 class mechanism_pose {
   using T = typename M::scalar;
 
-  static auto pose_of(const M& mechanism, const joint_vector<M>& q) {
+  PASSIVE_HAPTICS_PART static auto pose_of(const M& mechanism, const joint_vector<M>& q) {
     if constexpr (detail::has_pose<M>) return mechanism.pose(q);
     else return q;
   }

@@ -65,7 +65,8 @@ struct lanes {
     });
   }
   /// The numbers of a vector. One by one: a load of a packet would wait for numbers that were stored alone.
-  lanes(const vector<T, N>& x) : lanes([&](int i) { return x[i]; }) {}
+  /// Fewer than fill a register are read apart, as what stands behind them may be another vector.
+  lanes(const vector<T, N>& x) : lanes([&](int i) { return N < width ? apart(x[i]) : x[i]; }) {}
 
   /// x[0], ..., x[N - 1], at any address, of numbers that were not stored just now.
   [[gnu::always_inline]] static lanes load(const T* x) {

@@ -2,6 +2,7 @@
 /// What every closed chain of legs that meet at the handle has in common.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/mechanism/models/distal_links.hpp>
 
 namespace passive_haptics {
@@ -16,7 +17,9 @@ class leg_chain {
   static constexpr int task_dimension = N;  ///< d
 
   /// All legs.
-  distal_links<T, N> pose(const vector<T, N>& q) const { return static_cast<const Model&>(*this).legs(q); }
+  PASSIVE_HAPTICS_PART distal_links<T, N> pose(const vector<T, N>& q) const {
+    return static_cast<const Model&>(*this).legs(q);
+  }
 
   /// Handle [m].
   const vector<T, N>& position(const distal_links<T, N>& at) const { return at.handle; }
