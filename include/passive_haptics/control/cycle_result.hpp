@@ -98,7 +98,7 @@ PASSIVE_HAPTICS_PART Result result_of(const Device& device, const Walls& touched
     result.wall_number = wall;
     result.alpha = alpha;
     result.approximation_cosine = Fc.cosine();
-    result.desired_force = Fd.magnitude * Fd.direction;
+    result.desired_force = lanes(Fd.direction) * Fd.magnitude;
     result.control_force = Fc.force;
     result.cone_coefficients = Fc.torque;
     result.signs = device.s;

@@ -2,6 +2,7 @@
 /// The Jacobian and the transmission of any mechanism, from whatever the mechanism gives.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/core/scalar/dual_number.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
@@ -47,7 +48,7 @@ template <class M, class T = typename M::scalar>
 class mechanism_pose {
   using joints = vector<T, M::dof>;
 
-  static auto pose_of(const M& mechanism, const joints& q) {
+  PASSIVE_HAPTICS_PART static auto pose_of(const M& mechanism, const joints& q) {
     if constexpr (detail::has_pose<M>) return mechanism.pose(q);
     else return q;
   }

@@ -75,7 +75,7 @@ struct lane_mask {
   /// Truth i.
   [[gnu::always_inline]] truth_of<T> operator[](int i) const {
     if constexpr (width == 1) return p[i];
-    else return p[i / width][i % width * (4 / width)] != 0;
+    else return p[i / width][i % width * (4 / width)] < 0;  // its sign: shorter than all bits
   }
 
   /// Whether all truths are those of the other, also beyond the last.

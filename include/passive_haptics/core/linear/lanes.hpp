@@ -65,7 +65,8 @@ struct lanes {
     });
   }
   /// The numbers of a vector. One by one: a load of a packet would wait for numbers that were stored alone.
-  lanes(const vector<T, N>& x) : lanes([&](int i) { return x[i]; }) {}
+  /// Fewer than fill a register are read apart, as what stands behind them may be another vector.
+  lanes(const vector<T, N>& x) : lanes([&](int i) { return N < width ? apart(x[i]) : x[i]; }) {}
   /// Of packs (core/scalar/pack.hpp) N times the same number of each state,
   [[gnu::always_inline]] lanes(number_of<T> x)
     requires(!std::same_as<T, number_of<T>>)

@@ -2,6 +2,7 @@
 /// A five-bar: two base joints, two legs that meet at the handle (pantograph).
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/five_bar_parameters.hpp>
@@ -135,12 +136,13 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
     const S stretched = (sum - distance) * (sum + distance);
     const S folded = (distance - difference) * (distance + difference);
     const S across = side_ * sqrt(S(stretched * folded)) / (T(2) * square);
-    return (P1 + P2) * S(T(1) / T(2)) + along * apart + across * vector<S, 2>(-apart[1], apart[0]);
+    return {(P1[0] + P2[0]) * S(T(1) / T(2)) + along * apart[0] - across * apart[1],
+            (P1[1] + P2[1]) * S(T(1) / T(2)) + along * apart[1] + across * apart[0]};
   }
 
   // With the handle at x, or else where it is
   template <class S = T>
-  distal_links<S, 2> legs(const vector<S, 2>& q, const vector<S, 2>* x = nullptr) const {
+  PASSIVE_HAPTICS_PART distal_links<S, 2> legs(const vector<S, 2>& q, const vector<S, 2>* x = nullptr) const {
     distal_links<S, 2> at;
     const auto angle = sine_cosine(q);
     const vector<S, 2> a1 = lever(0, angle[0]), a2 = lever(1, angle[1]);

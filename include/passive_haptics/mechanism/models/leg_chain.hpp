@@ -2,6 +2,7 @@
 /// What every closed chain of legs that meet at the handle has in common.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/mechanism/models/distal_links.hpp>
 
 namespace passive_haptics {
@@ -17,7 +18,7 @@ class leg_chain {
 
   /// All legs.
   template <class S = T>
-  distal_links<S, N> pose(const vector<S, N>& q) const {
+  PASSIVE_HAPTICS_PART distal_links<S, N> pose(const vector<S, N>& q) const {
     return static_cast<const Model&>(*this).legs(q);
   }
 

@@ -2,6 +2,7 @@
 /// Two links in a plane, a brake on each joint (Figs. 2 and 3).
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
@@ -82,7 +83,7 @@ class two_link {
 
   /// The links [m].
   template <class S = T>
-  two_link_pose<S> pose(const vector<S, 2>& q) const {
+  PASSIVE_HAPTICS_PART two_link_pose<S> pose(const vector<S, 2>& q) const {
     const auto [q1, q12] = sine_cosine(q[0], q[0] + q[1]);
     return {{p_.length_1 * q1.cosine, p_.length_1 * q1.sine},
             {p_.length_2 * q12.cosine, p_.length_2 * q12.sine}};
