@@ -15,12 +15,12 @@ namespace ph = passive_haptics;
 
 namespace {
 
-using arm = ph::tendon_two_link<double>;
+using tendons = ph::tendon_two_link<double>;
 using plane = ph::half_space<2>;
 
-std::vector<ph::device_state<arm>> states_about(double y, unsigned seed, std::size_t n) {
-  const arm mechanism;
-  return batch_cases::any_states<arm>(seed, n, [&](auto& random) {
+std::vector<ph::device_state<tendons>> states_about(double y, unsigned seed, std::size_t n) {
+  const tendons mechanism;
+  return batch_cases::any_states<tendons>(seed, n, [&](auto& random) {
     const double depth = random.coin() ? random.uniform(-1e-3, 3e-3) : 0.0;
     const auto elbow = random.coin() ? ph::elbow::left : ph::elbow::right;
     return mechanism.inverse({random.uniform(-0.25, 0.25), y + depth}, elbow).q;
@@ -32,8 +32,8 @@ void expect_that_of_single_cycles(const L& law, ph::saturation limits, double st
   ph::step_options<double> options;
   options.limits = limits;
   const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), stiffness));
-  static_assert(ph::batch_controller<arm, ph::static_scene<plane>, L>::is_vectorised);
-  const auto seen = batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, law,
+  static_assert(ph::batch_controller<tendons, ph::static_scene<plane>, L>::is_vectorised);
+  const auto seen = batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, law,
                                                               options, states_about(0.225, 1, 5003));
   for (const int count : seen) EXPECT_GT(count, 200);
 }
@@ -55,12 +55,12 @@ TEST(batch, of_saturated_direct_control) {
 }
 
 auto direct(double stiffness = 1e4) {
-  return ph::batch_controller(arm(), ph::brakes_of<arm>(),
+  return ph::batch_controller(tendons(), ph::brakes_of<tendons>(),
                               ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), stiffness)),
                               ph::direct_control());
 }
 
-std::string error_of(const ph::batch_states<arm>& in, const ph::batch_results<arm>& out) {
+std::string error_of(const ph::batch_states<tendons>& in, const ph::batch_results<tendons>& out) {
   try {
     direct()(in, out);
   } catch (const std::invalid_argument& error) {
@@ -74,8 +74,8 @@ TEST(batch, of_any_number_of_states) {
   const auto batch = direct();
   for (std::size_t n = 0; n < 12; ++n) {
     const auto given = states_about(0.225, 2, 12);
-    batch_cases::states<arm> in(given);
-    batch_cases::results<arm> all(12), some(12);
+    batch_cases::states<tendons> in(given);
+    batch_cases::results<tendons> all(12), some(12);
     batch(in.spans(), all.spans());
     batch(part_of(in.spans(), 0, n), part_of(some.spans(), 0, n));
     for (std::size_t k = 0; k < 12; ++k) {
@@ -90,8 +90,8 @@ TEST(batch, of_any_number_of_states) {
 TEST(batch, by_threads) {
   constexpr std::size_t n = 4001;
   const auto batch = direct();
-  batch_cases::states<arm> in(states_about(0.225, 3, n));
-  batch_cases::results<arm> alone(n), shared(n);
+  batch_cases::states<tendons> in(states_about(0.225, 3, n));
+  batch_cases::results<tendons> alone(n), shared(n);
   batch(in.spans(), alone.spans());
   std::thread other([&] { batch(part_of(in.spans(), 0, 1999), part_of(shared.spans(), 0, 1999)); });
   batch(part_of(in.spans(), 1999, n - 1999), part_of(shared.spans(), 1999, n - 1999));
@@ -103,17 +103,17 @@ TEST(batch, by_threads) {
 
 TEST(batch, of_states_without_hand_force_and_time) {
   const std::size_t n = 501;
-  std::vector<ph::device_state<arm>> given = states_about(0.225, 4, n);
+  std::vector<ph::device_state<tendons>> given = states_about(0.225, 4, n);
   for (auto& s : given) {
     s.time = 0;
     s.hand_force.setZero();
   }
-  batch_cases::states<arm> in(given);
+  batch_cases::states<tendons> in(given);
   auto without = in.spans();
   without.time = {};
   without.hand_force = {};
-  batch_cases::results<arm> got(n), expected(n);
-  const ph::batch_controller batch(arm(), ph::brakes_of<arm>(),
+  batch_cases::results<tendons> got(n), expected(n);
+  const ph::batch_controller batch(tendons(), ph::brakes_of<tendons>(),
                                    ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4)),
                                    ph::no_direct_control());
   batch(in.spans(), expected.spans());
@@ -124,8 +124,8 @@ TEST(batch, of_states_without_hand_force_and_time) {
 }
 
 TEST(batch, refuses_arrays_of_other_lengths) {
-  batch_cases::states<arm> in(states_about(0.225, 5, 10));
-  batch_cases::results<arm> out(10);
+  batch_cases::states<tendons> in(states_about(0.225, 5, 10));
+  batch_cases::results<tendons> out(10);
   EXPECT_EQ(error_of(in.spans(), out.spans()), "");
 
   auto states = in.spans();
@@ -157,11 +157,11 @@ TEST(batch, refuses_arrays_of_other_lengths) {
 }
 
 TEST(batch, refuses_what_a_controller_refuses) {
-  ph::brakes_of<arm> brakes;
+  ph::brakes_of<tendons> brakes;
   brakes.torque_limit[0] = -1;
   const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1})));
-  EXPECT_THROW(ph::batch_controller(arm(), brakes, scene, ph::direct_control()), std::invalid_argument);
-  EXPECT_THROW(ph::batch_controller(arm(), ph::brakes_of<arm>(), scene, ph::direct_control{-1}),
+  EXPECT_THROW(ph::batch_controller(tendons(), brakes, scene, ph::direct_control()), std::invalid_argument);
+  EXPECT_THROW(ph::batch_controller(tendons(), ph::brakes_of<tendons>(), scene, ph::direct_control{-1}),
                std::invalid_argument);
 }
 
@@ -169,8 +169,8 @@ TEST(batch, of_invalid_options_releases) {
   ph::step_options<double> options;
   options.min_cosine = std::numeric_limits<double>::quiet_NaN();
   const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1})));
-  batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, ph::direct_control(), options,
-                                            states_about(0.225, 6, 101));
+  batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, ph::direct_control(),
+                                            options, states_about(0.225, 6, 101));
 }
 
 // A law of one's own: alpha out of [0, 1] and NaN for some hands
@@ -191,28 +191,30 @@ struct wall_that_moves : plane {
   using plane::plane;
   ph::point<2> velocity(const ph::point<2>&) const { return {0.1, -0.1}; }
 };
-struct arm_of_ones_own : arm {
-  ph::two_link_pose<double> pose(const ph::vector<double, 2>& q) const { return arm::pose(q); }
+struct arm_of_ones_own : tendons {
+  ph::two_link_pose<double> pose(const ph::vector<double, 2>& q) const { return tendons::pose(q); }
 };
 
 TEST(batch, of_a_law_of_ones_own) {
   const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4));
   const auto given = states_about(0.225, 7, 2001);
-  static_assert(ph::batch_controller<arm, ph::static_scene<plane>, any_share>::is_vectorised);
-  static_assert(!ph::batch_controller<arm, ph::static_scene<plane>, any_share_with_branches>::is_vectorised);
-  batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, any_share(), {}, given);
-  batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, any_share_with_branches(), {},
+  static_assert(ph::batch_controller<tendons, ph::static_scene<plane>, any_share>::is_vectorised);
+  static_assert(
+      !ph::batch_controller<tendons, ph::static_scene<plane>, any_share_with_branches>::is_vectorised);
+  batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, any_share(), {},
                                             given);
+  batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene,
+                                            any_share_with_branches(), {}, given);
 }
 
 TEST(batch, of_what_is_made_of_a_part_that_takes_packs) {
   static_assert(
-      !ph::batch_controller<arm, ph::static_scene<wall_that_moves>, ph::direct_control>::is_vectorised);
+      !ph::batch_controller<tendons, ph::static_scene<wall_that_moves>, ph::direct_control>::is_vectorised);
   static_assert(
       !ph::batch_controller<arm_of_ones_own, ph::static_scene<plane>, ph::direct_control>::is_vectorised);
   const auto scene = ph::scene(ph::wall(wall_that_moves({0, 0.225}, {0, -1}), 1e4));
-  batch_cases::expect_that_of_single_cycles(arm(), ph::brakes_of<arm>(), scene, ph::direct_control(), {},
-                                            states_about(0.225, 8, 501));
+  batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, ph::direct_control(),
+                                            {}, states_about(0.225, 8, 501));
 }
 
 }  // namespace

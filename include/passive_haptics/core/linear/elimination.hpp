@@ -40,10 +40,11 @@ template <class T, int N>
 class elimination {
  public:
   /// Held unknowns have these values; others that no level sees become 0.
-  elimination(const vector<T, N>& values, const vector<bool, N>& held) : x_(values), known_(held) {
+  elimination(const vector<T, N>& values, const vector<bool, N>& held) : known_(held) {
     for (int i = 0; i < N; ++i) {
-      if (held[i]) --left_;
-      else x_[i] = T(0);
+      if (!held[i]) continue;
+      x_[i] = values[i];
+      --left_;
     }
   }
 
@@ -96,7 +97,7 @@ class elimination {
     for (int j = 0; j < N; ++j) A.col(j) -= rho_(j, k) * a;
   }
 
-  vector<T, N> x_;  // of unknowns that are held
+  vector<T, N> x_ = vector<T, N>::Zero();  // of unknowns that are held
   vector<bool, N> known_;
   int left_ = N, count_ = 0;
   T growth_ = T(1);  // square of what eliminating makes of rounding

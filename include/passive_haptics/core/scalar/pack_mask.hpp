@@ -2,6 +2,7 @@
 /// Truths and choices of W states: what comparing packs gives.
 #pragma once
 
+#include <passive_haptics/core/arithmetic.hpp>
 #include <passive_haptics/core/scalar/number_of.hpp>
 #include <passive_haptics/core/unrolled.hpp>
 
