@@ -78,7 +78,7 @@ error_message check_lengths(std::string_view name, const std::array<std::span<T>
   for (const auto& array : arrays) is_there = is_there || !array.empty();
   for (std::size_t i = 0; is_there && i < Components; ++i) {
     const std::string component = std::string(name).append("[").append(std::to_string(i)).append("]");
-    const error_message error = check_length(component, arrays[i].size(), states, may_be_left_out);
+    error_message error = check_length(component, arrays[i].size(), states, may_be_left_out);
     if (!error.empty()) return error;
   }
   return {};
