@@ -2,8 +2,8 @@
 /// Whether NaN or infinity stands among numbers: 0 times any other number is 0.
 #pragma once
 
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/unrolled.hpp>
 
 #include <concepts>
 

@@ -7,8 +7,7 @@
 
 #include <passive_haptics/core/arithmetic.hpp>
 #include <passive_haptics/core/eager_operators.hpp>
-#include <passive_haptics/core/scalar/number_of.hpp>
-#include <passive_haptics/core/unrolled.hpp>
+#include <passive_haptics/core/flatten.hpp>
 
 #include <Eigen/Core>
 

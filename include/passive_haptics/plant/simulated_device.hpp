@@ -4,6 +4,7 @@
 
 #include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
@@ -72,7 +73,7 @@ class simulated_device {
     if (valid_time_step(dt) == scalar(0)) return;
     const task_vector<M> drift = mechanism_.bias_acceleration(q_, qd_);
     const task_vector<M> handle_force = muscle_force - hand_mass_ * drift;
-    const joint_vector<M> drive = transposed(J_) * handle_force - mechanism_.bias_torque(q_, qd_);
+    const joint_vector<M> drive = transposed_times(J_, handle_force) - mechanism_.bias_torque(q_, qd_);
     const matrix<scalar, M::dof, M::brake_count> Tt =
         passive_haptics::transposed_transmission(mechanism_, q_);
     const transmission_matrix<M> T = transposed(Tt);
@@ -187,7 +188,7 @@ class simulated_device {
     const mechanism_pose<M> pose(mechanism_, q_);
     x_ = pose.position();
     J_ = task_matrix(pose.jacobian());
-    mass_ = pose.mass_matrix() + hand_mass_ * transposed(J_) * J_;
+    mass_ = pose.mass_matrix() + hand_mass_ * transposed_times(J_, J_);
   }
 
   double kinetic_energy() const { return as_double(qd_.dot(mass_ * qd_)) / 2; }

@@ -16,7 +16,7 @@ namespace passive_haptics {
 ///
 /// If is_vectorised, `width` states at a time are computed in a register. So are the two-link arms, the table
 /// and the five-bar with two brakes, in double, at one half_space or ball, under the paper's laws; and your
-/// mechanism, shape or law where it is branch_free (core/scalar/number_of.hpp). All else runs one state after
+/// mechanism, shape or law where it is branch_free (core/arithmetic.hpp). All else runs one state after
 /// the other, by the same call.
 template <class M, class S, class L, class B = brakes_of<M>,
           int Width = native_pack_width<typename M::scalar>>

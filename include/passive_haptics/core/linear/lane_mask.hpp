@@ -3,8 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
-#include <passive_haptics/core/scalar/number_of.hpp>
-#include <passive_haptics/core/unrolled.hpp>
+#include <passive_haptics/core/flatten.hpp>
 
 #include <concepts>
 #include <cstddef>

@@ -207,6 +207,15 @@ vector<T, C> transposed_times(const matrix<T, R, C>& A, const vector<T, R>& x) {
   return y;
 }
 
+/// A^T B
+template <class T, int R, int Columns, int C>
+  requires(C > 1)
+matrix<T, Columns, C> transposed_times(const matrix<T, R, Columns>& A, const matrix<T, R, C>& B) {
+  matrix<T, Columns, C> AtB;
+  unrolled<C>([&](auto j) { AtB.col(j) = transposed_times(A, column(B, j)); });
+  return AtB;
+}
+
 /// A B
 template <class T, int R, int K, int C>
 matrix<T, R, C> times(const matrix<T, R, K>& A, const matrix<T, K, C>& B) {

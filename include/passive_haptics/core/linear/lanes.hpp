@@ -3,9 +3,9 @@
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/lane_mask.hpp>
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/unrolled.hpp>
 
 #include <cmath>
 #include <cstring>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
+#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/scalar/quadrant.hpp>
-#include <passive_haptics/core/unrolled.hpp>
 
 #include <concepts>
 #include <cstdint>

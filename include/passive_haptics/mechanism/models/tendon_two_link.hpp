@@ -2,6 +2,7 @@
 /// The paper's device: two links, both brakes at the base, coupled by tendons (Fig. 7).
 #pragma once
 
+#include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
 
 namespace passive_haptics {
@@ -40,8 +41,8 @@ class tendon_two_link : public two_link<T> {
   matrix<T, 2, 2> mass_matrix(const two_link_pose<T>& at) const {
     const auto& p = this->parameters();
     const matrix<T, 2, 2> t = transmission();
-    return this->link_mass_matrix(at) +
-           transposed(t) * scaled_rows<T>(vector<T, 2>(p.rotor_inertia_1, p.rotor_inertia_2), t);
+    const vector<T, 2> rotors(p.rotor_inertia_1, p.rotor_inertia_2);
+    return this->link_mass_matrix(at) + transposed_times(t, scaled_rows(rotors, t));
   }
   /// M(q)
   matrix<T, 2, 2> mass_matrix(const vector<T, 2>& q) const { return mass_matrix(this->pose(q)); }

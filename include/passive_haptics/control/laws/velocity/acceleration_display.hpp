@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/core/linear/lane_products.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 
@@ -29,11 +30,11 @@ struct pose_dynamics {
   pose_dynamics(const mechanism_pose<M>& pose, const joint_vector<M>& qd, T hand = T(0))
       : J(pose.jacobian()),
         Tt(pose.transposed_transmission()),
-        mass(matrix<T, n, n>(pose.mass_matrix() + hand * transposed(J) * J)),
+        mass(matrix<T, n, n>(pose.mass_matrix() + hand * transposed_times(J, J))),
         bias(pose.bias_torque(qd)),
         drift(pose.bias_acceleration(qd)),
         velocity(J * qd),
-        rates(transposed(Tt) * qd) {}
+        rates(transposed_times(Tt, qd)) {}
 };
 
 /// What brake torques t do to the end effector along a unit normal, n . xdd = free + g . t.
@@ -50,9 +51,9 @@ struct normal_response {
 template <class M, class T, int D>
 normal_response<T, D, M::brake_count> response_along(const vector<T, D>& n, const pose_dynamics<M>& dynamics,
                                                      const vector<T, D>& Fh) {
-  const joint_vector<M> Jn = transposed(dynamics.J) * n, y = dynamics.mass.solve(Jn);
-  const joint_vector<M> drive = transposed(dynamics.J) * Fh - dynamics.bias;
-  return {n, transposed(dynamics.Tt) * y, dynamics.J * y, y.dot(drive) + n.dot(dynamics.drift),
+  const joint_vector<M> Jn = transposed_times(dynamics.J, n), y = dynamics.mass.solve(Jn);
+  const joint_vector<M> drive = transposed_times(dynamics.J, Fh) - dynamics.bias;
+  return {n, transposed_times(dynamics.Tt, y), dynamics.J * y, y.dot(drive) + n.dot(dynamics.drift),
           T(1) / Jn.dot(y)};
 }
 

@@ -44,9 +44,9 @@ brake_vector<M> holding_torques(const pose_dynamics<M>& dynamics, const task_vec
   using T = typename M::scalar;
   constexpr int m = M::brake_count, sweeps = 3;
   const matrix<T, M::dof, m> per_torque = dynamics.mass.solve(dynamics.Tt);
-  A = transposed(dynamics.Tt) * per_torque;  // rad/s^2 for each N m
-  const joint_vector<M> drive = transposed(dynamics.J) * Fh - dynamics.bias;
-  const brake_vector<M> free = transposed(per_torque) * drive;
+  A = transposed_times(dynamics.Tt, per_torque);  // rad/s^2 for each N m
+  const joint_vector<M> drive = transposed_times(dynamics.J, Fh) - dynamics.bias;
+  const brake_vector<M> free = per_torque.transpose() * drive;
   brake_vector<M> holding = brake_vector<M>::Zero();
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (int i = 0; i < m; ++i) {
