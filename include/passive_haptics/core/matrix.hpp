@@ -119,11 +119,14 @@ vector<To, N> as(const vector<T, N>& x) {
 template <class T, int N>
 T length_of(const vector<T, N>& x) {
   using std::abs, std::sqrt;
+  using real = std::numeric_limits<T>;
+  if (const T square = x.squaredNorm(); square > real::min() / real::epsilon() && square <= real::max())
+    return sqrt(square);
   T largest(0);
   for (int i = 0; i < N; ++i) {
     if (!(abs(x[i]) <= largest)) largest = abs(x[i]);
   }
-  if (!(largest > T(0) && largest < std::numeric_limits<T>::infinity())) return largest;
+  if (!(largest > T(0) && largest <= real::max())) return largest;
   const vector<T, N> scaled = x / largest;
   return largest * sqrt(scaled.squaredNorm());
 }

@@ -73,7 +73,7 @@ template <class T, int D, int Brakes, class Off = all_brakes_on>
 bool cone_is_zero(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s, const Off& off = Off()) {
   auto B = half_spaces_of(E, s, off);
   constexpr int columns = decltype(B)::ColsAtCompileTime;
-  for (int i = 0; i < columns; ++i) B.col(i).stableNormalize();
+  for (int i = 0; i < columns; ++i) B.col(i) = direction_of(column(B, i));
   const vector<T, D> against = -B.rowwise().sum();
   const T size = against.norm();
   const auto tolerance = rounding_tolerance<T>(D + columns);

@@ -42,7 +42,7 @@ class active_set {
 
  private:
   static constexpr int max_rank = Rows < Columns ? Rows : Columns;
-  static constexpr half_space_set all = ~half_space_set(0) >> (32 - Columns);
+  static constexpr half_space_set all = all_columns<Columns>;
   static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
   using qr = updatable_qr<T, Rows, max_rank>;
   using column = typename qr::column;

@@ -30,9 +30,6 @@ struct generated_face {
   vector<T, M> coefficients;  ///< x of the basis; in the plane 0 where p = f.
 };
 
-template <int M>
-inline constexpr half_space_set all_of = ~half_space_set(0) >> (32 - M);
-
 /// In the plane: f lies between its neighbours, the generators at the least angles to its left and right, or
 /// outside, nearest to that neighbour which is less than 90 degrees away. No lengths are compared.
 template <class T, int M>
@@ -50,7 +47,7 @@ template <class T, int M>
   if (left + right > T(4) + rounding_tolerance<T>(3))  // less than 180 degrees
     return {.is_shortest = false,
             .basis = (on_left >= per_column(left)) | (on_right >= per_column(right)),
-            .usable = columns::of(all_of<M>),
+            .usable = columns::of(all_columns<M>),
             .point = f,
             .coefficients = vector<T, M>::Zero()};
   if (!(std::max(left, right) > T(2)))
@@ -97,7 +94,7 @@ template <class T, int D, int M>
   constexpr bool loses_digits = D == 3 && M == 3;
   const auto polar = project_onto_half_spaces(V, f);
   const vector<T, D>& r = polar.point;
-  const columns basis = columns::of(polar.active), all = columns::of(all_of<M>);
+  const columns basis = columns::of(polar.active), all = columns::of(all_columns<M>);
   const T square = r.squaredNorm();
   constexpr T rounding = rounding_tolerance<T>(D);
   if (!(square > rounding * rounding * f.squaredNorm()))

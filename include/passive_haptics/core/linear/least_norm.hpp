@@ -37,7 +37,7 @@ class least_norm {
   /// the condition of the columns is over some 1000.
   [[gnu::always_inline]] bool solve(const lane_mask<T, M>& basis, const lane_mask<T, M>& usable,
                                     vector<T, M>& x) {
-    const bool in_a_face = !(usable == columns::of(~half_space_set(0) >> (32 - M)));
+    const bool in_a_face = !(usable == columns::of(all_columns<M>));
     return (!in_a_face && solve_by_newton(basis, x)) || solve_by_active_set(bits(basis), bits(usable), x);
   }
 

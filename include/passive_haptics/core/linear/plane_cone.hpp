@@ -10,6 +10,12 @@ namespace passive_haptics {
 /// A set of half-spaces: bit j stands for column j.
 using half_space_set = unsigned;
 
+namespace detail {
+// All of N half-spaces or columns.
+template <int N>
+inline constexpr half_space_set all_columns = ~half_space_set(0) >> (32 - N);
+}  // namespace detail
+
 /// Where a search for the nearest point begins: left by one problem for the next, best one cycle later.
 struct half_space_start {
   half_space_set active = 0;    ///< Those that held p back.

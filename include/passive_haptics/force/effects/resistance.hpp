@@ -13,17 +13,6 @@ namespace passive_haptics {
 template <class T>
 inline constexpr T default_velocity_dead_band = T(0.003);
 
-namespace detail {
-
-// |x|, also where its square overflows
-template <class T, int D>
-T length_of_any_size(const vector<T, D>& x) {
-  const T length = x.norm();
-  return length < std::numeric_limits<T>::infinity() ? length : length_of(x);
-}
-
-}  // namespace detail
-
 /// Force of size `limit` against the velocity v; inside the dead band, limit v / dead_band plus what holds
 /// against the push, together no more than limit.
 ///
@@ -36,10 +25,10 @@ T length_of_any_size(const vector<T, D>& x) {
 /// Systems, Measurement, and Control 107(1), 1985, pp. 100-103.
 template <class T, int D>
 vector<T, D> resistance(T limit, const vector<T, D>& v, T dead_band, const vector<T, D>& push) {
-  const T speed = detail::length_of_any_size(v);
+  const T speed = length_of(v);
   if (speed > dead_band) return -limit / speed * v;
   const vector<T, D> wanted = limit / dead_band * v + push;
-  const T size = detail::length_of_any_size(wanted);
+  const T size = length_of(wanted);
   return size > limit ? vector<T, D>(-limit / size * wanted) : vector<T, D>(-wanted);
 }
 

@@ -150,7 +150,7 @@ nearest_torque_result<T, D, Brakes> nearest_torque(const matrix<T, D, Brakes>& G
   if constexpr (D <= 3) {
     // t + t = t is 0 or infinite
     const lanes<T, Brakes> down = abs(lanes(box.lower)), up = abs(lanes(box.upper));
-    if (bits((down + down <= down) & (up + up <= up)) == detail::all_of<Brakes>)
+    if (bits((down + down <= down) & (up + up <= up)) == detail::all_columns<Brakes>)
       return detail::nearest_of_generators(G, detail::open_ways<T, Brakes>(box), Fd);
   }
   return detail::nearest_in_box(G, box, Fd);

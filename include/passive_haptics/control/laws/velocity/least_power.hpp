@@ -85,8 +85,8 @@ vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, cons
 }
 
 /// Torques for the first `count` of these walls, each with its `force` [N] and its response `along` the
-/// normal (acceleration_display.hpp). Of several no wall holds a handle that leaves it: a force < 0 counts as
-/// none.
+/// normal (acceleration_display.hpp). Where there are several, none holds a handle that leaves
+/// it: a force < 0 counts as none.
 template <class Wall, std::size_t Capacity, class T, int Brakes, class Units = equal_units>
 vector<T, Brakes> least_power_torques(const std::array<Wall, Capacity>& walls, int count,
                                       const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,
