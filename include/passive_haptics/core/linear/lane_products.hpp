@@ -88,6 +88,20 @@ truth_of<T> any(const lane_mask<T, N>& x) {
   return some;
 }
 
+/// True of all lanes where it is true of some.
+template <class T, int N>
+[[gnu::always_inline]] inline lane_mask<T, N> any_of(const lane_mask<T, N>& x) {
+  lane_mask<T, N> all;
+  if constexpr (N == 2) {
+    all = x | swapped(x);
+  } else {
+    const truth_of<T> some = any(x);
+    if constexpr (lane_mask<T, N>::width == 1) unrolled<N>([&](auto i) { all.p[i] = some; });
+    else all = lane_mask<T, N>::of(some ? ~0u : 0u);
+  }
+  return all;
+}
+
 /// Bit i is truth i.
 template <class T, int N>
 [[gnu::always_inline]] inline unsigned bits(const lane_mask<T, N>& x) {
