@@ -73,6 +73,7 @@
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/plausibility.hpp>
 #include <passive_haptics/design/recorded_motion.hpp>
+#include <passive_haptics/design/sink_depth.hpp>
 #include <passive_haptics/design/undisplayable_share.hpp>
 
 #include <passive_haptics/plant/simulated_device_declaration.hpp>
