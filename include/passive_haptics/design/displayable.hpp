@@ -28,6 +28,9 @@ struct displayable_force {
   display_class display = display_class::none;
   /// gamma [rad] between n and the nearest producible force: 0 where n itself is one, pi / 2 where none is.
   scalar angle = std::numbers::pi_v<scalar> / scalar(2);
+  /// Fc [N], the displayed force that makes 1 N out of the wall: along the nearest force, n . Fc = 1, with
+  /// its rest the drag and the force aside. 0 where nothing is displayed.
+  task_vector<M> nearest = task_vector<M>::Zero();
   /// Largest n . F [N] over all forces F that the brakes, and motors beside them, can make within their
   /// limits. Infinite where the structure itself holds, or a brake without limit.
   scalar strongest = scalar(0);
@@ -48,6 +51,7 @@ void describe(displayable_force<M>& found, const task_vector<M>& n, const Force&
               const switchable_brakes<M>& brakes) {
   found.display = Fc.display;
   if (!is_displayed(Fc.display)) return;
+  found.nearest = Fc.force;
   const task_vector<M> Fp = Fc.cosine_squared * Fc.force;
   found.angle = std::atan2((n - Fp).norm(), Fp.norm());
   found.strongest_nearest = largest_share(Fc.torque, brakes);
