@@ -164,8 +164,9 @@ void add(const std::string& name, const M& mechanism, const L& law, double deep,
   add_pass("batch", [data, batch] { batch(data->in(), data->commands()); });
   add_pass("batch account", [data, batch] { batch(data->in(), data->account()); });
   if constexpr (ph::design_map<M>::is_vectorised)
-    add_pass("map", [mechanism, points = points_of(mechanism, data->states, wall), limits = brakes_alone] {
-      const ph::design_map map(mechanism, points, limits, 2.0);
+    add_pass("map", [mechanism, points = points_of(mechanism, data->states, wall), limits = brakes_alone,
+                     map = ph::design_map<M>()]() mutable {
+      map.assign(mechanism, points, limits, 2.0);
       benchmark::DoNotOptimize(map.strongest.data());
     });
 }

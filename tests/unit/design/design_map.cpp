@@ -87,6 +87,25 @@ TEST(design_map, points_out_of_reach_have_that_status_and_no_figures) {
   EXPECT_EQ(reached, 7);
 }
 
+TEST(design_map, becomes_another_map_in_the_same_arrays) {
+  ph::design_map<paper> map;
+  EXPECT_EQ(map.size(), 0u);
+  const ph::task_grid<double, 2> grid{{-0.1, 0.1}, {0.1, 0.2}, {7, 5}};
+  for (const double k2 : {0.4, 2.0}) {
+    const paper arm({.reduction_2 = k2});
+    const auto points = ph::points_of(
+        arm, grid, [&](const V& x) { return arm.inverse(x, ph::elbow::left); }, V(1, 0), V(0, -1));
+    const double* const before = map.drag.data();
+    map.assign(arm, points, ph::switchable_brakes<paper>(), 1.0);
+    if (k2 > 1) EXPECT_EQ(map.drag.data(), before);
+    const ph::design_map fresh(arm, points, ph::switchable_brakes<paper>(), 1.0);
+    for (std::size_t k = 0; k < map.size(); ++k) {
+      EXPECT_EQ(map.display[k], fresh.display[k]);
+      EXPECT_EQ(map.strongest[k], fresh.strongest[k]);
+    }
+  }
+}
+
 TEST(design_map, of_a_path_at_the_middles_of_its_parts) {
   const paper arm;
   const auto path = [&](double u) -> ph::path_point<paper> {

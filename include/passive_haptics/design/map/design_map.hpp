@@ -35,6 +35,14 @@ class design_map {
   /// decides. Throws std::invalid_argument where a limit is NaN or on the wrong side of 0, or the push is
   /// NaN. Cost: where is_vectorised, that of a batch of control cycles; else a design_figures_at() a point.
   design_map(const M& mechanism, const task_points<M>& points, const hybrid_brakes<M>& brakes, T push) {
+    assign(mechanism, points, brakes, push);
+  }
+  /// An empty map.
+  design_map() = default;
+
+  /// Becomes the map of another device or task, as by the constructor. Allocates only for more points than
+  /// before.
+  void assign(const M& mechanism, const task_points<M>& points, const hybrid_brakes<M>& brakes, T push) {
     require_valid(brakes);
     detail::refuse_unless(!std::isnan(push), "push on a design_map [N]", push, "a number");
     const std::size_t n = points.size();
