@@ -1,5 +1,4 @@
-// Sink slopes against what can be displayed at each slope of a fine grid, for devices of all forms, and
-// against the quantile in 50 digits.
+// Sink slopes against what can be displayed at each slope of a fine grid, for devices of all forms.
 #include <passive_haptics/design/sink_slope.hpp>
 
 #include <passive_haptics/design/displayable.hpp>
@@ -13,25 +12,18 @@
 #include <passive_haptics/testing/support/random.hpp>
 
 #include "../../../property/chain_cases.hpp"
-#include "../../high_precision.hpp"
 
 #include <gtest/gtest.h>
-#include <Eigen/LU>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <cstdio>
 #include <numbers>
-#include <utility>
-#include <vector>
 
 namespace ph = passive_haptics;
 
 namespace {
-
-constexpr double unheld = std::numeric_limits<double>::infinity();
 
 // A hand that is led along a wall, by brakes that may be off or work one way, with or without motors.
 template <class M>
@@ -74,7 +66,7 @@ led_hand<M> draw_hand(const M& mechanism, const ph::joint_vector<M>& lower, cons
 }
 
 // Angles of descent, evenly between 0 and a right angle.
-constexpr int grid = 300;
+constexpr int grid = 180;
 double grid_slope(int k) { return std::tan(std::numbers::pi / 2 * k / grid); }
 
 struct found_slopes {
