@@ -2,6 +2,7 @@
 // with two and four brakes, an arm of three joints.
 #include "design/devices.hpp"
 #include "design/pictures.hpp"
+#include "design/sinking_hand.hpp"
 
 #include <command_line.hpp>
 #include <output.hpp>
@@ -34,9 +35,9 @@ std::string map_of(const Candidate& device) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const auto directory = example::output_directory(
-      argc, argv, "design",
-      "Which device is better for a task: a table, maps over the workspace as CSV and pictures.");
+  const auto directory = example::output_directory(argc, argv, "design",
+                                                   "Which device is better for a task, and what motors would "
+                                                   "buy: tables, maps over the workspace as CSV, pictures.");
 
   std::printf(
       "Along walls in 16 directions, everywhere in the workspace; brakes of 1 N m, a push of %g N:\n\n",
@@ -72,6 +73,8 @@ int main(int argc, char** argv) try {
        {"Five-bar, 2 brakes", map_of(design::five_bar_device<2>())},
        {"Arm of 3 joints", map_of(design::three_joint_arm())},
        {"Five-bar, 4 brakes", map_of(design::five_bar_device<4>())}});
+  design::draw_sink_slopes(directory);
+  design::compare_motors(directory);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());
   return 1;

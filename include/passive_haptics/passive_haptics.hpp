@@ -71,6 +71,7 @@
 #include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/design/description.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
+#include <passive_haptics/design/least_motor_share.hpp>
 #include <passive_haptics/design/plausibility.hpp>
 #include <passive_haptics/design/recorded_motion.hpp>
 #include <passive_haptics/design/sink_depth.hpp>

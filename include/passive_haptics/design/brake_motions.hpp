@@ -11,6 +11,7 @@
 #include <passive_haptics/design/largest_resistance.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace passive_haptics::detail {
 
@@ -27,7 +28,8 @@ bool forces_add_up(const mechanism_pose<M>& pose, const brake_matrix<M>& G) {
 }
 
 // The motions of the brakes of a pose: rates w = W v (m x d) for a velocity v of the end effector, for each W
-// that the form of the device's forces allows. strongest(box, n) is the largest n . F of torques in a box.
+// that the form of the device's forces allows. for_each_way(n, visit): the rates w at which the end effector
+// may move along n, of which one is the easiest, whatever the torques are.
 //
 // By half-spaces, the primary template: as many brakes as joints. A self-motion is left alone, by the least
 // joint rates: W = T J^+.
@@ -62,8 +64,10 @@ class brake_motions {
     visit(W_);
   }
   vector<T, m> signs(const rate_map& W, const vector<T, d>& v) const { return signs_in_motion(W, E_, v); }
-  T strongest(const torque_box<T, m>& box, const vector<T, d>& n) const {
-    return adds_up_ ? largest_resistance<T, m>(box, W_ * n) : least_resistance(E_, box, n);
+  template <class Visit>
+  void for_each_way(const vector<T, d>& n, const Visit& visit) const {
+    if (adds_up_) visit(vector<T, m>(W_ * n));
+    else detail::for_each_way(E_, n, visit);
   }
 
  private:
@@ -92,8 +96,9 @@ class brake_motions<M> {
     visit(W_);
   }
   vector<T, m> signs(const rate_map& W, const vector<T, d>& v) const { return signs_in_motion(W, E_, v); }
-  T strongest(const torque_box<T, m>& box, const vector<T, d>& n) const {
-    return largest_resistance<T, m>(box, W_ * n);
+  template <class Visit>
+  void for_each_way(const vector<T, d>& n, const Visit& visit) const {
+    visit(vector<T, m>(W_ * n));
   }
 
  private:
@@ -117,8 +122,9 @@ class motions_with_self_motion {
 
   static constexpr status outcome() { return status::ok; }
   const settled_rates<M>& rates() const { return rates_; }
-  T strongest(const torque_box<T, m>& box, const vector<T, d>& n) const {
-    return strongest_with_self_motion<M>(rates_, box, n);
+  template <class Visit>
+  void for_each_way(const vector<T, d>& n, const Visit& visit) const {
+    detail::for_each_way<M>(rates_, n, visit);
   }
 
  protected:
@@ -181,6 +187,19 @@ class brake_motions<M> : public motions_with_self_motion<M> {
   }
 };
 
+// Largest n . F of torques in a box: what they make against the easiest way. Infinite where there is none.
+template <class M>
+typename M::scalar strongest_of_box(const brake_motions<M>& motions,
+                                    const torque_box<typename M::scalar, M::brake_count>& box,
+                                    const task_vector<M>& n) {
+  using T = typename M::scalar;
+  T least = std::numeric_limits<T>::infinity();
+  motions.for_each_way(n, [&](const brake_vector<M>& w) {
+    least = std::min(least, largest_resistance<T, M::brake_count>(box, w));
+  });
+  return least;
+}
+
 // Largest n . F of these brakes and motors while the end effector moves with v.
 template <class M>
 typename M::scalar strongest_in_motion(const brake_motions<M>& motions, const task_vector<M>& v,
@@ -189,9 +208,16 @@ typename M::scalar strongest_in_motion(const brake_motions<M>& motions, const ta
   T strongest = T(0);
   motions.for_each([&](const auto& W) {
     const auto box = passive_haptics::torque_box_of(motions.signs(W, v), brakes);
-    strongest = std::max(strongest, motions.strongest(box, n));
+    strongest = std::max(strongest, strongest_of_box(motions, box, n));
   });
   return strongest;
+}
+
+// The part of a direction along a wall, as a unit vector; 0 where there is none.
+template <class T, int D>
+vector<T, D> along_wall(const vector<T, D>& direction, const vector<T, D>& n) {
+  const vector<T, D> v = direction_of(direction), along = v - n.dot(v) * n;
+  return along.norm() > rounding_tolerance<T>(D) ? direction_of(along) : vector<T, D>(vector<T, D>::Zero());
 }
 
 // Why there is no result: of q, direction, normal or brakes. Else ok.

@@ -102,20 +102,13 @@ typename M::scalar sink_slope_by_trial(const brake_motions<M>& motions, const ta
         const T w = a[i] - slope * b[i], terms = std::abs(a[i]) + slope * std::abs(b[i]);
         signs[i] = i != turning && std::abs(w) > rounding_tolerance<T>(m) * terms ? sgn(w) : T(0);
       }
-      if (motions.strongest(passive_haptics::torque_box_of(signs, brakes), n) >= push) least = slope;
+      if (strongest_of_box(motions, passive_haptics::torque_box_of(signs, brakes), n) >= push) least = slope;
     };
     consider(T(0), m);
     for (int i = 0; i < m; ++i)
       if (a[i] * b[i] > T(0)) consider(a[i] / b[i], i);
   });
   return least;
-}
-
-// The part of a direction along a wall, as a unit vector; 0 where there is none.
-template <class T, int D>
-vector<T, D> along_wall(const vector<T, D>& direction, const vector<T, D>& n) {
-  const vector<T, D> v = direction_of(direction), along = v - n.dot(v) * n;
-  return along.norm() > rounding_tolerance<T>(D) ? direction_of(along) : vector<T, D>(vector<T, D>::Zero());
 }
 
 }  // namespace detail
