@@ -62,7 +62,8 @@ template <int MostRows = -1, class T, int N, int... Rows>
 vector<T, N> least_squares_by_priority(const vector<T, N>& lower, const vector<T, N>& upper,
                                        const least_squares_level<T, Rows, N>&... levels) {
   if constexpr (N <= 4) {
-    vector<T, N> x = vector<T, N>::Zero();  // g++ 12 takes it for read where all unknowns are held
+    vector<T, N> x;
+    if constexpr (N == 1) x.setZero();  // g++ 12 takes it for read where the one unknown is held
     vector<bool, N> held = vector<bool, N>::Constant(false);
     detail::settle<N>(x, held, lower, upper, levels...);
     return x;
