@@ -51,9 +51,9 @@ T least_share_against(const vector<T, Brakes>& rates, const torque_box<T, Brakes
 
 }  // namespace detail
 
-/// Least motor beside each brake, as a share of its torque limit, with which these brakes hold a hand that
-/// pushes with `push` [N] on the wall, at sink slope 0, while it leads the end effector in `direction` at
-/// joint positions q. 0 where brakes alone do. Direction and normal: base frame, any length; the motion along
+/// Least motor beside each brake, as a share of its torque limit, with which a hand is held on the wall, at
+/// sink slope 0. It pushes with `push` [N] and leads the end effector in `direction` at joint positions q. 0
+/// where brakes alone hold it. Direction and normal: base frame, any length; of the direction the part along
 /// the wall counts. Limits are finite: there is no share of a limit without bound.
 ///
 /// Motors of share s make s_i t_i <= s limit_i (hybrid_brakes). By virtual work they hold the push where
