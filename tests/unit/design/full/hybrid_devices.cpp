@@ -15,6 +15,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
 namespace {
 
@@ -109,8 +111,9 @@ hybrid_run follow_with_motors(std::uint64_t seed, std::uint64_t number, double s
   return run;
 }
 
-TEST(hybrid_brakes, hold_some_more_of_300_devices_and_are_active) {
-  constexpr int devices = 300;
+TEST(hybrid_brakes, hold_some_more_devices_and_are_active) {
+  const char* const effort = std::getenv("PASSIVE_HAPTICS_STRESS");
+  const int devices = effort != nullptr && std::string_view(effort) == "full" ? 300 : 60;
   constexpr std::array shares{0.0, 0.02, 0.05, 0.1};
   for (const std::uint64_t seed : {20040627u, 555u}) {
     std::array<int, shares.size()> deep{}, driven{}, giving{};
@@ -126,8 +129,7 @@ TEST(hybrid_brakes, hold_some_more_of_300_devices_and_are_active) {
       }
       std::printf(
           "seed %llu, motors of %2.0f %%: %d of %d devices deep; driven in %d, %.1f %% of the time; in %d "
-          "the "
-          "motors had given more than friction had taken, up to %.1f mJ\n",
+          "the motors had given more than friction had taken, up to %.1f mJ\n",
           static_cast<unsigned long long>(seed), 100 * shares[s], deep[s], devices, driven[s], 100 * driving,
           giving[s], 1e3 * most);
     }
