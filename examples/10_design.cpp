@@ -94,10 +94,13 @@ void draw_path(const device& arm, const std::filesystem::path& directory) {
   std::puts("Along the paper's wall, brakes of 0.3 N m");
   std::puts("  way     push [N]   sinks [mm]   motors that hold it [% of the brakes' limit]");
   for (const int way : {forth, back})
-    for (const double push : pushes)
-      std::printf("  %-6s %9.0f %12.1f %12.1f\n", way == forth ? "forth" : "back", push,
-                  1e3 * ph::sink_depth(arm, along(way), brakes(), push),
-                  100 * ph::least_motor_share(arm, along(way), brakes().brakes, push));
+    for (const double push : pushes) {
+      const double depth = ph::sink_depth(arm, along(way), brakes(), push);
+      std::printf("  %-6s %9.0f ", way == forth ? "forth" : "back", push);
+      if (std::isfinite(depth)) std::printf("%12.2f", 1e3 * depth);
+      else std::printf("%12s", "not held");
+      std::printf(" %12.1f\n", 100 * ph::least_motor_share(arm, along(way), brakes().brakes, push));
+    }
 
   constexpr int places = 200;
   std::ostringstream table;
