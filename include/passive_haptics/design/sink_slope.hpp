@@ -183,9 +183,8 @@ sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint
                                                  const task_vector<M>& normal,
                                                  const brake_vector<M>& torque_limit,
                                                  typename M::scalar push) {
-  switchable_brakes<M> brakes;
-  brakes.torque_limit = torque_limit;
-  return passive_haptics::sink_slope(mechanism, q, direction, normal, hybrid_brakes<M>(brakes), push);
+  return passive_haptics::sink_slope(mechanism, q, direction, normal,
+                                     hybrid_brakes<M>::with_limits(torque_limit), push);
 }
 
 }  // namespace passive_haptics
