@@ -12,8 +12,7 @@ int main() {
     const auto pose = arm.inverse({0.17 - 0.125 * u, 0.225}, ph::elbow::left);
     return ph::path_point<device>{pose.q, {-1, 0}, {0, -1}};
   };
-  ph::hybrid_brakes<device> brakes;
-  brakes.brakes.torque_limit = {0.3, 0.3};
+  auto brakes = ph::hybrid_brakes<device>::with_limits({0.3, 0.3});
   std::cout << "without motors the hand sinks " << 1e3 * ph::sink_depth(arm, back, brakes, 2.0) << " mm\n";
 
   const double share = ph::least_motor_share(arm, back, brakes.brakes, 2.0);

@@ -22,11 +22,7 @@ constexpr double pushes[] = {1, 2, 4, 8};  // of the hand into the wall [N]
 const V out_of_wall(0, -1);                // the normal of the paper's wall
 constexpr int forth = 1, back = -1;        // along the wall, +x and -x
 
-ph::hybrid_brakes<device> brakes() {
-  ph::hybrid_brakes<device> all;
-  all.brakes.torque_limit.setConstant(torque_limit);
-  return all;
-}
+const auto brakes = ph::hybrid_brakes<device>::with_limits({torque_limit, torque_limit});
 
 // The colour of a slope, on one scale for all pictures.
 constexpr const char* slope_colours =
@@ -47,7 +43,7 @@ void draw_sink_slopes(const std::filesystem::path& directory) {
       const auto pose = arm.inverse({step * i, step * j}, ph::elbow::left);
       table << step * i << ", " << step * j;
       for (const int way : {back, forth}) {
-        const auto found = ph::sink_slope(arm, pose.q, {way, 0}, out_of_wall, brakes(), 2.0);
+        const auto found = ph::sink_slope(arm, pose.q, {way, 0}, out_of_wall, brakes, 2.0);
         if (pose.outcome != ph::status::ok || found.outcome != ph::status::ok) table << ", NaN";
         else table << ", " << (std::isfinite(found.slope) ? found.slope : -1);
       }
@@ -97,10 +93,13 @@ void compare_motors(const std::filesystem::path& directory) {
   std::puts("\nAlong the paper's wall, brakes of 0.3 N m:\n");
   std::puts("  way     push [N]   sinks [mm]   motors that hold it [% of the brakes' limit]");
   for (const int way : {forth, back})
-    for (const double push : pushes)
-      std::printf("  %-6s %9.0f %12.1f %12.1f\n", way == forth ? "forth" : "back", push,
-                  1e3 * ph::sink_depth(arm, along(way), brakes(), push),
-                  100 * ph::least_motor_share(arm, along(way), brakes().brakes, push));
+    for (const double push : pushes) {
+      const double depth = ph::sink_depth(arm, along(way), brakes, push);
+      std::printf("  %-6s %9.0f ", way == forth ? "forth" : "back", push);
+      if (std::isfinite(depth)) std::printf("%12.2f", 1e3 * depth);
+      else std::printf("%12s", "not held");
+      std::printf(" %12.1f\n", 100 * ph::least_motor_share(arm, along(way), brakes.brakes, push));
+    }
 
   constexpr int places = 200;
   std::ostringstream table;
@@ -108,9 +107,9 @@ void compare_motors(const std::filesystem::path& directory) {
     table << "# x [m], sink slope [1], least motor share [%]: led back, push " << push << " N\n";
     for (int k = 0; k < places; ++k) {
       const auto at = along(back)((k + 0.5) / places);
-      const double slope = ph::sink_slope(arm, at.q, at.direction, at.normal, brakes(), push).slope;
+      const double slope = ph::sink_slope(arm, at.q, at.direction, at.normal, brakes, push).slope;
       const double share =
-          ph::least_motor_share(arm, at.q, at.direction, at.normal, brakes().brakes, push).share;
+          ph::least_motor_share(arm, at.q, at.direction, at.normal, brakes.brakes, push).share;
       table << arm.position(at.q)[0] << ", " << slope << ", " << 100 * share << "\n";
     }
     table << "\n\n";

@@ -170,9 +170,8 @@ displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
                                  const task_vector<M>& direction, const task_vector<M>& normal,
                                  const brake_vector<M>& torque_limit = brake_vector<M>::Constant(
                                      std::numeric_limits<typename M::scalar>::infinity())) {
-  switchable_brakes<M> brakes;
-  brakes.torque_limit = torque_limit;
-  return passive_haptics::displayable(mechanism, q, direction, normal, hybrid_brakes<M>(brakes));
+  return passive_haptics::displayable(mechanism, q, direction, normal,
+                                      hybrid_brakes<M>::with_limits(torque_limit));
 }
 
 }  // namespace passive_haptics

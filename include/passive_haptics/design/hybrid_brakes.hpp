@@ -29,6 +29,13 @@ struct hybrid_brake_parameters {
   /// These brakes, no motors.
   hybrid_brake_parameters(const brake_parameters<T, Brakes>& brakes_alone) : brakes(brakes_alone) {}
 
+  /// Brakes of these torque limits [N m], no motors.
+  static hybrid_brake_parameters with_limits(const vector<T, Brakes>& torque_limit) {
+    hybrid_brake_parameters limited;
+    limited.brakes.torque_limit = torque_limit;
+    return limited;
+  }
+
   /// Whether some motor makes a torque.
   bool has_motors() const { return (motor_limit.array() > T(0)).any(); }
   /// Whether limits and intervals are those of brakes and motors: no NaN, each on its side of 0.

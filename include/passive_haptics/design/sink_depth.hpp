@@ -49,9 +49,8 @@ typename M::scalar sink_depth(const M& mechanism, Path&& path, const hybrid_brak
 template <class M, class Path>
 typename M::scalar sink_depth(const M& mechanism, Path&& path, const brake_vector<M>& torque_limit,
                               typename M::scalar push, int samples = 200) {
-  switchable_brakes<M> brakes;
-  brakes.torque_limit = torque_limit;
-  return passive_haptics::sink_depth(mechanism, path, hybrid_brakes<M>(brakes), push, samples);
+  return passive_haptics::sink_depth(mechanism, path, hybrid_brakes<M>::with_limits(torque_limit), push,
+                                     samples);
 }
 
 }  // namespace passive_haptics

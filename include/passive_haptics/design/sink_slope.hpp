@@ -135,8 +135,9 @@ typename M::scalar sink_slope_by_trial(const brake_motions<M>& motions, const ta
 /// so that t* still takes power from none of them. Of a self-motion that is left alone (kinetostatic), and at
 /// singular poses, this need not be so.
 ///
-/// Motors of hybrid_brakes make motor_limit_i at any slope. Never allocates. Cost: G and m^2 additions (tens
-/// of nanoseconds for two brakes); with self-motion up to C(m, n - d)^2 (m + 1) sums of m terms.
+/// Motors of hybrid_brakes make motor_limit_i at any slope. Never allocates. Cost: some five times that of G
+/// for two brakes, of which least_sink_slope is an eighth; with self-motion up to C(m, n - d)^2 (m + 1) sums
+/// of m terms.
 template <class M>
 sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint_vector<M>& q,
                                                  const task_vector<M>& direction,
@@ -183,9 +184,8 @@ sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint
                                                  const task_vector<M>& normal,
                                                  const brake_vector<M>& torque_limit,
                                                  typename M::scalar push) {
-  switchable_brakes<M> brakes;
-  brakes.torque_limit = torque_limit;
-  return passive_haptics::sink_slope(mechanism, q, direction, normal, hybrid_brakes<M>(brakes), push);
+  return passive_haptics::sink_slope(mechanism, q, direction, normal,
+                                     hybrid_brakes<M>::with_limits(torque_limit), push);
 }
 
 }  // namespace passive_haptics

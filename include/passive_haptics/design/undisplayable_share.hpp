@@ -30,9 +30,8 @@ double undisplayable_share(const M& mechanism, Path&& path,
                            const brake_vector<M>& torque_limit =
                                brake_vector<M>::Constant(std::numeric_limits<typename M::scalar>::infinity()),
                            typename M::scalar push = 0, int samples = 200) {
-  switchable_brakes<M> brakes;
-  brakes.torque_limit = torque_limit;
-  return passive_haptics::undisplayable_share(mechanism, path, hybrid_brakes<M>(brakes), push, samples);
+  return passive_haptics::undisplayable_share(mechanism, path, hybrid_brakes<M>::with_limits(torque_limit),
+                                              push, samples);
 }
 
 }  // namespace passive_haptics

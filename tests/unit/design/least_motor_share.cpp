@@ -68,6 +68,10 @@ TEST(least_motor_share, says_why_there_is_none) {
   EXPECT_EQ(outcome(1, out_of_wall), ph::status::parameters_invalid);
 }
 
+// No law drives a motor.
+static_assert(ph::BrakesFor<ph::switchable_brakes<slides>, slides>);
+static_assert(!ph::BrakesFor<ph::hybrid_brakes<slides>, slides>);
+
 TEST(hybrid_brakes, add_motors_to_what_can_be_displayed) {
   const ph::hybrid_brakes<slides> none = brakes_of_1_and_2(), some(brakes_of_1_and_2(), {0.5, 0});
   const auto alone = ph::displayable(slides(), {0, 0}, along_the_wall, out_of_wall, none),

@@ -62,7 +62,8 @@ struct hybrid_run {
 // share: torque of each motor for the torque limit of its brake.
 hybrid_run follow_with_motors(std::uint64_t seed, std::uint64_t number, double share) {
   static const ph::workspace<hybrid_arm> where{{-3.1, -2.5}, {3.1, -0.6}, 0.1};
-  const auto d = ph::draw_device(hybrid_arm_of(1), where, seed, number);
+  auto d = ph::draw_device(hybrid_arm_of(1), where, seed, number);
+  d.run.time_step = 2e-4;
   const hybrid_arm known = hybrid_arm_of(1), real = hybrid_arm_of(d.inertia);
   const ph::half_space<2> wall(d.plane.surface, d.plane.normal);
   ph::controller control(known, d.known_brakes,
