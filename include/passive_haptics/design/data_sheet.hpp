@@ -13,11 +13,13 @@ namespace passive_haptics {
 
 /// A brake and its gear, as their data sheets state them: on the brake's own shaft.
 struct brake_data {
-  double torque_limit = 1;            ///< Rated torque [N m].
-  double residual_torque = 0;         ///< Drag torque without current [N m].
-  double time_constant = 0.020;       ///< In which the torque rises to 63 % after a step of the current [s].
-  double fall_time_constant = 0.020;  ///< In which it falls to 37 % [s]; remanence makes it the longer one.
-  double rotor_inertia = 0;           ///< Of what turns with the shaft [kg m^2]; 0 if mass_matrix has it.
+  double torque_limit = brake_parameters<double, 1>().torque_limit[0];  ///< Rated torque [N m].
+  double residual_torque = 0;  ///< Drag torque without current [N m].
+  /// In which the torque rises to 63 % after a step of the current [s].
+  double time_constant = brake_parameters<double, 1>().time_constant[0];
+  /// In which the torque falls to 37 % [s]; remanence makes it the longer one.
+  double fall_time_constant = brake_parameters<double, 1>().time_constant[0];
+  double rotor_inertia = 0;  ///< Of what turns with the shaft [kg m^2]; 0 if mass_matrix has it.
   /// Turns of the shaft for each turn of the mechanism's brake axis [1]; for a sliding axis 1 / radius of the
   /// drum [1/m]. Torques are multiplied by it, the inertia by its square; a gear without losses.
   double gear_ratio = 1;

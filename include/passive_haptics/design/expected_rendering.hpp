@@ -158,7 +158,7 @@ rendering<M::dof> expected_rendering(const M& mechanism, const data_sheet<M>& pa
 
   const braked_wall wall = detail::braked_wall_of(mechanism, parts, q, velocity, normal);
   const wall_limits limits = limits_of(wall);
-  const task_vector<M> n = direction_of(normal), along = velocity - n * n.dot(velocity);
+  const task_vector<M> n = direction_of(normal), along = detail::part_along(velocity, n);
   double fall = 0;  // [s]
   for (const brake_data& part : parts.brakes) fall = std::max(fall, part.fall_time_constant);
 

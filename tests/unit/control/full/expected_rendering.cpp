@@ -248,7 +248,7 @@ void compare(const device& d, std::uint64_t k, const landing& law, tallies& in) 
 
 TEST(expected_rendering, is_within_its_bands_on_90_percent_of_300_random_devices_of_each_seed) {
   const char* given = std::getenv("PASSIVE_HAPTICS_STRESS_SEED");
-  std::vector<std::uint64_t> seeds = {20040627, 19};
+  std::vector<std::uint64_t> seeds = {20040627, 20070525};
   if (given != nullptr) seeds = {std::strtoull(given, nullptr, 10)};
   for (const std::uint64_t seed : seeds) {
     tallies in;

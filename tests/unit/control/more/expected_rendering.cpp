@@ -5,6 +5,7 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
+#include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/design/expected_rendering.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
@@ -257,6 +258,47 @@ TEST(expected_rendering, of_a_handle_at_rest_has_neither_drag_nor_noise) {
   EXPECT_GT(r.strongest_force.value, 0);
 }
 
+// A velocity along an oblique normal has a part along the wall by rounding alone.
+TEST(expected_rendering, of_a_handle_that_comes_straight_has_no_drag_along_the_wall) {
+  using M = ph::tendon_two_link<double>;
+  using V = ph::vector<double, 2>;
+  const M arm;
+  const V q = arm.inverse({0.1, 0.2}, ph::elbow::left).q;
+  for (int k = 0; k < 100; ++k) {
+    const V n(std::cos(0.1 * k), std::sin(0.1 * k));
+    const ph::rendering<2> r = ph::expected_rendering(arm, small_parts<M>(1), q, V(-0.1 * n), n);
+    EXPECT_EQ(r.wall_drag.value, 0) << k;
+    EXPECT_GT(r.free_drag.value, 0) << k;
+    EXPECT_EQ(ph::sliding_residual(arm, q, V(-0.1 * n), n, V(0.1, 0.1)), 0) << k;
+  }
+}
+
+// Drag is power by speed, whatever the speed.
+TEST(expected_rendering, the_drag_is_that_of_the_direction) {
+  using M = ph::tendon_two_link<double>;
+  using V = ph::vector<double, 2>;
+  const M arm;
+  const V q = arm.inverse({0.1, 0.2}, ph::elbow::left).q, v(0.1, 0.03), n(0.2, -1);
+  const ph::rendering<2> expected = ph::expected_rendering(arm, small_parts<M>(1), q, v, n);
+  for (const double size : {1e-300, 1e-9, 10.0}) {
+    const ph::rendering<2> r = ph::expected_rendering(arm, small_parts<M>(1), q, V(size * v), n);
+    EXPECT_NEAR(r.free_drag.value, expected.free_drag.value, 1e-12) << size;
+    if (size < 10) EXPECT_NEAR(r.wall_drag.value, expected.wall_drag.value, 1e-12) << size;
+  }
+}
+
+// Next to a singular pose all that can be stated is huge or small, but a number.
+TEST(expected_rendering, next_to_a_singular_pose_has_figures) {
+  using M = ph::tendon_two_link<double>;
+  using V = ph::vector<double, 2>;
+  for (const double bend : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const ph::rendering<2> r =
+        ph::expected_rendering(M(), small_parts<M>(1), V(0.3, bend), V(0.1, 0.1), V(0, -1));
+    for (const double value : values_of(r)) EXPECT_FALSE(std::isnan(value)) << bend;
+    EXPECT_GT(r.free_drag.value, 0);
+  }
+}
+
 TEST(expected_rendering, brakes_without_torque_hold_nothing) {
   using M = ph::tendon_two_link<double>;
   using V = ph::vector<double, 2>;
@@ -422,6 +464,7 @@ TEST(expected_rendering, is_printed_as_a_table) {
                            "rate_noise[0] [rad/s or m/s] ", "rate_noise[1] [rad/s or m/s] "})
     EXPECT_NE(text.find(name), std::string::npos) << name << text;
   EXPECT_EQ(text.find("sinks"), std::string::npos) << text;
+  EXPECT_NE(to_text(parts).find("brakes[1].residual_torque of a brake [N m] = 0.02\n"), std::string::npos);
   parts.hand.push = 100;
   EXPECT_NE(to_text(ph::expected_rendering(arm, parts, q, V(0.1, 0.1), V(0, -1))).find("it sinks"),
             std::string::npos);
