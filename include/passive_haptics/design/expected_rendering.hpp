@@ -52,7 +52,6 @@ braked_wall braked_wall_of(const M& mechanism, const data_sheet<M>& parts, const
   wall.hand_damping = parts.hand.damping;
   wall.control_period = 1 / parts.control_rate;
   wall.scene_period = 1 / parts.scene_rate;
-  wall.averaging_time = 2 * (low_pass_time_constant(parts.rate_corner) + wall.reaction_time);
   return wall;
 }
 

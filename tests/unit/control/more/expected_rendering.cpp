@@ -68,6 +68,9 @@ TYPED_TEST(expected_rendering_of, a_table_is_that_by_hand) {
   parts.brakes[1].rotor_inertia = 1e-4;  // 0.04 kg on the drum
   parts.brakes[1].time_constant = 0.010;
   parts.control_rate = 500;
+  parts.scene_rate = 100;
+  parts.hand.stiffness = 60;
+  parts.hand.damping = 12;
   const ph::rendering<2> r = ph::expected_rendering(table(), parts, V(0, 0), V(T(0.05), T(-0.12)), V(0, 3));
   const double count = 2 * std::numbers::pi / 4096 / 20, lag = ph::low_pass_time_constant(50.0);
   const double eps = 100 * static_cast<double>(std::numeric_limits<T>::epsilon());
@@ -89,6 +92,9 @@ TYPED_TEST(expected_rendering_of, a_table_is_that_by_hand) {
   wall.approach_speed = 0.12;
   wall.time_constant = 0.020;  // of the slower brake
   wall.control_period = 0.002;
+  wall.scene_period = 0.010;
+  wall.hand_stiffness = 60;
+  wall.hand_damping = 12;
   const ph::wall_limits limits = limits_of(wall);
   EXPECT_NEAR(r.depth.value, limits.depth, 10 * eps * limits.depth);
   EXPECT_NEAR(r.stiffness.value, limits.stiffness, 100 * eps * limits.stiffness);
@@ -152,8 +158,8 @@ TEST(expected_rendering, counts_the_rotors_of_the_parts) {
                              V(0.1, 0.3), V(0.2, -1), on_joints);
 }
 
-// The least drag of all torques, one of which is 0, that hold the push of a hand which slides along a wall.
-TEST(expected_rendering, the_drag_along_a_wall_is_the_least_that_holds_the_push) {
+// Forces of a slide by those of single brakes: the strongest, and the least drag that holds the push.
+TEST(expected_rendering, its_forces_in_a_slide_are_those_of_the_brakes) {
   using M = ph::tendon_two_link<double>;
   using V = ph::vector<double, 2>;
   const M arm;
@@ -166,6 +172,7 @@ TEST(expected_rendering, the_drag_along_a_wall_is_the_least_that_holds_the_push)
     const V t(n[1], -n[0]);
     ph::data_sheet<M> parts = small_parts<M>(1);
     parts.hand.push = random.uniform(0.5, 6.0);
+    parts.hand.stiffness = random.uniform(0.0, 300.0);
     for (ph::brake_data& brake : parts.brakes) brake.residual_torque = random.uniform(0.0, 0.05);
     const ph::rendering<2> r = ph::expected_rendering(arm, parts, q, V(0.1 * t), n);
     const ph::matrix<double, 2, 2> G = ph::force_generators(arm, q);  // a column for 1 N m of each brake
@@ -173,12 +180,15 @@ TEST(expected_rendering, the_drag_along_a_wall_is_the_least_that_holds_the_push)
     V free = V::Zero();
     for (int i = 0; i < 2; ++i) free += parts.brakes[std::size_t(i)].residual_torque * against[i] * G.col(i);
     EXPECT_NEAR(r.free_drag.value, -free.dot(t), 1e-10);
-    const double demanded = std::max(parts.hand.push - free.dot(n), 0.0);
-    double least = no_end;
+    const double softened = r.depth.value < no_end ? parts.hand.stiffness * r.depth.value : 0.0;
+    const double demanded = std::max(parts.hand.push - softened - free.dot(n), 0.0);
+    double least = no_end, strongest = free.dot(n);
     for (int i = 0; i < 2; ++i) {
       const V F = against[i] * G.col(i);
+      strongest += std::max(F.dot(n), 0.0);
       if (F.dot(n) > 0 && demanded / F.dot(n) <= 1) least = std::min(least, -F.dot(t) * demanded / F.dot(n));
     }
+    EXPECT_NEAR(r.strongest_force.value, strongest, 1e-9 * std::abs(strongest)) << k;
     if (least == no_end) continue;  // it takes both, or is too much
     ++held;
     EXPECT_TRUE(r.holds_push);
