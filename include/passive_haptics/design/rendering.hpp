@@ -32,12 +32,19 @@ struct banded {
 /// The bands of expected_rendering(). Where they come from and why they are so wide:
 /// docs/guide/data_sheet.md.
 struct rendering_bands {
+  /// Of rendering::free_drag.
   static constexpr band free_drag{2.0 / 3, 1.5, 0.91, "mean force of a hand that moves the handle"};
+  /// Of rendering::wall_drag, of hands that the brakes hold.
   static constexpr band wall_drag{0.5, 2, 0.90, "mean force of a hand that slides and is held"};
+  /// Of rendering::strongest_force.
   static constexpr band strongest_force{0.9, 1.1, 0.93, "force of the best of all commands"};
+  /// Of rendering::stiffness.
   static constexpr band stiffness{1.0 / 16, 4, 0.90, "1.25 times a rigid wall's depth at low, twice at high"};
+  /// Of rendering::depth: give or take a count of the encoders; or over 10 mm.
   static constexpr band depth{0.5, 2, 0.91, "deepest within 0.2 s of the touch"};
+  /// Of rendering::release_time.
   static constexpr band release_time{0.5, 2.5, 0.91, "fall of the strongest torque to a tenth"};
+  /// Of rendering::velocity_noise and rate_noise.
   static constexpr band rate_noise{0.8, 1.25, 0.93, "estimated less true rates of a steady motion"};
 };
 
