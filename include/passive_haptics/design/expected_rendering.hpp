@@ -64,7 +64,7 @@ double drag_of(const M& mechanism, const joint_vector<M>& q, const task_vector<M
 }
 
 inline banded banded_by(const band& by, double value) {
-  const auto [low, high] = std::minmax(by.low * value, by.high * value);  // a force may pull in
+  const auto [low, high] = std::minmax({by.low * value, by.high * value});  // a force may pull in
   return {value, low, high, by.share, by.source};
 }
 

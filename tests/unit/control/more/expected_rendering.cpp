@@ -194,10 +194,11 @@ TEST(expected_rendering, its_forces_in_a_slide_are_those_of_the_brakes) {
     EXPECT_TRUE(r.holds_push);
     const bool approximated = r.wall_drag.value <= -free.dot(t) + least + 1e-9;
     EXPECT_TRUE(approximated) << k << ": " << r.wall_drag.value << " N instead of " << least - free.dot(t);
-    if (r.wall_drag.value < -free.dot(t) + least - 1e-9)
+    if (r.wall_drag.value < -free.dot(t) + least - 1e-9) {
       EXPECT_LT(
           ph::displayable(arm, q, V(0.1 * t), n, ph::axis_brakes_of(parts).torque_limit).strongest_nearest,
           demanded);
+    }
   }
   EXPECT_GE(held, 200);
 }
@@ -293,7 +294,9 @@ TEST(expected_rendering, the_drag_is_that_of_the_direction) {
   for (const double size : {1e-300, 1e-9, 10.0}) {
     const ph::rendering<2> r = ph::expected_rendering(arm, small_parts<M>(1), q, V(size * v), n);
     EXPECT_NEAR(r.free_drag.value, expected.free_drag.value, 1e-12) << size;
-    if (size < 10) EXPECT_NEAR(r.wall_drag.value, expected.wall_drag.value, 1e-12) << size;
+    if (size < 10) {  // a faster hand comes deeper, and pushes less
+      EXPECT_NEAR(r.wall_drag.value, expected.wall_drag.value, 1e-12) << size;
+    }
   }
 }
 
