@@ -1,7 +1,9 @@
-// Many states at once against one cycle after the other, of each shipped mechanism: 16384 random states, most
-// of them in contact. What is timed also stores its results. CMake compiles this file twice, for the target
-// as it is and with -mavx2 -mfma, as the width of a batch is that of the target's registers.
+// Many states at once against one cycle after the other, of each shipped mechanism: random states, most of
+// them in contact; and a design map of as many points. What is timed also stores its results. CMake compiles
+// this file twice, for the target as it is and with -mavx2 -mfma, as the width of a batch is that of the
+// target's registers.
 #include <passive_haptics/control/batch/batch_controller.hpp>
+#include <passive_haptics/design/map/design_map.hpp>
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -20,7 +22,7 @@ namespace ph = passive_haptics;
 namespace {
 
 constexpr unsigned seed = 20040627;
-constexpr std::size_t state_count = 1u << 14;  // more than a branch predictor learns
+constexpr std::size_t state_count = 1u << 16;  // in random order: branch predictors learn up to 16384
 
 struct row {
   std::string name;
@@ -119,10 +121,23 @@ std::vector<ph::device_state<M>> draw(const M& mechanism, const Wall& wall, doub
   return found;
 }
 
+// The poses of these states as points of a task: the handle moves as there, along the wall's normal
+template <class M, class Wall>
+ph::task_points<M> points_of(const M& mechanism, const std::vector<ph::device_state<M>>& states,
+                             const Wall& wall) {
+  ph::task_points<M> points;
+  for (const auto& s : states) {
+    const ph::task_vector<M> x = mechanism.position(s.q);
+    points.append({s.q, ph::velocity(mechanism, s.q, s.qd), wall.gradient(x)}, x);
+  }
+  return points;
+}
+
 template <class M, class L, class Wall, class... More>
 void add(const std::string& name, const M& mechanism, const L& law, double deep, const Wall& wall,
          const More&... more) {
   const ph::brakes_of<M> brakes;
+  const ph::switchable_brakes<M> brakes_alone;
   const auto scene = ph::scene(ph::wall(wall, 1e4), ph::wall(more, 1e4)...);
   ph::controller single(mechanism, brakes, scene, law);
   const ph::batch_controller batch(mechanism, brakes, scene, law);
@@ -148,6 +163,12 @@ void add(const std::string& name, const M& mechanism, const L& law, double deep,
   });
   add_pass("batch", [data, batch] { batch(data->in(), data->commands()); });
   add_pass("batch account", [data, batch] { batch(data->in(), data->account()); });
+  if constexpr (ph::design_map<M>::is_vectorised)
+    add_pass("map", [mechanism, points = points_of(mechanism, data->states, wall), limits = brakes_alone,
+                     map = ph::design_map<M>()]() mutable {
+      map.assign(mechanism, points, limits, 2.0);
+      benchmark::DoNotOptimize(map.strongest.data());
+    });
 }
 
 void add_all() {
@@ -178,15 +199,18 @@ int main(int argc, char** argv) {
   if (all.size() < 4 * rows.size()) return 0;  // filtered
   std::printf("One state [ns of CPU time], %zu random states in random order, seed %u, packs of %d\n",
               state_count, seed, ph::native_pack_width<double>);
-  std::printf("%-20s %6s %9s %8s %7s %9s %8s %7s\n", "", "width", "command", "batch", "ratio", "account",
-              "batch", "ratio");
+  std::printf("%-20s %6s %9s %8s %7s %9s %8s %7s %7s\n", "", "width", "command", "batch", "ratio", "account",
+              "batch", "ratio", "map");
   const auto time = [&](const char* way, const row& r) {
     return all.at(way + ("/" + r.name)).cpu_time / double(state_count);
   };
-  for (const row& r : rows)
-    std::printf("%-20s %6d %9.1f %8.1f %7.2f %9.1f %8.1f %7.2f\n", r.name.c_str(), r.width, time("single", r),
+  for (const row& r : rows) {
+    std::printf("%-20s %6d %9.1f %8.1f %7.2f %9.1f %8.1f %7.2f", r.name.c_str(), r.width, time("single", r),
                 time("batch", r), time("batch", r) / time("single", r), time("account", r),
                 time("batch account", r), time("batch account", r) / time("account", r));
+    if (all.contains("map/" + r.name)) std::printf(" %7.1f", time("map", r));
+    std::printf("\n");
+  }
   const row& first = rows.front();
   std::printf("summary: packs of %d: %.2f of a single command's time a state, %.2f of its account's (%s)\n",
               ph::native_pack_width<double>, time("batch", first) / time("single", first),

@@ -20,7 +20,7 @@ namespace ph = passive_haptics;
 namespace {
 
 constexpr unsigned seed = 20040627;
-constexpr std::size_t state_count = 1u << 14;  // in random order: more than a branch predictor learns
+constexpr std::size_t state_count = 1u << 16;  // in random order: branch predictors learn up to 16384
 
 enum class contact_kind { free, exact, approximate, any_contact };
 constexpr std::pair<contact_kind, const char*> kinds[] = {{contact_kind::free, "free"},

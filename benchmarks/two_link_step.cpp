@@ -26,7 +26,7 @@ using arm = ph::tendon_two_link<double>;
 using controller = ph::controller<arm, ph::static_scene<ph::half_space<2>>, ph::direct_control>;
 
 constexpr unsigned seed = 20040627;
-constexpr std::size_t state_count = 1u << 14;  // more than a branch predictor learns
+constexpr std::size_t state_count = 1u << 16;  // in random order: branch predictors learn up to 16384
 constexpr double wall_stiffness = 1e4;         // at most 10 N: some torques are over their limit, some not
 
 struct situation {

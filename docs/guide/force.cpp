@@ -32,6 +32,7 @@ int main() {
     share_back = ph::undisplayable_share(tendon, along);
     std::cout << "nothing on " << share_back << " of the way, less than 2 N on "
               << ph::undisplayable_share(tendon, along, limit, 2.0) << "\n";
+    std::cout << "a hand of 2 N sinks " << 1e3 * ph::sink_depth(tendon, along, limit, 2.0) << " mm\n";
   }
   return std::abs(Fp.y() - 1) < 1e-12 && share_back > 0.9 ? 0 : 1;
 }

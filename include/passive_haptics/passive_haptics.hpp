@@ -72,8 +72,10 @@
 #include <passive_haptics/design/description.hpp>
 #include <passive_haptics/design/expected_rendering.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
+#include <passive_haptics/design/least_motor_share.hpp>
 #include <passive_haptics/design/plausibility.hpp>
 #include <passive_haptics/design/recorded_motion.hpp>
+#include <passive_haptics/design/sink_depth.hpp>
 #include <passive_haptics/design/undisplayable_share.hpp>
 
 #include <passive_haptics/plant/simulated_device_declaration.hpp>

@@ -1,5 +1,5 @@
 /// @file
-/// What torques in a box make at most against a wall, by virtual work: the parts of displayable().
+/// What torques in a box make against the ways into a wall, by virtual work: the parts of displayable().
 #pragma once
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
@@ -33,21 +33,32 @@ T largest_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& 
   return sum;
 }
 
-// Least of it over all rates w with E w = n: a sum of w_i, each times a constant of its sign, is least where
-// as many as can be are 0, so sets of moving brakes are tried.
-template <class T, int D, int Brakes>
-T least_resistance(const matrix<T, D, Brakes>& E, const torque_box<T, Brakes>& box, const vector<T, D>& n) {
+// visit(w) for rates w with E w = n, none if the end effector cannot move so. Among all such rates, one of
+// these is the least sum of w_i, each times a constant of its sign: it is least where as many rates as can be
+// are 0, so sets of moving brakes are tried.
+template <class T, int D, int Brakes, class Visit>
+void for_each_way(const matrix<T, D, Brakes>& E, const vector<T, D>& n, const Visit& visit) {
   const T tolerance = rounding_tolerance<T>(D + Brakes);
-  T least = std::numeric_limits<T>::infinity();  // the end effector cannot move so
   for (half_space_set moving = 1; moving < (half_space_set{1} << Brakes); ++moving) {
     matrix<T, D, Brakes> moved = E;
     for (int i = 0; i < Brakes; ++i)
       if ((moving >> i & 1u) == 0) moved.col(i).setZero();
     const vector<T, Brakes> w = orthogonal_decomposition<T, D, Brakes>(moved, tolerance).solve(n);
     const T rounding = tolerance * (T(1) + (moved.cwiseAbs() * w.cwiseAbs()).norm());
-    if ((moved * w - n).norm() <= rounding) least = std::min(least, largest_resistance(box, w));
+    if ((moved * w - n).norm() <= rounding) visit(w);
   }
-  return least;
+}
+
+// visit(w) for rates w of a device with self-motion whose end effector moves along n: W_S n of each set,
+// which has as many brakes at rest as can be. None if the structure holds it.
+template <class M, class Visit>
+void for_each_way(const settled_rates<M>& rates, const task_vector<M>& n, const Visit& visit) {
+  using T = typename M::scalar;
+  if (rates.held_by_structure(n).norm() > rounding_tolerance<T>(M::dof + M::brake_count)) return;
+  rates.for_each([&](brake_set, const typename settled_rates<M>::rate_map& W) {
+    visit(brake_vector<M>(W * n));
+    return false;
+  });
 }
 
 // Largest k for which the brakes can make torques k t.
@@ -56,23 +67,6 @@ T largest_share(const vector<T, Brakes>& t, const B& brakes) {
   const vector<T, Brakes> bound = passive_haptics::torque_bounds_of(brakes, t);
   const auto shares = bound.array() / t.array().abs();
   return (t.array() != T(0)).select(shares, std::numeric_limits<T>::infinity()).minCoeff();
-}
-
-// Largest n . F of torques in a box, of a device with self-motion: what they make against the easiest way
-// into the wall. Like any least sum of |w_i| it has as many brakes at rest as can be: it is W_S n of some
-// set.
-template <class M>
-typename M::scalar strongest_with_self_motion(const settled_rates<M>& rates,
-                                              const torque_box<typename M::scalar, M::brake_count>& box,
-                                              const task_vector<M>& n) {
-  using T = typename M::scalar;
-  T least = std::numeric_limits<T>::infinity();
-  if (rates.held_by_structure(n).norm() > rounding_tolerance<T>(M::dof + M::brake_count)) return least;
-  rates.for_each([&](brake_set, const typename settled_rates<M>::rate_map& W) {
-    least = std::min(least, largest_resistance<T, M::brake_count>(box, W * n));
-    return false;
-  });
-  return least;
 }
 
 }  // namespace passive_haptics::detail

@@ -3,33 +3,36 @@
 #pragma once
 
 #include <passive_haptics/design/displayable.hpp>
+#include <passive_haptics/design/path_point.hpp>
 
 namespace passive_haptics {
 
-/// A place on a path along a wall.
-template <class M>
-struct path_point {
-  joint_vector<M> q;         ///< Joint positions [rad or m].
-  task_vector<M> direction;  ///< In which the end effector moves, base frame.
-  task_vector<M> normal;     ///< Of the wall there, out of it, base frame.
-};
-
-/// Share [1] of a path on which brakes of these limits [N m] cannot display `push` [N] against the wall; with
-/// push = 0 that on which they can display nothing, whatever their limits. Poses without a result count.
+/// Share [1] of a path on which these brakes, and motors beside them, cannot display `push` [N] against the
+/// wall; with push = 0 that on which they can display nothing, whatever their limits. Poses without a result
+/// count.
 ///
 /// path(u) returns the path_point<M> at u in (0, 1). Called at the middles of `samples` >= 1 equal parts.
 /// Cost: that of `displayable` for each.
+template <class M, class Path>
+double undisplayable_share(const M& mechanism, Path&& path, const hybrid_brakes<M>& brakes,
+                           typename M::scalar push = 0, int samples = 200) {
+  int weak = 0;
+  for (int k = 0; k < samples; ++k) {
+    const path_point<M> at = path((k + 0.5) / samples);
+    weak += !(displayable(mechanism, at.q, at.direction, at.normal, brakes).strongest > push);
+  }
+  return static_cast<double>(weak) / samples;
+}
+
+/// The share of brakes of these torque limits [N m].
 template <class M, class Path>
 double undisplayable_share(const M& mechanism, Path&& path,
                            const brake_vector<M>& torque_limit =
                                brake_vector<M>::Constant(std::numeric_limits<typename M::scalar>::infinity()),
                            typename M::scalar push = 0, int samples = 200) {
-  int weak = 0;
-  for (int k = 0; k < samples; ++k) {
-    const path_point<M> at = path((k + 0.5) / samples);
-    weak += !(displayable(mechanism, at.q, at.direction, at.normal, torque_limit).strongest > push);
-  }
-  return static_cast<double>(weak) / samples;
+  switchable_brakes<M> brakes;
+  brakes.torque_limit = torque_limit;
+  return passive_haptics::undisplayable_share(mechanism, path, hybrid_brakes<M>(brakes), push, samples);
 }
 
 }  // namespace passive_haptics

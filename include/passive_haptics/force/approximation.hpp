@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <type_traits>
 
@@ -182,25 +183,21 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
           select(some[0], sum(select(first_only(acts), cosine_squared, T(0))), T(1))};
 }
 
-/// Fc for a diagonal E: each axis alone.
+/// Fc for a diagonal E: each axis alone. Without a branch, as which axes would drive is as random as their
+/// motion.
 template <class T, int D, class Off = all_brakes_on>
 approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
                                         const vector<T, D>& n, number_of<T> min_cosine, half_space_start&,
                                         const Off& off = Off()) {
-  const lanes<T, D> t = brake_torque(E, n);
-  const auto drives = detail::refuse(lanes<T, D>(s), t, off);
-  if (none(any(drives))) return {display_class::exact, n, t, T(1)};
-  const lanes<T, D> Fp = select(drives, T(0), n), tp = select(drives, T(0), t);
-  const T square = sum(Fp * Fp);
-  if constexpr (std::same_as<T, number_of<T>>) {
-    if (!(square > T(0) && square >= min_cosine * min_cosine)) return {};
-    return {display_class::approximate, Fp / square, tp / square, square};
-  } else {  // packs
-    const approximated_force<T, D, D> exact{display_class::exact, n, t, T(1)},
-        nearest{display_class::approximate, Fp / square, tp / square, square};
-    const auto is_displayed = (square > T(0)) & (square >= T(min_cosine * min_cosine));
-    return select(any(drives), select(is_displayed, nearest, {}), exact);
-  }
+  using each = lanes<T, D>;
+  const each t = brake_torque(E, n);
+  const auto drives = detail::refuse(each(s), t, off), some = any_of(drives);
+  const each Fp = select(drives, T(0), n), square = select(some, sum(Fp * Fp), T(1));
+  const number_of<T> least = std::max(min_cosine * min_cosine, std::numeric_limits<number_of<T>>::min());
+  const auto acts = square >= T(least);
+  const auto nearest = select(some[0], display_class::approximate, display_class::exact);
+  return {select(acts[0], nearest, display_class::none), select(acts, Fp / square, T(0)),
+          select(acts, select(drives, T(0), t) / square, T(0)), select(acts, square, T(0))[0]};
 }
 
 /// Fc of a search that starts from nothing.

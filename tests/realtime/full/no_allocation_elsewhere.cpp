@@ -73,6 +73,7 @@ TEST(no_allocation, in_what_can_be_displayed) {
   const ph::vector<double, 2> q(2.2, 0.9), v(0.3, -0.4), n(0, 1), limit(1, 2);
   EXPECT_EQ(allocations_in([&] { return ph::displayable(pantograph, q, v, n, limit); }), 0);
   EXPECT_EQ(allocations_in([&] { return ph::displayable(redundant, q, v, n); }), 0);
+  EXPECT_EQ(allocations_in([&] { return ph::sink_slope(pantograph, q, v, n, limit, 1); }), 0);
 }
 
 TEST(no_allocation, in_a_cycle_without_a_force_sensor) {

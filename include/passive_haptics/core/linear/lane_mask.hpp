@@ -57,12 +57,14 @@ struct lane_mask {
   /// Truth i is bit i of a set.
   [[gnu::always_inline]] static lane_mask of(unsigned set) {
     lane_mask x;
-    unrolled<count>([&](auto k) {
+    unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
       if constexpr (width == 1) {
         x.p[k] = (set >> k & 1u) != 0;
       } else {
         using truths = typename detail::truths_of<T>::type;
-        const auto flag = [&](int part) { return static_cast<int>(1u << (k * width + part * width / 4)); };
+        const auto flag = [&](int part) PASSIVE_HAPTICS_INLINE {
+          return static_cast<int>(1u << (k * width + part * width / 4));
+        };
         const truths flags{flag(0), flag(1), flag(2), flag(3)};
         const int all = static_cast<int>(set);
         x.p[k] = (truths{all, all, all, all} & flags) == flags;
@@ -81,24 +83,24 @@ struct lane_mask {
   [[gnu::always_inline]] friend bool operator==(const lane_mask& a, const lane_mask& b) {
     if constexpr (width == 1) {
       bool all = true;
-      unrolled<count>([&](auto k) { all &= a.p[k] == b.p[k]; });
+      unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { all &= a.p[k] == b.p[k]; });
       return all;
     } else {
       using halves [[gnu::vector_size(16)]] = std::int64_t;
       auto different = a.p[0] ^ b.p[0];
-      unrolled<count - 1>([&](auto k) { different |= a.p[k + 1] ^ b.p[k + 1]; });
+      unrolled<count - 1>([&](auto k) PASSIVE_HAPTICS_INLINE { different |= a.p[k + 1] ^ b.p[k + 1]; });
       const auto h = detail::bit_cast<halves>(different);
       return (h[0] | h[1]) == 0;
     }
   }
   /// Both.
   [[gnu::always_inline]] friend lane_mask operator&(lane_mask a, const lane_mask& b) {
-    unrolled<count>([&](auto k) { a.p[k] = a.p[k] & b.p[k]; });
+    unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { a.p[k] = a.p[k] & b.p[k]; });
     return a;
   }
   /// One or both.
   [[gnu::always_inline]] friend lane_mask operator|(lane_mask a, const lane_mask& b) {
-    unrolled<count>([&](auto k) { a.p[k] = a.p[k] | b.p[k]; });
+    unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { a.p[k] = a.p[k] | b.p[k]; });
     return a;
   }
 };

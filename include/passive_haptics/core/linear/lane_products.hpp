@@ -2,7 +2,7 @@
 /// What lanes come to together: sums, truths, and products of small matrices and vectors.
 #pragma once
 
-#include <passive_haptics/core/linear/lanes.hpp>
+#include <passive_haptics/core/linear/lane_pairs.hpp>
 
 namespace passive_haptics {
 
@@ -10,7 +10,7 @@ namespace passive_haptics {
 template <class T, int N>
 T sum(const lanes<T, N>& x) {
   T all = x[0];
-  unrolled<N - 1>([&](auto i) { all += x[i + 1]; });
+  unrolled<N - 1>([&](auto i) PASSIVE_HAPTICS_INLINE { all += x[i + 1]; });
   return all;
 }
 
@@ -21,7 +21,8 @@ template <class T, int N>
     return x.p[0] * y.p[0];
   } else {  // two sums, neither of which waits for the other
     typename lanes<T, N>::packet even = x.p[0] * y.p[0], odd = x.p[1] * y.p[1];
-    unrolled<lanes<T, N>::count - 2>([&](auto i) { (i % 2 == 0 ? even : odd) += x.p[i + 2] * y.p[i + 2]; });
+    unrolled<lanes<T, N>::count - 2>(
+        [&](auto i) PASSIVE_HAPTICS_INLINE { (i % 2 == 0 ? even : odd) += x.p[i + 2] * y.p[i + 2]; });
     return even + odd;
   }
 }
@@ -41,9 +42,10 @@ template <class T, int N, class F>
   using packet = typename lanes<T, N>::packet;
   constexpr int width = lanes<T, N>::width;
   lanes<T, N> a;
-  unrolled<lanes<T, N>::count>([&](auto i) {
+  unrolled<lanes<T, N>::count>([&](auto i) PASSIVE_HAPTICS_INLINE {
     packet x[std::size_t(width)];
-    unrolled<width>([&](auto k) { x[k] = i * width + k < N ? f(i * width + k) : packet{}; });
+    unrolled<width>([&](auto k)
+                        PASSIVE_HAPTICS_INLINE { x[k] = i * width + k < N ? f(i * width + k) : packet{}; });
     if constexpr (width == 1) {
       a.p[i] = x[0];
     } else if constexpr (width == 2) {
@@ -59,21 +61,11 @@ template <class T, int N, class F>
   return a;
 }
 
-/// (x_0 + x_1, y_0 + y_1), added crosswise.
-template <class T>
-lanes<T, 2> horizontal_add(const lanes<T, 2>& x, const lanes<T, 2>& y) {
-  if constexpr (lanes<T, 2>::width != 2) return lanes<T, 2>([&](int i) { return sum(i == 0 ? x : y); });
-  else
-    return lanes<T, 2>::each([&](auto k) {
-      return __builtin_shufflevector(x.p[k], y.p[k], 0, 2) + __builtin_shufflevector(x.p[k], y.p[k], 1, 3);
-    });
-}
-
 /// The least of x_0, ..., x_{N-1}.
 template <class T, int N>
 T least(const lanes<T, N>& x) {
   T low = x[0];
-  unrolled<N - 1>([&](auto i) {
+  unrolled<N - 1>([&](auto i) PASSIVE_HAPTICS_INLINE {
     if constexpr (std::same_as<T, number_of<T>>) low = x[i + 1] < low ? x[i + 1] : low;
     else low = min(low, x[i + 1]);
   });
@@ -84,8 +76,23 @@ T least(const lanes<T, N>& x) {
 template <class T, int N>
 truth_of<T> any(const lane_mask<T, N>& x) {
   truth_of<T> some = false;
-  unrolled<N>([&](auto i) { some |= x[i]; });
+  unrolled<N>([&](auto i) PASSIVE_HAPTICS_INLINE { some |= x[i]; });
   return some;
+}
+
+/// True of all lanes where it is true of some.
+template <class T, int N>
+[[gnu::always_inline]] inline lane_mask<T, N> any_of(const lane_mask<T, N>& x) {
+  lane_mask<T, N> all;
+  if constexpr (N == 2) {
+    all = x | swapped(x);
+  } else {
+    const truth_of<T> some = any(x);
+    if constexpr (lane_mask<T, N>::width == 1)
+      unrolled<N>([&](auto i) PASSIVE_HAPTICS_INLINE { all.p[i] = some; });
+    else all = lane_mask<T, N>::of(some ? ~0u : 0u);
+  }
+  return all;
 }
 
 /// Bit i is truth i.
@@ -94,12 +101,12 @@ template <class T, int N>
   using mask = lane_mask<T, N>;
   if constexpr (mask::width == 1) {
     unsigned all = 0;
-    unrolled<N>([&](auto i) { all |= static_cast<unsigned>(x[i]) << i; });
+    unrolled<N>([&](auto i) PASSIVE_HAPTICS_INLINE { all |= static_cast<unsigned>(x[i]) << i; });
     return all;
   } else {  // the bits of all registers in one, and then of its numbers
     typename detail::truths_of<T>::type all{};
-    unrolled<mask::count>([&](auto k) {
-      const auto flag = [&](int part) {
+    unrolled<mask::count>([&](auto k) PASSIVE_HAPTICS_INLINE {
+      const auto flag = [&](int part) PASSIVE_HAPTICS_INLINE {
         const int i = k * mask::width + part * mask::width / 4;
         return i < N ? 1 << i : 0;  // what is beyond N is of no interest
       };
@@ -133,13 +140,14 @@ template <class T>
 template <class T, int N>
 [[gnu::always_inline]] inline T largest_value(const lanes<T, N>& x) {
   typename lanes<T, N>::packet largest{};
-  unrolled<lanes<T, N>::count>([&](auto i) { largest = x.p[i] > largest ? x.p[i] : largest; });
+  unrolled<lanes<T, N>::count>([&](auto i)
+                                   PASSIVE_HAPTICS_INLINE { largest = x.p[i] > largest ? x.p[i] : largest; });
   if constexpr (lanes<T, N>::width == 1) {
     return largest;
   } else {
     T value = largest[0];
     unrolled<lanes<T, N>::width - 1>(
-        [&](auto k) { value = largest[k + 1] > value ? largest[k + 1] : value; });
+        [&](auto k) PASSIVE_HAPTICS_INLINE { value = largest[k + 1] > value ? largest[k + 1] : value; });
     return value;
   }
 }
@@ -160,7 +168,7 @@ template <class T, int N>
   constexpr integer_of<T> last_bits = 31;
   static_assert(N <= last_bits + 1);
   lanes<T, N> marked;
-  unrolled<lanes<T, N>::count>([&](auto i) {
+  unrolled<lanes<T, N>::count>([&](auto i) PASSIVE_HAPTICS_INLINE {
     marked.p[i] = bit_cast<packet>((bit_cast<integers>(x.p[i]) & ~last_bits) | places<T>(i * width));
   });
   const auto bits = bit_cast<integer_of<T>>(largest_value(marked));
@@ -187,15 +195,17 @@ template <class T, int N>
 /// Row i of A.
 template <class T, int R, int C>
 lanes<T, C> row(const matrix<T, R, C>& A, int i) {
-  return lanes<T, C>([&](int j) { return apart(A(i, j)); });
+  return lanes<T, C>([&](int j) PASSIVE_HAPTICS_INLINE { return apart(A(i, j)); });
 }
 
 /// A x
 template <class T, int R, int C>
 vector<T, R> times(const matrix<T, R, C>& A, const vector<T, C>& x) {
-  const auto column = [&](int j) { return lanes<T, R>([&](int i) { return A(i, j); }); };
+  const auto column = [&](int j) PASSIVE_HAPTICS_INLINE {
+    return lanes<T, R>([&](int i) PASSIVE_HAPTICS_INLINE { return A(i, j); });
+  };
   lanes<T, R> y = column(0) * apart(x[0]);
-  unrolled<C - 1>([&](auto j) { y = y + column(j + 1) * apart(x[j + 1]); });
+  unrolled<C - 1>([&](auto j) PASSIVE_HAPTICS_INLINE { y = y + column(j + 1) * apart(x[j + 1]); });
   return y;
 }
 
@@ -203,7 +213,7 @@ vector<T, R> times(const matrix<T, R, C>& A, const vector<T, C>& x) {
 template <class T, int R, int C>
 vector<T, C> transposed_times(const matrix<T, R, C>& A, const vector<T, R>& x) {
   lanes<T, C> y = row(A, 0) * apart(x[0]);
-  unrolled<R - 1>([&](auto i) { y = y + row(A, i + 1) * apart(x[i + 1]); });
+  unrolled<R - 1>([&](auto i) PASSIVE_HAPTICS_INLINE { y = y + row(A, i + 1) * apart(x[i + 1]); });
   return y;
 }
 
@@ -212,7 +222,7 @@ template <class T, int R, int Columns, int C>
   requires(C > 1)
 matrix<T, Columns, C> transposed_times(const matrix<T, R, Columns>& A, const matrix<T, R, C>& B) {
   matrix<T, Columns, C> AtB;
-  unrolled<C>([&](auto j) { AtB.col(j) = transposed_times(A, column(B, j)); });
+  unrolled<C>([&](auto j) PASSIVE_HAPTICS_INLINE { AtB.col(j) = transposed_times(A, column(B, j)); });
   return AtB;
 }
 
@@ -220,9 +230,9 @@ matrix<T, Columns, C> transposed_times(const matrix<T, R, Columns>& A, const mat
 template <class T, int R, int K, int C>
 matrix<T, R, C> times(const matrix<T, R, K>& A, const matrix<T, K, C>& B) {
   matrix<T, R, C> AB;
-  unrolled<R>([&](auto i) {
+  unrolled<R>([&](auto i) PASSIVE_HAPTICS_INLINE {
     const vector<T, C> y = transposed_times(B, vector<T, K>(A.row(i)));
-    unrolled<C>([&](auto j) { AB(i, j) = y[j]; });
+    unrolled<C>([&](auto j) PASSIVE_HAPTICS_INLINE { AB(i, j) = y[j]; });
   });
   return AB;
 }

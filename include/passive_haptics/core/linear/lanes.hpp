@@ -47,7 +47,7 @@ struct lanes {
   lanes() = default;
   /// N times the same number, also beyond the last.
   [[gnu::always_inline]] lanes(T x) {
-    unrolled<count>([&](auto k) {
+    unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
       if constexpr (width == 1) p[k] = x;
       else if constexpr (width == 2) p[k] = packet{x, x};
       else p[k] = packet{x, x, x, x};
@@ -57,8 +57,9 @@ struct lanes {
   template <class F>
     requires std::is_invocable_r_v<T, F, int>
   [[gnu::always_inline]] explicit lanes(const F& f) {
-    unrolled<count>([&](auto k) {
-      const auto number = [&](int i) { return k * width + i < N ? f(k * width + i) : T(0); };
+    unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
+      const auto number = [&](int i)
+                              PASSIVE_HAPTICS_INLINE { return k * width + i < N ? f(k * width + i) : T(0); };
       if constexpr (width == 1) p[k] = f(k);
       else if constexpr (width == 2) p[k] = packet{number(0), number(1)};
       else p[k] = packet{number(0), number(1), number(2), number(3)};
@@ -66,7 +67,8 @@ struct lanes {
   }
   /// The numbers of a vector. One by one: a load of a packet would wait for numbers that were stored alone.
   /// Fewer than fill a register are read apart, as what stands behind them may be another vector.
-  lanes(const vector<T, N>& x) : lanes([&](int i) { return N < width ? apart(x[i]) : x[i]; }) {}
+  lanes(const vector<T, N>& x)
+      : lanes([&](int i) PASSIVE_HAPTICS_INLINE { return N < width ? apart(x[i]) : x[i]; }) {}
   /// Of packs (core/scalar/pack.hpp) N times the same number of each state,
   [[gnu::always_inline]] lanes(number_of<T> x)
     requires(!std::same_as<T, number_of<T>>)
@@ -74,12 +76,13 @@ struct lanes {
   /// or numbers that all states share.
   lanes(const vector<number_of<T>, N>& x)
     requires(!std::same_as<T, number_of<T>>)
-      : lanes([&](int i) { return T(x[i]); }) {}
+      : lanes([&](int i) PASSIVE_HAPTICS_INLINE { return T(x[i]); }) {}
 
   /// x[0], ..., x[N - 1], at any address, of numbers that were not stored just now.
   [[gnu::always_inline]] static lanes load(const T* x) {
     lanes a;
-    unrolled<N / width>([&](auto k) { std::memcpy(&a.p[k], x + k * width, sizeof(packet)); });
+    unrolled<N / width>([&](auto k)
+                            PASSIVE_HAPTICS_INLINE { std::memcpy(&a.p[k], x + k * width, sizeof(packet)); });
     if constexpr (rest != 0) {
       [&]<int... Index>(std::integer_sequence<int, Index...>) {
         a.p[count - 1] = packet{x[N - rest + Index]...};
@@ -89,14 +92,18 @@ struct lanes {
   }
   /// Stores x[0], ..., x[N - 1].
   [[gnu::always_inline]] void store(T* x) const {
-    unrolled<N / width>([&](auto k) { std::memcpy(x + k * width, &p[k], sizeof(packet)); });
-    if constexpr (rest != 0) unrolled<rest>([&](auto i) { x[N - rest + i] = p[count - 1][i]; });
+    unrolled<N / width>([&](auto k)
+                            PASSIVE_HAPTICS_INLINE { std::memcpy(x + k * width, &p[k], sizeof(packet)); });
+    if constexpr (rest != 0)
+      unrolled<rest>([&](auto i) PASSIVE_HAPTICS_INLINE { x[N - rest + i] = p[count - 1][i]; });
   }
   /// As a vector.
   [[gnu::always_inline]] operator vector<T, N>() const {
     vector<T, N> x;  // not by store(): g++ then keeps x in memory
-    unrolled<N / width>([&](auto k) { std::memcpy(x.data() + k * width, &p[k], sizeof(packet)); });
-    if constexpr (rest != 0) unrolled<rest>([&](auto i) { x[N - rest + i] = p[count - 1][i]; });
+    unrolled<N / width>(
+        [&](auto k) PASSIVE_HAPTICS_INLINE { std::memcpy(x.data() + k * width, &p[k], sizeof(packet)); });
+    if constexpr (rest != 0)
+      unrolled<rest>([&](auto i) PASSIVE_HAPTICS_INLINE { x[N - rest + i] = p[count - 1][i]; });
     return x;
   }
   /// Number i.
@@ -110,38 +117,40 @@ struct lanes {
   template <class F>
   [[gnu::always_inline]] static lanes each(F&& f) {
     lanes x;
-    unrolled<count>([&](auto k) { x.p[k] = f(k); });
+    unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE { x.p[k] = f(k); });
     return x;
   }
   template <class F>
   [[gnu::always_inline]] static mask test(F&& f) {
     mask x;
-    unrolled<count>([&](auto k) { x.p[k] = detail::bit_cast<typename detail::truths_of<T>::type>(f(k)); });
+    unrolled<count>([&](auto k) PASSIVE_HAPTICS_INLINE {
+      x.p[k] = detail::bit_cast<typename detail::truths_of<T>::type>(f(k));
+    });
     return x;
   }
 
   [[gnu::always_inline]] friend lanes operator-(const lanes& a) {
-    return each([&](auto k) { return -a.p[k]; });
+    return each([&](auto k) PASSIVE_HAPTICS_INLINE { return -a.p[k]; });
   }
   [[gnu::always_inline]] friend lanes operator+(const lanes& a, const lanes& b) {
-    return each([&](auto k) { return a.p[k] + b.p[k]; });
+    return each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] + b.p[k]; });
   }
   [[gnu::always_inline]] friend lanes operator-(const lanes& a, const lanes& b) {
-    return each([&](auto k) { return a.p[k] - b.p[k]; });
+    return each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] - b.p[k]; });
   }
   [[gnu::always_inline]] friend lanes operator*(const lanes& a, const lanes& b) {
-    return each([&](auto k) { return a.p[k] * b.p[k]; });
+    return each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] * b.p[k]; });
   }
   [[gnu::always_inline]] friend lanes operator/(const lanes& a, const lanes& b) {
-    return each([&](auto k) { return a.p[k] / b.p[k]; });
+    return each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] / b.p[k]; });
   }
   [[gnu::always_inline]] lanes& operator+=(const lanes& x) { return *this = *this + x; }
   [[gnu::always_inline]] lanes& operator-=(const lanes& x) { return *this = *this - x; }
   [[gnu::always_inline]] friend mask operator<(const lanes& a, const lanes& b) {
-    return test([&](auto k) { return a.p[k] < b.p[k]; });
+    return test([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] < b.p[k]; });
   }
   [[gnu::always_inline]] friend mask operator<=(const lanes& a, const lanes& b) {
-    return test([&](auto k) { return a.p[k] <= b.p[k]; });
+    return test([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] <= b.p[k]; });
   }
   [[gnu::always_inline]] friend mask operator>(const lanes& a, const lanes& b) { return b < a; }
   [[gnu::always_inline]] friend mask operator>=(const lanes& a, const lanes& b) { return b <= a; }
@@ -156,7 +165,7 @@ template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> select(const lane_mask<T, N>& where,
                                                  const std::type_identity_t<lanes<T, N>>& a,
                                                  const std::type_identity_t<lanes<T, N>>& b) {
-  return lanes<T, N>::each([&](auto k) {
+  return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
     const auto& m = where.p[k];
     if constexpr (lanes<T, N>::width == 1) return detail::one_of(m, a.p[k], b.p[k]);
     else return detail::merged(m, a.p[k], b.p[k]);
@@ -167,7 +176,7 @@ template <class T, int N>
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> copysign(const std::type_identity_t<lanes<T, N>>& y,
                                                    const lanes<T, N>& x) {
-  return lanes<T, N>::each([&](auto k) {
+  return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
     using std::copysign;
     if constexpr (lanes<T, N>::width == 1) return copysign(y.p[k], x.p[k]);
     else return detail::with_sign_of(x.p[k], y.p[k]);
@@ -186,7 +195,7 @@ template <class T, int N>
 lanes<T, N> sqrt(const lanes<T, N>& x) {
   if constexpr (std::same_as<T, double>) return vector<T, N>(vector<T, N>(x).cwiseSqrt());
   else
-    return lanes<T, N>([&](int i) {
+    return lanes<T, N>([&](int i) PASSIVE_HAPTICS_INLINE {
       using std::sqrt;
       return sqrt(x[i]);
     });
@@ -202,7 +211,7 @@ lanes<T, N> sgn(const lanes<T, N>& x) {
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> min(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
-  return lanes<T, N>::each([&](auto k) {
+  return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
     if constexpr (std::same_as<T, number_of<T>>) return b.p[k] < a.p[k] ? b.p[k] : a.p[k];
     else return min(a.p[k], b.p[k]);
   });
@@ -212,7 +221,7 @@ template <class T, int N>
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> max(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
-  return lanes<T, N>::each([&](auto k) {
+  return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
     if constexpr (std::same_as<T, number_of<T>>) return a.p[k] < b.p[k] ? b.p[k] : a.p[k];
     else return max(a.p[k], b.p[k]);
   });
@@ -222,27 +231,6 @@ template <class T, int N>
 template <class T>
 [[gnu::always_inline]] inline T clamped(T x, T lowest, T highest) {
   return max(min(lanes<T, 1>(x), highest), lowest)[0];
-}
-
-/// (x_1, x_0): of each of two what the other one has. x: lanes or a mask.
-template <class X>
-[[gnu::always_inline]] inline X swapped(X x) {
-  if constexpr (X::width == 1) std::swap(x.p[0], x.p[1]);
-  else if constexpr (X::width * sizeof(x.p[0][0]) == 8)
-    x.p[0] = __builtin_shufflevector(x.p[0], x.p[0], 2, 3, 0, 1);
-  else if constexpr (X::width == 2) x.p[0] = __builtin_shufflevector(x.p[0], x.p[0], 1, 0);
-  else x.p[0] = __builtin_shufflevector(x.p[0], x.p[0], 1, 0, 2, 3);
-  return x;
-}
-
-/// The first truth of two alone.
-template <class T>
-[[gnu::always_inline]] inline lane_mask<T, 2> first_only(lane_mask<T, 2> x) {
-  using truths = typename detail::truths_of<T>::type;
-  if constexpr (x.width == 1) x.p[1] = x.p[1] & !x.p[0];
-  else if constexpr (x.width == 2) x.p[0] &= ~(swapped(x).p[0] & truths{0, 0, -1, -1});
-  else x.p[0] &= ~(swapped(x).p[0] & truths{0, -1, 0, 0});
-  return x;
 }
 
 }  // namespace passive_haptics

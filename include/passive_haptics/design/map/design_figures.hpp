@@ -1,0 +1,76 @@
+/// @file
+/// What a device can do at one point of a task, in a few figures.
+#pragma once
+
+#include <passive_haptics/design/displayable.hpp>
+#include <passive_haptics/design/path_point.hpp>
+#include <passive_haptics/design/sink_slope.hpp>
+
+#include <Eigen/SVD>
+
+#include <cmath>
+#include <limits>
+
+namespace passive_haptics {
+
+/// Figures of a device at a point of a task, where its end effector moves along a wall.
+template <class T>
+struct design_figures {
+  /// ok; else why there are no figures: those of displayable(), or out_of_reach.
+  status outcome = status::ok;
+  /// How a force along the normal is displayed.
+  display_class display = display_class::none;
+  /// cos(gamma) [1] of the angle between the normal and the nearest force that can be made: 1 if exact, 0 if
+  /// none.
+  T cosine = T(0);
+  /// Force against the motion along the wall for each newton out of it that force approximation displays
+  /// [1]: in the plane tan(gamma). NaN if nothing is displayed.
+  T drag = std::numeric_limits<T>::quiet_NaN();
+  /// Largest n . F [N] that the brakes make within their limits; with limits of 1 N m newtons for each newton
+  /// metre.
+  T strongest = T(0);
+  /// The sink slope [1]: metres into the wall for each metre along it.
+  T sink_slope = std::numeric_limits<T>::infinity();
+  /// Least over largest singular value of E, the map from brake rates to the velocity of the end effector
+  /// [1]: 1 where it is isotropic, 0 at singular poses. Of brakes in rad/s beside others in m/s it depends on
+  /// the units.
+  T isotropy = T(0);
+};
+
+namespace detail {
+
+// Least over largest singular value; 0 of 0.
+template <class T, int D, int Brakes>
+T isotropy_of(const matrix<T, D, Brakes>& E) {
+  if constexpr (D == 1) return E.isZero(T(0)) ? T(0) : T(1);
+  const auto values = Eigen::JacobiSVD<matrix<T, D, Brakes>>(E).singularValues().eval();
+  return values[0] > T(0) ? values[values.size() - 1] / values[0] : T(0);
+}
+
+}  // namespace detail
+
+/// The figures at one point, of these brakes, against a hand that pushes with `push` [N]. Cost: displayable,
+/// sink_slope and the singular values of E.
+template <class M>
+design_figures<typename M::scalar> design_figures_at(const M& mechanism, const path_point<M>& at,
+                                                     const hybrid_brakes<M>& brakes,
+                                                     typename M::scalar push) {
+  using T = typename M::scalar;
+  design_figures<T> found;
+  const auto force = displayable(mechanism, at.q, at.direction, at.normal, brakes);
+  const auto sink = sink_slope(mechanism, at.q, at.direction, at.normal, brakes, push);
+  found.outcome = force.outcome != status::ok ? force.outcome : sink.outcome;
+  if (found.outcome != status::ok) return found;
+  const task_vector<M> along = detail::along_wall(at.direction, direction_of(at.normal));
+  found.display = force.display;
+  if (is_displayed(force.display)) {
+    found.cosine = std::cos(force.angle);
+    found.drag = T(0) - along.dot(force.nearest);  // no -0
+  }
+  found.strongest = force.strongest;
+  found.sink_slope = sink.slope;
+  found.isotropy = detail::isotropy_of(brake_matrix<M>(passive_haptics::brake_jacobian(mechanism, at.q)));
+  return found;
+}
+
+}  // namespace passive_haptics

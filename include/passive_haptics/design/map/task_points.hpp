@@ -1,0 +1,137 @@
+/// @file
+/// The points of a task: where a device is looked at before it is built, and how its handle moves there.
+#pragma once
+
+#include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/core/parameters.hpp>
+#include <passive_haptics/core/status.hpp>
+#include <passive_haptics/design/path_point.hpp>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace passive_haptics {
+
+/// Points of a task of mechanism M, a structure of arrays: number k of each is that of point k.
+template <class M>
+class task_points {
+ public:
+  using T = typename M::scalar;  ///< Scalar of the mechanism.
+  /// A column for each component of a vector.
+  template <int Components>
+  using columns = std::array<std::vector<T>, static_cast<std::size_t>(Components)>;
+
+  /// Appends a place whose end effector is at x [m]. reached: whether the joint positions q lead there; of a
+  /// point that is out of reach the map has this status and no figures.
+  void append(const path_point<M>& at, const task_vector<M>& x, status reached = status::ok) {
+    append(q_, at.q);
+    append(x_, x);
+    append(direction_, at.direction);
+    append(normal_, at.normal);
+    reached_.push_back(reached);
+  }
+  /// Appends a place, with the position of its end effector.
+  void append(const M& mechanism, const path_point<M>& at) {
+    const bool is_there = all_finite(at.q);
+    append(at,
+           is_there ? task_vector<M>(mechanism.position(at.q))
+                    : task_vector<M>::Constant(std::numeric_limits<T>::quiet_NaN()),
+           is_there ? status::ok : status::state_not_finite);
+  }
+
+  /// How many there are.
+  std::size_t size() const { return reached_.size(); }
+  /// Point k.
+  path_point<M> operator[](std::size_t k) const { return {of(q_, k), of(direction_, k), of(normal_, k)}; }
+  /// End effector of point k [m], base frame.
+  task_vector<M> position(std::size_t k) const { return of(x_, k); }
+  /// Whether point k was reached: ok, out_of_reach or state_not_finite.
+  status reached(std::size_t k) const { return reached_[k]; }
+
+  /// Joint positions [rad or m].
+  const columns<M::dof>& q() const { return q_; }
+  /// In which the end effector moves, base frame.
+  const columns<M::task_dimension>& direction() const { return direction_; }
+  /// Of the wall there, out of it, base frame.
+  const columns<M::task_dimension>& normal() const { return normal_; }
+
+ private:
+  template <int N>
+  static void append(columns<N>& all, const vector<T, N>& one) {
+    for (int i = 0; i < N; ++i) all[std::size_t(i)].push_back(one[i]);
+  }
+  template <std::size_t N>
+  static auto of(const std::array<std::vector<T>, N>& all, std::size_t k) {
+    vector<T, static_cast<int>(N)> one;
+    for (std::size_t i = 0; i < N; ++i) one[int(i)] = all[i][k];
+    return one;
+  }
+
+  columns<M::dof> q_;
+  columns<M::task_dimension> x_, direction_, normal_;
+  std::vector<status> reached_;
+};
+
+/// A grid over a box of the workspace, its corners included.
+template <class T, int D>
+struct task_grid {
+  vector<T, D> lower;                                  ///< Least coordinates [m], base frame,
+  vector<T, D> upper;                                  ///< and greatest.
+  std::array<int, static_cast<std::size_t>(D)> count;  ///< Points along each axis, >= 2.
+
+  /// How many points it has.
+  std::size_t size() const {
+    std::size_t n = 1;
+    for (const int c : count) n *= std::size_t(c);
+    return n;
+  }
+  /// Point k; the first coordinate changes fastest.
+  vector<T, D> operator[](std::size_t k) const {
+    vector<T, D> x;
+    for (int i = 0; i < D; ++i) {
+      const auto n = std::size_t(count[std::size_t(i)]);
+      x[i] = lower[i] + (upper[i] - lower[i]) * T(k % n) / T(n - 1);
+      k /= n;
+    }
+    return x;
+  }
+};
+
+/// The points of a grid, where the handle moves in one direction along walls of one normal (base frame).
+/// inverse(x): a joint_solution, joint positions that put the end effector at x. Throws
+/// std::invalid_argument for a grid of fewer than 2 points along an axis, or corners that are not finite.
+template <class M, class Inverse>
+task_points<M> points_of(const M&, const task_grid<typename M::scalar, M::task_dimension>& grid,
+                         const Inverse& inverse, const task_vector<M>& direction,
+                         const task_vector<M>& normal) {
+  for (int i = 0; i < M::task_dimension; ++i) {
+    detail::refuse_unless(grid.count[std::size_t(i)] >= 2, detail::indexed("count[", i, "] of a task_grid"),
+                          grid.count[std::size_t(i)], "2 or more points along each axis");
+    detail::refuse_unless(std::isfinite(grid.lower[i]), detail::indexed("lower[", i, "] of a task_grid"),
+                          grid.lower[i], "a finite number [m]");
+    detail::refuse_unless(std::isfinite(grid.upper[i]), detail::indexed("upper[", i, "] of a task_grid"),
+                          grid.upper[i], "a finite number [m]");
+  }
+  task_points<M> points;
+  for (std::size_t k = 0; k < grid.size(); ++k) {
+    const task_vector<M> x = grid[k];
+    const auto there = inverse(x);
+    points.append({there.q, direction, normal}, x, there.outcome);
+  }
+  return points;
+}
+
+/// `count` >= 1 points of a path, at the middles of as many equal parts; path(u) returns the path_point<M> at
+/// u in (0, 1).
+template <class M, class Path>
+task_points<M> points_of(const M& mechanism, Path&& path, int count) {
+  detail::refuse_unless(count >= 1, "count of the points of a path", count, "1 or more");
+  task_points<M> points;
+  for (int k = 0; k < count; ++k) points.append(mechanism, path((k + 0.5) / count));
+  return points;
+}
+
+}  // namespace passive_haptics
