@@ -15,6 +15,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
 namespace {
 
@@ -109,8 +111,9 @@ hybrid_run follow_with_motors(std::uint64_t seed, std::uint64_t number, double s
   return run;
 }
 
-TEST(hybrid_brakes, hold_some_more_of_300_devices_and_are_active) {
-  constexpr int devices = 300;
+TEST(hybrid_brakes, hold_some_more_devices_and_are_active) {
+  const char* const effort = std::getenv("PASSIVE_HAPTICS_STRESS");
+  const unsigned devices = effort != nullptr && std::string_view(effort) == "full" ? 300 : 60;
   constexpr std::array shares{0.0, 0.02, 0.05, 0.1};
   for (const std::uint64_t seed : {20040627u, 555u}) {
     std::array<int, shares.size()> deep{}, driven{}, giving{};
@@ -125,9 +128,8 @@ TEST(hybrid_brakes, hold_some_more_of_300_devices_and_are_active) {
         most = std::max(most, run.given);
       }
       std::printf(
-          "seed %llu, motors of %2.0f %%: %d of %d devices deep; driven in %d, %.1f %% of the time; in %d "
-          "the "
-          "motors had given more than friction had taken, up to %.1f mJ\n",
+          "seed %llu, motors of %2.0f %%: %d of %u devices deep; driven in %d, %.1f %% of the time; in %d "
+          "the motors had given more than friction had taken, up to %.1f mJ\n",
           static_cast<unsigned long long>(seed), 100 * shares[s], deep[s], devices, driven[s], 100 * driving,
           giving[s], 1e3 * most);
     }
@@ -135,7 +137,7 @@ TEST(hybrid_brakes, hold_some_more_of_300_devices_and_are_active) {
     EXPECT_EQ(giving[0], 0);
     EXPECT_LT(deep[3], deep[0]);
     EXPECT_GT(deep[3], deep[0] / 2) << "a tenth is far from enough";
-    EXPECT_GT(driven[3], devices / 10);
+    EXPECT_GT(driven[3], int(devices) / 10);
   }
 }
 
