@@ -6,6 +6,7 @@
 #include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
+#include <passive_haptics/design/brake_motions.hpp>
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/design/wall_limits.hpp>
 
@@ -18,17 +19,6 @@ namespace passive_haptics {
 template <class M>
 using encoder_resolution = vector<typename M::scalar, encoder_axes<M>::count>;
 
-namespace detail {
-
-// The part of a velocity along a wall of unit normal n; 0 where it is of rounding size.
-template <class T, int D>
-vector<T, D> part_along(const vector<T, D>& velocity, const vector<T, D>& n) {
-  const vector<T, D> along = velocity - n * n.dot(velocity);
-  return along.stableNorm() > rounding_tolerance<T>(D) * velocity.stableNorm() ? along : vector<T, D>::Zero();
-}
-
-}  // namespace detail
-
 /// What the residual torques [N m] push a handle along the normal n, of any length > 0, with [N] that slides
 /// with a velocity along the wall: n . F of F = -G s t_r (4), as long as nothing accelerates. 0 for a handle
 /// that rests.
@@ -37,7 +27,7 @@ typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q
                                     const task_vector<M>& velocity, const task_vector<M>& normal,
                                     const brake_vector<M>& residual_torque) {
   const task_vector<M> n = direction_of(normal);
-  const task_vector<M> along = detail::part_along(velocity, n);
+  const task_vector<M> along = detail::along_wall(velocity, n);
   const auto found = displayable(mechanism, q, along, n);
   const brake_vector<M> t = found.signs.cwiseProduct(residual_torque);
   if constexpr (Settles<M>) {

@@ -86,10 +86,10 @@ void find_slide(rendering<M::dof>& r, const M& mechanism, const data_sheet<M>& p
   const double push = wall.push - (limits.holds() ? wall.hand_stiffness * limits.depth : 0.0);
   const double demanded = std::max(push - wall.sliding_residual, 0.0);
   const double displayed = std::min(demanded, static_cast<double>(found.strongest_nearest));
-  const double sideways = displayed > 0 ? displayed * std::tan(static_cast<double>(found.angle)) : 0.0;
+  const double against = -displayed * static_cast<double>(along.dot(found.nearest));
   r.holds_push = demanded <= static_cast<double>(found.strongest);
   r.wall_drag =
-      banded_by(rendering_bands::wall_drag, drag_of(mechanism, q, along, axis_residual_of(parts)) + sideways);
+      banded_by(rendering_bands::wall_drag, drag_of(mechanism, q, along, axis_residual_of(parts)) + against);
   if (!r.holds_push) r.wall_drag.high = std::numeric_limits<double>::infinity();
 }
 
@@ -121,12 +121,14 @@ void find_noise(rendering<M::dof>& r, const M& mechanism, const data_sheet<M>& p
 /// (base frame, out of the wall, any length > 0) that the handle touches with `velocity` [m/s]. Depth and
 /// release are those under velocity_direct_control, the stiffness that of laws that use one.
 ///
-/// With t_r the residual torques and w the rates of the brakes' axes, v_t the part of the velocity along the
-/// wall, gamma the angle of displayable() in this slide, P the hand's push and R_s the sliding_residual:
+/// With t_r the residual torques and w the rates of the brakes' axes, u the unit direction of the velocity
+/// along the wall, Fc the displayable_force::nearest of this slide, P the hand's push and R_s the
+/// sliding_residual:
 ///
 ///     free_drag        sum |w_i| t_r,i / |v|                   power of the residual torques at v
-///     wall_drag        sum |w_i| t_r,i / |v_t| + N tan(gamma)  at v_t; N = P - K_h depth - R_s >= 0, but at
-///                                                              most strongest_nearest
+///     wall_drag        sum |w_i| t_r,i - N u . Fc              w at u, -u . Fc = tan(gamma) in the plane;
+///                                                              N = P - K_h depth - R_s >= 0, but at most
+///                                                              strongest_nearest
 ///     strongest_force  F + R_s                                 F: braked_wall::force
 ///     stiffness        F_n / rigid_depth                       wall_limits::stiffness
 ///     depth            of Lambda_n x'' = P - K_h x - B_h x' - R - f,  wall_limits::depth
@@ -134,8 +136,7 @@ void find_noise(rendering<M::dof>& r, const M& mechanism, const data_sheet<M>& p
 ///     velocity_noise   sqrt(sum (n . J A e_i)^2 sigma_i^2)     sigma_i: rate_noise() of encoder axis i,
 ///     rate_noise[j]    sqrt(sum (A_ji sigma_i)^2)              A: encoder_axes::to_joints
 ///
-/// A tenth of the torque is left after T_f ln 10. Of a handle at rest, drag and noise are 0. In space, the
-/// wall_drag is what force approximation makes along the wall in all, most of it against the motion. With
+/// A tenth of the torque is left after T_f ln 10. Of a handle at rest, drag and noise are 0. With
 /// self-motion, w is the easiest way to move so, and the noise is that of the least joint rates J^+ v.
 ///
 /// Throws std::invalid_argument with the text of validate(parts), as "brakes[1].gear_ratio of a brake [1 or
@@ -157,7 +158,7 @@ rendering<M::dof> expected_rendering(const M& mechanism, const data_sheet<M>& pa
 
   const braked_wall wall = detail::braked_wall_of(mechanism, parts, q, velocity, normal);
   const wall_limits limits = limits_of(wall);
-  const task_vector<M> n = direction_of(normal), along = detail::part_along(velocity, n);
+  const task_vector<M> n = direction_of(normal), along = detail::along_wall(velocity, n);
   double fall = 0;  // [s]
   for (const brake_data& part : parts.brakes) fall = std::max(fall, part.fall_time_constant);
 
