@@ -6,6 +6,7 @@
 #include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
+#include <passive_haptics/design/brake_motions.hpp>
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/design/wall_limits.hpp>
 
@@ -26,7 +27,7 @@ typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q
                                     const task_vector<M>& velocity, const task_vector<M>& normal,
                                     const brake_vector<M>& residual_torque) {
   const task_vector<M> n = direction_of(normal);
-  const task_vector<M> along = velocity - n * n.dot(velocity);
+  const task_vector<M> along = detail::along_wall(velocity, n);
   const auto found = displayable(mechanism, q, along, n);
   const brake_vector<M> t = found.signs.cwiseProduct(residual_torque);
   if constexpr (Settles<M>) {
