@@ -27,8 +27,7 @@ class least_norm {
  public:
   /// V (D x M) and f.
   [[gnu::always_inline]] least_norm(const matrix<T, D, M>& V, const vector<T, D>& f) : v_(V), f_(f) {
-    const matrix<T, M, D> by_rows = transposed(V);
-    unrolled<D>([&](auto k) { rows_[k] = per_column::load(by_rows.data() + k * M); });
+    unrolled<D>([&](auto k) PASSIVE_HAPTICS_INLINE { rows_[k] = row(V, k); });
   }
 
   /// x, of the columns in `usable` only. basis: columns that make f with x >= 0; they need not be D, and some
