@@ -45,7 +45,8 @@ TEST(pages, readme_shows_what_the_main_example_prints) {
 TEST(pages, the_guide_shows_what_design_prints) {
   const std::string table = between(printed_by(PASSIVE_HAPTICS_DESIGN), "N:\n\n", "\n\n");
   ASSERT_NE(table.find("five-bar, 4 brakes"), std::string::npos) << table;
-  EXPECT_EQ(example::first_difference(table, between(page("docs/guide/design.md"), "```console\n", "```")), "")
+  EXPECT_EQ(example::first_difference(table, between(page("docs/guide/design.md"), "```console\n", "```")),
+            "")
       << table;
 }
 
