@@ -22,6 +22,11 @@ def version():
     return ".".join(part(name) for name in ("MAJOR", "MINOR", "PATCH"))
 
 
+def files(*patterns):
+    """The files of these patterns."""
+    return sorted(name for pattern in patterns for name in glob.glob(pattern, recursive=True))
+
+
 def eigen():
     """The folder of Eigen's headers."""
     try:
@@ -53,7 +58,7 @@ def is_out_of_date(object_file, source):
 
 
 # Bits as in a C++ program that does not contract products and sums. Without FLATTEN, which makes each cycle one
-# function: it would take the compiler half an hour. source/packs/ has it, where it pays.
+# function: it would take the compiler half an hour. source/batches/ has it, where it pays.
 flags = ["-O2", "-g0", "-DNDEBUG", "-ffp-contract=off", "-DPASSIVE_HAPTICS_FLATTEN=", "-Wno-psabi", "-MMD"]
 
 os.chdir(os.path.dirname(os.path.abspath(__file__)))
@@ -64,14 +69,17 @@ ParallelCompile(
 setup(
     version=version(),
     packages=["passive_haptics"],
+    package_dir={"": "package"},
     package_data={"passive_haptics": ["py.typed", "*.pyi"]},
     ext_modules=[
         Pybind11Extension(
             "passive_haptics._native",
-            sorted(glob.glob("source/**/*.cpp", recursive=True)),
+            files("source/**/*.cpp"),
+            depends=files("source/**/*.hpp", "include/**/*.hpp", os.path.join(headers, "**", "*.hpp"), "setup.py"),
             cxx_std=20,
             include_dirs=["include", os.path.join(root, "include"), eigen()],
             extra_compile_args=flags,
+            extra_link_args=["-s"],  # without the names of functions
         )
     ],
     cmdclass={"build_ext": build_ext, "build_py": build_with_headers},

@@ -7,19 +7,12 @@ import sys
 HEAD = '''"""Made by examples/python/stubs.py. Do not edit."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Literal, Union
+from typing import Any, Literal
 
-import numpy
-from numpy.typing import NDArray
-
+from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Rows
 from passive_haptics.results import contact_report, display_class, power_class, status, wall_limits
 
-Array = NDArray[numpy.float64]
-Integers = NDArray[numpy.int32]
-Booleans = NDArray[numpy.bool_]
-Numbers = Union[Sequence[float], NDArray[Any]]
-Rows = Union[Sequence[Sequence[float]], Sequence[NDArray[Any]], NDArray[Any]]
-
+class _class(type): ...
 '''
 
 
@@ -41,7 +34,7 @@ def of_property(name, thing):
 def of_class(name, thing):
     """A class: its constructor by the first line, "(arguments)", then what it defines itself."""
     bases = [base.__name__ for base in thing.__bases__ if base.__name__ != "pybind11_object"]
-    lines = [f"class {name}" + (f"({', '.join(bases)})" if bases else "") + ":"]
+    lines = [f"class {name}({', '.join(bases) or 'metaclass=_class'}):"]
     line = first_line(thing)
     if line.startswith("("):
         arguments = line[1:-1]

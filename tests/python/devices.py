@@ -24,7 +24,7 @@ def geometry(n, d):
 
 
 def inertia(n, d):
-    about = np.eye(1 if d == 2 else 3) * 0.0002
+    about = [0.0002] if d == 2 else 0.0002 * np.eye(3)
     link = lambda i: {"mass": 0.2, "centre": [0.1 * i + 0.05] + [0] * (d - 1), "about_centre": about}
     return {"links": [link(i) for i in range(n)]}
 

@@ -44,8 +44,8 @@ def test_stub_is_what_the_module_says():
     spec = importlib.util.spec_from_file_location("stubs", os.path.join(EXAMPLE, "stubs.py"))
     stubs = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(stubs)
-    committed = read(EXAMPLE, "passive_haptics", "_native.pyi")
-    assert stubs.stub(_native) == committed, "run examples/python/stubs.py passive_haptics/_native.pyi"
+    committed = read(EXAMPLE, "package", "passive_haptics", "_native.pyi")
+    assert stubs.stub(_native) == committed, "run examples/python/stubs.py package/passive_haptics/_native.pyi"
 
 
 @pytest.mark.skipif(not os.path.exists("/usr/bin/stubtest"), reason="Debian's mypy is not installed")

@@ -119,7 +119,7 @@ def test_mechanisms_know_their_kinematics():
     step = 1e-6
     columns = [(arm.position(q + step * e) - arm.position(q - step * e)) / (2 * step) for e in np.eye(2)]
     assert np.allclose(arm.jacobian(q), np.column_stack(columns), atol=1e-9)
-    back, outcome = arm.inverse(x, "left")
+    back, outcome = arm.inverse(x, "right")
     assert outcome == ph.status.ok and np.allclose(back, q, atol=1e-12)
     assert arm.inverse([9, 9])[1] == ph.status.out_of_reach
     for make in DEVICES.values():

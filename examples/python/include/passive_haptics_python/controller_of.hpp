@@ -29,23 +29,29 @@ class batch_of final : public any_batch {
   B batch_;
 };
 
-/// Batches that are computed several states at a time, at one wall that is a half_space or a ball; nullptr
-/// where the mechanism, the law or the wall allow none. A function of its own, so that a source can
-/// instantiate it with other flags than the rest.
+/// Whether batches of mechanism M under law L at a plane wall are compiled for that wall, although they are
+/// computed one state after the other: half the time for twice the compiler's. Specialise it where that pays.
 template <class M, class L>
-std::unique_ptr<any_batch> packed_batch(const M& mechanism, const ph::brakes_of<M>& brakes,
-                                        const ph::wall<any_shape<M::task_dimension>>& w, const L& law,
-                                        const ph::step_options<double>& options) {
+inline constexpr bool is_compiled_for_planes = false;
+
+/// Batches that are compiled for their wall, a half_space or a ball: those that are computed several states
+/// at a time, and those of is_compiled_for_planes. nullptr for all others. A function of its own, so that a
+/// source can instantiate it with other flags than the rest.
+template <class M, class L>
+std::unique_ptr<any_batch> batch_at_wall(const M& mechanism, const ph::brakes_of<M>& brakes,
+                                         const ph::wall<any_shape<M::task_dimension>>& w, const L& law,
+                                         const ph::step_options<double>& options) {
+  constexpr int D = M::task_dimension;
   const auto of = [&]<class S>(std::type_identity<S>) -> std::unique_ptr<any_batch> {
     using B = ph::batch_controller<M, ph::static_scene<S>, L>;
-    if constexpr (B::is_vectorised) {
+    constexpr bool is_plane = std::is_same_v<S, ph::half_space<D>>;
+    if constexpr (B::is_vectorised || (is_plane && is_compiled_for_planes<M, L>)) {
       if (const S* found = w.shape.template as<S>())
         return std::make_unique<batch_of<B>>(mechanism, brakes, ph::scene(ph::wall(*found, w.stiffness())),
                                              law, options);
     }
     return nullptr;
   };
-  constexpr int D = M::task_dimension;
   auto found = of(std::type_identity<ph::half_space<D>>());
   return found ? std::move(found) : of(std::type_identity<ph::ball<D>>());
 }
@@ -54,12 +60,12 @@ std::unique_ptr<any_batch> packed_batch(const M& mechanism, const ph::brakes_of<
 template <class M, class L, class S>
 class controller_of final : public any_controller {
  public:
-  /// packed: batches of this set-up that are computed several states at a time, or nullptr.
+  /// at_wall: batches of this set-up that are compiled for its wall, or nullptr.
   controller_of(const M& mechanism, const ph::brakes_of<M>& brakes, const S& scene, const L& law,
-                const ph::step_options<double>& options, std::unique_ptr<any_batch> packed)
+                const ph::step_options<double>& options, std::unique_ptr<any_batch> at_wall)
       : control_(mechanism, brakes, scene, law, options),
         batch_(mechanism, brakes, scene, law, options),
-        packed_(std::move(packed)) {}
+        at_wall_(std::move(at_wall)) {}
 
   /// One control cycle.
   result_values step(const state_values& state) override {
@@ -77,7 +83,7 @@ class controller_of final : public any_controller {
 
   /// Stores the results of these states.
   void run(const batch_columns& columns) const override {
-    if (packed_) packed_->run(columns);
+    if (at_wall_) at_wall_->run(columns);
     else batch_.run(columns);
   }
 
@@ -90,7 +96,7 @@ class controller_of final : public any_controller {
  private:
   ph::controller<M, S, L> control_;
   batch_of<ph::batch_controller<M, S, L>> batch_;
-  std::unique_ptr<any_batch> packed_;
+  std::unique_ptr<any_batch> at_wall_;
 };
 
 /// The controller of a mechanism, one of its laws and a scene; a ValueError if the scene is of another
@@ -108,7 +114,7 @@ std::unique_ptr<any_controller> make_controller(const M& mechanism, const ph::br
     using S = ph::static_scene<any_shape<D>>;
     return std::make_unique<controller_of<M, L, S>>(
         mechanism, brakes, S(all[0]), law, options,
-        packed_batch<M, L>(mechanism, brakes, all[0], law, options));
+        batch_at_wall<M, L>(mechanism, brakes, all[0], law, options));
   }
   if constexpr (ph::saturates_before_scaling<L>)
     refuse_value("scene has " + std::to_string(all.size()) +

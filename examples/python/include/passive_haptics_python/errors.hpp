@@ -22,11 +22,12 @@ namespace py = pybind11;
 
 /// A value and its type for a message: "'abc' (str)", at most 40 characters of it.
 inline std::string shown(py::handle x) {
-  constexpr std::size_t longest = 40;
-  std::string text = py::repr(x);
+  constexpr py::ssize_t longest = 40;
+  const py::object all = py::repr(x);
+  std::string text = py::str(all[py::slice(0, longest, 1)]);
+  if (py::ssize_t(py::len(all)) > longest) text += "...";
   for (char& c : text)
     if (c == '\n') c = ' ';
-  if (text.size() > longest) text = text.substr(0, longest) + "...";
   return text + " (" + Py_TYPE(x.ptr())->tp_name + ")";
 }
 

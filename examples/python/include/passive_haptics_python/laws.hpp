@@ -19,6 +19,13 @@ struct law {
   virtual ~law() = default;
 };
 
+/// A law without parameters.
+template <class L>
+struct no_law_parameters {
+  /// The table.
+  static constexpr auto members() { return ph::member_table(); }
+};
+
 namespace detail {
 
 // The struct with a law's table: the law itself, its member, or none.
@@ -27,7 +34,7 @@ auto law_table() {
   if constexpr (ph::Parameters<L>) return L();
   else if constexpr (requires(const L l) { l.parameters(); }) return L().parameters();
   else if constexpr (requires(const L l) { l.parameters; }) return L().parameters;
-  else return no_parameters();
+  else return no_law_parameters<L>();
 }
 
 }  // namespace detail
@@ -44,7 +51,7 @@ using law_value = table_value<law, law_parameters<L>>;
 template <class L>
 L made_law(const law_parameters<L>& p) {
   if constexpr (ph::Parameters<L>) return p;
-  else if constexpr (std::is_same_v<law_parameters<L>, no_parameters>) return L();
+  else if constexpr (std::is_same_v<law_parameters<L>, no_law_parameters<L>>) return L();
   else if constexpr (std::is_constructible_v<L, const law_parameters<L>&>) return L(p);
   else {
     L made;

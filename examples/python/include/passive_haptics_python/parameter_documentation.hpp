@@ -33,7 +33,7 @@ std::string stub_arguments() {
   std::vector<std::string> all;
   const P p{};
   ph::for_each_member(p, [&](const ph::member_description& about, const auto& value) {
-    all.push_back(std::string(about.name) + ": " + stub_type<std::remove_cvref_t<decltype(value)>>(about) +
+    all.push_back(python_name(about) + ": " + stub_type<std::remove_cvref_t<decltype(value)>>(about) +
                   " = ...");
   });
   return joined(all);
@@ -54,7 +54,7 @@ template <ph::Parameters P>
 void append_members(std::string& text, const P& p, const std::string& indent) {
   ph::for_each_member(p, [&](const ph::member_description& about, const auto& value) {
     using V = std::remove_cvref_t<decltype(value)>;
-    text += indent + about.name;
+    text += indent + python_name(about);
     if (*about.unit != '\0') text += std::string(" [") + about.unit + "]";
     text += ": " + expected_value<V>(about);
     if constexpr (!ph::Parameters<V>) {

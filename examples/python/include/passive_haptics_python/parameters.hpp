@@ -37,11 +37,17 @@ std::size_t rows_of(const V& value) {
 
 }  // namespace detail
 
+/// The name of a member in Python: with a _ behind it where it is a keyword there, "from_".
+inline std::string python_name(const ph::member_description& about) {
+  const py::object is_keyword = py::module_::import("keyword").attr("iskeyword");
+  return py::cast<bool>(is_keyword(about.name)) ? std::string(about.name) + "_" : about.name;
+}
+
 /// The names of the members, in the order of the table.
 template <ph::Parameters P>
 std::vector<std::string> member_names() {
   std::vector<std::string> names;
-  ph::members_of<P>([&](const auto& m) { names.emplace_back(m.name); });
+  ph::members_of<P>([&](const auto& m) { names.push_back(python_name(m)); });
   return names;
 }
 
@@ -107,7 +113,8 @@ void assign_members(P& p, const py::dict& given, const std::string& owner, const
                   (names.empty() ? "none" : joined(names)));
   }
   ph::for_each_member(p, [&](const ph::member_description& about, auto& value) {
-    if (given.contains(about.name)) assign(value, given[about.name], about, prefix + about.name);
+    const std::string name = python_name(about);
+    if (given.contains(name.c_str())) assign(value, given[name.c_str()], about, prefix + name);
   });
 }
 
@@ -142,7 +149,7 @@ template <ph::Parameters P>
 py::dict to_dict(const P& p) {
   py::dict all;
   ph::for_each_member(p, [&](const ph::member_description& about, const auto& value) {
-    all[about.name] = to_python(value, about);
+    all[python_name(about).c_str()] = to_python(value, about);
   });
   return all;
 }
@@ -156,8 +163,8 @@ py::dict changed_members(const P& p, const P& usual) {
     const py::object now = to_python(value, m);
     if (now.equal(to_python(before, m))) return;
     if constexpr (ph::Parameters<std::remove_cvref_t<decltype(value)>>)
-      changed[m.name] = changed_members(value, before);
-    else changed[m.name] = now;
+      changed[python_name(m).c_str()] = changed_members(value, before);
+    else changed[python_name(m).c_str()] = now;
   });
   return changed;
 }

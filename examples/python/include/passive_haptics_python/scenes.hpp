@@ -20,6 +20,9 @@ struct wall {
   static std::vector<std::string> names() { return {"shape", "stiffness"}; }
   /// Of a dictionary; a ValueError if the stiffness is negative or not finite.
   static wall made(const py::dict& given, const std::string& name) {
+    if (!given.contains("shape")) refuse_type("a wall needs a shape: wall(shape, stiffness)");
+    expect<shape>(given["shape"], "shape",
+                  "a shape such as half_space(...): a wall is made of (shape, stiffness)");
     wall w;
     for (const auto& [key, value] : given) {
       const std::string called = py::str(key);
@@ -27,8 +30,6 @@ struct wall {
       else if (called == "stiffness") w.stiffness = number_from(value, "stiffness");
       else refuse_type(name + " has no parameter '" + called + "', expected shape, stiffness");
     }
-    if (!w.of) refuse_type("a wall needs a shape: wall(shape, stiffness)");
-    expect<shape>(w.of, "shape", "a shape such as half_space(...): a wall is made of (shape, stiffness)");
     w.geometry<2>();
     w.geometry<3>();
     return w;

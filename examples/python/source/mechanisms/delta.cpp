@@ -5,8 +5,11 @@
 
 namespace passive_haptics_python {
 
+using device = ph::delta<double>;
+PASSIVE_HAPTICS_PYTHON_BATCHES_ELSEWHERE(device);
+
 void bind_delta(py::module_& module) {
-  auto bound = bind_mechanism<ph::delta<double>, ph::delta_parameters<double>>(
+  auto bound = bind_mechanism<device, ph::delta_parameters<double>>(
       module, "delta", "Three arms that move a platform in space without turning it.");
   bind_usual_inverse(bound, "Base angles that put the platform at x [m], elbows outward");
 }

@@ -6,7 +6,7 @@
 namespace passive_haptics_python {
 
 using device = ph::five_bar<double, 2>;
-PASSIVE_HAPTICS_PYTHON_PACKS_ELSEWHERE(device)
+PASSIVE_HAPTICS_PYTHON_BATCHES_ELSEWHERE(device);
 
 void bind_five_bar(py::module_& module) {
   auto bound = bind_mechanism<device, ph::five_bar_parameters<double, 2>>(

@@ -2,8 +2,8 @@
 /// Inverse kinematics in Python, and what else the sources of mechanisms share.
 #pragma once
 
+#include "../batches_at_walls.hpp"
 #include "../module.hpp"
-#include "../packs.hpp"
 
 #include <passive_haptics_python/bind_mechanism.hpp>
 

@@ -14,7 +14,7 @@ using all_laws = law_list<ph::direct_control, ph::saturated_direct_control, ph::
                           ph::no_direct_control, ph::on_off_control, ph::bang_bang_control,
                           ph::coercive_force_approximation, ph::single_degree_of_freedom_control,
                           ph::velocity_ratio_control>;
-PASSIVE_HAPTICS_PYTHON_PACKS_ELSEWHERE(ph::tendon_two_link<double>)
+PASSIVE_HAPTICS_PYTHON_BATCHES_ELSEWHERE(ph::tendon_two_link<double>);
 
 void bind_tendon_two_link(py::module_& module) {
   auto bound = bind_mechanism<arm, ph::tendon_two_link_parameters<double>, all_laws>(

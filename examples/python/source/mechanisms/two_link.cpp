@@ -3,7 +3,7 @@
 
 namespace passive_haptics_python {
 
-PASSIVE_HAPTICS_PYTHON_PACKS_ELSEWHERE(ph::two_link<double>)
+PASSIVE_HAPTICS_PYTHON_BATCHES_ELSEWHERE(ph::two_link<double>);
 
 void bind_two_link(py::module_& module) {
   auto bound = bind_mechanism<ph::two_link<double>, ph::two_link_parameters<double>>(

@@ -5,7 +5,7 @@
 
 namespace passive_haptics_python {
 
-PASSIVE_HAPTICS_PYTHON_PACKS_ELSEWHERE(ph::xy_table<double>)
+PASSIVE_HAPTICS_PYTHON_BATCHES_ELSEWHERE(ph::xy_table<double>);
 
 void bind_xy_table(py::module_& module) {
   auto bound = bind_mechanism<ph::xy_table<double>, ph::xy_table_parameters<double>>(

@@ -1,6 +1,6 @@
 """Serial chains by their usual shapes."""
 
-from collections.abc import Sequence
+import collections.abc
 from typing import Union
 
 from passive_haptics import _native
@@ -8,7 +8,7 @@ from passive_haptics import _native
 PlanarArm = Union[_native.planar_chain_3, _native.planar_chain_4]
 
 
-def planar_arm(lengths: Sequence[float]) -> PlanarArm:
+def planar_arm(lengths: collections.abc.Sequence[float]) -> PlanarArm:
     """A planar arm of three or four revolute joints, all its links [m] along x in the zero pose."""
     kinds: dict[int, type[PlanarArm]] = {3: _native.planar_chain_3, 4: _native.planar_chain_4}
     if len(lengths) not in kinds:

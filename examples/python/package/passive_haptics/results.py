@@ -1,7 +1,7 @@
 """Enumerations and tuples of results; the numbers are those of arrays that a batch returns."""
 
 import enum
-from typing import NamedTuple
+import typing
 
 from passive_haptics import _native
 
@@ -55,7 +55,7 @@ class display_class(enum.IntEnum):
         return _native.display_text(self.value)
 
 
-class contact_report(NamedTuple):
+class contact_report(typing.NamedTuple):
     """What became of one of several contacts."""
 
     wall_number: int
@@ -68,7 +68,7 @@ class contact_report(NamedTuple):
     """Met before the others: it was being left, and the law gives way."""
 
 
-class wall_limits(NamedTuple):
+class wall_limits(typing.NamedTuple):
     """What a wall made of brakes can be."""
 
     depth: float
