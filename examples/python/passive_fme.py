@@ -15,11 +15,20 @@ INK, MUTED = "#222222", "#777777"
 COLOURS = {"display": "#dbe9f6", "demand": "#c0392b", "made": "#1f5fa8", "wall": "#e4e0d8"}
 
 
-def arrow(axes, start, vector, colour, label, side):
-    """A force from a point, with its name at the tip."""
-    tip = start + vector
-    axes.annotate("", tip, start, arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 2.2, "shrinkA": 0})
-    axes.annotate(label, tip, xytext=side, textcoords="offset points", color=colour, fontsize=11, ha="center")
+def arrow(axes, force, colour):
+    """A force from the origin."""
+    shape = {"arrowstyle": "-|>", "color": colour, "lw": 2.4, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 16}
+    axes.annotate("", force, (0, 0), arrowprops=shape, zorder=6)
+
+
+def beside(outline):
+    """A place for the name of a region: beside its middle, on the outer side of its long axis."""
+    distance = 5.5  # [N]
+    along = outline[np.argmax(np.linalg.norm(outline, axis=1))]
+    along = along / np.linalg.norm(along)
+    middle = outline[1:-1].mean(axis=0)
+    across = middle - along * (along @ middle)
+    return middle + distance * across / np.linalg.norm(across)
 
 
 def draw(path):
@@ -49,20 +58,24 @@ def draw(path):
     for signs, outline in arm.passive_fme(q):
         is_now = signs == producible
         right.fill(*outline.T, color=COLOURS["display"] if is_now else "white", zorder=1)
-        right.plot(*outline.T, color=COLOURS["made"] if is_now else "#bbbbbb", lw=1.2, zorder=2)
+        right.plot(*outline.T, color=COLOURS["made"] if is_now else "#bbbbbb", lw=1.2, zorder=2 + is_now)
         name = "(" + ", ".join("+" if sign > 0 else "\N{MINUS SIGN}" for sign in signs) + ")"
-        middle = outline[1:-1].mean(axis=0)
-        right.text(*middle, name, color=INK if is_now else MUTED, ha="center", va="center", zorder=5)
-    scale = 4 / np.linalg.norm(result.desired_force)
-    arrow(right, np.zeros(2), scale * result.desired_force, COLOURS["demand"], "$F_d$: the wall demands", (-62, -12))
-    arrow(right, np.zeros(2), scale * result.control_force, COLOURS["made"], "$F_c$: displayed", (-20, -16))
-    right.set(title="Forces of 1 N m, by the signs of the torques", xlabel="$F_x$ [N]", ylabel="$F_y$ [N]")
+        right.text(*beside(outline), name, color=INK if is_now else MUTED, ha="center", va="center")
+    scale = 13 / np.linalg.norm(result.desired_force)
+    arrow(right, scale * result.desired_force, COLOURS["demand"])
+    arrow(right, scale * result.control_force, COLOURS["made"])
+    right.text(0.03, 0.96, "$F_d$, which the wall demands", color=COLOURS["demand"], transform=right.transAxes)
+    right.text(0.03, 0.90, "$F_c$, which is displayed", color=COLOURS["made"], transform=right.transAxes)
+    right.text(0.03, 0.84, "both enlarged", color=MUTED, transform=right.transAxes)
+    right.set(title="Forces of torques up to 1 N m, by their signs", xlabel="$F_x$ [N]", ylabel="$F_y$ [N]")
+    right.set(xlim=(-24, 24))
     for axes in (left, right):
         axes.set_aspect("equal")
         axes.spines[["top", "right"]].set_visible(False)
     figure.savefig(path, dpi=150)
     angle = np.degrees(np.arccos(result.approximation_cosine))
-    print(f"The wall demands {np.linalg.norm(result.desired_force):.2f} N. {result.display.text}, {angle:.0f} deg off.")
+    demanded = np.linalg.norm(result.desired_force)
+    print(f"The wall demands {demanded:.2f} N. The display is {result.display.text}, {angle:.0f} deg off.")
     print(f"Brakes may hold {result.capacity.round(3)} N m. The picture: {path}")
 
 

@@ -7,7 +7,7 @@ import sys
 HEAD = '''"""Made by examples/python/stubs.py. Do not edit."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Literal
+from typing import Any, Literal, NoReturn
 
 from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Rows
 from passive_haptics.results import contact_report, display_class, power_class, status, wall_limits
@@ -39,6 +39,8 @@ def of_class(name, thing):
     if line.startswith("("):
         arguments = line[1:-1]
         lines.append(f"    def __init__(self{', ' if arguments else ''}{arguments}) -> None: ...")
+    else:  # it is returned, or a base
+        lines.append("    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...")
     for member, value in sorted(vars(thing).items()):
         if isinstance(value, property):
             lines.append("    " + of_property(member, value))
@@ -48,8 +50,6 @@ def of_class(name, thing):
             lines.append("    __hash__: None  # type: ignore[assignment]")
         elif not member.startswith("__") or member in ("__call__", "__len__"):
             lines.append("    " + of_function(value))
-    if len(lines) == 1:
-        lines[0] += " ..."
     return "\n".join(lines)
 
 
