@@ -16,8 +16,8 @@ PYBIND11_MODULE(_native, module) {
   options.disable_function_signatures();  // the first line of each text is one, for the stubs
   module.doc() = "The classes of passive_haptics, bound to Python.";
   module.attr("__version__") = std::to_string(PASSIVE_HAPTICS_VERSION_MAJOR) + "." +
-                           std::to_string(PASSIVE_HAPTICS_VERSION_MINOR) + "." +
-                           std::to_string(PASSIVE_HAPTICS_VERSION_PATCH);
+                               std::to_string(PASSIVE_HAPTICS_VERSION_MINOR) + "." +
+                               std::to_string(PASSIVE_HAPTICS_VERSION_PATCH);
   module.def(
       "status_text", [](int value) { return std::string(ph::to_string(ph::status(value))); },
       py::arg("value"), "status_text(value: int) -> str\n\nA status in words.");
