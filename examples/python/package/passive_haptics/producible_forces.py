@@ -1,0 +1,154 @@
+"""The forces that the brakes of any planar device can make, as outlines: passive FMEs."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+
+from passive_haptics import _native
+from passive_haptics.arrays import Array, Numbers
+from passive_haptics.results import display_class, status
+
+COARSE = 72
+"""Directions of motion, and of forces, by which passive FMEs are distinguished."""
+FINE = 720
+"""Directions of forces at which an outline is computed."""
+OUT_OF_LINE = 0.0123
+"""The first direction of motion [rad]: no axis of a usual device."""
+EDGE = 1e-9
+"""Angle [rad] within which a direction is on the edge of a cone."""
+HELD = 1e6
+"""A force so many times the smallest of a set [1] is one that the structure itself holds, in a singular pose."""
+CUT = 10.0
+"""If there is such a force, an outline ends at so many times the smallest [1]."""
+
+
+class passive_fme(NamedTuple):
+    """Forces that the brakes can make while the handle moves one way."""
+
+    signs: Optional[tuple[int, ...]]
+    """Those of the torques; None where they are not the same for all of the forces."""
+    outline: Array
+    """Closed, K x 2, with 0 [N]."""
+
+
+class force_towards(NamedTuple):
+    """What the brakes can make of a force."""
+
+    force: Array
+    """The nearest force [N], 0 where there is none."""
+    angle: float
+    """Between the two [rad]."""
+
+
+def _unit(angle: float) -> Array:
+    return np.array([math.cos(angle), math.sin(angle)])
+
+
+def _require_planar(device: Any) -> None:
+    if device.task_dimension != 2:
+        raise ValueError(
+            f"passive_haptics: device = {type(device).__name__}, whose task has {device.task_dimension} dimensions, "
+            "expected a planar device"
+        )
+
+
+def _brakes_of_1(device: Any) -> Any:
+    return device.brakes(torque_limit=np.ones(device.brake_count))
+
+
+def _direction_nearest(device: Any, q: Numbers, velocity: Numbers, angle: float, brakes: Any) -> Optional[float]:
+    """The direction [rad] of the force nearest to that in a direction; None where there is none."""
+    found = device.displayable(q, velocity, _unit(angle), brakes)
+    if found.display == display_class.exact:
+        return angle
+    if found.display != display_class.approximate:
+        return None
+    sides = [angle + float(found.angle), angle - float(found.angle)]
+    return min(sides, key=lambda side: float(device.displayable(q, velocity, _unit(side), brakes).angle))
+
+
+def nearest_producible(
+    device: _native.mechanism, q: Numbers, velocity: Numbers, desired_force: Numbers
+) -> force_towards:
+    """The force nearest to the desired one [N] that brakes without limits can make while the handle moves with a
+    velocity, whose direction counts [m/s]; (0, pi / 2) where there is none."""
+    _require_planar(device)
+    Fd = np.asarray(desired_force, dtype=float)
+    angle = math.atan2(Fd[1], Fd[0])
+    nearest = _direction_nearest(device, q, velocity, angle, None)
+    if nearest is None:
+        return force_towards(np.zeros(2), math.pi / 2)
+    if nearest == angle:
+        return force_towards(Fd, 0.0)
+    return force_towards(float(Fd @ _unit(nearest)) * _unit(nearest), abs(nearest - angle))
+
+
+def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers) -> Array:
+    """Closed outline [N], K x 2, of the forces that brakes of 1 N m (of 1 N on slides) can make along each direction by
+    force approximation, while the handle moves with a velocity, whose direction counts [m/s]. Seen from 0, each direction
+    is met once. Cost: some thousand calls of displayable."""
+    _require_planar(device)
+    of: Any = device
+    brakes = _brakes_of_1(of)
+    edges: list[float] = []
+    for k in range(COARSE):
+        edge = _direction_nearest(of, q, velocity, 2 * math.pi * k / COARSE, brakes)
+        if edge is not None:
+            edges.append(edge % (2 * math.pi))
+    angles = np.unique(np.concatenate([np.arange(FINE) * (2 * math.pi / FINE), edges]))
+    radii = np.zeros(len(angles))
+    for k, angle in enumerate(angles):
+        found = of.displayable(q, velocity, _unit(angle), brakes)
+        if found.display == display_class.exact or (is_displayed(found) and found.angle < EDGE):
+            radii[k] = found.strongest_nearest
+    usual = radii.min(where=radii > 0, initial=math.inf)
+    if np.any(radii > HELD * usual):
+        radii = np.minimum(radii, CUT * usual)
+    points = radii[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+    kept = [k for k in range(len(points)) if radii[k] > 0 or radii[k - 1] > 0 or radii[(k + 1) % len(radii)] > 0]
+    outline = points[kept]
+    return np.concatenate([outline, outline[:1]])
+
+
+def is_displayed(found: Any) -> bool:
+    """Whether there is a force with a component along the wanted one."""
+    return found.display in (display_class.exact, display_class.approximate)
+
+
+def passive_fmes(device: _native.mechanism, q: Numbers) -> list[passive_fme]:
+    """The passive FMEs of a planar device at joint positions q [rad or m].
+
+    Two brakes on two joints: those of the paper, forces of torques whose norm is 1 N m, four quarters of an
+    ellipse. Any other device, and poses that are singular or all but singular: forces of brakes of at most 1 N m each, as force approximation divides
+    them, for each set of directions of motion that differ in what can be made. A set that spans less than 5
+    degrees may be missed. Throws ValueError for a device in space.
+    """
+    _require_planar(device)
+    of: Any = device
+    if hasattr(of, "passive_fme"):
+        regions = [passive_fme(tuple(signs), outline) for signs, outline in of.passive_fme(q)]
+        forces, outcome = of.reference_forces(q)
+        if outcome == status.ok and np.linalg.cond(forces) < HELD:
+            return regions
+    brakes = _brakes_of_1(of)
+    normals = [_unit(2 * math.pi * k / COARSE) for k in range(COARSE)]
+    sets: list[tuple[object, list[float], Optional[tuple[int, ...]]]] = []
+    for k in range(COARSE):
+        direction = OUT_OF_LINE + 2 * math.pi * k / COARSE
+        found = [of.displayable(q, _unit(direction), normal, brakes) for normal in normals]
+        shown = [tuple(-int(s) for s in f.signs) if f.display == display_class.exact else None for f in found]
+        if not sets or sets[-1][0] != shown:
+            signs = {each for each in shown if each is not None}
+            only = next(iter(signs)) if len(signs) == 1 else None
+            sets.append((shown, [], only if only is not None and all(only) else None))
+        sets[-1][1].append(direction)
+    if len(sets) > 1 and sets[0][0] == sets[-1][0]:
+        first = sets.pop(0)
+        sets[-1][1].extend(direction + 2 * math.pi for direction in first[1])
+    return [
+        passive_fme(signs, producible_outline(device, q, _unit(directions[len(directions) // 2])))
+        for _, directions, signs in sets
+    ]
