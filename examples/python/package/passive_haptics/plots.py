@@ -221,6 +221,8 @@ def _draw_forces(
 ) -> None:
     """The desired force, and the nearest one where the motion is known."""
     length = float(np.linalg.norm(desired))
+    if desired.shape != (2,) or not length < math.inf:
+        raise ValueError(f"passive_haptics: desired_force = {desired.tolist()}, expected two finite numbers")
     scale = min(LONGEST_ARROW * reach / length, 1.0) if length > 0 else 1.0
     _draw_arrow(axes, scale * desired, VERMILION, f"$F_d$ {length:.3g} N")
     if velocity is None:

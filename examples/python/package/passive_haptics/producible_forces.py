@@ -20,9 +20,9 @@ OUT_OF_LINE = 0.0123
 EDGE = 1e-9
 """Angle [rad] within which a direction is on the edge of a cone."""
 HELD = 1e6
-"""A force so many times the smallest of a set [1] is one that the structure itself holds, in a singular pose."""
+"""A force so many times that in the weakest direction [1] is one that the structure itself holds, in a singular pose."""
 CUT = 10.0
-"""If there is such a force, an outline ends at so many times the smallest [1]."""
+"""If there is such a force, an outline ends at so many times that in the weakest direction [1]."""
 
 
 class passive_fme(NamedTuple):
@@ -47,16 +47,26 @@ def _unit(angle: float) -> Array:
     return np.array([math.cos(angle), math.sin(angle)])
 
 
-def _require_planar(device: Any) -> None:
+def _require_planar(device: Any, q: Numbers) -> None:
     if device.task_dimension != 2:
         raise ValueError(
             f"passive_haptics: device = {type(device).__name__}, whose task has {device.task_dimension} dimensions, "
             "expected a planar device"
         )
+    if not np.all(np.isfinite(device.position(q))):
+        raise ValueError(f"passive_haptics: q = {list(q)}, expected a pose that the device can take")
 
 
 def _brakes_of_1(device: Any) -> Any:
     return device.brakes(torque_limit=np.ones(device.brake_count))
+
+
+def _weakest_force(device: Any, q: Numbers, brakes: Any) -> float:
+    """What can be made along the force that is nearest to one against the motion, in the direction in which that is least
+    [N]; infinite if nothing can."""
+    ways = [_unit(2 * math.pi * k / COARSE) for k in range(COARSE)]
+    found = [float(device.displayable(q, way, -way, brakes).strongest_nearest) for way in ways]
+    return min((force for force in found if force > 0), default=math.inf)
 
 
 def _direction_nearest(device: Any, q: Numbers, velocity: Numbers, angle: float, brakes: Any) -> Optional[float]:
@@ -75,7 +85,7 @@ def nearest_producible(
 ) -> force_towards:
     """The force nearest to the desired one [N] that brakes without limits can make while the handle moves with a
     velocity, whose direction counts [m/s]; (0, pi / 2) where there is none."""
-    _require_planar(device)
+    _require_planar(device, q)
     Fd = np.asarray(desired_force, dtype=float)
     angle = math.atan2(Fd[1], Fd[0])
     nearest = _direction_nearest(device, q, velocity, angle, None)
@@ -90,7 +100,7 @@ def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers)
     """Closed outline [N], K x 2, of the forces that brakes of 1 N m (of 1 N on slides) can make along each direction by
     force approximation, while the handle moves with a velocity, whose direction counts [m/s]. Seen from 0, each direction
     is met once. Cost: some thousand calls of displayable."""
-    _require_planar(device)
+    _require_planar(device, q)
     of: Any = device
     brakes = _brakes_of_1(of)
     edges: list[float] = []
@@ -104,9 +114,9 @@ def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers)
         found = of.displayable(q, velocity, _unit(angle), brakes)
         if found.display == display_class.exact or (is_displayed(found) and found.angle < EDGE):
             radii[k] = found.strongest_nearest
-    usual = radii.min(where=radii > 0, initial=math.inf)
-    if np.any(radii > HELD * usual):
-        radii = np.minimum(radii, CUT * usual)
+    weakest = _weakest_force(of, q, brakes)
+    if np.any(radii > HELD * weakest):
+        radii = np.minimum(radii, CUT * weakest)
     points = radii[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
     kept = [k for k in range(len(points)) if radii[k] > 0 or radii[k - 1] > 0 or radii[(k + 1) % len(radii)] > 0]
     outline = points[kept]
@@ -124,9 +134,10 @@ def passive_fmes(device: _native.mechanism, q: Numbers) -> list[passive_fme]:
     Two brakes on two joints: those of the paper, forces of torques whose norm is 1 N m, four quarters of an
     ellipse. Any other device, and poses that are singular or all but singular: forces of brakes of at most 1 N m each, as force approximation divides
     them, for each set of directions of motion that differ in what can be made. A set that spans less than 5
-    degrees may be missed. Throws ValueError for a device in space.
+    degrees may be missed. Throws ValueError for a device in space and a pose that
+    it cannot take.
     """
-    _require_planar(device)
+    _require_planar(device, q)
     of: Any = device
     if hasattr(of, "passive_fme"):
         regions = [passive_fme(tuple(signs), outline) for signs, outline in of.passive_fme(q)]

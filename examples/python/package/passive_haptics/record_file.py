@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import fcntl
 import os
 import struct
@@ -16,17 +17,25 @@ FRAME = struct.Struct("<QI")
 
 Path = Union[str, "os.PathLike[str]"]
 
+# Files that this process has open. The system's locks keep out other processes alone, and all of a file's end where one
+# of its descriptors is closed. Locks of the other kind (flock) would outlive this process in those that it started.
+_open_here: set[tuple[int, int]] = set()
+
+
+def _identity_of(found: os.stat_result) -> tuple[int, int]:
+    return found.st_dev, found.st_ino
+
 
 def _checksum(record: bytes) -> int:
     return zlib.crc32(record, zlib.crc32(struct.pack("<Q", len(record))))
 
 
 class record_file:
-    """The file at a path, made if it does not exist, for one process at a time.
+    """The file at a path, made if it does not exist, open once at a time.
 
     Opening reads `records`. What follows the last whole record is cut off: it is what a process that was killed, or a
-    full disk, left of one. Throws ValueError if the file is another kind of file, BlockingIOError if another
-    process has it open, OSError as of the system.
+    full disk, left of one. Throws ValueError if it is another kind of file, BlockingIOError if it is open,
+    here or in another process, OSError as of the system.
     """
 
     records: list[bytes]
@@ -34,12 +43,16 @@ class record_file:
 
     def __init__(self, path: Path) -> None:
         self._path = os.fspath(path)
+        if os.path.exists(self._path) and _identity_of(os.stat(self._path)) in _open_here:
+            raise self._in_use()
         self._file = os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o666)
+        self._identity = _identity_of(os.fstat(self._file))
+        _open_here.add(self._identity)
         try:
             self._lock()
             self.records = self._read()
         except BaseException:
-            os.close(self._file)
+            self._close()
             raise
 
     def append(self, record: bytes) -> None:
@@ -52,14 +65,23 @@ class record_file:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        self._close()
+
+    def _close(self) -> None:
         os.close(self._file)
+        _open_here.discard(self._identity)
 
     def _lock(self) -> None:
         try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError as error:
-            text = f"passive_haptics: {self._path} is open in another process, expected a file of its own"
-            raise BlockingIOError(error.errno, text) from None
+            fcntl.lockf(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            if error.errno not in (errno.EAGAIN, errno.EACCES):
+                raise
+            raise self._in_use() from None
+
+    def _in_use(self) -> BlockingIOError:
+        text = f"passive_haptics: file = {self._path} is in use, expected one that no other sweep writes"
+        return BlockingIOError(errno.EAGAIN, text)
 
     def _read(self) -> list[bytes]:
         with open(self._file, "rb", closefd=False) as file:
