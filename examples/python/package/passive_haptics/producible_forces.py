@@ -20,9 +20,9 @@ OUT_OF_LINE = 0.0123
 EDGE = 1e-9
 """Angle [rad] within which a direction is on the edge of a cone."""
 HELD = 1e6
-"""A force so many times that in the weakest direction [1] is one that the structure itself holds, in a singular pose."""
+"""A force so many times that of 1 N m at the longest lever [1] is held by the structure itself, in a singular pose."""
 CUT = 10.0
-"""If there is such a force, an outline ends at so many times that in the weakest direction [1]."""
+"""If there is such a force, an outline ends at so many times that at the longest lever [1]."""
 
 
 class passive_fme(NamedTuple):
@@ -53,7 +53,7 @@ def _require_planar(device: Any, q: Numbers) -> None:
             f"passive_haptics: device = {type(device).__name__}, whose task has {device.task_dimension} dimensions, "
             "expected a planar device"
         )
-    if not np.all(np.isfinite(device.position(q))):
+    if not (np.all(np.isfinite(device.position(q))) and np.all(np.isfinite(device.jacobian(q)))):
         raise ValueError(f"passive_haptics: q = {list(q)}, expected a pose that the device can take")
 
 
@@ -61,12 +61,9 @@ def _brakes_of_1(device: Any) -> Any:
     return device.brakes(torque_limit=np.ones(device.brake_count))
 
 
-def _weakest_force(device: Any, q: Numbers, brakes: Any) -> float:
-    """What can be made along the force that is nearest to one against the motion, in the direction in which that is least
-    [N]; infinite if nothing can."""
-    ways = [_unit(2 * math.pi * k / COARSE) for k in range(COARSE)]
-    found = [float(device.displayable(q, way, -way, brakes).strongest_nearest) for way in ways]
-    return min((force for force in found if force > 0), default=math.inf)
+def _usual_force(device: Any, q: Numbers) -> float:
+    """What 1 N m makes at the longest lever, or 1 N on a slide [N]."""
+    return float(1 / np.linalg.norm(device.jacobian(q), axis=0).max())
 
 
 def _direction_nearest(device: Any, q: Numbers, velocity: Numbers, angle: float, brakes: Any) -> Optional[float]:
@@ -114,9 +111,9 @@ def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers)
         found = of.displayable(q, velocity, _unit(angle), brakes)
         if found.display == display_class.exact or (is_displayed(found) and found.angle < EDGE):
             radii[k] = found.strongest_nearest
-    weakest = _weakest_force(of, q, brakes)
-    if np.any(radii > HELD * weakest):
-        radii = np.minimum(radii, CUT * weakest)
+    usual = _usual_force(of, q)
+    if np.any(radii > HELD * usual):
+        radii = np.minimum(radii, CUT * usual)
     points = radii[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
     kept = [k for k in range(len(points)) if radii[k] > 0 or radii[k - 1] > 0 or radii[(k + 1) % len(radii)] > 0]
     outline = points[kept]
@@ -142,7 +139,7 @@ def passive_fmes(device: _native.mechanism, q: Numbers) -> list[passive_fme]:
     if hasattr(of, "passive_fme"):
         regions = [passive_fme(tuple(signs), outline) for signs, outline in of.passive_fme(q)]
         forces, outcome = of.reference_forces(q)
-        if outcome == status.ok and np.linalg.cond(forces) < HELD:
+        if outcome == status.ok and np.linalg.norm(forces, axis=0).max() < HELD * _usual_force(of, q):
             return regions
     brakes = _brakes_of_1(of)
     normals = [_unit(2 * math.pi * k / COARSE) for k in range(COARSE)]
