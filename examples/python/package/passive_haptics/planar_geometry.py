@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+import collections.abc
+import typing
+from typing import Any
 
 import numpy as np
 
 from passive_haptics import _native
 from passive_haptics.arrays import Array, Numbers
 
-Parameters = Mapping[str, Any]
+Parameters = collections.abc.Mapping[str, Any]
 
 
-class planar_geometry(NamedTuple):
+class planar_geometry(typing.NamedTuple):
     """A planar device in a pose, base frame [m]."""
 
     links: list[Array]
@@ -30,7 +31,7 @@ def _along(angle: float) -> Array:
     return np.array([np.cos(angle), np.sin(angle)])
 
 
-def _serial(points: Sequence[Array]) -> planar_geometry:
+def _serial(points: collections.abc.Sequence[Array]) -> planar_geometry:
     """A chain of links from the base to the handle."""
     links = [np.array(pair) for pair in zip(points, points[1:])]
     return planar_geometry(links, np.array(points[:-1]), np.array(points[:1]), points[-1])
@@ -58,7 +59,8 @@ def _five_bar(p: Parameters, q: Array, handle: Array) -> planar_geometry:
 
 
 def _chain(p: Parameters, q: Array, handle: Array) -> planar_geometry:
-    """By the joints of the zero pose. A slide has no place there: it is drawn where the joint before it is."""
+    """By the joints of the zero pose. A slide has no place there: it is drawn where the joint before it
+    is."""
     turned, moved, place = np.eye(2), np.zeros(2), np.zeros(2)
     points = []
     for joint, angle in zip(p["joints"], q):
@@ -77,7 +79,7 @@ def _chain_with_inertia(p: Parameters, q: Array, handle: Array) -> planar_geomet
     return _chain(p["geometry"], q, handle)
 
 
-_geometries: dict[str, Callable[[Parameters, Array, Array], planar_geometry]] = {
+_geometries: dict[str, collections.abc.Callable[[Parameters, Array, Array], planar_geometry]] = {
     "two_link": _two_link,
     "tendon_two_link": _tendon_two_link,
     "xy_table": _xy_table,

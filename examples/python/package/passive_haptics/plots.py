@@ -1,4 +1,5 @@
-"""Pictures of planar devices by matplotlib: what their brakes can make, where their links are, maps of a workspace.
+"""Pictures of planar devices by matplotlib: what their brakes can make, where their links are, maps of a
+workspace.
 
     from passive_haptics import plots
     axes = plots.draw_passive_fmes(arm, q, velocity=[0.05, 0.02], normal=[0, -1], desired_force=[0, -3])
@@ -9,8 +10,8 @@ Each function draws on the Axes that it is given, or on those of a new figure, a
 
 from __future__ import annotations
 
+import collections.abc
 import math
-from collections.abc import Callable
 from typing import Any, Optional
 
 import matplotlib.pyplot as plt  # type: ignore[import]
@@ -50,12 +51,14 @@ def draw_passive_fmes(
     normal: Optional[Numbers] = None,
     desired_force: Optional[Numbers] = None,
 ) -> Axes:
-    """The forces [N] that the brakes of a planar device can make with 1 N m (1 N on slides) at joint positions q.
+    """The forces [N] that the brakes of a planar device can make with 1 N m (1 N on slides) at joint
+    positions q.
 
-    Outlines: its passive FMEs, see producible_forces.passive_fmes. With a velocity of the handle, whose direction
-    counts [m/s]: filled, what can be made in this motion, and the motion. With the normal of a wall: the wall behind the
-    handle. With a desired force [N] and a velocity: that force, and the nearest that brakes without limits can make;
-    forces that are too long for the picture are shortened by one factor. Labels have the magnitudes.
+    Outlines: its passive FMEs, see producible_forces.passive_fmes. With a velocity of the handle, whose
+    direction counts [m/s]: filled, what can be made in this motion, and the motion. With the normal of a
+    wall: the wall behind the handle. With a desired force [N] and a velocity: that force, and the nearest
+    that brakes without limits can make; forces that are too long for the picture are shortened by one factor.
+    Labels have the magnitudes.
     """
     regions = passive_fmes(device, q)
     reach = _reach([region.outline for region in regions])
@@ -126,7 +129,8 @@ def draw_map(
     label: str,
     limits: Optional[tuple[float, float]] = None,
 ) -> Axes:
-    """Values over a grid of places x, y [m], len(y) x len(x), with a scale that has a label, such as "angle [deg]".
+    """Values over a grid of places x, y [m], len(y) x len(x), with a scale that has a label, such as "angle
+    [deg]".
 
     Places whose value is not finite are grey. limits: of the scale, else those of the values.
     Throws ValueError where sizes do not fit.
@@ -149,9 +153,10 @@ def draw_map(
     return axes
 
 
-def values_over(device: Any, x: Numbers, y: Numbers, function: Callable[[Array], float]) -> Array:
-    """function(q) at the joint positions of each place of a grid x, y [m], len(y) x len(x); NaN where the device does
-    not reach, or has singular poses in which the function returns NaN. The device has an inverse."""
+def values_over(device: Any, x: Numbers, y: Numbers, function: collections.abc.Callable[[Array], float]) -> Array:
+    """function(q) at the joint positions of each place of a grid x, y [m], len(y) x len(x); NaN where the
+    device does not reach, or has singular poses in which the function returns NaN. The device has an
+    inverse."""
     found = np.full((len(y), len(x)), np.nan)
     for row, at_y in enumerate(y):
         for column, at_x in enumerate(x):
@@ -209,7 +214,8 @@ def _is_quarter(region: passive_fme) -> bool:
 
 
 def _region_in_motion(device: Any, q: Numbers, velocity: Numbers, regions: list[passive_fme]) -> list[Array]:
-    """What can be made while the handle moves: of the paper's FMEs those whose signs oppose the brakes' rates."""
+    """What can be made while the handle moves: of the paper's FMEs those whose signs oppose the brakes'
+    rates."""
     if not all(_is_quarter(region) for region in regions):
         return [producible_outline(device, q, velocity)]
     rates = device.displayable(q, velocity, [0, 1]).signs

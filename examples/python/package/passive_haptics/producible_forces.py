@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple, Optional
+import typing
+from typing import Any, Optional
 
 import numpy as np
 
@@ -20,12 +21,13 @@ OUT_OF_LINE = 0.0123
 EDGE = 1e-9
 """Angle [rad] within which a direction is on the edge of a cone."""
 HELD = 1e6
-"""A force so many times that of 1 N m at the longest lever [1] is held by the structure itself, in a singular pose."""
+"""A force so many times that of 1 N m at the longest lever [1] is held by the structure itself, in a singular
+pose."""
 CUT = 10.0
 """If there is such a force, an outline ends at so many times that at the longest lever [1]."""
 
 
-class passive_fme(NamedTuple):
+class passive_fme(typing.NamedTuple):
     """Forces that the brakes can make while the handle moves one way."""
 
     signs: Optional[tuple[int, ...]]
@@ -34,7 +36,7 @@ class passive_fme(NamedTuple):
     """Closed, K x 2, with 0 [N]."""
 
 
-class force_towards(NamedTuple):
+class force_towards(typing.NamedTuple):
     """What the brakes can make of a force."""
 
     force: Array
@@ -80,8 +82,8 @@ def _direction_nearest(device: Any, q: Numbers, velocity: Numbers, angle: float,
 def nearest_producible(
     device: _native.mechanism, q: Numbers, velocity: Numbers, desired_force: Numbers
 ) -> force_towards:
-    """The force nearest to the desired one [N] that brakes without limits can make while the handle moves with a
-    velocity, whose direction counts [m/s]; (0, pi / 2) where there is none."""
+    """The force nearest to the desired one [N] that brakes without limits can make while the handle moves
+    with a velocity, whose direction counts [m/s]; (0, pi / 2) where there is none."""
     _require_planar(device, q)
     Fd = np.asarray(desired_force, dtype=float)
     angle = math.atan2(Fd[1], Fd[0])
@@ -94,9 +96,9 @@ def nearest_producible(
 
 
 def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers) -> Array:
-    """Closed outline [N], K x 2, of the forces that brakes of 1 N m (of 1 N on slides) can make along each direction by
-    force approximation, while the handle moves with a velocity, whose direction counts [m/s]. Seen from 0, each direction
-    is met once. Cost: some thousand calls of displayable."""
+    """Closed outline [N], K x 2, of the forces that brakes of 1 N m (of 1 N on slides) can make along each
+    direction by force approximation, while the handle moves with a velocity, whose direction counts [m/s].
+    Seen from 0, each direction is met once. Cost: some thousand calls of displayable."""
     _require_planar(device, q)
     of: Any = device
     brakes = _brakes_of_1(of)
@@ -129,10 +131,10 @@ def passive_fmes(device: _native.mechanism, q: Numbers) -> list[passive_fme]:
     """The passive FMEs of a planar device at joint positions q [rad or m].
 
     Two brakes on two joints: those of the paper, forces of torques whose norm is 1 N m, four quarters of an
-    ellipse. Any other device, and poses that are singular or all but singular: forces of brakes of at most 1 N m each, as force approximation divides
-    them, for each set of directions of motion that differ in what can be made. A set that spans less than 5
-    degrees may be missed. Throws ValueError for a device in space and a pose that
-    it cannot take.
+    ellipse. Any other device, and poses that are singular or all but singular: forces of brakes of at most 1
+    N m each, as force approximation divides them, for each set of directions of motion that differ in what
+    can be made. A set that spans less than 5 degrees may be missed. Throws ValueError for a device in space
+    and a pose that it cannot take.
     """
     _require_planar(device, q)
     of: Any = device

@@ -1,4 +1,5 @@
-"""A file of records that is only appended to: a process that is killed leaves each record whole or not at all."""
+"""A file of records that is only appended to: a process that is killed leaves each record whole or not at
+all."""
 
 from __future__ import annotations
 
@@ -33,9 +34,9 @@ def _checksum(record: bytes) -> int:
 class record_file:
     """The file at a path, made if it does not exist, open once at a time.
 
-    Opening reads `records`. What follows the last whole record is cut off: it is what a process that was killed, or a
-    full disk, left of one. Throws ValueError if it is another kind of file, BlockingIOError if it is open,
-    here or in another process, OSError as of the system.
+    Opening reads `records`. What follows the last whole record is cut off: it is what a process that was
+    killed, or a full disk, left of one. Throws ValueError if it is another kind of file, BlockingIOError if
+    it is open, here or in another process, OSError as of the system.
     """
 
     records: list[bytes]
@@ -56,7 +57,8 @@ class record_file:
             raise
 
     def append(self, record: bytes) -> None:
-        """Adds a record; it is on the disk when this returns. Throws OSError, and then the file is as before."""
+        """Adds a record; it is on the disk when this returns. Throws OSError, and then the file is as
+        before."""
         self._write(FRAME.pack(len(record), _checksum(record)) + record)
 
     def __enter__(self) -> record_file:
