@@ -49,6 +49,7 @@ present() {
     g++-mingw-w64-x86-64) command -v x86_64-w64-mingw32-g++ >/dev/null ;;
     wine64) [[ -x /usr/lib/wine/wine64 ]] || command -v wine64 >/dev/null ;;
     emscripten) command -v em++ >/dev/null ;;
+    openmpi-bin) command -v mpirun >/dev/null ;;
     nodejs) command -v node >/dev/null ;;
     python3-* | libc++*-dev | doxygen-awesome-css | libjs-katex | fonts-katex) found_by_dpkg "$1" ;;
     clang) command -v clang++ >/dev/null ;;

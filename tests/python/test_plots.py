@@ -1,6 +1,9 @@
 """Pictures of planar devices: what was drawn, and that it is right."""
 
 import math
+import os
+import subprocess
+import sys
 import warnings
 
 import numpy as np
@@ -258,6 +261,13 @@ def test_a_map_of_a_workspace(tmp_path):
     axes.figure.savefig(tmp_path / "map.png")
     with pytest.raises(ValueError, match=r"shape of values = \(7, 13\), expected \(len\(y\), len\(x\)\) = \(13, 7\)"):
         plots.draw_map(y, x, values, label="")
+
+
+def test_guide_draws_its_pictures(tmp_path):
+    program = os.path.join(os.path.dirname(__file__), "..", "..", "docs", "guide", "pictures.py")
+    run = subprocess.run([sys.executable, program, tmp_path], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    assert all((tmp_path / name).stat().st_size > 20_000 for name in ("device.png", "map.png"))
 
 
 def test_what_cannot_be_drawn_is_refused():

@@ -1,5 +1,6 @@
 """Sweeps: results are those of a loop, whatever the executor and the split, and whoever dies."""
 
+import importlib.util
 import os
 import pickle
 import random
@@ -20,6 +21,7 @@ from passive_haptics.record_file import FRAME, HEADER, record_file
 from passive_haptics.sweep import sweep, sweep_error
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+GUIDE = os.path.join(HERE, "..", "..", "docs", "guide")
 PATIENCE = 120  # seconds until a test gives up on another process
 SEEDS = random.Random(1).sample(range(10_000), 300)
 
@@ -288,23 +290,38 @@ def test_300_experiments_by_two_workers_of_dask_one_of_which_is_killed(tmp_path,
     assert f"digest 300 {digest(serial)}" in run.stdout
 
 
-def mpi(count, file, **variables):
-    """A sweep by two ranks."""
-    command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2"]
-    command += [sys.executable, "-m", "mpi4py.futures", os.path.join(HERE, "sweep_by_mpi.py"), str(count), file]
+def by_mpi(*command, folder, **variables):
+    """A program on two ranks."""
+    command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", sys.executable, "-m", "mpi4py.futures", *command]
     variables = environment(OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_btl="self,vader", **variables)
-    return subprocess.run(command, env=variables, capture_output=True, text=True, timeout=PATIENCE)
+    return subprocess.run(command, env=variables, cwd=folder, capture_output=True, text=True, timeout=PATIENCE)
 
 
 @pytest.mark.skipif(not shutil.which("mpirun"), reason="no mpirun: Debian's openmpi-bin is not installed")
 def test_300_experiments_by_two_ranks_of_mpi_one_of_which_is_killed(tmp_path, serial):
     pytest.importorskip("mpi4py", reason="Debian's python3-mpi4py is not installed")
     file = tmp_path / "results"
-    killed = mpi(300, file, SWEEP_KILLED=tmp_path / "killed")
+    command = [os.path.join(HERE, "sweep_by_mpi.py"), "300", file]
+    killed = by_mpi(*command, folder=tmp_path, SWEEP_KILLED=tmp_path / "killed")
     assert killed.returncode != 0 and (tmp_path / "killed").exists(), killed.stdout + killed.stderr
     with record_file(file) as of_first:
         known = [seed for record in of_first.records for seed in pickle.loads(record)]
     assert len(known) in (100, 200)
-    again = mpi(300, file, SWEEP_KILLED=tmp_path / "killed")
+    again = by_mpi(*command, folder=tmp_path, SWEEP_KILLED=tmp_path / "killed")
     assert again.returncode == 0, again.stderr
     assert f"digest 300 {digest(serial)}" in again.stdout
+
+
+def test_guide_runs(tmp_path):
+    run = subprocess.run([sys.executable, os.path.join(GUIDE, "sweeps.py")], cwd=tmp_path, capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    assert "299 others have results; ZeroDivisionError: float division by zero" in run.stdout
+    share = run.stdout.split()[0]
+    if importlib.util.find_spec("distributed"):
+        program = os.path.join(GUIDE, "sweeps_dask.py")
+        by_dask = subprocess.run([sys.executable, program], cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE)
+        assert by_dask.stdout.strip() == share, by_dask.stderr
+        assert (tmp_path / "dask.sweep").read_bytes()
+    if importlib.util.find_spec("mpi4py") and shutil.which("mpirun"):
+        run = by_mpi(os.path.join(GUIDE, "sweeps_mpi.py"), folder=tmp_path)
+        assert run.stdout.strip() == share, run.stderr
