@@ -76,7 +76,7 @@ def draw_passive_fmes(
         for outline in shown:
             axes.fill(*outline.T, facecolor=SKY, alpha=0.35, edgecolor="none", zorder=1)
             axes.plot(*outline.T, color=BLUE, lw=1.2, zorder=3)
-        _draw_arrow(axes, 0.5 * reach * _unit(velocity), MUTED, "motion")
+        draw_arrow(axes, 0.5 * reach * _unit(velocity), MUTED, "motion")
     if desired_force is not None:
         _draw_forces(axes, device, q, velocity, np.asarray(desired_force, dtype=float), reach)
     axes.plot(0, 0, "o", color=INK, ms=4, zorder=6)
@@ -117,6 +117,16 @@ def draw_wall(axes: Axes, point: Numbers, normal: Numbers) -> Axes:
         if len(surface) > 1:
             axes.plot(*surface[:2].T, color=MUTED, lw=1.2, zorder=0.5)
     axes.set(xlim=(left, right), ylim=(low, high))
+    return axes
+
+
+def draw_arrow(axes: Axes, vector: Numbers, colour: str, label: str) -> Axes:
+    """An arrow from 0 in the units of the picture, and its line of the legend; of a vector 0 the latter alone."""
+    tip = np.asarray(vector, dtype=float)
+    axes.plot([0, tip[0]], [0, tip[1]], color=colour, lw=2, label=label, zorder=6)
+    if np.any(tip):
+        style = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
+        axes.annotate("", tip, (0, 0), arrowprops=style, zorder=6)
     return axes
 
 
@@ -230,18 +240,10 @@ def _draw_forces(
     if desired.shape != (2,) or not length < math.inf:
         raise ValueError(f"passive_haptics: desired_force = {desired.tolist()}, expected two finite numbers")
     scale = min(LONGEST_ARROW * reach / length, 1.0) if length > 0 else 1.0
-    _draw_arrow(axes, scale * desired, VERMILION, f"$F_d$ {length:.3g} N")
+    draw_arrow(axes, scale * desired, VERMILION, f"$F_d$ {length:.3g} N")
     if velocity is None:
         return
     nearest, angle = nearest_producible(device, q, velocity, desired)
     made = float(np.linalg.norm(nearest))
     name = f"nearest {made:.3g} N, {math.degrees(angle):.0f}° off" if made > 0 else "no force is near"
-    _draw_arrow(axes, scale * nearest, BLUE, name)
-
-
-def _draw_arrow(axes: Axes, vector: Array, colour: str, label: str) -> None:
-    """An arrow from 0 and its line of the legend; of a vector 0 the latter alone."""
-    axes.plot([0, vector[0]], [0, vector[1]], color=colour, lw=2, label=label, zorder=6)
-    if np.any(vector):
-        style = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
-        axes.annotate("", vector, (0, 0), arrowprops=style, zorder=6)
+    draw_arrow(axes, scale * nearest, BLUE, name)
