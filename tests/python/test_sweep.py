@@ -70,6 +70,19 @@ def test_an_executor_of_ones_own_and_seeds_of_numpy(serial):
     assert sweep(experiment, []) == []
 
 
+@pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
+def test_processes_however_they_are_started(method, serial):
+    program = f"""
+import multiprocessing
+multiprocessing.set_start_method("{method}")
+import experiments
+from passive_haptics.sweep import sweep
+experiments.print_digest(sweep(experiments.experiment, range(300)))
+"""
+    run = subprocess.run([sys.executable, "-c", program], env=environment(), capture_output=True, text=True)
+    assert f"digest 300 {digest(serial)}" in run.stdout, run.stderr
+
+
 def test_results_of_one_object_are_as_if_each_had_its_own():
     shared = ["a list"]
     with ThreadPoolExecutor(1) as executor:

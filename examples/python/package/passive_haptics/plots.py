@@ -22,7 +22,13 @@ from matplotlib.patches import Polygon  # type: ignore[import]
 from passive_haptics import _native
 from passive_haptics.arrays import Array, Numbers
 from passive_haptics.planar_geometry import geometry_of
-from passive_haptics.producible_forces import nearest_producible, passive_fme, passive_fmes, producible_outline
+from passive_haptics.producible_forces import (
+    nearest_producible,
+    passive_fme,
+    passive_fmes,
+    producible_outline,
+    unit_vector,
+)
 from passive_haptics.results import status
 
 Axes = Any
@@ -76,7 +82,7 @@ def draw_passive_fmes(
         for outline in shown:
             axes.fill(*outline.T, facecolor=SKY, alpha=0.35, edgecolor="none", zorder=1)
             axes.plot(*outline.T, color=BLUE, lw=1.2, zorder=3)
-        draw_arrow(axes, 0.5 * reach * _unit(velocity), MUTED, "motion")
+        draw_arrow(axes, 0.5 * reach * unit_vector(velocity, "velocity"), MUTED, "motion")
     if desired_force is not None:
         _draw_forces(axes, device, q, velocity, np.asarray(desired_force, dtype=float), reach)
     axes.plot(0, 0, "o", color=INK, ms=4, zorder=6)
@@ -107,7 +113,7 @@ def draw_device(device: _native.mechanism, q: Numbers, axes: Axes | None = None,
 
 def draw_wall(axes: Axes, point: Numbers, normal: Numbers) -> Axes:
     """The wall through a point with a normal out of it, as far as the picture reaches now. Limits stay."""
-    n = _unit(normal)
+    n = unit_vector(normal, "normal")
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     corners = np.array([[left, low], [right, low], [right, high], [left, high]])
     behind = _cut(corners, np.asarray(point, dtype=float), n)
@@ -176,14 +182,6 @@ def values_over(device: Any, x: Numbers, y: Numbers, function: collections.abc.C
     return found
 
 
-def _unit(of: Numbers) -> Array:
-    vector = np.asarray(of, dtype=float)
-    length = float(np.linalg.norm(vector))
-    if vector.shape != (2,) or not 0 < length < math.inf:
-        raise ValueError(f"passive_haptics: direction = {vector.tolist()}, expected two finite numbers, not both 0")
-    return vector / length
-
-
 def _reach(outlines: list[Array]) -> float:
     """Half of the side of a square about 0 that holds these outlines and a margin."""
     return (1 + MARGIN) * max([float(np.abs(outline).max()) for outline in outlines if len(outline)], default=1.0)
@@ -236,11 +234,9 @@ def _draw_forces(
     axes: Axes, device: Any, q: Numbers, velocity: Optional[Numbers], desired: Array, reach: float
 ) -> None:
     """The desired force, and the nearest one where the motion is known."""
-    length = float(np.linalg.norm(desired))
-    if desired.shape != (2,) or not length < math.inf:
-        raise ValueError(f"passive_haptics: desired_force = {desired.tolist()}, expected two finite numbers")
-    scale = min(LONGEST_ARROW * reach / length, 1.0) if length > 0 else 1.0
-    draw_arrow(axes, scale * desired, VERMILION, f"$F_d$ {length:.3g} N")
+    direction, length = unit_vector(desired, "desired_force"), float(np.linalg.norm(desired))
+    scale = min(LONGEST_ARROW * reach / length, 1.0)
+    draw_arrow(axes, scale * length * direction, VERMILION, f"$F_d$ {length:.3g} N")
     if velocity is None:
         return
     nearest, angle = nearest_producible(device, q, velocity, desired)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import typing
 from typing import Any, Optional
@@ -45,6 +46,15 @@ class force_towards(typing.NamedTuple):
     """Between the two [rad]."""
 
 
+def unit_vector(of: Numbers, name: str = "direction") -> Array:
+    """The direction of a vector in the plane; throws ValueError if it has none."""
+    vector = np.asarray(of, dtype=float)
+    length = float(np.linalg.norm(vector))
+    if vector.shape != (2,) or not 0 < length < math.inf:
+        raise ValueError(f"passive_haptics: {name} = {vector.tolist()}, expected two finite numbers, not both 0")
+    return vector / length
+
+
 def _unit(angle: float) -> Array:
     return np.array([math.cos(angle), math.sin(angle)])
 
@@ -83,10 +93,12 @@ def nearest_producible(
     device: _native.mechanism, q: Numbers, velocity: Numbers, desired_force: Numbers
 ) -> force_towards:
     """The force nearest to the desired one [N] that brakes without limits can make while the handle moves
-    with a velocity, whose direction counts [m/s]; (0, pi / 2) where there is none."""
+    with a velocity, whose direction counts [m/s]; (0, pi / 2) where there is none. Throws ValueError for a
+    force 0, a device in space and a pose that it cannot take."""
     _require_planar(device, q)
     Fd = np.asarray(desired_force, dtype=float)
-    angle = math.atan2(Fd[1], Fd[0])
+    n = unit_vector(Fd, "desired_force")
+    angle = math.atan2(n[1], n[0])
     nearest = _direction_nearest(device, q, velocity, angle, None)
     if nearest is None:
         return force_towards(np.zeros(2), math.pi / 2)
@@ -111,7 +123,7 @@ def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers)
     radii = np.zeros(len(angles))
     for k, angle in enumerate(angles):
         found = of.displayable(q, velocity, _unit(angle), brakes)
-        if found.display == display_class.exact or (is_displayed(found) and found.angle < EDGE):
+        if found.angle < EDGE:  # pi / 2 where there is no force
             radii[k] = found.strongest_nearest
     usual = _usual_force(of, q)
     if np.any(radii > HELD * usual):
@@ -120,11 +132,6 @@ def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers)
     kept = [k for k in range(len(points)) if radii[k] > 0 or radii[k - 1] > 0 or radii[(k + 1) % len(radii)] > 0]
     outline = points[kept]
     return np.concatenate([outline, outline[:1]])
-
-
-def is_displayed(found: Any) -> bool:
-    """Whether there is a force with a component along the wanted one."""
-    return found.display in (display_class.exact, display_class.approximate)
 
 
 def passive_fmes(device: _native.mechanism, q: Numbers) -> list[passive_fme]:
@@ -144,21 +151,27 @@ def passive_fmes(device: _native.mechanism, q: Numbers) -> list[passive_fme]:
         if outcome == status.ok and np.linalg.norm(forces, axis=0).max() < HELD * _usual_force(of, q):
             return regions
     brakes = _brakes_of_1(of)
-    normals = [_unit(2 * math.pi * k / COARSE) for k in range(COARSE)]
-    sets: list[tuple[object, list[float], Optional[tuple[int, ...]]]] = []
-    for k in range(COARSE):
-        direction = OUT_OF_LINE + 2 * math.pi * k / COARSE
-        found = [of.displayable(q, _unit(direction), normal, brakes) for normal in normals]
-        shown = [tuple(-int(s) for s in f.signs) if f.display == display_class.exact else None for f in found]
-        if not sets or sets[-1][0] != shown:
-            signs = {each for each in shown if each is not None}
-            only = next(iter(signs)) if len(signs) == 1 else None
-            sets.append((shown, [], only if only is not None and all(only) else None))
-        sets[-1][1].append(direction)
-    if len(sets) > 1 and sets[0][0] == sets[-1][0]:
-        first = sets.pop(0)
-        sets[-1][1].extend(direction + 2 * math.pi for direction in first[1])
-    return [
-        passive_fme(signs, producible_outline(device, q, _unit(directions[len(directions) // 2])))
-        for _, directions, signs in sets
+    directions = [OUT_OF_LINE + 2 * math.pi * k / COARSE for k in range(COARSE)]
+    sets = [
+        (shown, list(ways))
+        for shown, ways in itertools.groupby(directions, lambda way: _shown_in_motion(of, q, _unit(way), brakes))
     ]
+    if len(sets) > 1 and sets[0][0] == sets[-1][0]:
+        sets[-1][1].extend(direction + 2 * math.pi for direction in sets.pop(0)[1])
+    return [
+        passive_fme(_only_signs(shown), producible_outline(device, q, _unit(ways[len(ways) // 2])))
+        for shown, ways in sets
+    ]
+
+
+def _shown_in_motion(device: Any, q: Numbers, velocity: Numbers, brakes: Any) -> list[Optional[tuple[int, ...]]]:
+    """Of each direction in which a force can be displayed, the signs of the torques that do it; None of the others."""
+    found = [device.displayable(q, velocity, _unit(2 * math.pi * k / COARSE), brakes) for k in range(COARSE)]
+    return [tuple(-int(s) for s in each.signs) if each.display == display_class.exact else None for each in found]
+
+
+def _only_signs(shown: list[Optional[tuple[int, ...]]]) -> Optional[tuple[int, ...]]:
+    """The signs that all forces have, none of them 0; else None."""
+    signs = {each for each in shown if each is not None}
+    only = signs.pop() if len(signs) == 1 else (0,)
+    return only if all(only) else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import collections.abc
 import itertools
+import multiprocessing
 import os
 import pickle
 import queue
@@ -132,11 +133,8 @@ def _by_processes(
             yield from _alone(function, lost.pop(), shown)
 
 
-def _alone(
-    function: Experiment, task: Task, shown: progress_line
-) -> collections.abc.Iterator[_Completed]:
-    """A task in a process of its own. If that dies, each half has one, down to the experiment that ends
-    it."""
+def _alone(function: Experiment, task: Task, shown: progress_line) -> collections.abc.Iterator[_Completed]:
+    """A task in a process of its own. If that dies, each half has one, down to the experiment that ends it."""
     with _pool(1) as pool:
         for _, outcomes in _by_executor(pool, function, iter([task]), 1, shown):
             if not isinstance(outcomes, BrokenExecutor) or len(task) == 1:
@@ -150,7 +148,7 @@ def _alone(
 @contextmanager
 def _pool(workers: int) -> collections.abc.Iterator[ProcessPoolExecutor]:
     """Processes that end with this one."""
-    pool = ProcessPoolExecutor(workers, initializer=_follow, initargs=(os.getpid(),))
+    pool = ProcessPoolExecutor(workers, initializer=_follow)
     try:
         yield pool
     except BaseException:
@@ -159,16 +157,15 @@ def _pool(workers: int) -> collections.abc.Iterator[ProcessPoolExecutor]:
     pool.shutdown()
 
 
-def _follow(parent: int) -> None:
+def _follow() -> None:
     """Ends this process without a word at Ctrl-C, and soon after its parent has gone, even if that was
     killed."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    starter, parent = os.getppid(), multiprocessing.parent_process()
 
     def watch() -> None:
-        while os.getppid() == parent:
+        while os.getppid() == starter and (parent is None or parent.is_alive()):
             time.sleep(PARENT_PERIOD)
         os._exit(1)
 
     threading.Thread(target=watch, daemon=True).start()
-
-
