@@ -42,8 +42,8 @@ MARGIN = 0.15
 """Around what is drawn, a part of its size [1]."""
 LONGEST_ARROW = 0.8
 """A force that is longer than this part of the picture's half is drawn so long [1]."""
-LABEL_AT = 0.62
-"""Where the name of an FME stands between 0 and its outline [1]."""
+LABEL_GAP = 17.0
+"""From the outline of an FME to the middle of its name [points]."""
 MINUS = "\N{MINUS SIGN}"
 HALO = [patheffects.withStroke(linewidth=2.5, foreground="white")]
 
@@ -74,9 +74,7 @@ def draw_passive_fmes(
     for region in regions:
         axes.plot(*region.outline.T, color=PALE, lw=1.2, zorder=2)
         if _is_quarter(region):
-            name = "(" + ", ".join("+" if sign > 0 else MINUS for sign in region.signs or ()) + ")"
-            place = LABEL_AT * region.outline[len(region.outline) // 2]
-            axes.text(*place, name, color=INK, ha="center", va="center", fontsize=9, zorder=5, path_effects=HALO)
+            _name_quarter(axes, region)
     if velocity is not None:
         shown = _region_in_motion(device, q, velocity, regions)
         for outline in shown:
@@ -219,6 +217,19 @@ def _cut(corners: Array, point: Array, n: Array) -> Array:
 def _is_quarter(region: passive_fme) -> bool:
     """Whether it is one of the paper's: two brakes, whose signs name it."""
     return region.signs is not None and len(region.signs) == 2
+
+
+def _name_quarter(axes: Axes, region: passive_fme) -> None:
+    """The signs of a quarter beside the middle of its arc."""
+    middle = len(region.outline) // 2
+    tangent = region.outline[middle + 1] - region.outline[middle - 1]
+    outwards = unit_vector([tangent[1], -tangent[0]])
+    gap = LABEL_GAP * outwards * (1 if outwards @ region.outline[middle] > 0 else -1)
+    name = "(" + ", ".join("+" if sign > 0 else MINUS for sign in region.signs or ()) + ")"
+    axes.annotate(
+        name, region.outline[middle], xytext=tuple(gap), textcoords="offset points", color=INK, fontsize=9,
+        ha="center", va="center", zorder=5, path_effects=HALO,
+    )  # fmt: skip
 
 
 def _region_in_motion(device: Any, q: Numbers, velocity: Numbers, regions: list[passive_fme]) -> list[Array]:
