@@ -118,8 +118,10 @@ def _require_unchanged(
         for seed, result, failure in outcomes:
             if result != known[seed]:
                 now = f"fails now:\n{failure}" if failure else "has another result now"
-                text = f"passive_haptics: file = {file}: the experiment of seed {seed} {now}"
-                raise ValueError(f"{text}. The file is of another function: name a new file, or remove this one.")
+                raise ValueError(
+                    f"passive_haptics: file = {file}: the experiment of seed {seed} {now}. The function has changed, or "
+                    "depends on more than its seed. Name a new file, or remove this one."
+                )
 
 
 def _error_of(order: list[int], known: dict[int, bytes], failures: dict[int, str]) -> sweep_error:
