@@ -6,6 +6,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=$PWD/build
 jobs=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc 2>/dev/null || echo 2)}
 compile_packages="g++ cmake ninja-build libeigen3-dev libboost-dev"
+python_packages="g++ libeigen3-dev libboost-dev python3-dev python3-pybind11 python3-numpy python3-matplotlib python3-pip
+  python3-venv python3-wheel"
+python=$build/python/venv/bin/python
 
 say() { printf '== %s\n' "$*"; }
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
@@ -46,8 +49,9 @@ present() {
     g++-mingw-w64-x86-64) command -v x86_64-w64-mingw32-g++ >/dev/null ;;
     wine64) [[ -x /usr/lib/wine/wine64 ]] || command -v wine64 >/dev/null ;;
     emscripten) command -v em++ >/dev/null ;;
+    openmpi-bin) command -v mpirun >/dev/null ;;
     nodejs) command -v node >/dev/null ;;
-    libc++*-dev | doxygen-awesome-css | libjs-katex | fonts-katex) found_by_dpkg "$1" ;;
+    python3-* | libc++*-dev | doxygen-awesome-css | libjs-katex | fonts-katex) found_by_dpkg "$1" ;;
     clang) command -v clang++ >/dev/null ;;
     llvm) command -v llvm-cov >/dev/null ;;
     libclang-rt-dev) echo 'int main() {}' | clang++ -fsanitize=address -x c++ - -o /dev/null 2>/dev/null ;;
@@ -112,4 +116,12 @@ build_preset() {
   cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
   say "building build/$preset"
   cmake --build "build/$preset" --parallel "$jobs" ${1:+--target "$@"}
+}
+
+# build_python_package: into a venv of build/python; what is made on the way stays there, so that the next time is quick.
+build_python_package() {
+  say "building the package for Python"
+  [[ -x $python ]] || /usr/bin/python3 -m venv --system-site-packages "$build/python/venv"
+  CMAKE_BUILD_PARALLEL_LEVEL=$jobs "$python" -m pip install --quiet --disable-pip-version-check --no-build-isolation \
+    --no-deps --force-reinstall examples/python
 }

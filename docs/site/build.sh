@@ -8,7 +8,7 @@ parts=build/docs html=build/docs/html
 mkdir -p $parts
 rm -rf $html
 # A page for each file to which a page links, so that its readers stay within the site
-grep -ohE '\]\([^)#]+\.(cpp|hpp|toml|txt|csv)\)' docs/*.md docs/guide/*.md | sed -E 's#\]\((\.\./)*([^)]*)\)#\2#; s#^[^/]*$#docs/guide/&#' |
+grep -ohE '\]\([^)#]+\.(cpp|hpp|py|toml|txt|csv)\)' docs/*.md docs/guide/*.md | sed -E 's#\]\((\.\./)*([^)]*)\)#\2#; s#^[^/]*$#docs/guide/&#' |
   grep -v '^include/' | sort -u | while read -r file; do
     id=${file#docs/}
     printf '/** @page %s %s\n@include %s\n*/\n' "$(tr -c 'A-Za-z0-9\n' _ <<<"${id,,}")" "$file" "$file"

@@ -1,0 +1,44 @@
+"""The pieces of code of the page python.md."""
+
+import pickle
+
+import numpy as np
+
+import passive_haptics as ph
+
+# One cycle
+arm = ph.tendon_two_link(reduction_2=0.4)
+brakes = arm.brakes(torque_limit=[1, 1])
+wall = ph.wall(ph.half_space([0, 0.225], [0, -1]), stiffness=1e5)
+control = ph.controller(arm, brakes, ph.scene(wall), ph.direct_control())
+
+q, outcome = arm.inverse([0.1, 0.226])  # 1 mm behind the wall
+result = control(ph.device_state(time=0, q=q, qd=[0.5, -0.2], hand_force=[0.5, 2]))
+print(result.capacity, result.display.text)
+
+# Many states
+random = np.random.default_rng(1)
+positions = np.asfortranarray(q + random.uniform(-0.1, 0.1, (100_000, 2)))
+rates = np.asfortranarray(random.uniform(-1, 1, (100_000, 2)))
+pushes = np.asfortranarray(random.uniform(-4, 4, (100_000, 2)))
+results = control.batch(positions, rates, pushes, fields=["display", "alpha"])
+share = np.mean(results.display == ph.display_class.approximate)
+print(f"{share:.0%} of the states are displayed approximately")
+
+# What a device can display
+forces, outcome = arm.reference_forces(q)
+signs = arm.brake_signs(q, [0.5, -0.2])
+nearest = arm.nearest_force(q, signs, [0, -5])
+found = arm.displayable(q, velocity=[0.05, 0], normal=[0, -1], brakes=brakes)
+print(f"{found.strongest:.1f} N at most, {np.degrees(found.angle):.0f} degrees off")
+landing = arm.braked_wall_at(
+    q, [0.05, 0.1], [0, -1], brakes, residual_torque=[0.01, 0.01], resolution=[1e-4, 1e-4], hand_mass=0.4
+)
+print(f"a hand gets {1e3 * ph.limits_of(landing).depth:.1f} mm deep")
+
+# Values
+assert pickle.loads(pickle.dumps(control)) == control
+try:
+    ph.tendon_two_link(arm={"length_1": -1})
+except ValueError as error:
+    print(error)

@@ -1,0 +1,128 @@
+/// @file
+/// The controller of one mechanism, one law and one kind of scene.
+#pragma once
+
+#include <passive_haptics_python/any_controller.hpp>
+#include <passive_haptics_python/laws.hpp>
+#include <passive_haptics_python/scenes.hpp>
+
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+
+namespace passive_haptics_python {
+
+/// Batches of a batch_controller.
+template <class B>
+class batch_of final : public any_batch {
+ public:
+  /// Of these arguments of a batch_controller.
+  template <class... Arguments>
+  explicit batch_of(Arguments&&... arguments) : batch_(std::forward<Arguments>(arguments)...) {}
+  /// Stores the results of these states.
+  void run(const batch_columns& columns) const override {
+    using M = typename B::mechanism_type;
+    batch_(states_of<M>(columns), results_of<M>(columns));
+  }
+
+ private:
+  B batch_;
+};
+
+/// Whether batches of mechanism M under law L at a plane wall are compiled for that wall, although they are
+/// computed one state after the other: half the time for twice the compiler's. Specialise it where that pays.
+template <class M, class L>
+inline constexpr bool is_compiled_for_planes = false;
+
+/// Batches that are compiled for their wall, a half_space or a ball: those that are computed several states
+/// at a time, and those of is_compiled_for_planes. nullptr for all others. A function of its own, so that a
+/// source can instantiate it with other flags than the rest.
+template <class M, class L>
+std::unique_ptr<any_batch> batch_at_wall(const M& mechanism, const ph::brakes_of<M>& brakes,
+                                         const ph::wall<any_shape<M::task_dimension>>& w, const L& law,
+                                         const ph::step_options<double>& options) {
+  constexpr int D = M::task_dimension;
+  const auto of = [&]<class S>(std::type_identity<S>) -> std::unique_ptr<any_batch> {
+    using B = ph::batch_controller<M, ph::static_scene<S>, L>;
+    constexpr bool is_plane = std::is_same_v<S, ph::half_space<D>>;
+    if constexpr (B::is_vectorised || (is_plane && is_compiled_for_planes<M, L>)) {
+      if (const S* found = w.shape.template as<S>())
+        return std::make_unique<batch_of<B>>(mechanism, brakes, ph::scene(ph::wall(*found, w.stiffness())),
+                                             law, options);
+    }
+    return nullptr;
+  };
+  auto found = of(std::type_identity<ph::half_space<D>>());
+  return found ? std::move(found) : of(std::type_identity<ph::ball<D>>());
+}
+
+/// Cycles one by one and batches of a scene S.
+template <class M, class L, class S>
+class controller_of final : public any_controller {
+ public:
+  /// at_wall: batches of this set-up that are compiled for its wall, or nullptr.
+  controller_of(const M& mechanism, const ph::brakes_of<M>& brakes, const S& scene, const L& law,
+                const ph::step_options<double>& options, std::unique_ptr<any_batch> at_wall)
+      : control_(mechanism, brakes, scene, law, options),
+        batch_(mechanism, brakes, scene, law, options),
+        at_wall_(std::move(at_wall)) {}
+
+  /// One control cycle.
+  result_values step(const state_values& state) override {
+    ph::device_state<M> s;
+    s.time = state.time;
+    s.q = sized<M::dof>(state.q, "q", "joints");
+    s.qd = sized<M::dof>(state.qd, "qd", "joints");
+    if (state.hand_force)
+      s.hand_force = sized<M::task_dimension>(*state.hand_force, "hand_force", "task dimensions");
+    else if (ph::needs_hand_force<L>)
+      refuse_value(
+          "hand_force = None, expected a force [N]: the law needs one; or take a law that needs none");
+    return values_of(control_(s));
+  }
+
+  /// Stores the results of these states.
+  void run(const batch_columns& columns) const override {
+    if (at_wall_) at_wall_->run(columns);
+    else batch_.run(columns);
+  }
+
+  /// Forgets the motion so far, and the scene the handle.
+  void reset() override {
+    control_.reset();
+    if constexpr (requires(S& scene) { scene.reset(); }) control_.scene().reset();
+  }
+
+ private:
+  ph::controller<M, S, L> control_;
+  batch_of<ph::batch_controller<M, S, L>> batch_;
+  std::unique_ptr<any_batch> at_wall_;
+};
+
+/// The controller of a mechanism, one of its laws and a scene; a ValueError if the scene is of another
+/// dimension, or of several walls where the law takes one.
+template <class M, class L>
+std::unique_ptr<any_controller> make_controller(const M& mechanism, const ph::brakes_of<M>& brakes,
+                                                const scene& walls, const L& law,
+                                                const ph::step_options<double>& options) {
+  constexpr int D = M::task_dimension;
+  if (walls.dimension() != D)
+    refuse_value("scene has dimension " + std::to_string(walls.dimension()) + ", expected " +
+                 std::to_string(D) + ", the task dimension of the mechanism");
+  const auto all = walls.geometry<D>();
+  if (all.size() == 1) {
+    using S = ph::static_scene<any_shape<D>>;
+    return std::make_unique<controller_of<M, L, S>>(
+        mechanism, brakes, S(all[0]), law, options,
+        batch_at_wall<M, L>(mechanism, brakes, all[0], law, options));
+  }
+  if constexpr (ph::saturates_before_scaling<L>)
+    refuse_value("scene has " + std::to_string(all.size()) +
+                 " walls, expected one: a law that saturates before scaling takes one wall at a time; take "
+                 "direct_control");
+  else
+    return std::make_unique<controller_of<M, L, ph::world<D>>>(mechanism, brakes, world_of<D>(all), law,
+                                                               options, nullptr);
+}
+
+}  // namespace passive_haptics_python

@@ -1,0 +1,83 @@
+"""Enumerations and tuples of results; the numbers are those of arrays that a batch returns."""
+
+import enum
+import typing
+
+from passive_haptics import _native
+
+
+class status(enum.IntEnum):
+    """What became of a calculation."""
+
+    ok = 0
+    state_not_finite = 1
+    contact_invalid = 2
+    parameters_invalid = 3
+    pose_undefined = 4
+    scale_out_of_range = 5
+    result_not_finite = 6
+    singular_jacobian = 7
+    out_of_reach = 8
+    too_many_contacts = 9
+    scene_stale = 10
+
+    @property
+    def text(self) -> str:
+        """The status in words."""
+        return _native.status_text(self.value)
+
+
+class power_class(enum.IntEnum):
+    """Where the desired force lies by power (section 2 of the paper)."""
+
+    none = 0
+    active = 1
+    passive_1 = 2
+    passive_2 = 3
+
+    @property
+    def text(self) -> str:
+        """The class in words."""
+        return _native.power_text(self.value)
+
+
+class display_class(enum.IntEnum):
+    """How the desired force is displayed."""
+
+    none = 0
+    approximate = 1
+    exact = 2
+    empty_cone = 3
+
+    @property
+    def text(self) -> str:
+        """The class in words."""
+        return _native.display_text(self.value)
+
+
+class contact_report(typing.NamedTuple):
+    """What became of one of several contacts."""
+
+    wall_number: int
+    """Wall of the scene."""
+    wanted: float
+    """Normal force that the law wanted [N]."""
+    displayed: float
+    """Normal force that is commanded [N]."""
+    has_priority: bool
+    """Met before the others: it was being left, and the law gives way."""
+
+
+class wall_limits(typing.NamedTuple):
+    """What a wall made of brakes can be."""
+
+    depth: float
+    """Smallest depth that can be held [m]; infinite where the brakes do not stop the hand."""
+    rigid_depth: float
+    """Largest depth under force approximation, for a wall of any stiffness [m]."""
+    stiffness: float
+    """Largest useful stiffness under force approximation [N/m]."""
+    drift: float
+    """Least noticeable drift off the wall or into it [m/s]."""
+    pushed_out: bool
+    """The residual torques alone push out a hand that slides along the wall."""

@@ -1,0 +1,91 @@
+"""Builds the package. All that is made on the way goes to build/python of the repository."""
+
+import glob
+import os
+import re
+import shutil
+import subprocess
+
+from pybind11.setup_helpers import ParallelCompile, Pybind11Extension, build_ext
+from setuptools import setup
+from setuptools.command.build_py import build_py
+
+root = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+build = os.path.join(root, "build", "python")
+headers = os.path.join(root, "include", "passive_haptics")
+
+
+def version():
+    """The version of the library."""
+    text = open(os.path.join(headers, "core", "version.hpp"), encoding="utf-8").read()
+    part = lambda name: re.search(rf"VERSION_{name} (\d+)", text).group(1)
+    return ".".join(part(name) for name in ("MAJOR", "MINOR", "PATCH"))
+
+
+def files(*patterns):
+    """The files of these patterns."""
+    return sorted(name for pattern in patterns for name in glob.glob(pattern, recursive=True))
+
+
+def eigen():
+    """The folder of Eigen's headers."""
+    try:
+        flags = subprocess.check_output(["pkg-config", "--cflags-only-I", "eigen3"], text=True)
+        return flags.strip().removeprefix("-I")
+    except (OSError, subprocess.CalledProcessError):
+        return "/usr/include/eigen3"
+
+
+class build_with_headers(build_py):
+    """Puts the headers into the package, so that a mechanism of a user's own can be bound with a wheel alone."""
+
+    def run(self):
+        super().run()
+        folder = os.path.join(self.build_lib, "passive_haptics", "include")
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(headers, os.path.join(folder, "passive_haptics"))
+        shutil.copytree("include/passive_haptics_python", os.path.join(folder, "passive_haptics_python"))
+
+
+def is_out_of_date(object_file, source):
+    """Whether a file must be compiled: it or a header that it includes is newer than its object file."""
+    try:
+        named = open(object_file[:-2] + ".d", encoding="utf-8").read().replace("\\\n", " ").split()[1:]
+        made = os.stat(object_file).st_mtime
+        return any(os.stat(name).st_mtime > made for name in [*named, os.path.abspath(__file__)])
+    except OSError:
+        return True
+
+
+# Bits as in a C++ program that does not contract products and sums. Without FLATTEN, which makes each cycle one
+# function: it would take the compiler half an hour. source/batches/ has it, where it pays.
+flags = ["-O2", "-g0", "-DNDEBUG", "-ffp-contract=off", "-DPASSIVE_HAPTICS_FLATTEN=", "-Wno-psabi", "-MMD"]
+
+os.chdir(os.path.dirname(os.path.abspath(__file__)))
+os.makedirs(build, exist_ok=True)
+ParallelCompile(
+    "CMAKE_BUILD_PARALLEL_LEVEL", default=len(os.sched_getaffinity(0)), needs_recompile=is_out_of_date
+).install()
+setup(
+    version=version(),
+    packages=["passive_haptics"],
+    package_dir={"": "package"},
+    package_data={"passive_haptics": ["py.typed", "*.pyi"]},
+    ext_modules=[
+        Pybind11Extension(
+            "passive_haptics._native",
+            files("source/**/*.cpp"),
+            depends=files("source/**/*.hpp", "include/**/*.hpp", os.path.join(headers, "**", "*.hpp"), "setup.py"),
+            cxx_std=20,
+            include_dirs=["include", os.path.join(root, "include"), eigen()],
+            extra_compile_args=flags,
+            extra_link_args=["-s"],  # without the names of functions
+        )
+    ],
+    cmdclass={"build_ext": build_ext, "build_py": build_with_headers},
+    options={
+        "build": {"build_base": os.path.join(build, "build")},
+        "egg_info": {"egg_base": build},
+    },
+    zip_safe=False,
+)

@@ -1,0 +1,12 @@
+// Batches of five_bar at a wall that the compiler knows.
+#undef PASSIVE_HAPTICS_FLATTEN
+#include "../batches_at_walls.hpp"
+
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+
+namespace passive_haptics_python {
+
+using device = ph::five_bar<double, 2>;
+PASSIVE_HAPTICS_PYTHON_BATCHES_HERE(device);
+
+}  // namespace passive_haptics_python

@@ -1,0 +1,12 @@
+// Batches of tendon_two_link at a wall that the compiler knows.
+#undef PASSIVE_HAPTICS_FLATTEN
+#include "../batches_at_walls.hpp"
+
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+
+namespace passive_haptics_python {
+
+using device = ph::tendon_two_link<double>;
+PASSIVE_HAPTICS_PYTHON_BATCHES_HERE(device);
+
+}  // namespace passive_haptics_python

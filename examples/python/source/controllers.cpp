@@ -1,0 +1,112 @@
+// Controllers.
+#include "batch_arrays.hpp"
+#include "module.hpp"
+
+#include <passive_haptics_python/mechanisms.hpp>
+
+namespace passive_haptics_python {
+namespace {
+
+// Options of a step.
+struct option_values {
+  double max_approximation_angle = ph::approximation_parameters<double>().max_approximation_angle;  // [rad]
+  ph::saturation limits = ph::saturation::keep_direction;
+
+  static constexpr auto members() {
+    using p = option_values;
+    return ph::member_table(ph::member("max_approximation_angle", &p::max_approximation_angle, "rad"),
+                            ph::choice("limits", &p::limits, "keep_direction, clamp_each"));
+  }
+  ph::step_options<double> options() const {
+    ph::approximation_parameters<double> approximation;
+    approximation.max_approximation_angle = max_approximation_angle;
+    return ph::step_options<double>(approximation, limits);
+  }
+};
+
+// A controller and what it was made of.
+struct controller {
+  py::object of_mechanism, of_brakes, of_scene, of_law;
+  option_values options;
+  device_sizes sizes;
+  std::unique_ptr<any_controller> held;
+
+  static std::vector<std::string> names() {
+    return {"mechanism", "brakes", "scene", "law", "max_approximation_angle", "limits"};
+  }
+  static controller made(const py::dict& given, const std::string& name) {
+    controller c;
+    py::dict others;
+    for (const auto& [key, value] : given) others[key] = value;
+    const auto take = [&](const char* part) {
+      if (!others.contains(part))
+        refuse_type(name + " needs (mechanism, brakes, scene, law), but no " + part + " was given");
+      return py::object(others.attr("pop")(part));
+    };
+    c.of_mechanism = take("mechanism");
+    c.of_brakes = take("brakes");
+    c.of_scene = take("scene");
+    c.of_law = take("law");
+    assign_members(c.options, others, name);
+    const auto& device = expect<mechanism>(c.of_mechanism, "mechanism", "a mechanism such as two_link()");
+    const auto& walls = expect<scene>(c.of_scene, "scene", "a scene: scene(wall(shape, stiffness))");
+    expect<brakes>(c.of_brakes, "brakes", "what brakes() of the mechanism returns");
+    expect<law>(c.of_law, "law", "a law such as direct_control()");
+    c.sizes = device.sizes();
+    c.held = device.make_controller(c.of_brakes, walls, c.of_law, c.options.options());
+    return c;
+  }
+  py::dict with(const py::dict& of_options) const {
+    py::dict all;
+    all["mechanism"] = of_mechanism;
+    all["brakes"] = of_brakes;
+    all["scene"] = of_scene;
+    all["law"] = of_law;
+    for (const auto& [key, value] : of_options) all[key] = value;
+    return all;
+  }
+  py::dict parameters() const { return with(to_dict(options)); }
+  py::dict changed() const { return with(changed_members(options, option_values())); }
+};
+
+}  // namespace
+
+void bind_controllers(py::module_& module) {
+  const std::string text =
+      "(mechanism: mechanism, brakes: brake_parameters, scene: scene, law: law, " +
+      stub_arguments<option_values>() +
+      ")\n\nA mechanism, its brakes, a scene and a law, called once a cycle or for many states at once. "
+      "max_approximation_angle [rad]: beyond it nothing is displayed. limits: what gives way at a torque "
+      "limit. A "
+      "pickled controller remembers nothing of its motion.";
+  py::class_<controller> bound(module, "controller", text.c_str());
+  add_value_protocol(bound, "controller");
+  bound.def(
+      "__call__",
+      [](controller& c, py::handle state) {
+        return c.held->step(expect<state_values>(state, "state", "a device_state"));
+      },
+      py::arg("state"), "__call__(self, state: device_state) -> step_result\n\nOne control cycle.");
+  bound.def(
+      "batch",
+      [](const controller& c, py::handle q, py::handle qd, py::handle hand_force, py::handle time,
+         const py::object& fields,
+         const py::object& out) { return run_batch(*c.held, c.sizes, q, qd, hand_force, time, fields, out); },
+      py::arg("q"), py::arg("qd"), py::arg("hand_force") = py::none(), py::arg("time") = py::none(),
+      py::kw_only(), py::arg("fields") = py::none(), py::arg("out") = py::none(),
+      "batch(self, q: Array, qd: Array, hand_force: Array | None = ..., time: Array | None = ..., *, fields: "
+      "Iterable[str] | None = ..., out: batch_result | None = ...) -> batch_result\n\nThe cycle of N states, "
+      "each the "
+      "first of a motion. q and qd: N x n, hand_force: N x d, time: N, of float64. Columns that are one "
+      "piece of "
+      "memory (order='F') are read where they stand. fields: names of the results that are wanted beside "
+      "capacity and "
+      "outcome; None: all. out: an earlier result of as many states, whose arrays are written again. "
+      "Python's lock "
+      "is released.");
+  bound.def(
+      "reset", [](controller& c) { c.held->reset(); },
+      "reset(self) -> None\n\nForgets the motion so far, and the scene the handle.");
+}
+
+}  // namespace passive_haptics_python

@@ -1,0 +1,57 @@
+// Control laws.
+#include "module.hpp"
+
+#include <passive_haptics_python/laws.hpp>
+#include <passive_haptics_python/mechanisms.hpp>
+
+#include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
+#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
+#include <passive_haptics/control/laws/rivals/velocity_ratio_control.hpp>
+
+namespace passive_haptics_python {
+namespace {
+
+template <class L>
+void bind_law(py::module_& module, const std::string& name, const std::string& about) {
+  using P = law_parameters<L>;
+  const std::string text = "(" + stub_arguments<P>() + ")\n\n" + about + "\n\n" + parameter_lines<P>();
+  py::class_<law_value<L>, law> bound(module, name.c_str(), text.c_str());
+  add_value_protocol(bound, name);
+}
+
+}  // namespace
+
+void bind_laws(py::module_& module) {
+  py::class_<law>(module, "law", "A control law.");
+  py::class_<brakes>(module, "brake_parameters", "The parameters of the brakes of a device.");
+  py::class_<mechanism>(module, "mechanism", "A mechanism: joint positions in, end effector out.")
+      .def_property_readonly(
+          "dof", [](const mechanism& m) { return m.sizes().dof; }, "int: n, the joints.")
+      .def_property_readonly(
+          "task_dimension", [](const mechanism& m) { return m.sizes().task_dimension; },
+          "int: d, the size of a position.")
+      .def_property_readonly(
+          "brake_count", [](const mechanism& m) { return m.sizes().brake_count; }, "int: m, the brakes.");
+  bind_law<ph::direct_control>(module, "direct_control", "The paper's direct control (7)-(12).");
+  bind_law<ph::saturated_direct_control>(
+      module, "saturated_direct_control",
+      "Direct control whose alpha scales torques that are already cut to the limits. One wall.");
+  bind_law<ph::velocity_direct_control>(
+      module, "velocity_direct_control",
+      "The law that recommended_law returns for a mechanism with inertia and a force sensor.");
+  bind_law<ph::on_off_control>(
+      module, "on_off_control",
+      "The whole approximated force or none, by a relay. recommended_law for a mechanism without inertia.");
+  bind_law<ph::no_direct_control>(module, "no_direct_control", "The approximated force as it is, alpha = 1.");
+  bind_law<ph::bang_bang_control>(module, "bang_bang_control", "A rival: brakes locked or free.");
+  bind_law<ph::coercive_force_approximation>(module, "coercive_force_approximation",
+                                             "A rival: each brake takes its own part of the force.");
+  bind_law<ph::single_degree_of_freedom_control>(module, "single_degree_of_freedom_control",
+                                                 "A rival: one brake is locked.");
+  bind_law<ph::velocity_ratio_control>(module, "velocity_ratio_control",
+                                       "A rival: the ratio of the brakes' rates is controlled.");
+}
+
+}  // namespace passive_haptics_python

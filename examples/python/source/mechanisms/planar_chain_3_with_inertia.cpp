@@ -1,0 +1,11 @@
+// A serial chain of 3 joints with inertia.
+#include "chain_with_inertia.hpp"
+
+namespace passive_haptics_python {
+
+void bind_planar_chain_3_with_inertia(py::module_& module) {
+  bind_chain_with_inertia<3, 2>(module, "planar_chain_3_with_inertia",
+                                "A serial chain of 3 joints in the plane, a brake on each, with inertia.");
+}
+
+}  // namespace passive_haptics_python

@@ -1,0 +1,195 @@
+"""What a Python user may get wrong: each ends in an exception that names the value and what was expected."""
+
+import numpy as np
+import pytest
+
+import passive_haptics as ph
+
+nan, inf = float("nan"), float("inf")
+arm = ph.tendon_two_link()
+table = ph.xy_table()
+shape = ph.half_space([0, 0.2], [0, -1])
+wall = ph.wall(shape)
+scene = ph.scene(wall)
+control = ph.controller(arm, arm.brakes(), scene, ph.direct_control())
+relay = ph.controller(arm, arm.brakes(), scene, ph.on_off_control())
+rows = np.zeros((10, 2))
+ones = np.zeros(10)
+results = control.batch(rows, rows, rows)
+read_only = control.batch(rows, rows, rows)
+read_only.alpha.flags.writeable = False
+state = ph.device_state(0, [0.5, 0.5], [0, 0], [0, 0])
+
+
+class subclass(np.ndarray):
+    pass
+
+
+class liar:
+    """Says that it is long, and has nothing."""
+
+    def __len__(self):
+        return 2
+
+    def __getitem__(self, i):
+        raise RuntimeError("nothing here")
+
+
+MISUSES = [
+    # Parameters
+    (lambda: ph.tendon_two_link(lenght_1=0.2), TypeError, "has no parameter 'lenght_1', expected arm, reduction_2"),
+    (lambda: ph.tendon_two_link(reduction_2=0), ValueError, "reduction_2 [1] = 0, expected a finite number > 0"),
+    (lambda: ph.tendon_two_link(reduction_2=nan), ValueError, "reduction_2 [1] = nan, expected a finite number > 0"),
+    (lambda: ph.tendon_two_link(reduction_2="0.4"), TypeError, "reduction_2 = '0.4' (str), expected a number"),
+    (lambda: ph.tendon_two_link(reduction_2=None), TypeError, "reduction_2 = None (NoneType), expected a number"),
+    (lambda: ph.tendon_two_link(reduction_2=True), TypeError, "reduction_2 = True (bool), expected a number"),
+    (lambda: ph.tendon_two_link(reduction_2=1j), TypeError, "reduction_2 = 1j (complex), expected a number"),
+    (lambda: ph.tendon_two_link(reduction_2=np.bool_(1)), TypeError, "(numpy.bool_), expected a number"),
+    (lambda: ph.tendon_two_link(reduction_2=np.array([1.0])), TypeError, "expected a number"),
+    (lambda: ph.tendon_two_link(reduction_2=10**400), ValueError, "expected a number that a double can hold"),
+    (lambda: ph.tendon_two_link(arm=0.15), TypeError, "arm = 0.15 (float), expected a dict of length_1"),
+    (lambda: ph.tendon_two_link({"length_3": 1}), TypeError, "arm has no parameter 'length_3'"),
+    (lambda: ph.tendon_two_link({"length_1": -1}), ValueError, "arm.length_1 [m] = -1, expected a finite number > 0"),
+    (lambda: ph.tendon_two_link({}, 0.4, 3), TypeError, "takes 2 parameters, 3 were given"),
+    (lambda: ph.tendon_two_link({}, arm={}), TypeError, "arm of tendon_two_link was given twice"),
+    (lambda: ph.five_bar(assembly="up"), ValueError, "assembly = 'up' (str), expected 'left' or 'right'"),
+    (lambda: ph.five_bar(assembly=1), TypeError, "assembly = 1 (int), expected 'left' or 'right'"),
+    (lambda: ph.five_bar(base_distance=1), ValueError, "less than all others together"),
+    (lambda: ph.five_bar(gravity=[0, 0, 9.81]), ValueError, "length of gravity = 3, expected 2"),
+    (lambda: ph.planar_chain_3(), ValueError, "handle"),
+    (lambda: ph.planar_chain_3(joints=[{}] * 4), ValueError, "length of joints = 4, expected 3"),
+    (lambda: ph.planar_chain_3(joints="abc"), TypeError, "joints = 'abc' (str), expected a list"),
+    (lambda: ph.planar_chain_3(joints=[{"kind": "ball"}] * 3), ValueError, "joints[0].kind = 'ball'"),
+    (lambda: ph.planar_chain_3(joints=liar()), (RuntimeError, ValueError), ""),
+    (lambda: arm.brakes(torque_limit=1), TypeError, "torque_limit = 1 (int), expected a list or an array"),
+    (lambda: arm.brakes(torque_limit=[1, 1, 1]), ValueError, "length of torque_limit = 3, expected 2"),
+    (lambda: arm.brakes(torque_limit=[1, -1]), ValueError, "torque_limit[1] [N m] = -1, expected"),
+    (lambda: arm.brakes(torque_limit=[1, None]), TypeError, "torque_limit[1] = None (NoneType), expected a number"),
+    (lambda: arm.brakes(torque_limit=["1", 1]), TypeError, "torque_limit[0] = '1' (str), expected a number"),
+    (lambda: arm.brakes(torque_limit=np.array(["1", "2"])), TypeError, "torque_limit has dtype <U1"),
+    (lambda: arm.brakes(torque_limit=np.array([1, 2], dtype=object)), TypeError, "torque_limit has dtype object"),
+    (lambda: arm.brakes(torque_limit=np.array([True, False])), TypeError, "torque_limit has dtype bool"),
+    (lambda: arm.brakes(torque_limit=np.ones((1, 2))), ValueError, "torque_limit has 2 axes, expected one"),
+    (lambda: arm.brakes(torque_limit=np.ma.ones(2)), TypeError, "expected a numpy.ndarray"),
+    # Shapes, walls and scenes
+    (lambda: ph.half_space(), TypeError, "half_space needs surface_point, normal"),
+    (lambda: ph.half_space([0, 0], [0, 0]), ValueError, "|normal| of a half_space = 0, expected a direction"),
+    (lambda: ph.half_space([0, 0], [0, 0, 1]), ValueError, "length of normal = 3, expected 2"),
+    (lambda: ph.half_space([0, 0, 0, 0], [0, 1]), ValueError, "length of surface_point of half_space = 4, expected 2"),
+    (lambda: ph.half_space([nan, 0], [0, 1]), ValueError, "surface_point[0] of a half_space [m] = nan"),
+    (lambda: ph.ball([0, 0], -1), ValueError, "radius of a ball [m] = -1, expected a finite number > 0"),
+    (lambda: ph.ball(0.1, [0, 0]), TypeError, "expected"),
+    (lambda: ph.box([0, 0], [1, 1], axes=[[1, 1], [0, 1]]), ValueError, "expected orthonormal columns"),
+    (lambda: ph.box([0, 0], [1, 1], axes=[[1, 0]]), ValueError, "length of axes = 1, expected 2"),
+    (lambda: ph.convex_polygon([[0, 0], [1, 0]]), ValueError, "number of corners of convex_polygon = 2, expected 3 to 8"),
+    (lambda: ph.convex_polygon(None), ValueError, "number of corners of convex_polygon = 0"),
+    (lambda: ph.convex_polygon([[0, 0], [2, 0], [1, 0.1], [0, 2]]), ValueError, "expected a convex polygon"),
+    (lambda: ph.offset(3, 0.1), TypeError, "shape = 3 (int), expected a shape"),
+    (lambda: ph.offset(growth=0.1), TypeError, "offset needs a shape"),
+    (lambda: ph.offset(shape, inf), ValueError, "growth of an offset [m] = inf"),
+    (lambda: ph.wall(1e5, shape), TypeError, "a wall is made of (shape, stiffness)"),
+    (lambda: ph.wall(shape, -1), ValueError, "stiffness of a wall [N/m] = -1, expected a finite number >= 0"),
+    (lambda: ph.wall(shape, stifness=1), TypeError, "wall has no parameter 'stifness', expected shape, stiffness"),
+    (lambda: ph.scene(), TypeError, "a scene needs a wall"),
+    (lambda: ph.scene(shape), TypeError, "expected a wall: put each shape into one, wall(shape)"),
+    (lambda: ph.scene([wall]), TypeError, "wall 0 of a scene = [wall("),
+    (lambda: ph.scene(wall, ph.wall(ph.ball([0, 0, 0], 1))), ValueError, "wall 1 of a scene has dimension 3, expected 2"),
+    (lambda: shape.distance([0, 0, 0]), ValueError, "length of x = 3, expected 2"),
+    # Controllers
+    (lambda: ph.controller(arm, arm.brakes(), scene), TypeError, "no law was given"),
+    (lambda: ph.controller(arm, scene, arm.brakes(), ph.direct_control()), TypeError, "expected a scene"),
+    (lambda: ph.controller("arm", arm.brakes(), scene, ph.direct_control()), TypeError, "mechanism = 'arm' (str)"),
+    (lambda: ph.controller(arm, ph.delta().brakes(), scene, ph.direct_control()), TypeError, "for its number of brakes"),
+    (lambda: ph.controller(arm, arm.brakes(), scene, "direct_control"), TypeError, "expected a law such as"),
+    (lambda: ph.controller(table, table.brakes(), scene, ph.bang_bang_control()), TypeError,
+     "expected a law that the mechanism is built with: direct_control, saturated_direct_control"),
+    (lambda: ph.controller(ph.delta(), ph.delta().brakes(), scene, ph.direct_control()), ValueError,
+     "scene has dimension 2, expected 3"),
+    (lambda: ph.controller(arm, arm.brakes(), scene, ph.direct_control(), max_approximation_angle=2), ValueError,
+     "max_approximation_angle [rad] = 2, expected an angle > 0 and <= pi/2"),
+    (lambda: ph.controller(arm, arm.brakes(), scene, ph.direct_control(), limits="none"), ValueError, "limits = 'none'"),
+    # States
+    (lambda: control(3), TypeError, "state = 3 (int), expected a device_state"),
+    (lambda: control(None), TypeError, "state = None (NoneType), expected a device_state"),
+    (lambda: ph.device_state(None, [0, 0], [0, 0]), TypeError, "time = None (NoneType), expected a number"),
+    (lambda: ph.device_state(0, "ab", [0, 0]), TypeError, "q = 'ab' (str), expected a list or an array"),
+    (lambda: control(ph.device_state(0, [0], [0, 0], [0, 0])), ValueError, "length of q = 1, expected 2"),
+    (lambda: control(ph.device_state(0, [0, 0], [0, 0], [0, 0, 0])), ValueError, "length of hand_force = 3, expected 2"),
+    (lambda: control(ph.device_state(0, [0, 0], [0, 0])), ValueError, "hand_force = None, expected a force"),
+    (lambda: arm.position([1, 2, 3]), ValueError, "length of q = 3, expected 2"),
+    (lambda: arm.passive_fme([1, 2], 0), ValueError, "segments = 0, expected 1 or more"),
+    (lambda: arm.inverse([0.1, 0.1], "up"), ValueError, "branch = 'up', expected 'left' or 'right'"),
+    (lambda: ph.limits_of(3), TypeError, "wall = 3 (int), expected a braked_wall"),
+    (lambda: ph.limits_of(ph.braked_wall(inertia=0)), ValueError, "inertia of a braked_wall [kg] = 0"),
+    # Batches
+    (lambda: control.batch([[0, 0]], rows, rows), TypeError, "q = [[0, 0]] (list), expected a numpy.ndarray of float64"),
+    (lambda: control.batch(None, rows, rows), TypeError, "q = None (NoneType), expected a numpy.ndarray"),
+    (lambda: control.batch(rows.astype("f4"), rows, rows), TypeError, "q has dtype float32, expected float64"),
+    (lambda: control.batch(rows.astype(int), rows, rows), TypeError, "q has dtype int64, expected float64"),
+    (lambda: control.batch(rows.astype(">f8"), rows, rows), TypeError, "q has dtype >f8, expected float64"),
+    (lambda: control.batch(rows.astype(complex), rows, rows), TypeError, "q has dtype complex128, expected float64"),
+    (lambda: control.batch(rows.astype(object), rows, rows), TypeError, "q has dtype object, expected float64"),
+    (lambda: control.batch(np.ma.array(rows), rows, rows), TypeError, "q is a MaskedArray, expected a numpy.ndarray"),
+    (lambda: control.batch(rows.view(np.matrix), rows, rows), TypeError, "q is a matrix, expected a numpy.ndarray"),
+    (lambda: control.batch(rows.view(subclass), rows, rows), TypeError, "q is a subclass"),
+    (lambda: control.batch(rows[0], rows, rows), ValueError, "shape of q = (2,), expected (N, 2)"),
+    (lambda: control.batch(np.zeros((10, 3)), rows, rows), ValueError, "shape of q = (10, 3), expected (N, 2)"),
+    (lambda: control.batch(rows.T, rows, rows), ValueError, "shape of q = (2, 10), expected (N, 2)"),
+    (lambda: control.batch(rows, rows[:9], rows), ValueError, "number of rows of qd = 9, expected 10, as q has"),
+    (lambda: control.batch(rows, rows, rows[:9]), ValueError, "number of rows of hand_force = 9, expected 10"),
+    (lambda: control.batch(rows, rows, rows, ones[:9]), ValueError, "number of rows of time = 9, expected 10"),
+    (lambda: control.batch(rows, rows, rows, 0.0), TypeError, "time = 0.0 (float), expected a numpy.ndarray"),
+    (lambda: control.batch(rows, rows, rows, rows), ValueError, "shape of time = (10, 2), expected (N,)"),
+    (lambda: control.batch(rows, rows), ValueError, "the law needs a hand force"),
+    (lambda: control.batch(rows, rows, rows, fields="alpha"), TypeError, "fields = 'alpha' (str), expected a list"),
+    (lambda: control.batch(rows, rows, rows, fields=["force"]), ValueError, "fields has 'force' (str), expected names"),
+    (lambda: control.batch(rows, rows, rows, fields=[1]), ValueError, "fields has 1 (int), expected names"),
+    (lambda: control.batch(rows, rows, rows, fields=["alpha"], out=results), TypeError, "fields and out were both given"),
+    (lambda: control.batch(rows, rows, rows, out=rows), TypeError, "expected what batch() returned"),
+    (lambda: control.batch(rows[:5], rows[:5], rows[:5], out=results), ValueError, "shape of out.capacity = (10, 2)"),
+    (lambda: control.batch(rows, rows, rows, out=read_only), ValueError, "out.alpha is read-only"),
+    (lambda: control.batch(rows, rows, results.desired_force, out=results), ValueError,
+     "hand_force shares memory with out.desired_force"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("number", range(len(MISUSES)))
+def test_misuse(number):
+    call, kind, text = MISUSES[number]
+    with pytest.raises(kind) as caught:
+        call()
+    assert text in str(caught.value)
+    if text:
+        assert str(caught.value).startswith("passive_haptics: ")
+
+
+def test_there_are_sixty_misuses():
+    assert len(MISUSES) >= 60
+
+
+def test_what_is_no_misuse():
+    """Arrays of any strides, also read-only ones; numbers of NumPy; no states at all."""
+    random = np.random.default_rng(7)
+    big = random.uniform(-1, 1, (3, 40, 4))
+    q, qd, force = big[0, ::-2, 1:3], big[1, ::-2, 3:1:-1], big[2, 39::-2, ::3]
+    for x in (q, qd, force):
+        x.flags.writeable = False
+    expected = control.batch(*(np.array(x) for x in (q, qd, force)))
+    assert control.batch(q, qd, force) == expected
+    assert control.batch(*(np.asfortranarray(x) for x in (q, qd, force))) == expected
+    unaligned = np.frombuffer(b"x" + np.ascontiguousarray(q).tobytes(), dtype=np.uint8)[1:].view("f8").reshape(q.shape)
+    assert control.batch(unaligned, qd, force) == expected
+    broadcast = np.broadcast_to([0.5, 0.5], (20, 2))
+    assert control.batch(broadcast, broadcast, broadcast) == control.batch(*[np.array(broadcast)] * 3)
+    assert len(control.batch(rows[:0], rows[:0], rows[:0])) == 0
+    assert len(control.batch(rows[:1], rows[:1], rows[:1])) == 1
+    assert ph.ball(np.array([0, 1], dtype="i2"), np.float32(0.5)).parameters["radius"] == 0.5
+    assert relay(ph.device_state(0, (0.5, 0.5), np.zeros(2))).outcome == ph.status.ok
+    assert relay.batch(rows, rows).outcome.tolist() == [0] * 10
+
+
+def test_states_that_are_not_finite_are_no_misuse():
+    for bad in (nan, inf, -inf):
+        result = control(ph.device_state(0, [bad, 0], [0, 0], [0, 0]))
+        assert result.outcome == ph.status.state_not_finite
+        assert result.capacity.tolist() == [0, 0]

@@ -1,0 +1,139 @@
+"""The package as a whole: its version, its size, its stubs, its headers, its examples."""
+
+import glob
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+
+import passive_haptics as ph
+from devices import Case
+from passive_haptics import _native
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+EXAMPLE = os.path.join(ROOT, "examples", "python")
+LARGEST_MODULE = 8e6  # bytes
+
+
+def read(*path):
+    with open(os.path.join(*path), encoding="utf-8") as file:
+        return file.read()
+
+
+def run(*command, **options):
+    done = subprocess.run(command, text=True, capture_output=True, **options)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_version_is_the_librarys():
+    numbers = re.findall(r"VERSION_\w+ (\d+)", read(ROOT, "include", "passive_haptics", "core", "version.hpp"))
+    assert ph.__version__ == ".".join(numbers)
+
+
+def test_module_is_small():
+    assert os.path.getsize(_native.__file__) < LARGEST_MODULE
+
+
+def test_stub_is_what_the_module_says():
+    spec = importlib.util.spec_from_file_location("stubs", os.path.join(EXAMPLE, "stubs.py"))
+    stubs = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(stubs)
+    committed = read(EXAMPLE, "package", "passive_haptics", "_native.pyi")
+    assert stubs.stub(_native) == committed, "run examples/python/stubs.py package/passive_haptics/_native.pyi"
+
+
+@pytest.mark.skipif(not os.path.exists("/usr/bin/stubtest"), reason="Debian's mypy is not installed")
+def test_stubs_pass_mypy_and_stubtest(tmp_path):
+    package = os.path.dirname(ph.__file__)
+    options = dict(cwd=tmp_path, env={**os.environ, "MYPYPATH": os.path.dirname(package)})
+    run("/usr/bin/mypy", "--strict", "-p", "passive_haptics", **options)
+    run("/usr/bin/mypy", "--strict", os.path.join(ROOT, "docs", "guide", "python.py"), **options)
+    path = os.pathsep.join([os.path.dirname(package), "/usr/lib/python3/dist-packages"])
+    run("/usr/bin/stubtest", "passive_haptics", cwd=tmp_path, env={**os.environ, "PYTHONPATH": path})
+
+
+def test_guide_runs():
+    text = run(sys.executable, os.path.join(ROOT, "docs", "guide", "python.py"))
+    assert "arm.length_1 [m] = -1, expected a finite number > 0" in text
+
+
+def test_picture_is_drawn(tmp_path):
+    pytest.importorskip("matplotlib")
+    text = run(sys.executable, os.path.join(EXAMPLE, "passive_fme.py"), "--output", str(tmp_path))
+    assert "approximate" in text
+    assert os.path.getsize(tmp_path / "passive_fme.png") > 20_000
+
+
+def test_help_is_what_the_example_prints():
+    pytest.importorskip("matplotlib")
+    text = run(sys.executable, os.path.join(EXAMPLE, "passive_fme.py"), "--help", env={**os.environ, "COLUMNS": "100"})
+    assert text == read(ROOT, "examples", "help", "python.txt")
+
+
+def test_page_names_the_packages_that_the_scripts_install():
+    page = re.search(r"sudo apt install (.*)", read(ROOT, "docs", "guide", "python.md")).group(1)
+    script = re.search(r'python_packages="([^"]*)"', read(ROOT, ".ci", "setup.sh")).group(1)
+    assert page.split() == script.split()
+
+
+def test_own_mechanism_is_bound_with_the_package_alone(tmp_path):
+    for path in glob.glob(os.path.join(EXAMPLE, "own_mechanism", "*")):
+        (tmp_path / os.path.basename(path)).write_text(read(path))
+    run(sys.executable, "setup.py", "build_ext", "--inplace", cwd=tmp_path)
+    program = """
+import pickle
+import passive_haptics as ph
+from polar import polar_arm
+arm = polar_arm()
+assert arm.position([0, 0.2]).tolist() == [0.2, 0]
+assert pickle.loads(pickle.dumps(arm)) == arm
+assert arm.brakes() == ph.two_link().brakes()
+assert arm.recommended_law() == ph.on_off_control()
+scene = ph.scene(ph.wall(ph.half_space([0.2, 0], [-1, 0]), 1e3))
+control = ph.controller(arm, arm.brakes(), scene, ph.direct_control())
+result = control(ph.device_state(0, [0, 0.202], [0, 0.1], [1, 0]))
+assert abs(result.capacity[1] - 1) < 1e-12 and result.display == ph.display_class.exact  # 1 N at most
+print(repr(arm), result.desired_force)
+"""
+    assert "polar_arm() [-2" in run(sys.executable, "-c", program, cwd=tmp_path)
+
+
+def test_python_goes_on_during_a_batch():
+    """Another thread runs while a batch is computed, and threads may share a controller."""
+    case = Case("two_link", 200_000, 5)
+    control = case.controller("direct_control")
+    expected = control.batch(case.q, case.qd, case.hand_force)
+    results = []
+    threads = [
+        threading.Thread(target=lambda: results.append(control.batch(case.q, case.qd, case.hand_force)))
+        for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(results) == 4 and all(result == expected for result in results)
+
+
+def test_a_batch_can_be_interrupted():
+    program = """
+import os, signal, threading
+import numpy as np
+from devices import Case
+case = Case("spatial_chain_7", 100_000, 1)
+q, qd, force = (np.tile(x, (40, 1)) for x in (case.q, case.qd, case.hand_force))
+control = case.controller("direct_control")
+threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    control.batch(q, qd, force, fields=[])
+    print("ran to its end")
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    assert run(sys.executable, "-c", program, cwd=os.path.dirname(__file__)).strip() == "interrupted"

@@ -1,0 +1,340 @@
+"""Sweeps: results are those of a loop, whatever the executor and the split, and whoever dies."""
+
+import importlib.util
+import os
+import pickle
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import experiments
+from experiments import BAD, DIES, EXITS, UNPICKLABLE, counted, digest, experiment
+from passive_haptics import progress as progress_module
+from passive_haptics.record_file import FRAME, HEADER, record_file
+from passive_haptics.sweep import sweep, sweep_error
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+GUIDE = os.path.join(HERE, "..", "..", "docs", "guide")
+PATIENCE = 120  # seconds until a test gives up on another process
+SEEDS = random.Random(1).sample(range(10_000), 300)
+
+
+@pytest.fixture(scope="module")
+def serial():
+    return [experiment(seed) for seed in range(300)]
+
+
+def environment(**more):
+    path = os.pathsep.join([HERE, *filter(None, [os.environ.get("PYTHONPATH")])])
+    return {**os.environ, "PYTHONPATH": path, **{key: str(value) for key, value in more.items()}}
+
+
+def seeds_in(log):
+    return [int(line.split()[1]) for line in log.read_text().splitlines()] if log.exists() else []
+
+
+def until(condition):
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < deadline, "another process did not do its part"
+        time.sleep(0.02)
+
+
+def is_running(process):
+    try:
+        with open(f"/proc/{process}/stat", encoding="utf-8") as file:
+            return file.read().rsplit(")", 1)[1].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+@pytest.mark.parametrize("size", [1, 7, 100, 299, 300, 1000])
+def test_results_are_those_of_a_loop_for_every_split(size):
+    expected = [experiment(seed) for seed in SEEDS]
+    assert digest(sweep(experiment, SEEDS, experiments_per_task=size)) == digest(expected)
+    with ThreadPoolExecutor(3) as executor:
+        assert digest(sweep(experiment, iter(SEEDS), executor, experiments_per_task=size)) == digest(expected)
+
+
+def test_an_executor_of_ones_own_and_seeds_of_numpy(serial):
+    with ProcessPoolExecutor(2) as executor:
+        assert digest(sweep(experiment, np.arange(300), executor)) == digest(serial)
+        assert executor.submit(int, "1").result() == 1  # not shut down
+    assert sweep(experiment, []) == []
+
+
+@pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
+def test_processes_however_they_are_started(method, serial):
+    program = f"""
+import multiprocessing
+multiprocessing.set_start_method("{method}")
+import experiments
+from passive_haptics.sweep import sweep
+experiments.print_digest(sweep(experiments.experiment, range(300)))
+"""
+    run = subprocess.run([sys.executable, "-c", program], env=environment(), capture_output=True, text=True)
+    assert f"digest 300 {digest(serial)}" in run.stdout, run.stderr
+
+
+def test_results_of_one_object_are_as_if_each_had_its_own():
+    shared = ["a list"]
+    with ThreadPoolExecutor(1) as executor:
+        first, second = sweep(lambda seed: shared, [1, 2], executor)
+    assert first == second == shared and first is not second
+
+
+def test_seeds_and_sizes_that_are_not_valid():
+    with pytest.raises(TypeError, match="seed = 0.5, expected an integer"):
+        sweep(experiment, [1, 0.5])
+    with pytest.raises(ValueError, match="seed 3 is given twice"):
+        sweep(experiment, [3, 1, 3])
+    with pytest.raises(ValueError, match="experiments_per_task = 0, expected 1 or more"):
+        sweep(experiment, [3], experiments_per_task=0)
+
+
+def test_failures_name_their_seeds_and_lose_no_others_results(serial):
+    with pytest.raises(sweep_error) as caught:
+        sweep(experiments.troubled, range(300))
+    error = caught.value
+    assert list(error.failures) == [BAD, UNPICKLABLE, EXITS, DIES]
+    for seed, text in zip(error.failures, ["no such device", "pickle", "SystemExit: 3", "terminated abruptly"]):
+        assert text in error.failures[seed]
+    assert "4 of 300 experiments failed, the first of them with seed 17: ValueError: no such device" in str(error)
+    good = [seed for seed in range(300) if seed not in error.failures]
+    assert list(error.results) == good
+    assert digest(error.results.values()) == digest([serial[seed] for seed in good])
+    again = pickle.loads(pickle.dumps(error))
+    assert str(again) == str(error) and again.failures == error.failures
+
+
+def test_an_executor_that_breaks_loses_only_what_it_had_not_finished(tmp_path, serial, monkeypatch):
+    monkeypatch.setenv("SWEEP_KILLED", str(tmp_path / "killed"))
+    file = tmp_path / "results"
+    with ProcessPoolExecutor(1) as executor, pytest.raises(sweep_error) as caught:
+        sweep(experiments.dies_once, range(300), executor, experiments_per_task=50, file=file)
+    error = caught.value
+    assert set(error.failures) | set(error.results) == set(range(300)) and DIES in error.failures
+    assert set(error.results) >= set(range(250))  # one process runs them in their order
+    assert all(digest([serial[seed]]) == digest([result]) for seed, result in error.results.items())
+    assert digest(sweep(experiments.dies_once, range(300), file=file)) == digest(serial)
+
+
+def test_a_file_that_is_whole_saves_all_but_one_experiment(tmp_path, serial, monkeypatch):
+    log, file = tmp_path / "log", tmp_path / "results"
+    monkeypatch.setenv("SWEEP_LOG", str(log))
+    assert digest(sweep(counted, range(200), file=file)) == digest(serial[:200])
+    log.unlink()
+    assert digest(sweep(counted, range(200), file=file)) == digest(serial[:200])
+    assert seeds_in(log) == [0]
+    log.unlink()
+    mixed = [*range(199, 0, -2), *range(200, 300)]
+    assert digest(sweep(counted, mixed, file=file, experiments_per_task=9)) == digest([serial[i] for i in mixed])
+    assert sorted(seeds_in(log)) == [199, *range(200, 300)]
+
+
+def test_a_sweep_that_was_killed_goes_on(tmp_path, serial, monkeypatch):
+    log, file = tmp_path / "log", tmp_path / "results"
+    program = "import experiments, sys; from passive_haptics.sweep import sweep\n"
+    program += "sweep(experiments.stuck_from_200, range(300), file=sys.argv[1])"
+    child = subprocess.Popen([sys.executable, "-c", program, file], env=environment(SWEEP_LOG=log))
+    until(lambda: 200 in seeds_in(log) and os.path.getsize(file) > len(HEADER) + 2 * FRAME.size)
+    child.kill()
+    child.wait()
+    workers = {int(line.split()[0]) for line in log.read_text().splitlines()}
+    with open(file, "ab") as torn:
+        torn.write(FRAME.pack(1000, 1) + b"the process died here")
+    with record_file(file) as of_first:
+        known = {seed for record in of_first.records for seed in pickle.loads(record)}
+    assert known and known <= set(range(200))
+    log.unlink()
+    monkeypatch.setenv("SWEEP_LOG", str(log))
+    assert digest(sweep(counted, range(300), file=file)) == digest(serial)
+    assert sorted(seeds_in(log)) == sorted([min(known)] + [seed for seed in range(300) if seed not in known])
+    until(lambda: not any(map(is_running, workers)))  # they end soon after the sweep that was killed
+
+
+def test_ctrl_c_ends_a_sweep_and_keeps_what_was_finished(tmp_path, serial):
+    log, file = tmp_path / "log", tmp_path / "results"
+    program = "import experiments, sys; from passive_haptics.sweep import sweep\n"
+    program += "sweep(experiments.stuck_from_200, range(300), file=sys.argv[1])"
+    child = subprocess.Popen(
+        [sys.executable, "-c", program, file],
+        env=environment(SWEEP_LOG=log), start_new_session=True, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    until(lambda: 200 in seeds_in(log) and os.path.getsize(file) > len(HEADER) + 2 * FRAME.size)
+    os.killpg(child.pid, signal.SIGINT)
+    error = child.communicate(timeout=PATIENCE)[1]
+    assert "KeyboardInterrupt" in error and error.count("Traceback") == 1  # no word of the other processes
+    assert digest(sweep(experiment, range(300), file=file)) == digest(serial)
+
+
+def test_a_file_of_another_function_or_kind_is_refused(tmp_path):
+    file = tmp_path / "results"
+    sweep(experiment, range(10), file=file)
+    before = file.read_bytes()
+    with pytest.raises(ValueError, match="results: the experiment of seed 4 has another result now"):
+        sweep(abs, [4, 5], file=file)
+    with pytest.raises(ValueError, match="the experiment of seed 4 fails now:(.|\n)*ZeroDivisionError"):
+        sweep(zero_divided, [4, 5], file=file)
+    assert file.read_bytes() == before
+    other = tmp_path / "letter.txt"
+    other.write_text("Dear reader")
+    with pytest.raises(ValueError, match="letter.txt, expected a new file or one of records"):
+        sweep(experiment, [1], file=other)
+    assert other.read_text() == "Dear reader"
+
+
+def zero_divided(seed):
+    return seed / 0
+
+
+def test_records_are_whole_whatever_length_is_left(tmp_path):
+    path = tmp_path / "records"
+    records = [b"", b"first", b"\0" * 20, bytes(range(30))]
+    with record_file(path) as file:
+        for record in records:
+            file.append(record)
+    content = path.read_bytes()
+    for length in range(len(content) + 1):
+        for tail in (b"", b"\0" * 9, b"\xff" * 40):
+            left = content[:length] + (tail if length > len(HEADER) else b"")  # some of it makes a torn record whole
+            path.write_bytes(left)
+            with record_file(path) as file:
+                found = file.records
+                file.append(b"one more")
+            assert found == records[: len(found)]
+            whole = len(HEADER) + sum(FRAME.size + len(record) for record in found)
+            assert length < len(HEADER) or whole <= len(left)
+            if len(found) < len(records):
+                assert length < whole + FRAME.size + len(records[len(found)])
+            with record_file(path) as file:
+                assert file.records == [*found, b"one more"]
+
+
+def test_no_bit_of_a_record_changes_unnoticed(tmp_path):
+    path = tmp_path / "records"
+    with record_file(path) as file:
+        file.append(b"first")
+        file.append(b"second")
+    content = path.read_bytes()
+    for bit in range(8 * len(HEADER), 8 * len(content)):
+        changed = bytearray(content)
+        changed[bit // 8] ^= 1 << bit % 8
+        path.write_bytes(changed)
+        with record_file(path) as file:
+            second = bit // 8 >= len(HEADER) + FRAME.size + len(b"first")
+            assert file.records == ([b"first"] if second else [])
+
+
+def test_a_full_disk_leaves_the_file_as_it_was(tmp_path):
+    path = tmp_path / "records"
+    program = """
+import resource, sys
+from passive_haptics.record_file import record_file
+with record_file(sys.argv[1]) as file:
+    file.append(b"first")
+    resource.setrlimit(resource.RLIMIT_FSIZE, (200, 200))
+    try:
+        file.append(b"x" * 1000)
+    except OSError as error:
+        print("refused:", error)
+    file.append(b"last")
+"""
+    run = subprocess.run([sys.executable, "-c", program, path], env=environment(), capture_output=True, text=True)
+    assert "refused: [Errno 27] File too large" in run.stdout, run.stderr
+    with record_file(path) as file:
+        assert file.records == [b"first", b"last"]
+
+
+def test_a_file_is_open_once_at_a_time(tmp_path):
+    path = tmp_path / "records"
+    program = "import sys; from passive_haptics.record_file import record_file; record_file(sys.argv[1])"
+    with record_file(path):
+        with pytest.raises(BlockingIOError, match="records is in use, expected one that no other sweep writes"):
+            record_file(path)
+        other = subprocess.run([sys.executable, "-c", program, path], env=environment(), capture_output=True, text=True)
+        assert "records is in use" in other.stderr
+    with record_file(path) as file:
+        assert file.records == []
+
+
+class Terminal:
+    def __init__(self, isatty):
+        self.text, self.isatty = "", lambda: isatty
+
+    def write(self, text):
+        self.text += text
+
+    def flush(self):
+        pass
+
+
+@pytest.mark.parametrize("isatty", [False, True])
+@pytest.mark.parametrize("progress", [None, False, True])
+@pytest.mark.parametrize("after", [0.0, 1e9])
+def test_progress_is_shown_at_a_terminal_when_it_takes_long(isatty, progress, after, monkeypatch):
+    terminal = Terminal(isatty)
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setattr(progress_module, "AFTER", after)
+    with ThreadPoolExecutor(1) as executor:
+        sweep(abs, range(250), executor, progress=progress)
+    if after == 0 and (isatty if progress is None else progress):
+        assert terminal.text.startswith("\r100 of 250 experiments, ")
+        assert terminal.text.endswith("\r250 of 250 experiments, 0 s left\n")
+    else:
+        assert terminal.text == ""
+
+
+def test_300_experiments_by_two_workers_of_dask_one_of_which_is_killed(tmp_path, serial):
+    pytest.importorskip("distributed", reason="Debian's python3-distributed is not installed")
+    run = subprocess.run(
+        [sys.executable, os.path.join(HERE, "sweep_by_dask.py"), "300"],
+        env=environment(SWEEP_KILLED=tmp_path / "killed", DASK_TEMPORARY_DIRECTORY=tmp_path),
+        cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert f"digest 300 {digest(serial)}" in run.stdout
+
+
+def by_mpi(*command, folder, **variables):
+    """A program on two ranks."""
+    command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", sys.executable, "-m", "mpi4py.futures", *command]
+    variables = environment(OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_btl="self,vader", **variables)
+    return subprocess.run(command, env=variables, cwd=folder, capture_output=True, text=True, timeout=PATIENCE)
+
+
+@pytest.mark.skipif(not shutil.which("mpirun"), reason="no mpirun: Debian's openmpi-bin is not installed")
+def test_300_experiments_by_two_ranks_of_mpi_one_of_which_is_killed(tmp_path, serial):
+    pytest.importorskip("mpi4py", reason="Debian's python3-mpi4py is not installed")
+    file = tmp_path / "results"
+    command = [os.path.join(HERE, "sweep_by_mpi.py"), "300", file]
+    killed = by_mpi(*command, folder=tmp_path, SWEEP_KILLED=tmp_path / "killed")
+    assert killed.returncode != 0 and (tmp_path / "killed").exists(), killed.stdout + killed.stderr
+    with record_file(file) as of_first:
+        known = [seed for record in of_first.records for seed in pickle.loads(record)]
+    assert len(known) in (100, 200)
+    again = by_mpi(*command, folder=tmp_path, SWEEP_KILLED=tmp_path / "killed")
+    assert again.returncode == 0, again.stderr
+    assert f"digest 300 {digest(serial)}" in again.stdout
+
+
+def test_guide_runs(tmp_path):
+    run = subprocess.run([sys.executable, os.path.join(GUIDE, "sweeps.py")], cwd=tmp_path, capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    assert "299 others have results; ZeroDivisionError: float division by zero" in run.stdout
+    share = run.stdout.split()[0]
+    if importlib.util.find_spec("distributed"):
+        program = os.path.join(GUIDE, "sweeps_dask.py")
+        by_dask = subprocess.run([sys.executable, program], cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE)
+        assert by_dask.stdout.strip() == share, by_dask.stderr
+        assert (tmp_path / "dask.sweep").read_bytes()
+    if importlib.util.find_spec("mpi4py") and shutil.which("mpirun"):
+        run = by_mpi(os.path.join(GUIDE, "sweeps_mpi.py"), folder=tmp_path)
+        assert run.stdout.strip() == share, run.stderr

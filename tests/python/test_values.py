@@ -1,0 +1,189 @@
+"""What holds of each class: pickling, copies, equality, repr, parameters."""
+
+import copy
+import inspect
+import pickle
+
+import numpy as np
+import pytest
+
+import passive_haptics as ph
+from devices import DEVICES, LAWS, RIVALS, Case
+from passive_haptics import _native
+
+SHAPES = [
+    ph.half_space([0, 0.2], [0, -1]),
+    ph.half_space([0, 0.2, 0.1], [0, -1, 0]),
+    ph.ball([0.1, 0.2], 0.05),
+    ph.ball(centre=[0, 0.1, 0.2], radius=0.1, inside="hollow"),
+    ph.box([0, 0], [0.1, 0.2]),
+    ph.box([0, 0, 0], [0.1, 0.2, 0.3], axes=[[0, -1, 0], [1, 0, 0], [0, 0, 1]]),
+    ph.capsule([0, 0], [0.1, 0], 0.02),
+    ph.capsule([0, 0, 0], [0.1, 0, 0], 0.02),
+    ph.convex_polygon([[0, 0], [1, 0], [0, 1]]),
+    ph.convex_polygon(np.array([[0, 0], [1, 0], [1, 1], [0.5, 1.5], [0, 1]])),
+    ph.offset(ph.box([0, 0], [0.1, 0.2]), 0.01),
+    ph.complement(ph.capsule([0, 0, 0], [0.1, 0, 0], 0.02)),
+]
+
+
+def values():
+    """One value at least of each class that can be made or is returned."""
+    yield from SHAPES
+    for make in DEVICES.values():
+        device = make()
+        yield device
+        yield device.brakes()
+        yield device.brakes(torque_limit=np.linspace(0.1, 0.7, device.brake_count))
+        yield device.recommended_law()
+    for law in [law for law in LAWS if law != "recommended"] + RIVALS:
+        yield getattr(ph, law)()
+    yield ph.direct_control(velocity_dead_band=0.01)
+    yield ph.velocity_direct_control(force_share=0.1)
+    yield ph.wall(SHAPES[0])
+    yield ph.wall(SHAPES[0], 500)
+    yield ph.scene(ph.wall(SHAPES[0]), ph.wall(SHAPES[2], 1e3))
+    yield ph.braked_wall(force=12)
+    case = Case("planar_chain_3_with_inertia", 100, 1)
+    control = case.controller("direct_control")
+    yield control
+    yield ph.controller(case.device, case.brakes(), case.scene(), case.law("recommended"), limits="clamp_each")
+    state = ph.device_state(0.5, case.q[70], case.qd[70], case.hand_force[70])
+    yield state
+    yield ph.device_state(0, [1, 2], [3, 4])
+    yield ph.device_state(float("nan"), [0.0], [-0.0], [float("nan")])
+    yield control(state)
+    yield control.batch(case.q, case.qd, case.hand_force, case.time)
+    yield control.batch(case.q, case.qd, case.hand_force, fields=[])
+    yield case.device.displayable(case.q[70], [1, 0], [0, -1])
+
+
+ALL = list(values())
+NAMES = [f"{i}_{type(value).__name__}" for i, value in enumerate(ALL)]
+
+
+@pytest.mark.parametrize("value", ALL, ids=NAMES)
+def test_pickles_and_copies_are_equal(value):
+    for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+        again = pickle.loads(pickle.dumps(value, protocol))
+        assert type(again) is type(value)
+        assert again == value
+        assert repr(again) == repr(value)
+    assert copy.copy(value) == value
+    assert copy.deepcopy(value) == value
+
+
+def test_different_values_are_not_equal():
+    for i, a in enumerate(ALL):
+        for j, b in enumerate(ALL):
+            if a == b:
+                assert repr(a) == repr(b)
+                assert type(a) is type(b)
+        assert a != i
+        assert not a == "text"
+
+
+@pytest.mark.parametrize("value", ALL, ids=NAMES)
+def test_repr_makes_an_equal_value(value):
+    text = repr(value)
+    if isinstance(value, (ph.step_result, ph.batch_result, ph.displayable_force)):
+        assert type(value).__name__ in text
+        return
+    names = {**vars(ph), "nan": float("nan"), "inf": float("inf")}
+    assert eval(text, names) == value
+
+
+def test_every_class_is_among_them():
+    bases = {ph.shape, ph.law, ph.mechanism, ph.brake_parameters}
+    classes = {thing for thing in vars(_native).values() if inspect.isclass(thing)}
+    assert classes - bases == {type(value) for value in ALL}
+
+
+def test_parameters_are_those_of_the_tables():
+    arm = ph.tendon_two_link(arm={"length_2": 0.2})
+    assert arm.parameters["arm"]["length_2"] == 0.2
+    assert arm.parameters["arm"]["length_1"] == 0.15
+    assert arm.parameters["reduction_2"] == 0.4
+    assert repr(arm) == "tendon_two_link(arm={'length_2': 0.2})"
+    assert "reduction_2 [1]: a finite number > 0; default 0.4" in ph.tendon_two_link.__doc__
+    assert ph.tendon_two_link(**arm.parameters) == arm
+    with pytest.raises(TypeError):
+        hash(arm)
+
+
+def test_mechanisms_know_their_kinematics():
+    arm = ph.two_link()
+    q = [0.3, 0.9]
+    x = arm.position(q)
+    assert np.allclose(x, 0.15 * np.array([np.cos(0.3) + np.cos(1.2), np.sin(0.3) + np.sin(1.2)]), atol=1e-15)
+    step = 1e-6
+    columns = [(arm.position(q + step * e) - arm.position(q - step * e)) / (2 * step) for e in np.eye(2)]
+    assert np.allclose(arm.jacobian(q), np.column_stack(columns), atol=1e-9)
+    back, outcome = arm.inverse(x, "right")
+    assert outcome == ph.status.ok and np.allclose(back, q, atol=1e-12)
+    assert arm.inverse([9, 9])[1] == ph.status.out_of_reach
+    for make in DEVICES.values():
+        device = make()
+        assert device.position(np.full(device.dof, 0.5)).shape == (device.task_dimension,)
+
+
+def test_forces():
+    arm = ph.tendon_two_link()
+    q = [0.7, 0.8]
+    forces, outcome = arm.reference_forces(q)
+    assert outcome == ph.status.ok
+    for signs, outline in arm.passive_fme(q, segments=8):
+        torques = np.linalg.solve(forces, outline.T).T
+        assert np.all(torques * signs >= -1e-12)
+        assert np.allclose(np.linalg.norm(torques[1:-1], axis=1), 1)
+    signs = arm.brake_signs(q, [0.5, -0.4])
+    # The nearest force beside a search over the cone
+    wanted = np.array([1.0, -2.0])
+    nearest = arm.nearest_force(q, signs, wanted)
+    rays = [-signs[i] * forces[:, i] for i in range(2)]
+    shares = np.linspace(0, 60, 1201)
+    a, b = np.meshgrid(shares, shares)
+    cone = a[..., None] * rays[0] / np.linalg.norm(rays[0]) / 10 + b[..., None] * rays[1] / np.linalg.norm(rays[1]) / 10
+    best = cone.reshape(-1, 2)[np.argmin(np.linalg.norm(cone.reshape(-1, 2) - wanted, axis=1))]
+    assert np.linalg.norm(nearest - wanted) <= np.linalg.norm(best - wanted) + 1e-12
+    assert np.linalg.norm(nearest - best) < 0.02
+
+
+def test_enumerations_have_the_texts_of_the_library():
+    for kind, text in ((ph.status, _native.status_text), (ph.power_class, _native.power_text),
+                       (ph.display_class, _native.display_text)):  # fmt: skip
+        assert [member.value for member in kind] == list(range(len(kind)))
+        assert "unknown" in text(len(kind))
+        assert len({member.text for member in kind}) == len(kind)
+        assert not any("unknown" in member.text for member in kind)
+
+
+def test_several_walls_are_felt_at_once():
+    table = ph.xy_table()
+    corner = ph.scene(ph.wall(ph.half_space([0, 0], [1, 0]), 1e3), ph.wall(ph.half_space([0, 0], [0, 1]), 1e3))
+    control = ph.controller(table, table.brakes(torque_limit=[50, 50]), corner, ph.direct_control())
+    result = control(ph.device_state(0, [-1e-3, -2e-3], [-0.1, -0.1], [-1, -1]))
+    assert [report.wall_number for report in result.contacts] == [0, 1]
+    assert np.allclose([report.wanted for report in result.contacts], [1, 2])
+    assert np.allclose(result.capacity, [1, 2])
+    batch = control.batch(np.array([[-1e-3, -2e-3]]), np.array([[-0.1, -0.1]]), np.array([[-1.0, -1.0]]))
+    assert np.allclose(batch.capacity, [[1, 2]])
+    with pytest.raises(ValueError, match="scene has 2 walls, expected one"):
+        ph.controller(table, table.brakes(), corner, ph.saturated_direct_control())
+
+
+def test_a_controller_remembers_until_it_is_reset():
+    case = Case("two_link", 2000, 3)
+    control, fresh = (case.controller("recommended") for _ in range(2))
+    states = [ph.device_state(*row) for row in zip(case.time, case.q, case.qd, case.hand_force)]
+    first = [control(state) for state in states]
+    control.reset()
+    assert [control(state) for state in states] == first
+    assert [fresh(state) for state in states] == first
+
+
+def test_planar_arm():
+    assert ph.planar_arm([0.1, 0.2, 0.3]).position([0, 0, 0]).tolist() == pytest.approx([0.6, 0])
+    assert ph.planar_arm([0.1, 0.1, 0.1, 0.1]).dof == 4
+    with pytest.raises(ValueError, match="expected 3 or 4"):
+        ph.planar_arm([0.1])
