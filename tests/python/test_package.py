@@ -129,6 +129,7 @@ from devices import Case
 case = Case("spatial_chain_7", 100_000, 1)
 q, qd, force = (np.tile(x, (40, 1)) for x in (case.q, case.qd, case.hand_force))
 control = case.controller("direct_control")
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's job in the background has none
 threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
 try:
     control.batch(q, qd, force, fields=[])
