@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,9 +46,11 @@ int main(int argc, char** argv) try {
   std::printf("%-26s %9s %5s %9s %6s %6s %10s %9s\n%-26s %9s %5s %9s %6s %6s %10s %9s\n", "", "displayed",
               "drag", "strongest", "held", "sinks", "sink slope", "isotropy", "device", "[%]", "[1]", "[N]",
               "[%]", "[%]", "[1]", "[1]");
-  for (const double k2 : {0.2, 0.4, 0.6, 1.0, 1.6, 2.5})
-    print_row(ph::detail::indexed("paper's device, k2 = ", k2, ""),
-              design::over_task(design::paper_device(k2)));
+  for (const double k2 : {0.2, 0.4, 0.6, 1.0, 1.6, 2.5}) {
+    std::ostringstream name;
+    name << "paper's device, k2 = " << k2;
+    print_row(name.str(), design::over_task(design::paper_device(k2)));
+  }
   print_row("five-bar, 2 brakes", design::over_task(design::five_bar_device<2>()));
   print_row("five-bar, 4 brakes", design::over_task(design::five_bar_device<4>()));
   print_row("arm of 3 joints", design::over_task(design::three_joint_arm()));

@@ -27,9 +27,15 @@ std::string script_of(const panel& p) {
 }
 
 std::string display_is_none(int joints) {
-  return ph::detail::indexed("strcol(", 2 + joints + 2, ") eq 'none'");
+  std::ostringstream condition;
+  condition << "strcol(" << 2 + joints + 2 << ") eq 'none'";
+  return condition.str();
 }
-std::string is_never_held(int joints) { return ph::detail::indexed("$", 2 + joints + 6, " > 1e9"); }
+std::string is_never_held(int joints) {
+  std::ostringstream condition;
+  condition << "$" << 2 + joints + 6 << " > 1e9";
+  return condition.str();
+}
 
 // Grey stands behind the maps, so that it shows where there is no figure
 std::string four_maps(const std::string& title) {

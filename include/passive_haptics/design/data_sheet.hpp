@@ -96,39 +96,40 @@ struct data_sheet {
   }
 };
 
+namespace detail {
+
+// f(brake_data) of each brake.
+template <class M, class F>
+brake_vector<M> of_each_brake(const data_sheet<M>& parts, const F& f) {
+  brake_vector<M> values;
+  for (int i = 0; i < M::brake_count; ++i)
+    values[i] = static_cast<typename M::scalar>(f(parts.brakes[std::size_t(i)]));
+  return values;
+}
+
+}  // namespace detail
+
 /// Limits and rises on the brakes' axes: gear_ratio times torque_limit [N m, or N of a slide].
 template <class M>
 brakes_of<M> axis_brakes_of(const data_sheet<M>& parts) {
-  using T = typename M::scalar;
   brakes_of<M> brakes;
-  for (int i = 0; i < M::brake_count; ++i) {
-    const brake_data& part = parts.brakes[std::size_t(i)];
-    brakes.torque_limit[i] = static_cast<T>(part.gear_ratio * part.torque_limit);
-    brakes.time_constant[i] = static_cast<T>(part.time_constant);
-  }
+  brakes.torque_limit =
+      detail::of_each_brake(parts, [](const brake_data& b) { return b.gear_ratio * b.torque_limit; });
+  brakes.time_constant = detail::of_each_brake(parts, [](const brake_data& b) { return b.time_constant; });
   return brakes;
 }
 
 /// Residual torques on the brakes' axes: gear_ratio times residual_torque [N m, or N of a slide].
 template <class M>
 brake_vector<M> axis_residual_of(const data_sheet<M>& parts) {
-  brake_vector<M> residual;
-  for (int i = 0; i < M::brake_count; ++i) {
-    const brake_data& part = parts.brakes[std::size_t(i)];
-    residual[i] = static_cast<typename M::scalar>(part.gear_ratio * part.residual_torque);
-  }
-  return residual;
+  return detail::of_each_brake(parts, [](const brake_data& b) { return b.gear_ratio * b.residual_torque; });
 }
 
 /// Inertias of the rotors on the brakes' axes: gear_ratio^2 times rotor_inertia [kg m^2, or kg of a slide].
 template <class M>
 brake_vector<M> axis_inertia_of(const data_sheet<M>& parts) {
-  brake_vector<M> inertia;
-  for (int i = 0; i < M::brake_count; ++i) {
-    const brake_data& part = parts.brakes[std::size_t(i)];
-    inertia[i] = static_cast<typename M::scalar>(part.gear_ratio * part.gear_ratio * part.rotor_inertia);
-  }
-  return inertia;
+  return detail::of_each_brake(
+      parts, [](const brake_data& b) { return b.gear_ratio * b.gear_ratio * b.rotor_inertia; });
 }
 
 /// One count of each encoder on its axis, 2 pi / (counts_per_turn gear_ratio) [rad, or m of a slide].

@@ -1,5 +1,6 @@
 /// @file
-/// The registers of lanes, and the truths that a comparison of lanes gives.
+/// The registers of lanes, the truths that a comparison of lanes gives, and what each of two lanes or truths
+/// has of the other.
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
@@ -8,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace passive_haptics {
 namespace detail {
@@ -104,5 +106,26 @@ struct lane_mask {
     return a;
   }
 };
+
+/// (x_1, x_0): of each of two what the other one has. x: lanes or a mask.
+template <class X>
+[[gnu::always_inline]] inline X swapped(X x) {
+  if constexpr (X::width == 1) std::swap(x.p[0], x.p[1]);
+  else if constexpr (X::width * sizeof(x.p[0][0]) == 8)
+    x.p[0] = __builtin_shufflevector(x.p[0], x.p[0], 2, 3, 0, 1);
+  else if constexpr (X::width == 2) x.p[0] = __builtin_shufflevector(x.p[0], x.p[0], 1, 0);
+  else x.p[0] = __builtin_shufflevector(x.p[0], x.p[0], 1, 0, 2, 3);
+  return x;
+}
+
+/// The first truth of two alone.
+template <class T>
+[[gnu::always_inline]] inline lane_mask<T, 2> first_only(lane_mask<T, 2> x) {
+  using truths = typename detail::truths_of<T>::type;
+  if constexpr (x.width == 1) x.p[1] = x.p[1] & !x.p[0];
+  else if constexpr (x.width == 2) x.p[0] &= ~(swapped(x).p[0] & truths{0, 0, -1, -1});
+  else x.p[0] &= ~(swapped(x).p[0] & truths{0, -1, 0, 0});
+  return x;
+}
 
 }  // namespace passive_haptics

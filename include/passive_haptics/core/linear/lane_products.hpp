@@ -2,7 +2,7 @@
 /// What lanes come to together: sums, truths, and products of small matrices and vectors.
 #pragma once
 
-#include <passive_haptics/core/linear/lane_pairs.hpp>
+#include <passive_haptics/core/linear/lanes.hpp>
 
 namespace passive_haptics {
 

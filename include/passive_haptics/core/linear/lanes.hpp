@@ -233,4 +233,15 @@ template <class T>
   return max(min(lanes<T, 1>(x), highest), lowest)[0];
 }
 
+/// (x_0 + x_1, y_0 + y_1), added crosswise.
+template <class T>
+lanes<T, 2> horizontal_add(const lanes<T, 2>& x, const lanes<T, 2>& y) {
+  if constexpr (lanes<T, 2>::width != 2)
+    return lanes<T, 2>([&](int i) PASSIVE_HAPTICS_INLINE { return i == 0 ? x[0] + x[1] : y[0] + y[1]; });
+  else
+    return lanes<T, 2>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
+      return __builtin_shufflevector(x.p[k], y.p[k], 0, 2) + __builtin_shufflevector(x.p[k], y.p[k], 1, 3);
+    });
+}
+
 }  // namespace passive_haptics

@@ -8,9 +8,9 @@
 #include <passive_haptics/design/path_point.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace passive_haptics {
