@@ -20,7 +20,7 @@
 
 namespace {
 
-constexpr double period = 1e-3, time_step = 1e-4;
+constexpr double cycle = 1e-3, plant_step = 1e-4;
 
 template <class M>
 using sensorless = ph::sensorless_device_state<M>;
@@ -48,7 +48,7 @@ TEST(momentum_observer, knows_what_slipping_brakes_make_and_what_stuck_ones_migh
   brakes.torque_limit.setConstant(10);
   brakes.time_constant.setZero();
   ph::momentum_observer<table> observer{table(), brakes, {.gain = 100}};
-  for (int k = 0; k <= 1000; ++k) observer.update(sensorless<table>{k * period, {0, 0}, {3, 0}}, {4, 2});
+  for (int k = 0; k <= 1000; ++k) observer.update(sensorless<table>{k * cycle, {0, 0}, {3, 0}}, {4, 2});
   const auto& hand = observer.estimate();
   EXPECT_NEAR(hand.force[0], 4, 1e-9);
   EXPECT_EQ(hand.force[1], 0);
@@ -77,7 +77,7 @@ TEST(momentum_observer, takes_a_brake_that_turned_round_for_unknown) {
   brakes.time_constant.setZero();
   ph::momentum_observer<table> observer{table(), brakes};
   for (int k = 0; k <= 1000; ++k)
-    observer.update(sensorless<table>{k * period, {0, 0}, {k % 2 == 0 ? 1.0 : -1.0, 0}}, {4, 0});
+    observer.update(sensorless<table>{k * cycle, {0, 0}, {k % 2 == 0 ? 1.0 : -1.0, 0}}, {4, 0});
   EXPECT_NEAR(observer.estimate().unknown_torque[0], 4, 1e-9);
 }
 
@@ -89,7 +89,7 @@ TEST(momentum_observer, takes_a_brake_that_slips_half_of_the_period_for_unknown)
   ph::momentum_observer<table> observer{table(), brakes};
   for (int k = 0; k <= 1000; ++k) {
     const double v = k % 2 == 0 ? 0.03 : 0.01;
-    observer.update(sensorless<table>{k * period, {0, 0}, {v, -v}}, {4, 3});
+    observer.update(sensorless<table>{k * cycle, {0, 0}, {v, -v}}, {4, 3});
   }
   EXPECT_NEAR(observer.estimate().unknown_torque[0], 4, 1e-9);
   EXPECT_NEAR(observer.estimate().unknown_torque[1], 3, 1e-9);
@@ -100,7 +100,7 @@ TEST(momentum_observer, starts_anew_after_faults_and_pauses) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto push = [&](double from) {
     for (int k = 0; k < 100; ++k)
-      observer.update(sensorless<table>{from + k * period, {0, 0}, {k * 1e-3, 0}}, {0, 0});
+      observer.update(sensorless<table>{from + k * cycle, {0, 0}, {k * 1e-3, 0}}, {0, 0});
     EXPECT_NEAR(observer.estimate().force[0], 0.5, 1e-3);
   };
   push(0);
@@ -217,7 +217,7 @@ template <class M>
 struct lagged {
   ph::joint_vector<M> once = ph::joint_vector<M>::Zero(), torque = ph::joint_vector<M>::Zero();
   void add(const ph::joint_vector<M>& tau, double gain) {
-    const double fresh = -std::expm1(-2 * gain * time_step);
+    const double fresh = -std::expm1(-2 * gain * plant_step);
     torque += fresh * (once - torque);
     once += fresh * (tau - once);
   }
@@ -246,7 +246,7 @@ errors push_about(const M& arm, const ph::joint_vector<M>& q, double force, unsi
   int samples = 0;
   for (int k = 0; k < 10000; ++k) {
     if (k % 10 == 0) {
-      const auto& hand = observer.update(sensorless<M>{k * time_step, device.q(), device.qd()}, told);
+      const auto& hand = observer.update(sensorless<M>{k * plant_step, device.q(), device.qd()}, told);
       EXPECT_EQ(hand.outcome, ph::status::ok);
       // r + T^T t = the lagged torque, so t = T^-T (lagged - r)
       ph::matrix<double, M::brake_count, M::dof> A = ph::matrix<double, M::brake_count, M::dof>::Identity();
@@ -259,12 +259,12 @@ errors push_about(const M& arm, const ph::joint_vector<M>& q, double force, unsi
       found.over_bound = std::max(found.over_bound, (missing.cwiseAbs() - hand.unknown_torque).maxCoeff());
       found.stuck_share += (hand.unknown_torque.array() > 1e-3).any() ? 1 : 0;
       ++samples;
-      told = capacity(k * time_step);
+      told = capacity(k * plant_step);
     }
     const ph::vector<double, d> wish =
-        force * std::sin(turn * k * time_step + phase) * direction - 3.0 * device.velocity();
+        force * std::sin(turn * k * plant_step + phase) * direction - 3.0 * device.velocity();
     const ph::matrix<double, d, M::dof> J(ph::jacobian(arm, device.q()));
-    device.advance(time_step, told, wish);
+    device.advance(plant_step, told, wish);
     truth.add(J.transpose() * device.sensed_force(), p.gain);
   }
   found.stuck_share /= samples;
@@ -319,7 +319,7 @@ TEST(momentum_observer_simulated, knows_a_hand_that_drags_slipping_brakes) {
   Eigen::Vector2d told(0, 0);
   double worst = 0, worst_force = 0;
   for (int k = 0; k < 10000; ++k) {
-    const double time = k * time_step;
+    const double time = k * plant_step;
     if (k % 10 == 0) {
       const auto& hand = observer.update(sensorless<tendon>{time, device.q(), device.qd()}, told);
       if (k > 3000) {
@@ -334,7 +334,7 @@ TEST(momentum_observer_simulated, knows_a_hand_that_drags_slipping_brakes) {
     const Eigen::Vector2d rate(0.5, 0.5);
     const auto J = ph::jacobian(arm, device.q());
     const Eigen::Vector2d wish = J.transpose().inverse() * Eigen::Vector2d(2 * (rate - device.qd()));
-    device.advance(time_step, told, wish);
+    device.advance(plant_step, told, wish);
     truth.add(J.transpose() * device.sensed_force(), 100);
   }
   EXPECT_LE(worst, 0.02);
@@ -346,14 +346,14 @@ TEST(momentum_observer_simulated, passes_little_of_the_noise_of_encoders) {
   const tendon arm;
   ph::simulated_device<tendon> device(arm, ph::brakes_of<tendon>(), 0.5, {0.2, 1.2});
   ph::momentum_observer<tendon> observer(arm, ph::brakes_of<tendon>());
-  ph::joint_encoders<tendon> encoders(arm, ph::encoder_parameters(), period);
+  ph::joint_encoders<tendon> encoders(arm, ph::encoder_parameters(), cycle);
   double sum = 0;
   int samples = 0;
   for (int k = 0; k < 20000; ++k) {
     if (k % 10 == 0) {
       encoders.read(device.q(), device.qd());
       const auto& hand =
-          observer.update(sensorless<tendon>{k * time_step, encoders.q(), encoders.qd()}, {0, 0});
+          observer.update(sensorless<tendon>{k * plant_step, encoders.q(), encoders.qd()}, {0, 0});
       if (k > 5000) {
         sum += (hand.force - device.sensed_force()).squaredNorm();
         ++samples;
@@ -362,7 +362,7 @@ TEST(momentum_observer_simulated, passes_little_of_the_noise_of_encoders) {
     const Eigen::Vector2d rate(0.3, 0.2);
     const auto J = ph::jacobian(arm, device.q());
     const Eigen::Vector2d wish = J.transpose().inverse() * Eigen::Vector2d(2 * (rate - device.qd()));
-    device.advance(time_step, {0, 0}, wish);
+    device.advance(plant_step, {0, 0}, wish);
   }
   const double off = std::sqrt(sum / samples);
   std::printf("off by %.3f N\n", off);

@@ -15,8 +15,8 @@ using ph::testing::random_source;
 
 namespace {
 
-constexpr unsigned seed = 20040627;
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr unsigned shape_seed = 20040627;
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 template <class Dimension>
 struct a_fine_mesh : ::testing::Test {
@@ -27,7 +27,7 @@ TYPED_TEST_SUITE(a_fine_mesh, dimensions);
 
 TYPED_TEST(a_fine_mesh, of_a_ball_is_the_ball_within_its_sagitta) {
   constexpr int D = TestFixture::dimension;
-  random_source random(seed);
+  random_source random(shape_seed);
   const double radius = 0.7;
   const auto p = [&] {
     const auto same = [&](const auto&) { return radius; };
@@ -43,8 +43,8 @@ TYPED_TEST(a_fine_mesh, of_a_ball_is_the_ball_within_its_sagitta) {
   for (auto& x : points) x = random.uniform(0.0, 1.1) * random.direction<double, D>();
   for (const auto& x : points) {
     const double beyond = solid.distance(x) - ball.distance(x);  // the mesh lies inside
-    ASSERT_GE(beyond, -4 * eps) << "seed " << seed << ", x = " << x.transpose();
-    ASSERT_LE(beyond, error + 4 * eps) << "seed " << seed << ", x = " << x.transpose();
+    ASSERT_GE(beyond, -4 * rounding) << "seed " << shape_seed << ", x = " << x.transpose();
+    ASSERT_LE(beyond, error + 4 * rounding) << "seed " << shape_seed << ", x = " << x.transpose();
   }
 }
 
