@@ -2,8 +2,10 @@
 /// The command line of an example.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,10 @@ class command_line {
   /// A finite number, >= 0 or > 0.
   void not_negative(const std::string& option, double& value, const std::string& about);
   void positive(const std::string& option, double& value, const std::string& about);
+  /// A whole number from 0 on, of at most 18 digits.
+  void whole_number(const std::string& option, std::optional<std::uint64_t>& value, const std::string& about);
+  /// The names of one or more files, up to the next option.
+  void files(const std::string& option, std::vector<std::string>& values, const std::string& about);
   /// A UDP port, 1 to 65535.
   void port(const std::string& option, int& value, const std::string& about);
   /// `--output DIR`, where the example's files go; the last one counts. parse() makes it.

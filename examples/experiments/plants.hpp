@@ -9,6 +9,8 @@
 
 namespace experiments {
 
+inline constexpr std::uint64_t plant_seed = 20040627;  // of the experiments, where no other one is named
+
 // The torque limit [N m] that just holds a hand with this push [N] off the paper's walls.
 constexpr double weak_brake_limit(double push) { return 1.25 / 17 * push; }
 

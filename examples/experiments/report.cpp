@@ -6,13 +6,6 @@
 
 namespace experiments {
 
-report::report() {
-  csv_ << "device, wall, environment, law, separations, depth standard deviation [mm], depth range [mm], "
-          "depth mean [mm], "
-          "depth max "
-          "[mm], brake 2 sticks [%], retarding force [N], brake energy [mJ], duration [s], arrived\n";
-}
-
 void report::section(std::string_view title) {
   std::printf("\n%.*s\n%-8s %-15s %-16s %-34s %5s %8s %8s %8s %8s %7s %7s %7s\n",
               static_cast<int>(title.size()), title.data(), "device", "wall", "environment", "law", "sepa-",
@@ -29,11 +22,7 @@ void report::add(const table_row& row) {
               100 * f.stick_share, f.retarding_force, 1e3 * f.brake_energy,
               f.arrived ? "" : ("  (" + std::string(to_string(f.end)) + ")").c_str());
   std::fflush(stdout);
-  csv_ << row.device << ", " << row.wall << ", " << row.environment << ", " << row.law << ", "
-       << f.separations << ", " << 1e3 * f.depth_std << ", " << 1e3 * f.depth_range << ", "
-       << 1e3 * f.depth_mean << ", " << 1e3 * f.depth_max << ", " << 100 * f.stick_share << ", "
-       << f.retarding_force << ", " << 1e3 * f.brake_energy << ", " << f.duration << ", "
-       << (f.arrived ? "yes" : "no") << "\n";
+  csv_ += csv_line(row);
   most_power_ = std::max(most_power_, f.largest_brake_power);
   if (f.brake_energy > 0)
     worst_imbalance_ = std::max(worst_imbalance_, std::abs(row.imbalance) / f.brake_energy);

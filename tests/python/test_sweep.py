@@ -338,3 +338,20 @@ def test_guide_runs(tmp_path):
     if importlib.util.find_spec("mpi4py") and shutil.which("mpirun"):
         run = by_mpi(os.path.join(GUIDE, "sweeps_mpi.py"), folder=tmp_path)
         assert run.stdout.strip() == share, run.stderr
+
+
+@pytest.mark.skipif("PASSIVE_HAPTICS_NUMBERED" not in os.environ, reason="tests/run python names the program")
+def test_parts_of_the_cpp_experiments_by_dask_equal_one_run(tmp_path):
+    pytest.importorskip("distributed", reason="Debian's python3-distributed is not installed")
+    numbered = os.environ["PASSIVE_HAPTICS_NUMBERED"]
+    program = tmp_path / "build/examples/examples/07_experiments"
+    program.parent.mkdir(parents=True)
+    program.symlink_to(numbered)
+    run = subprocess.run(
+        [sys.executable, os.path.join(GUIDE, "sweeps_parts.py")],
+        env=environment(DASK_TEMPORARY_DIRECTORY=tmp_path), cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    subprocess.run([numbered, "--first", "0", "--last", "299", "--output", "whole"], cwd=tmp_path, check=True)
+    merged, whole = (tmp_path / place / "experiments_0_299.csv" for place in (".", "whole"))
+    assert merged.read_bytes() == whole.read_bytes()

@@ -55,7 +55,7 @@ class mechanism_pose {
 
  public:
   /// In pose q.
-  mechanism_pose(const M& mechanism, const joints& q)
+  PASSIVE_HAPTICS_PART mechanism_pose(const M& mechanism, const joints& q)
       : mechanism_(mechanism), q_(q), pose_(pose_of(mechanism, q)) {}
 
   /// x [m], base frame.

@@ -4,6 +4,7 @@
 
 #include <passive_haptics/control/batch/batch_states.hpp>
 #include <passive_haptics/control/step_result.hpp>
+#include <passive_haptics/core/flatten.hpp>
 
 #include <cstdint>
 
@@ -34,7 +35,7 @@ struct batch_results {
 
   /// Calls f(name, array or arrays, what step_result has there) for all that may be left out.
   template <class Result, class F>
-  void for_each_of_account(const Result& r, F&& f) const {
+  PASSIVE_HAPTICS_PART void for_each_of_account(const Result& r, F&& f) const {
     f("torque", torque, r.torque);
     f("power", power, r.power);
     f("display", display, r.display);

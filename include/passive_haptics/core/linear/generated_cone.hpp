@@ -128,7 +128,7 @@ PASSIVE_HAPTICS_FLATTEN generated_point<T, D, M> project_onto_generators(const m
   generated_point<T, D, M> answer{face.point};
   constexpr bool always_basis = D == 2 && M == 2;
   if (!always_basis &&
-      detail::least_norm<T, D, M>(V, face.point).solve(face.basis, face.usable, answer.coefficients))
+      detail::least_norm<T, D, M>(V, answer.point).solve(face.basis, face.usable, answer.coefficients))
     return answer;
   if constexpr (D == 2) return {f, detail::coefficients_between(V, bits(face.basis), f)};
   else return {face.point, face.coefficients};

@@ -14,11 +14,11 @@
 
 namespace passive_haptics {
 
-/// x, read alone. clang++ 16 and later read a number that goes to all lanes together with what stands behind
-/// it, before functions are inlined: numbers that were just stored alone would then wait for each other.
+/// x, read alone. clang++ would read a number that goes to a lane together with what stands behind it:
+/// numbers that were just stored alone, or as two columns of a matrix, would then wait for each other.
 template <class T>
 [[gnu::always_inline]] inline T apart(T x) {
-#if defined(__clang__) && __clang_major__ >= 15 && (defined(__SSE2__) || defined(__aarch64__))
+#if defined(__clang__) && (defined(__SSE2__) || defined(__aarch64__))
   if constexpr (detail::packet_width<T> > 1) {
 #if defined(__aarch64__)
     asm("" : "+w"(x));
