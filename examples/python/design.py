@@ -1,7 +1,7 @@
 """Improves three planar devices for a task: their links, their base, and the reduction k2 of the paper's device.
 
 What counts is known before a device is built: how deep a hand sinks that a brake cannot hold, and how hard the brakes
-drag where they hold it. No law and no simulation is part of it. docs/guide/design_study.md discusses what comes out.
+drag where they hold it. No law and no simulation is part of it. docs/guide/design_study.md shows what comes out.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ def pose_of_arm(device: typing.Any, numbers: Sequence[float], x: Array) -> typin
 
 
 BASE = ("base x [m]", "base y [m]")
-AROUND_BASE = ((-0.1, 0.1), (-0.1, 0.1))
+AROUND_BASE = ((-0.1, 0.1), (-0.1, 0.04))  # 70 mm from the disc at least
 LINK = (0.05, 0.2)  # [m]
 DESIGNS = (
     design(
@@ -115,8 +115,8 @@ class figures(typing.NamedTuple):
     @property
     def costs(self) -> Array:
         """Of each place, 0 (held, no drag) to 2: both figures between 0 and 1, as some are infinite."""
-        parts = [np.where(np.isfinite(part), part / (1 + part), 1.0) for part in self]
-        return typing.cast(Array, parts[0] + parts[1])
+        drag, sink = (1 - 1 / (1 + np.nan_to_num(part, nan=np.inf)) for part in self)
+        return typing.cast(Array, drag + sink)
 
     @property
     def cost(self) -> float:
@@ -161,7 +161,7 @@ def draw_design(axes: plots.Axes, of: design, numbers: Sequence[float], what: ta
         plots.draw_device(device, q, axes)
     side = np.repeat([0.004, 0.010], len(what.x) // 2)[:, None]  # beside the wall, on its free side [m]
     dots = axes.scatter(*(what.x - base + side * what.normal).T, c=found.costs, cmap="cividis_r", vmin=0, vmax=WORST, s=14, zorder=8)
-    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", xlim=(-0.27, 0.27), ylim=(-0.14, 0.31))
+    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", xlim=(-0.22, 0.22), ylim=(-0.12, 0.32))
     drag = np.nanmedian(found.drag[np.isfinite(found.drag)]) if np.isfinite(found.drag).any() else math.nan
     axes.set_title(f"{title}: cost {found.cost:.2f}, {found.held:.0%} held, drag {drag:.2f}", fontsize=10)
     return dots
@@ -169,7 +169,7 @@ def draw_design(axes: plots.Axes, of: design, numbers: Sequence[float], what: ta
 
 def draw_study(path: str, what: task, after: dict[str, Array]) -> None:
     """Before and after, side by side."""
-    figure, rows = plt.subplots(len(DESIGNS), 2, figsize=(10, 4.4 * len(DESIGNS)), layout="constrained")
+    figure, rows = plt.subplots(len(DESIGNS), 2, figsize=(9, 4.1 * len(DESIGNS)), layout="constrained")
     for (left, right), of in zip(rows, DESIGNS):
         draw_design(left, of, of.start, what, f"{of.name}, before")
         dots = draw_design(right, of, after[of.name], what, "after")
