@@ -9,8 +9,16 @@ HEAD = '''"""Made by examples/python/stubs.py. Do not edit."""
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, NoReturn
 
-from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Rows
-from passive_haptics.results import contact_report, display_class, power_class, status, wall_limits
+from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Records, Rows
+from passive_haptics.results import (
+    contact_metrics,
+    contact_report,
+    display_class,
+    power_class,
+    run_end,
+    status,
+    wall_limits,
+)
 
 class _class(type): ...
 '''
