@@ -12,10 +12,10 @@ import os
 import typing
 from collections.abc import Callable, Sequence
 
-import matplotlib
+import matplotlib  # type: ignore[import]
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+import matplotlib.pyplot as plt  # type: ignore[import]
 import numpy as np
 from scipy.optimize import differential_evolution  # type: ignore[import]
 
@@ -66,7 +66,8 @@ class design(typing.NamedTuple):
     start: tuple[float, ...]
     bounds: tuple[tuple[float, float], ...]
     made: Callable[[Sequence[float]], typing.Any]
-    pose: Callable[[typing.Any, Sequence[float], Array], typing.Optional[Array]]  # at x in the base frame; None: out of reach
+    pose: Callable[[typing.Any, Sequence[float], Array], typing.Optional[Array]]
+    """At x in the base frame; None: out of reach."""
 
 
 def pose_by_inverse(device: typing.Any, numbers: Sequence[float], x: Array) -> typing.Optional[Array]:
@@ -144,13 +145,13 @@ def figures_of(of: design, numbers: Sequence[float], what: task) -> figures:
     return figures(drag, sink_slope)
 
 
-def improved(of: design, what: task, rounds: int) -> Array:
+def improved(of: design, what: task, rounds: int) -> tuple[float, ...]:
     """The numbers of the least cost that the optimiser finds; never worse than those at the start."""
     cost = lambda numbers: figures_of(of, numbers, what).cost
     found = differential_evolution(
         cost, of.bounds, x0=np.array(of.start), maxiter=rounds, popsize=6, tol=1e-3, seed=SEED, polish=False
     )
-    return typing.cast(Array, found.x)
+    return tuple(float(number) for number in found.x)
 
 
 def draw_design(axes: plots.Axes, of: design, numbers: Sequence[float], what: task, title: str) -> typing.Any:
@@ -160,14 +161,15 @@ def draw_design(axes: plots.Axes, of: design, numbers: Sequence[float], what: ta
     if q is not None:
         plots.draw_device(device, q, axes)
     side = np.repeat([0.004, 0.010], len(what.x) // 2)[:, None]  # beside the wall, on its free side [m]
-    dots = axes.scatter(*(what.x - base + side * what.normal).T, c=found.costs, cmap="cividis_r", vmin=0, vmax=WORST, s=14, zorder=8)
+    places = what.x - base + side * what.normal
+    dots = axes.scatter(*places.T, c=found.costs, cmap="cividis_r", vmin=0, vmax=WORST, s=14, zorder=8)
     axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", xlim=(-0.22, 0.22), ylim=(-0.12, 0.32))
     drag = np.nanmedian(found.drag[np.isfinite(found.drag)]) if np.isfinite(found.drag).any() else math.nan
     axes.set_title(f"{title}: cost {found.cost:.2f}, {found.held:.0%} held, drag {drag:.2f}", fontsize=10)
     return dots
 
 
-def draw_study(path: str, what: task, after: dict[str, Array]) -> None:
+def draw_study(path: str, what: task, after: dict[str, tuple[float, ...]]) -> None:
     """Before and after, side by side."""
     figure, rows = plt.subplots(len(DESIGNS), 2, figsize=(9, 4.1 * len(DESIGNS)), layout="constrained")
     for (left, right), of in zip(rows, DESIGNS):
@@ -186,7 +188,8 @@ def draw_reductions(path: str, tasks: Sequence[task]) -> dict[str, float]:
         best[what.name] = float(values[int(np.argmin(costs))])
         axes.plot(values, costs, color=colour, lw=2, label=f"{what.name}: best at {best[what.name]:.2f}")
     axes.axvline(PAPERS_K2, color=plots.MUTED, lw=1, ls="--", label="the paper's 0.4")
-    axes.set(xscale="log", xlabel="k2 [1]", ylabel="cost [1]", ylim=(0, None), title="The reduction of the paper's device")
+    axes.set(xscale="log", xlabel="k2 [1]", ylabel="cost [1]", ylim=(0, None))
+    axes.set_title("The reduction of the paper's device")
     axes.set_xticks([0.1, 0.2, 0.4, 1, 2], ["0.1", "0.2", "0.4", "1", "2"], minor=False)
     axes.legend(frameon=False)
     axes.spines[["top", "right"]].set_visible(False)
@@ -201,7 +204,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=60, help="of the optimiser; 60 take a minute or two")
     given = parser.parse_args()
     os.makedirs(given.output, exist_ok=True)
-    what, after = around_a_disc(), {}
+    what, after = around_a_disc(), dict[str, tuple[float, ...]]()
     for of in DESIGNS:
         after[of.name] = improved(of, what, given.rounds)
         before, now = figures_of(of, of.start, what), figures_of(of, after[of.name], what)
