@@ -3,8 +3,16 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, NoReturn
 
-from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Rows
-from passive_haptics.results import contact_report, display_class, power_class, status, wall_limits
+from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Records, Rows
+from passive_haptics.results import (
+    contact_metrics,
+    contact_report,
+    display_class,
+    power_class,
+    run_end,
+    status,
+    wall_limits,
+)
 
 class _class(type): ...
 __version__: str
@@ -14,6 +22,8 @@ def power_text(value: int) -> str:
     """A power class in words."""
 def display_text(value: int) -> str:
     """A display class in words."""
+def run_end_text(value: int) -> str:
+    """The end of a run in words."""
 class shape(metaclass=_class):
     """A shape of a wall, as a signed distance."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
@@ -125,21 +135,6 @@ class scene(metaclass=_class):
 class law(metaclass=_class):
     """A control law."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
-class brake_parameters(metaclass=_class):
-    """The parameters of the brakes of a device."""
-    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
-class mechanism(metaclass=_class):
-    """A mechanism: joint positions in, end effector out."""
-    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
-    @property
-    def brake_count(self) -> int:
-        """m, the brakes."""
-    @property
-    def dof(self) -> int:
-        """n, the joints."""
-    @property
-    def task_dimension(self) -> int:
-        """d, the size of a position."""
 class direct_control(law):
     """The paper's direct control (7)-(12).
 
@@ -261,6 +256,49 @@ class velocity_ratio_control(law):
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
+class brake_parameters(metaclass=_class):
+    """The parameters of the brakes of a device."""
+    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
+class mechanism(metaclass=_class):
+    """A mechanism: joint positions in, end effector out."""
+    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
+    @property
+    def brake_count(self) -> int:
+        """m, the brakes."""
+    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
+        """The rates of the brakes, w = T qd [rad/s or m/s]."""
+    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
+        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
+    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
+        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]. Of a mechanism with inertia; TypeError for others."""
+    def design_map(self, q: Array, direction: Numbers | Array, normal: Numbers | Array, brakes: brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> Records:
+        """The figures of the device at N places of a task, an array with the fields outcome (status), display (display_class), cosine of gamma [1], drag for each newton that is displayed [1], strongest force along the normal [N], sink_slope [1] and isotropy of E [1]. q: N x n joint positions; direction of the motion and normal of the wall: N x d, or one vector for all. push [N]. Ctrl-C ends it."""
+    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
+        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
+    @property
+    def dof(self) -> int:
+        """n, the joints."""
+    def jacobian(self, q: Numbers) -> Array:
+        """J in v = J qd, d x n [m/rad or 1]."""
+    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
+        """The force [N] nearest to the desired one that brakes of these signs can make. Of a device with as many brakes and joints as task dimensions; TypeError for others."""
+    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]:
+        """The four passive FMEs: the signs of the torques, and the closed outline [N] as K rows of 2 numbers. NaN at a singular pose. Of two brakes on two joints in the plane; TypeError for others."""
+    def position(self, q: Numbers) -> Array:
+        """The end effector [m], base frame."""
+    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
+        """The law for a device with a force sensor whose user has not chosen one."""
+    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
+        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok. Of a device with as many brakes and joints as task dimensions; TypeError for others."""
+    def sink_depth(self, q: Array, direction: Numbers | Array, normal: Numbers | Array, brakes: brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> float:
+        """The depth [m] to which a hand that pushes [N] sinks on a path, at least. q: N x n joint positions at the middles of N >= 2 equal parts of the path; direction and normal of the wall there: N x d, or one vector for all."""
+    def sink_slope(self, q: Numbers, direction: Numbers, normal: Numbers, brakes: brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> tuple[float, status]:
+        """The least slope [1], metres into a wall for each metre along it, at which the brakes resist a push [N] while a hand leads the end effector in this direction; infinite where they do at none. Brakes without limits where none are given. motor_limit: the torque of a motor beside each brake [N m]."""
+    @property
+    def task_dimension(self) -> int:
+        """d, the size of a position."""
+    def velocity(self, q: Numbers, qd: Numbers) -> Array:
+        """The velocity of the end effector [m/s]."""
 class device_state(metaclass=_class):
     """What a device measures, once a control cycle: time [s], joint positions [rad or m] and rates, and what the hand does to the handle [N] in the base frame; None without a force sensor."""
     def __init__(self, time: float, q: Numbers, qd: Numbers, hand_force: Numbers | None = ...) -> None: ...
@@ -444,6 +482,186 @@ class braked_wall(metaclass=_class):
         """A copy of all parameters, by their names."""
 def limits_of(wall: braked_wall) -> wall_limits:
     """What a wall made of brakes can be."""
+class brake_model(metaclass=_class):
+    """What one brake of a simulated device makes of a command."""
+    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
+class coulomb_brake(brake_model):
+    """Friction that follows its command with a lag.
+
+    Parameters:
+        torque_limit [N m]: a finite number >= 0; default 1.0
+        time_constant [s]: a finite number >= 0; default 0.02
+        fall_ratio [1]: a finite number > 0; default 1.0
+        gain [1]: a finite number > 0; default 1.0
+        residual: a dict
+            strength [N m]: a finite number >= 0; default 0.0
+            drag [N m s]: a finite number >= 0; default 0.0
+    """
+    def __init__(self, torque_limit: float = ..., time_constant: float = ..., fall_ratio: float = ..., gain: float = ..., residual: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class stribeck_brake(brake_model):
+    """A coulomb_brake whose friction is larger at rest.
+
+    Parameters:
+        coulomb: a dict
+            torque_limit [N m]: a finite number >= 0; default 1.0
+            time_constant [s]: a finite number >= 0; default 0.02
+            fall_ratio [1]: a finite number > 0; default 1.0
+            gain [1]: a finite number > 0; default 1.0
+            residual: a dict
+                strength [N m]: a finite number >= 0; default 0.0
+                drag [N m s]: a finite number >= 0; default 0.0
+        static_ratio [1]: a finite number >= 1; default 1.5
+        stribeck_rate [rad/s]: a finite number > 0; default 0.05
+    """
+    def __init__(self, coulomb: Mapping[str, object] = ..., static_ratio: float = ..., stribeck_rate: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class eddy_current_brake(brake_model):
+    """Drag by eddy currents: no torque at rest.
+
+    Parameters:
+        peak_torque [N m]: a finite number >= 0; default 27.76
+        critical_rate [rad/s]: a finite number > 0; default 102.1
+        time_constant [s]: a finite number >= 0; default 0.02
+        residual: a dict
+            strength [N m]: a finite number >= 0; default 0.0
+            drag [N m s]: a finite number >= 0; default 0.0
+    """
+    def __init__(self, peak_torque: float = ..., critical_rate: float = ..., time_constant: float = ..., residual: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class magnetorheological_brake(brake_model):
+    """A magnetorheological brake, with saturation and hysteresis.
+
+    Parameters:
+        torque_limit [N m]: a finite number >= 0; default 1.0
+        saturation [1]: a finite number > 0; default 1.5
+        coercive_current [1]: a finite number >= 0; default 0.02
+        time_constant [s]: a finite number >= 0; default 0.02
+        residual: a dict
+            strength [N m]: a finite number >= 0; default 0.0
+            drag [N m s]: a finite number >= 0; default 0.0
+    """
+    def __init__(self, torque_limit: float = ..., saturation: float = ..., coercive_current: float = ..., time_constant: float = ..., residual: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class presliding_brake(brake_model):
+    """A coulomb_brake that turns elastically before it slips.
+
+    Parameters:
+        model: a dict
+            torque_limit [N m]: a finite number >= 0; default 1.0
+            time_constant [s]: a finite number >= 0; default 0.02
+            fall_ratio [1]: a finite number > 0; default 1.0
+            gain [1]: a finite number > 0; default 1.0
+            residual: a dict
+                strength [N m]: a finite number >= 0; default 0.0
+                drag [N m s]: a finite number >= 0; default 0.0
+        presliding [rad]: a finite number >= 0; default 0.003
+    """
+    def __init__(self, model: Mapping[str, object] = ..., presliding: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class simulated_device(metaclass=_class):
+    """A device without hardware, at rest at joint positions q [rad or m]: a mechanism with inertia, real brakes and a hand's mass [kg] on its handle. brakes: what brakes() of the mechanism returns, for brakes that are what their controller believes, or a brake model for each brake. A pickled one, and parameters, are those of the start."""
+    def __init__(self, mechanism: mechanism, brakes: brake_parameters | Sequence[brake_model], hand_mass: float, q: Numbers) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None:
+        """One time step dt [s] under commanded capacities [N m] and the force that the hand's muscles exert [N]. No time passes where dt is not a finite number > 0."""
+    @property
+    def brake_force(self) -> Array:
+        """The force at the handle that does what these torques do [N]."""
+    @property
+    def brake_torque(self) -> Array:
+        """Mean torque of the brakes in the last step [N m]."""
+    @property
+    def energy(self) -> dict[str, float]:
+        """Where the energy came from and went since the motion was set [J], and the largest power of a brake [W]."""
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+    @property
+    def position(self) -> Array:
+        """The handle now [m]."""
+    @property
+    def q(self) -> Array:
+        """Joint positions now [rad or m]."""
+    @property
+    def qd(self) -> Array:
+        """Joint rates now [rad/s or m/s]."""
+    @property
+    def rates(self) -> Array:
+        """Rates of the brakes [rad/s or m/s]."""
+    @property
+    def sensed_force(self) -> Array:
+        """Force of the hand on the handle in the last step [N]."""
+    def set_motion(self, q: Numbers, qd: Numbers) -> None:
+        """Sets joint positions [rad or m] and rates, and begins the energy balance anew."""
+    @property
+    def velocity(self) -> Array:
+        """The handle's velocity [m/s]."""
+class following_hand(metaclass=_class):
+    """A hand that moves along a wall in a direction and presses on it, at start [m] at time 0.
+
+    Parameters:
+        speed [m/s]: a finite number; default 0.05
+        stiffness [N/m]: a finite number >= 0; default 200.0
+        damping [N s/m]: a finite number >= 0; default 20.0
+        push [N]: a finite number; default 2.0
+        normal_stiffness [N/m]: a finite number >= 0; default 0.0
+        target_depth [m]: a finite number; default 0.0
+        normal_damping [N s/m]: a finite number >= 0; default 20.0
+        mass [kg]: a finite number >= 0; default 0.5
+    """
+    def __init__(self, direction: Numbers, start: Numbers, speed: float = ..., stiffness: float = ..., damping: float = ..., push: float = ..., normal_stiffness: float = ..., target_depth: float = ..., normal_damping: float = ..., mass: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class wall_following_parameters(metaclass=_class):
+    """Timing and sensing of a wall-following experiment.
+
+    Parameters:
+        time_step [s]: a finite number > 0; default 0.0001
+        control_period [s]: a finite number > 0; default 0.001
+        sensor_corner [Hz]: a finite number >= 0; default 200.0
+        sensor_scale [1]: a finite number > 0; default 1.0
+        sensor_noise [N]: a finite number >= 0; default 0.0
+        noise_seed: anything; default 1
+        encoder_resolution [rad or m]: a finite number >= 0; default 0.0007669903939428206
+        rate_corner [Hz]: a finite number >= 0; default 50.0
+        path_end [m]: a finite number; default 0.17
+        longest [s]: a finite number > 0; default 8.0
+        deepest [m]: a finite number > 0; default 1.0
+        watched_brake: anything; default 1
+    """
+    def __init__(self, time_step: float = ..., control_period: float = ..., sensor_corner: float = ..., sensor_scale: float = ..., sensor_noise: float = ..., noise_seed: int = ..., encoder_resolution: float = ..., rate_corner: float = ..., path_end: float = ..., longest: float = ..., deepest: float = ..., watched_brake: int = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+def follow_wall(device: simulated_device, controller: controller, shape: shape, hand: following_hand, parameters: wall_following_parameters | None = ..., *, record: bool = ...) -> tuple[contact_metrics, Records]:
+    """The wall-following experiment: a hand moves the device along a shape, the wall whose depth is measured, under a controller. Returns its figures and, if record is true, an array with a row for each time step (else none): time [s], depth [m], position [m], velocity [m/s], rates of the brakes, brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control cycle capacity [N m], alpha, outcome, power, display, saturated and wall_number. The device and the controller go on from where they are. Ctrl-C ends it."""
 class brakes_2(brake_parameters):
     """The brakes of a device with 2 of them.
 
@@ -478,12 +696,6 @@ class tendon_two_link(mechanism):
     def __init__(self, arm: Mapping[str, object] = ..., reduction_2: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
@@ -493,27 +705,11 @@ class tendon_two_link(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
     def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]:
         """Joint positions that put the handle at x [m], and whether it is in reach."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
-        """The force [N] nearest to the desired one that brakes of these signs can make."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]:
-        """The four passive FMEs: the signs of the torques, and the closed outline [N] as K rows of 2 numbers. NaN at a singular pose."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
-        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
 class two_link(mechanism):
     """Two links in a plane, a brake on each joint.
 
@@ -531,12 +727,6 @@ class two_link(mechanism):
     def __init__(self, length_1: float = ..., length_2: float = ..., mass_1: float = ..., mass_2: float = ..., handle_mass: float = ..., rotor_inertia_1: float = ..., rotor_inertia_2: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
@@ -546,75 +736,11 @@ class two_link(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
     def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]:
         """Joint positions that put the handle at x [m], and whether it is in reach."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
-        """The force [N] nearest to the desired one that brakes of these signs can make."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]:
-        """The four passive FMEs: the signs of the torques, and the closed outline [N] as K rows of 2 numbers. NaN at a singular pose."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
-        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
-class xy_table(mechanism):
-    """Two orthogonal slides, a brake on each.
-
-    It has 2 joints, 2 brakes and 2 task dimensions.
-
-    Parameters:
-        mass_x [kg]: a finite number > 0; default 0.5
-        mass_y [kg]: a finite number > 0; default 0.5
-    """
-    def __init__(self, mass_x: float = ..., mass_y: float = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]."""
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
-        """The brakes of this device.
-
-        Parameters:
-            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0]
-            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
-            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
-            time_constant [s]: a finite number >= 0; default [0.02, 0.02]
-        """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
-    def inverse(self, x: Numbers) -> tuple[Array, status]:
-        """Joint positions that put the handle at x [m], and whether it is in reach."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
-        """The force [N] nearest to the desired one that brakes of these signs can make."""
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of all parameters, by their names."""
-    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]:
-        """The four passive FMEs: the signs of the torques, and the closed outline [N] as K rows of 2 numbers. NaN at a singular pose."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
-        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
 class five_bar(mechanism):
     """Two legs that meet at the handle (pantograph).
 
@@ -636,12 +762,6 @@ class five_bar(mechanism):
     def __init__(self, base_distance: float = ..., proximal_1: float = ..., proximal_2: float = ..., distal_1: float = ..., distal_2: float = ..., assembly: Literal["left", "right"] = ..., proximal_mass: float = ..., distal_mass: float = ..., handle_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
@@ -651,27 +771,37 @@ class five_bar(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Base angles that put the handle at x [m], elbows outward, and whether it is in reach."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
-        """The force [N] nearest to the desired one that brakes of these signs can make."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]:
-        """The four passive FMEs: the signs of the torques, and the closed outline [N] as K rows of 2 numbers. NaN at a singular pose."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
-        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
+class xy_table(mechanism):
+    """Two orthogonal slides, a brake on each.
+
+    It has 2 joints, 2 brakes and 2 task dimensions.
+
+    Parameters:
+        mass_x [kg]: a finite number > 0; default 0.5
+        mass_y [kg]: a finite number > 0; default 0.5
+    """
+    def __init__(self, mass_x: float = ..., mass_y: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+        """
+    def inverse(self, x: Numbers) -> tuple[Array, status]:
+        """Joint positions that put the handle at x [m], and whether it is in reach."""
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class brakes_4(brake_parameters):
     """The brakes of a device with 4 of them.
 
@@ -708,12 +838,6 @@ class five_bar_with_four_brakes(mechanism):
     def __init__(self, base_distance: float = ..., proximal_1: float = ..., proximal_2: float = ..., distal_1: float = ..., distal_2: float = ..., assembly: Literal["left", "right"] = ..., proximal_mass: float = ..., distal_mass: float = ..., handle_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
         """The brakes of this device.
 
@@ -723,21 +847,11 @@ class five_bar_with_four_brakes(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Base angles that put the handle at x [m], elbows outward, and whether it is in reach."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
 class brakes_3(brake_parameters):
     """The brakes of a device with 3 of them.
 
@@ -773,12 +887,6 @@ class delta(mechanism):
     def __init__(self, base_radius: float = ..., platform_radius: float = ..., upper_arm: float = ..., forearm: float = ..., assembly: Literal["lower", "upper"] = ..., upper_arm_mass: float = ..., forearm_mass: float = ..., platform_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
@@ -788,25 +896,11 @@ class delta(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Base angles that put the platform at x [m], elbows outward, and whether it is in reach."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
-        """The force [N] nearest to the desired one that brakes of these signs can make."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
-        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
 class planar_chain_3(mechanism):
     """A serial chain of 3 joints in the plane, a brake on each.
 
@@ -822,10 +916,6 @@ class planar_chain_3(mechanism):
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
@@ -835,19 +925,45 @@ class planar_chain_3(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
+class planar_chain_3_with_inertia(mechanism):
+    """A serial chain of 3 joints in the plane, a brake on each, with inertia.
+
+    It has 3 joints, 3 brakes and 2 task dimensions.
+
+    Parameters:
+        geometry: a dict
+            joints: anything, a list of 3 dicts
+                kind: revolute, prismatic; default 'revolute'
+                axis [1]: anything; default [0.0, 0.0]
+                point [m]: anything; default [0.0, 0.0]
+            handle [m]: a finite number; default [nan, nan]
+        inertia: a dict
+            links: anything, a list of 3 dicts
+                mass [kg]: a finite number > 0; default 0.0
+                centre [m]: a finite number; default [0.0, 0.0]
+                about_centre [kg m^2]: anything; default [0.0]
+            rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
+            handle_mass [kg]: a finite number >= 0; default 0.1
+            gravity [m/s^2]: a finite number; default [0.0, 0.0]
+    """
+    def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        """
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class planar_chain_4(mechanism):
     """A serial chain of 4 joints in the plane, a brake on each.
 
@@ -863,10 +979,6 @@ class planar_chain_4(mechanism):
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
         """The brakes of this device.
 
@@ -876,19 +988,45 @@ class planar_chain_4(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
+class planar_chain_4_with_inertia(mechanism):
+    """A serial chain of 4 joints in the plane, a brake on each, with inertia.
+
+    It has 4 joints, 4 brakes and 2 task dimensions.
+
+    Parameters:
+        geometry: a dict
+            joints: anything, a list of 4 dicts
+                kind: revolute, prismatic; default 'revolute'
+                axis [1]: anything; default [0.0, 0.0]
+                point [m]: anything; default [0.0, 0.0]
+            handle [m]: a finite number; default [nan, nan]
+        inertia: a dict
+            links: anything, a list of 4 dicts
+                mass [kg]: a finite number > 0; default 0.0
+                centre [m]: a finite number; default [0.0, 0.0]
+                about_centre [kg m^2]: anything; default [0.0]
+            rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05, 5e-05]
+            handle_mass [kg]: a finite number >= 0; default 0.1
+            gravity [m/s^2]: a finite number; default [0.0, 0.0]
+    """
+    def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+        """
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class spatial_chain_3(mechanism):
     """A serial chain of 3 joints in space, a brake on each.
 
@@ -904,10 +1042,6 @@ class spatial_chain_3(mechanism):
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
@@ -917,23 +1051,45 @@ class spatial_chain_3(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
-        """The force [N] nearest to the desired one that brakes of these signs can make."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
-        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
+class spatial_chain_3_with_inertia(mechanism):
+    """A serial chain of 3 joints in space, a brake on each, with inertia.
+
+    It has 3 joints, 3 brakes and 3 task dimensions.
+
+    Parameters:
+        geometry: a dict
+            joints: anything, a list of 3 dicts
+                kind: revolute, prismatic; default 'revolute'
+                axis [1]: anything; default [0.0, 0.0, 0.0]
+                point [m]: anything; default [0.0, 0.0, 0.0]
+            handle [m]: a finite number; default [nan, nan, nan]
+        inertia: a dict
+            links: anything, a list of 3 dicts
+                mass [kg]: a finite number > 0; default 0.0
+                centre [m]: a finite number; default [0.0, 0.0, 0.0]
+                about_centre [kg m^2]: anything; default [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
+            rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
+            handle_mass [kg]: a finite number >= 0; default 0.1
+            gravity [m/s^2]: a finite number; default [0.0, 0.0, 0.0]
+    """
+    def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        """
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class brakes_6(brake_parameters):
     """The brakes of a device with 6 of them.
 
@@ -964,10 +1120,6 @@ class spatial_chain_6(mechanism):
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_6:
         """The brakes of this device.
 
@@ -977,19 +1129,9 @@ class spatial_chain_6(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
 class brakes_7(brake_parameters):
     """The brakes of a device with 7 of them.
 
@@ -1020,10 +1162,6 @@ class spatial_chain_7(mechanism):
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_7:
         """The brakes of this device.
 
@@ -1033,176 +1171,6 @@ class spatial_chain_7(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
         """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
-class planar_chain_3_with_inertia(mechanism):
-    """A serial chain of 3 joints in the plane, a brake on each, with inertia.
-
-    It has 3 joints, 3 brakes and 2 task dimensions.
-
-    Parameters:
-        geometry: a dict
-            joints: anything, a list of 3 dicts
-                kind: revolute, prismatic; default 'revolute'
-                axis [1]: anything; default [0.0, 0.0]
-                point [m]: anything; default [0.0, 0.0]
-            handle [m]: a finite number; default [nan, nan]
-        inertia: a dict
-            links: anything, a list of 3 dicts
-                mass [kg]: a finite number > 0; default 0.0
-                centre [m]: a finite number; default [0.0, 0.0]
-                about_centre [kg m^2]: anything; default [0.0]
-            rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
-            handle_mass [kg]: a finite number >= 0; default 0.1
-            gravity [m/s^2]: a finite number; default [0.0, 0.0]
-    """
-    def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]."""
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
-        """The brakes of this device.
-
-        Parameters:
-            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
-            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
-            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
-            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
-        """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
-class planar_chain_4_with_inertia(mechanism):
-    """A serial chain of 4 joints in the plane, a brake on each, with inertia.
-
-    It has 4 joints, 4 brakes and 2 task dimensions.
-
-    Parameters:
-        geometry: a dict
-            joints: anything, a list of 4 dicts
-                kind: revolute, prismatic; default 'revolute'
-                axis [1]: anything; default [0.0, 0.0]
-                point [m]: anything; default [0.0, 0.0]
-            handle [m]: a finite number; default [nan, nan]
-        inertia: a dict
-            links: anything, a list of 4 dicts
-                mass [kg]: a finite number > 0; default 0.0
-                centre [m]: a finite number; default [0.0, 0.0]
-                about_centre [kg m^2]: anything; default [0.0]
-            rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05, 5e-05]
-            handle_mass [kg]: a finite number >= 0; default 0.1
-            gravity [m/s^2]: a finite number; default [0.0, 0.0]
-    """
-    def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]."""
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
-        """The brakes of this device.
-
-        Parameters:
-            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0]
-            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
-            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
-            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
-        """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
-class spatial_chain_3_with_inertia(mechanism):
-    """A serial chain of 3 joints in space, a brake on each, with inertia.
-
-    It has 3 joints, 3 brakes and 3 task dimensions.
-
-    Parameters:
-        geometry: a dict
-            joints: anything, a list of 3 dicts
-                kind: revolute, prismatic; default 'revolute'
-                axis [1]: anything; default [0.0, 0.0, 0.0]
-                point [m]: anything; default [0.0, 0.0, 0.0]
-            handle [m]: a finite number; default [nan, nan, nan]
-        inertia: a dict
-            links: anything, a list of 3 dicts
-                mass [kg]: a finite number > 0; default 0.0
-                centre [m]: a finite number; default [0.0, 0.0, 0.0]
-                about_centre [kg m^2]: anything; default [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
-            rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
-            handle_mass [kg]: a finite number >= 0; default 0.1
-            gravity [m/s^2]: a finite number; default [0.0, 0.0, 0.0]
-    """
-    def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
-        """The rates of the brakes, w = T qd [rad/s or m/s]."""
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
-        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
-        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]."""
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
-        """The brakes of this device.
-
-        Parameters:
-            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
-            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
-            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
-            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
-        """
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
-        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
-    def jacobian(self, q: Numbers) -> Array:
-        """J in v = J qd, d x n [m/rad or 1]."""
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
-        """The force [N] nearest to the desired one that brakes of these signs can make."""
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of all parameters, by their names."""
-    def position(self, q: Numbers) -> Array:
-        """The end effector [m], base frame."""
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
-        """The law for a device with a force sensor whose user has not chosen one."""
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
-        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok."""
-    def velocity(self, q: Numbers, qd: Numbers) -> Array:
-        """The velocity of the end effector [m/s]."""
