@@ -36,6 +36,22 @@ landing = arm.braked_wall_at(
 )
 print(f"a hand gets {1e3 * ph.limits_of(landing).depth:.1f} mm deep")
 
+# Before there is a device
+x, y = np.meshgrid(np.linspace(0.05, 0.15, 21), np.linspace(0.15, 0.25, 21))
+places = np.array([arm.inverse([*point])[0] for point in zip(x.flat, y.flat)])
+figures = arm.design_map(places, direction=[1.0, 0.0], normal=[0.0, -1.0], brakes=brakes, push=2)
+print(f"sink slope: {np.median(figures['sink_slope']):.2f} m for each metre along the wall")
+depth = arm.sink_depth(places[:21], [1.0, 0.0], [0.0, -1.0], brakes, push=2)
+
+# Along a wall
+device = ph.simulated_device(arm, brakes, hand_mass=0.5, q=arm.inverse([0.0, 0.22])[0])
+hand = ph.following_hand(direction=[1, 0], start=device.position, push=2)
+plane = ph.half_space([0, 0.225], [0, -1])
+gentle = ph.controller(arm, brakes, ph.scene(ph.wall(plane, 1e4)), arm.recommended_law(brakes))
+metrics, samples = ph.follow_wall(device, gentle, plane, hand, ph.wall_following_parameters(longest=2), record=True)
+print(f"{metrics.separations} separations, {1e3 * metrics.depth_mean:.1f} mm deep; {metrics.end.text}")
+deepest = samples["time"][np.argmax(samples["depth"])]
+
 # Values
 assert pickle.loads(pickle.dumps(control)) == control
 try:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the site, build/docs/html/index.html, from the folder of the repository. It needs no server.
-# Needs Debian's doxygen doxygen-awesome-css libjs-katex fonts-katex.
+# Needs python3 and Debian's doxygen doxygen-awesome-css libjs-katex fonts-katex.
 set -eu
 unset CDPATH
 cd "$(dirname "$0")/../.."
@@ -8,11 +8,12 @@ parts=build/docs html=build/docs/html
 mkdir -p $parts
 rm -rf $html
 # A page for each file to which a page links, so that its readers stay within the site
-grep -ohE '\]\([^)#]+\.(cpp|hpp|py|toml|txt|csv)\)' docs/*.md docs/guide/*.md | sed -E 's#\]\((\.\./)*([^)]*)\)#\2#; s#^[^/]*$#docs/guide/&#' |
+grep -ohE '\]\([^)#]+\.(cpp|hpp|py|sh|toml|txt|csv)\)' docs/*.md docs/guide/*.md | sed -E 's#\]\((\.\./)*([^)]*)\)#\2#; s#^[^/]*$#docs/guide/&#' |
   grep -v '^include/' | sort -u | while read -r file; do
     id=${file#docs/}
     printf '/** @page %s %s\n@include %s\n*/\n' "$(tr -c 'A-Za-z0-9\n' _ <<<"${id,,}")" "$file" "$file"
   done >$parts/files.dox
+python3 docs/site/python_reference.py >$parts/python_reference.md
 : >$parts/search_index.js
 doxygen docs/site/Doxyfile
 # Doxygen does not report a reference of the layout that leads nowhere

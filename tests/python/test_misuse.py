@@ -19,6 +19,10 @@ results = control.batch(rows, rows, rows)
 read_only = control.batch(rows, rows, rows)
 read_only.alpha.flags.writeable = False
 state = ph.device_state(0, [0.5, 0.5], [0, 0], [0, 0])
+legs = ph.five_bar_with_four_brakes()
+chain = ph.planar_arm([0.1, 0.1, 0.1])
+simulated = ph.simulated_device(arm, arm.brakes(), 0.5, [0.7, 0.8])
+hand = ph.following_hand([1, 0], simulated.position)
 
 
 class subclass(np.ndarray):
@@ -121,6 +125,37 @@ MISUSES = [
     (lambda: arm.inverse([0.1, 0.1], "up"), ValueError, "branch = 'up', expected 'left' or 'right'"),
     (lambda: ph.limits_of(3), TypeError, "wall = 3 (int), expected a braked_wall"),
     (lambda: ph.limits_of(ph.braked_wall(inertia=0)), ValueError, "inertia of a braked_wall [kg] = 0"),
+    # Design and simulation
+    (lambda: legs.reference_forces([2, 1]), TypeError, "reference_forces needs as many brakes and joints as task dim"),
+    (lambda: legs.passive_fme([2, 1]), TypeError, "passive_fme needs two brakes on two joints in the plane"),
+    (lambda: chain.braked_wall_at([0] * 3, [1, 0], [0, 1], chain.brakes(), [0] * 3, [0] * 3, 1), TypeError,
+     "braked_wall_at needs a mechanism with inertia"),
+    (lambda: ph.simulated_device(chain, chain.brakes(), 1, [0, 0, 0]), TypeError, "needs a mechanism with inertia"),
+    (lambda: arm.sink_slope([1, 2], [1, 0], [0, 1], arm.brakes(), nan), ValueError, "push [N] = nan"),
+    (lambda: arm.sink_slope([1, 2], [1, 0], [0, 1], motor_limit=[1]), ValueError, "length of motor_limit = 1, expected 2"),
+    (lambda: arm.sink_slope([1, 2], [1, 0], [0, 1], motor_limit=[1, -1]), ValueError, "motor_limit[1] [N m] = -1.0"),
+    (lambda: arm.sink_depth(rows[:1], [1, 0], [0, 1]), ValueError, "samples of a sink_depth = 1, expected 2 or more"),
+    (lambda: arm.design_map([[1, 2]], [1, 0], [0, 1]), TypeError, "q = [[1, 2]] (list), expected a numpy.ndarray"),
+    (lambda: arm.design_map(rows.astype("f4"), [1, 0], [0, 1]), TypeError, "q has dtype float32, expected float64"),
+    (lambda: arm.design_map(rows, [1, 0, 0], [0, 1]), ValueError, "length of direction = 3, expected 2"),
+    (lambda: arm.design_map(rows, [1, 0], rows[:3]), ValueError, "number of rows of normal = 3, expected 10, as q has"),
+    (lambda: arm.design_map(rows, [1, 0], [0, 1], scene), TypeError, "expected what brakes() of the mechanism returns"),
+    (lambda: ph.coulomb_brake(gain=0), ValueError, "gain"),
+    (lambda: ph.simulated_device(arm, [ph.coulomb_brake()], 1, [0, 0]), ValueError, "number of brakes = 1, expected 2"),
+    (lambda: ph.simulated_device(arm, [1, 2], 1, [0, 0]), TypeError, "brakes[0] = 1 (int), expected a brake model"),
+    (lambda: ph.simulated_device(arm, arm.brakes(), -1, [0, 0]), ValueError, "hand_mass [kg] = -1"),
+    (lambda: ph.simulated_device(arm, arm.brakes(), 1), TypeError, "but no q was given"),
+    (lambda: ph.following_hand([0, 0], [0, 0]), ValueError, "expected a direction of finite length > 0"),
+    (lambda: ph.following_hand([1, 0], [0, 0, 0]), ValueError, "length of start = 3, expected 2, as direction has"),
+    (lambda: ph.following_hand([1, 0], [0, 0], mass=-1), ValueError, "mass [kg] = -1"),
+    (lambda: ph.wall_following_parameters(time_step=0), ValueError, "time_step [s] = 0"),
+    (lambda: simulated.advance(1e-4, [1], [0, 0]), ValueError, "length of capacity = 1, expected 2"),
+    (lambda: ph.follow_wall(arm, control, shape, hand), TypeError, "expected a simulated_device"),
+    (lambda: ph.follow_wall(simulated, arm, shape, hand), TypeError, "expected a controller"),
+    (lambda: ph.follow_wall(simulated, control, wall, hand), TypeError, "expected a shape"),
+    (lambda: ph.follow_wall(simulated, control, ph.ball([0, 0, 0], 1), hand), ValueError, "shape has dimension 3, expected 2"),
+    (lambda: ph.follow_wall(simulated, control, shape, hand, ph.wall_following_parameters(watched_brake=2)), ValueError,
+     "watched_brake = 2, expected a brake of the device"),
     # Batches
     (lambda: control.batch([[0, 0]], rows, rows), TypeError, "q = [[0, 0]] (list), expected a numpy.ndarray of float64"),
     (lambda: control.batch(None, rows, rows), TypeError, "q = None (NoneType), expected a numpy.ndarray"),

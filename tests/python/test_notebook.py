@@ -7,7 +7,7 @@ import pytest
 import passive_haptics as ph
 
 NOTEBOOK = os.path.join(os.path.dirname(__file__), "..", "..", "examples", "python", "paper.ipynb")
-FIGURES = ["figure_2", "figure_3", "figure_4", "figure_5", "section_5_2"]
+FIGURES = ["figure_2", "figure_3", "figure_4", "figure_5", "section_5_2", "figure_7", "figure_8", "figure_9", "figure_10"]
 SLIDERS = """
 %matplotlib agg
 ends = {
@@ -16,6 +16,10 @@ ends = {
     figure_4: [(-80, 0, 80), (-60, 0, 60)],
     figure_5: [(0.06, 0.19), (-180, 0, 5), (0, 4), (-4, 4)],
     section_5_2: [(0.1, 2), (-60, 0, 60)],
+    figure_7: [(0.1, 2), (0.1, 2)],
+    figure_8: [(1, 2.5)],
+    figure_9: [(1, 50)],
+    figure_10: [("hollow", "solid")],
 }
 import itertools
 for figure, values in ends.items():
@@ -30,6 +34,10 @@ result, brakes = at_the_wall(ph.direct_control(), 0.155, -5, hand)
 assert abs((hand + brakes)[1]) < 1e-9 and abs(result.alpha - 0.4) < 1e-9
 at_both_ends = gamma(ph.tendon_two_link(), [0.06, 0.17], [0.2251], 1)[0]
 assert abs(at_both_ends[0] - 3) < 1 and abs(at_both_ends[1] - 33) < 2
+bounces, rows = follow(PAPERS_WALL, ph.no_direct_control())
+glides, _ = follow(PAPERS_WALL, ph.saturated_direct_control())
+assert bounces.separations >= 4 and glides.separations <= 1 and glides.depth_std < bounces.depth_std
+assert rows["depth"].max() == bounces.depth_max
 print("all sliders")
 """
 

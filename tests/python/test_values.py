@@ -26,6 +26,15 @@ SHAPES = [
     ph.complement(ph.capsule([0, 0, 0], [0.1, 0, 0], 0.02)),
 ]
 
+BRAKES = [
+    ph.coulomb_brake(),
+    ph.coulomb_brake(torque_limit=0.5, residual={"strength": 0.01}),
+    ph.stribeck_brake(coulomb={"torque_limit": 0.7}, static_ratio=1.2),
+    ph.eddy_current_brake(),
+    ph.magnetorheological_brake(),
+    ph.presliding_brake(presliding=1e-3),
+]
+
 
 def values():
     """One value at least of each class that can be made or is returned."""
@@ -56,6 +65,13 @@ def values():
     yield control.batch(case.q, case.qd, case.hand_force, case.time)
     yield control.batch(case.q, case.qd, case.hand_force, fields=[])
     yield case.device.displayable(case.q[70], [1, 0], [0, -1])
+    for brake in BRAKES:
+        yield brake
+    yield ph.simulated_device(case.device, case.brakes(), 0.5, case.q[70])
+    yield ph.simulated_device(ph.two_link(), [BRAKES[0], BRAKES[1]], 0, [0.5, 0.5])
+    yield ph.following_hand([1, 0], [0.1, 0.2])
+    yield ph.following_hand([0, 0, 1], [0.1, 0.2, 0.3], push=3)
+    yield ph.wall_following_parameters(longest=2, noise_seed=7)
 
 
 ALL = list(values())
@@ -94,7 +110,7 @@ def test_repr_makes_an_equal_value(value):
 
 
 def test_every_class_is_among_them():
-    bases = {ph.shape, ph.law, ph.mechanism, ph.brake_parameters}
+    bases = {ph.shape, ph.law, ph.mechanism, ph.brake_parameters, ph.brake_model}
     classes = {thing for thing in vars(_native).values() if inspect.isclass(thing)}
     assert classes - bases == {type(value) for value in ALL}
 
@@ -187,3 +203,21 @@ def test_planar_arm():
     assert ph.planar_arm([0.1, 0.1, 0.1, 0.1]).dof == 4
     with pytest.raises(ValueError, match="expected 3 or 4"):
         ph.planar_arm([0.1])
+
+
+@pytest.mark.parametrize("name", [name for name in DEVICES if "chain" in name] + ["two_link"])
+def test_nearest_pose_leads_to_the_place(name):
+    device = DEVICES[name]()
+    random = np.random.default_rng(8)
+    for _ in range(50):
+        q = random.uniform(0.2, 1.2, device.dof)
+        x = device.position(q)
+        found, outcome = ph.nearest_pose(device, x, q + random.uniform(-0.3, 0.3, device.dof))
+        assert outcome == ph.status.ok
+        assert np.allclose(device.position(found), x, atol=1e-9)
+    beyond = np.full(device.task_dimension, 10.0)
+    found, outcome = ph.nearest_pose(device, beyond, q)
+    assert outcome == ph.status.out_of_reach and np.isfinite(found).all()
+    assert ph.nearest_pose(device, beyond * np.nan, q)[1] == ph.status.state_not_finite
+    with pytest.raises(ValueError, match="shape of x"):
+        ph.nearest_pose(device, [1.0], q)

@@ -1,4 +1,6 @@
 // The arrays of a batch.
+#include <precompiled.hpp>
+
 #include "batch_arrays.hpp"
 
 #include <algorithm>

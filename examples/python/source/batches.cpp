@@ -1,4 +1,6 @@
 // The results of a batch.
+#include <precompiled.hpp>
+
 #include "batch_arrays.hpp"
 #include "module.hpp"
 

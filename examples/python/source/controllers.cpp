@@ -1,8 +1,9 @@
 // Controllers.
-#include "batch_arrays.hpp"
-#include "module.hpp"
+#include <precompiled.hpp>
 
-#include <passive_haptics_python/mechanisms.hpp>
+#include "batch_arrays.hpp"
+#include "devices.hpp"
+#include "module.hpp"
 
 namespace passive_haptics_python {
 namespace {
@@ -30,7 +31,6 @@ struct controller {
   option_values options;
   device_sizes sizes;
   std::unique_ptr<any_controller> held;
-
   static std::vector<std::string> names() {
     return {"mechanism", "brakes", "scene", "law", "max_approximation_angle", "limits"};
   }
@@ -50,10 +50,10 @@ struct controller {
     assign_members(c.options, others, name);
     const auto& device = expect<mechanism>(c.of_mechanism, "mechanism", "a mechanism such as two_link()");
     const auto& walls = expect<scene>(c.of_scene, "scene", "a scene: scene(wall(shape, stiffness))");
-    expect<brakes>(c.of_brakes, "brakes", "what brakes() of the mechanism returns");
+    const brake_numbers known = brakes_for(device, c.of_brakes);
     expect<law>(c.of_law, "law", "a law such as direct_control()");
-    c.sizes = device.sizes();
-    c.held = device.make_controller(c.of_brakes, walls, c.of_law, c.options.options());
+    c.sizes = device.device().sizes();
+    c.held = device.make_controller(known, walls, c.of_law, c.options.options());
     return c;
   }
   py::dict with(const py::dict& of_options) const {
@@ -70,6 +70,19 @@ struct controller {
 };
 
 }  // namespace
+
+any_controller& controller_for(const device_sizes& sizes, py::handle given) {
+  controller& c = expect<controller>(given, "controller", "a controller(mechanism, brakes, scene, law)");
+  const auto check = [](int has, int expected, const char* of) {
+    if (has != expected)
+      refuse_value("controller is of a mechanism with " + std::to_string(has) + " " + of + ", expected " +
+                   std::to_string(expected) + ": make it for the mechanism of the device");
+  };
+  check(c.sizes.dof, sizes.dof, "joints");
+  check(c.sizes.task_dimension, sizes.task_dimension, "task dimensions");
+  check(c.sizes.brake_count, sizes.brake_count, "brakes");
+  return *c.held;
+}
 
 void bind_controllers(py::module_& module) {
   const std::string text =

@@ -1,8 +1,9 @@
 // Control laws.
+#include <precompiled.hpp>
+
 #include "module.hpp"
 
 #include <passive_haptics_python/laws.hpp>
-#include <passive_haptics_python/mechanisms.hpp>
 
 #include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
 #include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
@@ -25,15 +26,6 @@ void bind_law(py::module_& module, const std::string& name, const std::string& a
 
 void bind_laws(py::module_& module) {
   py::class_<law>(module, "law", "A control law.");
-  py::class_<brakes>(module, "brake_parameters", "The parameters of the brakes of a device.");
-  py::class_<mechanism>(module, "mechanism", "A mechanism: joint positions in, end effector out.")
-      .def_property_readonly(
-          "dof", [](const mechanism& m) { return m.sizes().dof; }, "int: n, the joints.")
-      .def_property_readonly(
-          "task_dimension", [](const mechanism& m) { return m.sizes().task_dimension; },
-          "int: d, the size of a position.")
-      .def_property_readonly(
-          "brake_count", [](const mechanism& m) { return m.sizes().brake_count; }, "int: m, the brakes.");
   bind_law<ph::direct_control>(module, "direct_control", "The paper's direct control (7)-(12).");
   bind_law<ph::saturated_direct_control>(
       module, "saturated_direct_control",

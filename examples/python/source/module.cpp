@@ -1,9 +1,12 @@
 // The module _native of the package passive_haptics.
+#include <precompiled.hpp>
+
 #include "module.hpp"
 
 #include <passive_haptics/core/status.hpp>
 #include <passive_haptics/core/version.hpp>
 #include <passive_haptics/force/classification.hpp>
+#include <passive_haptics/plant/contact_metrics.hpp>
 
 #include <string>
 
@@ -27,25 +30,13 @@ PYBIND11_MODULE(_native, module) {
   module.def(
       "display_text", [](int value) { return std::string(ph::to_string(ph::display_class(value))); },
       py::arg("value"), "display_text(value: int) -> str\n\nA display class in words.");
-  for (const auto bind : {bind_shapes,
-                          bind_laws,
-                          bind_states,
-                          bind_batches,
-                          bind_controllers,
-                          bind_walls_of_brakes,
-                          bind_tendon_two_link,
-                          bind_two_link,
-                          bind_xy_table,
-                          bind_five_bar,
-                          bind_five_bar_with_four_brakes,
-                          bind_delta,
-                          bind_planar_chain_3,
-                          bind_planar_chain_4,
-                          bind_spatial_chain_3,
-                          bind_spatial_chain_6,
-                          bind_spatial_chain_7,
-                          bind_planar_chain_3_with_inertia,
-                          bind_planar_chain_4_with_inertia,
-                          bind_spatial_chain_3_with_inertia})
+  module.def(
+      "run_end_text", [](int value) { return std::string(ph::to_string(ph::run_end(value))); },
+      py::arg("value"), "run_end_text(value: int) -> str\n\nThe end of a run in words.");
+  for (const auto bind :
+       {bind_shapes, bind_laws, bind_mechanisms, bind_states, bind_batches, bind_controllers,
+        bind_walls_of_brakes, bind_brake_models, bind_simulations, bind_tendon_two_link, bind_planar_pairs,
+        bind_xy_table, bind_five_bar_with_four_brakes, bind_delta, bind_planar_chains_3, bind_planar_chains_4,
+        bind_spatial_chains_3, bind_spatial_chain_6, bind_spatial_chain_7})
     bind(module);
 }

@@ -1,4 +1,6 @@
 // Shapes, walls and scenes.
+#include <precompiled.hpp>
+
 #include "module.hpp"
 
 #include <passive_haptics_python/derived_shapes.hpp>
@@ -8,6 +10,7 @@
 #include <passive_haptics/scene/shapes/box.hpp>
 #include <passive_haptics/scene/shapes/capsule.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/world/world.hpp>
 
 #include <pybind11/eigen.h>
 
@@ -39,9 +42,66 @@ double distance_at(const shape& s, py::handle x) {
   return s.visit([&]<int D>(const any_shape<D>& of) { return of.distance(vector_from<D>(x, "x")); });
 }
 
+// One wall, whose contacts are those of a static_scene.
+template <int D>
+class only_wall final : public any_scene<D>::interface {
+ public:
+  explicit only_wall(const ph::wall<any_shape<D>>& wall) : scene_(wall) {}
+  std::unique_ptr<typename any_scene<D>::interface> copy() const override {
+    return std::make_unique<only_wall>(*this);
+  }
+  const typename any_scene<D>::contacts_type& touched_at(const ph::point<D>& x) override {
+    touched_.clear();
+    for (const auto& contact : scene_.touched_at(x)) touched_.append_unchecked(contact);
+    return touched_;
+  }
+  void set_margin(double margin) override { scene_.set_margin(margin); }
+  void reset() override {}
+
+ private:
+  ph::static_scene<any_shape<D>> scene_;
+  typename any_scene<D>::contacts_type touched_;
+};
+
+// Many walls.
+template <int D>
+class many_walls final : public any_scene<D>::interface {
+ public:
+  explicit many_walls(const ph::world<D>& world) : world_(world) {}
+  std::unique_ptr<typename any_scene<D>::interface> copy() const override {
+    return std::make_unique<many_walls>(*this);
+  }
+  const typename any_scene<D>::contacts_type& touched_at(const ph::point<D>& x) override {
+    return world_.touched_at(x);
+  }
+  void set_margin(double margin) override { world_.set_margin(margin); }
+  void reset() override { world_.reset(); }
+
+ private:
+  ph::world<D> world_;
+};
+
+struct scene_value final : scene {
+  using scene::scene;
+  any_scene<2> in_plane() const override { return in<2>(); }
+  any_scene<3> in_space() const override { return in<3>(); }
+
+ private:
+  template <int D>
+  any_scene<D> in() const {
+    const auto all = geometry<D>();
+    if (all.size() == 1) return any_scene<D>(std::make_unique<only_wall<D>>(all[0]));
+    ph::world_walls<D> of_world;
+    for (const auto& w : all) of_world.add(ph::any_wall<D>(w));
+    return any_scene<D>(std::make_unique<many_walls<D>>(ph::world<D>(of_world)));
+  }
+};
+
+std::unique_ptr<scene> made_scene(const py::tuple& walls) { return std::make_unique<scene_value>(walls); }
+
 void bind_scene(py::module_& module) {
   py::class_<scene>(module, "scene", "(*walls: wall)\n\nWalls, numbered from 0 in their order.")
-      .def(py::init([](const py::args& walls) { return scene(walls); }))
+      .def(py::init([](const py::args& walls) { return made_scene(walls); }))
       .def_readonly("walls", &scene::walls, "tuple[wall, ...]: The walls.")
       .def_property_readonly("dimension", &scene::dimension, "int: 2 in the plane, 3 in space.")
       .def("__repr__",
@@ -56,7 +116,7 @@ void bind_scene(py::module_& module) {
              return py::bool_(s.walls.equal(py::cast<const scene&>(other).walls));
            })
       .def(py::pickle([](const scene& s) { return s.walls; },
-                      [](const py::tuple& walls) { return scene(walls); }))
+                      [](const py::tuple& walls) { return made_scene(walls); }))
       .attr("__hash__") = py::none();
 }
 

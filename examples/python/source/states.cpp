@@ -1,9 +1,9 @@
 // The state of a device and the result of a cycle.
+#include <precompiled.hpp>
+
 #include "module.hpp"
 
-#include <passive_haptics_python/bind_design.hpp>
-#include <passive_haptics_python/bind_forces.hpp>
-#include <passive_haptics_python/states.hpp>
+#include <passive_haptics_python/any_device.hpp>
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>

@@ -2,14 +2,9 @@
 /// Binds a mechanism, of the library or of yours, to Python with one line.
 #pragma once
 
-#include <passive_haptics_python/bind_design.hpp>
-#include <passive_haptics_python/bind_forces.hpp>
+#include <passive_haptics_python/mechanisms.hpp>
 
 #include <passive_haptics/control/laws/rivals/on_off_control.hpp>
-#include <passive_haptics/control/ways/free_joints_form.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
 
 namespace passive_haptics_python {
 
@@ -32,21 +27,11 @@ void bind_brakes(py::module_& module) {
   add_value_protocol(bound, name);
 }
 
-// Kinematics with numbers of Python.
-template <class M>
-struct numbers_of {
-  static numbers position(const M& model, py::handle q) {
-    return model.position(ph::joint_vector<M>(vector_from<M::dof>(q, "q")));
-  }
-  static Eigen::MatrixXd jacobian(const M& model, py::handle q) {
-    return ph::jacobian_matrix<M>(ph::jacobian(model, vector_from<M::dof>(q, "q")));
-  }
-};
-
 }  // namespace detail
 
 /// Binds mechanism M as a class `name` of this module: its parameters as keywords, its kinematics, what it
-/// can display, and its controllers under these laws. A mechanism of yours in a module of yours:
+/// can display, its simulation, and its controllers under these laws. A mechanism of yours in a module of
+/// yours:
 ///
 ///     PYBIND11_MODULE(mine, module) {
 ///       pybind11::module_::import("passive_haptics");
@@ -54,13 +39,15 @@ struct numbers_of {
 ///     }
 ///
 /// P: the struct with the table of its parameters, from which it is made; my_arm itself if it has a table, or
-/// none. Throws pybind11's error where the package is not imported first.
-template <class M, ph::Parameters P = typename detail::own_parameters<M>::type, class Laws = usual_laws<M>>
+/// none. Model and DeviceLaws: as of mechanism_value. Throws pybind11's error where the package is not
+/// imported first.
+template <class M, ph::Parameters P = typename detail::own_parameters<M>::type, class Laws = usual_laws<M>,
+          class Model = M, class DeviceLaws = Laws>
 auto bind_mechanism(py::module_& module, const char* name, const char* about = "A mechanism.") {
   static_assert(ph::mechanism_requirements<M>::met);
   static_assert(std::is_same_v<typename M::scalar, double>,
                 "passive_haptics: a mechanism for Python has `using scalar = double;`.");
-  using X = mechanism_value<M, P, Laws>;
+  using X = mechanism_value<M, P, Laws, Model, DeviceLaws>;
   py::options options;
   options.disable_function_signatures();
   detail::bind_brakes<M::brake_count>(module);
@@ -82,44 +69,6 @@ auto bind_mechanism(py::module_& module, const char* name, const char* about = "
         return B::made(named(args, kwargs, B::names(), brakes_name), brakes_name);
       },
       brakes_text.c_str());
-  bound.def(
-      "position", [](const X& x, py::handle q) { return detail::numbers_of<M>::position(x.model(), q); },
-      py::arg("q"), "position(self, q: Numbers) -> Array\n\nThe end effector [m], base frame.");
-  bound.def(
-      "jacobian", [](const X& x, py::handle q) { return detail::numbers_of<M>::jacobian(x.model(), q); },
-      py::arg("q"), "jacobian(self, q: Numbers) -> Array\n\nJ in v = J qd, d x n [m/rad or 1].");
-  bound.def(
-      "velocity",
-      [](const X& x, py::handle q, py::handle qd) -> numbers {
-        return ph::velocity(x.model(), ph::joint_vector<M>(vector_from<M::dof>(q, "q")),
-                            ph::joint_vector<M>(vector_from<M::dof>(qd, "qd")));
-      },
-      py::arg("q"), py::arg("qd"),
-      "velocity(self, q: Numbers, qd: Numbers) -> Array\n\nThe velocity of the end effector [m/s].");
-  bound.def(
-      "brake_rates",
-      [](const X& x, py::handle q, py::handle qd) -> numbers {
-        return ph::brake_rates(x.model(), ph::joint_vector<M>(vector_from<M::dof>(q, "q")),
-                               ph::joint_vector<M>(vector_from<M::dof>(qd, "qd")));
-      },
-      py::arg("q"), py::arg("qd"),
-      "brake_rates(self, q: Numbers, qd: Numbers) -> Array\n\nThe rates of the brakes, w = T qd [rad/s or "
-      "m/s].");
-  bound.def(
-      "recommended_law",
-      [](const X& x, const py::object& given) {
-        using L = recommended_law_of<M>;
-        const ph::brakes_of<M> of = given.is_none() ? ph::brakes_of<M>() : X::brakes_from(given);
-        const L chosen = ph::recommended_law(x.model(), of);
-        if constexpr (requires { chosen.parameters(); }) return law_value<L>(chosen.parameters());
-        else return law_value<L>(chosen.parameters);
-      },
-      py::arg("brakes") = py::none(),
-      "recommended_law(self, brakes: brake_parameters | None = ...) -> law\n\nThe law for a device with a "
-      "force sensor whose "
-      "user has not chosen one.");
-  bind_forces(bound);
-  bind_design(bound);
   return bound;
 }
 

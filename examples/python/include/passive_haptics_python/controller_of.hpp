@@ -56,16 +56,14 @@ std::unique_ptr<any_batch> batch_at_wall(const M& mechanism, const ph::brakes_of
   return found ? std::move(found) : of(std::type_identity<ph::ball<D>>());
 }
 
-/// Cycles one by one and batches of a scene S.
+/// Cycles of a scene S, one by one or each the first of a motion.
 template <class M, class L, class S>
 class controller_of final : public any_controller {
  public:
   /// at_wall: batches of this set-up that are compiled for its wall, or nullptr.
   controller_of(const M& mechanism, const ph::brakes_of<M>& brakes, const S& scene, const L& law,
                 const ph::step_options<double>& options, std::unique_ptr<any_batch> at_wall)
-      : control_(mechanism, brakes, scene, law, options),
-        batch_(mechanism, brakes, scene, law, options),
-        at_wall_(std::move(at_wall)) {}
+      : control_(mechanism, brakes, scene, law, options), at_wall_(std::move(at_wall)) {}
 
   /// One control cycle.
   result_values step(const state_values& state) override {
@@ -83,46 +81,55 @@ class controller_of final : public any_controller {
 
   /// Stores the results of these states.
   void run(const batch_columns& columns) const override {
-    if (at_wall_) at_wall_->run(columns);
-    else batch_.run(columns);
+    if (at_wall_) return at_wall_->run(columns);
+    const auto states = states_of<M>(columns);
+    const auto results = results_of<M>(columns);
+    if constexpr (ph::needs_hand_force<L>) ph::require_no_error(ph::check_hand_force(states));
+    ph::controller<M, S, L> control = control_;
+    for (std::size_t k = 0; k < columns.count; ++k) {
+      reset(control);
+      ph::detail::store<ph::step_result_for<M, typename S::contacts_type>>(results, k, control(states[k]));
+    }
   }
 
   /// Forgets the motion so far, and the scene the handle.
-  void reset() override {
-    control_.reset();
-    if constexpr (requires(S& scene) { scene.reset(); }) control_.scene().reset();
-  }
+  void reset() override { reset(control_); }
 
  private:
+  static void reset(ph::controller<M, S, L>& control) {
+    control.reset();
+    if constexpr (requires(S& scene) { scene.reset(); }) control.scene().reset();
+  }
+
   ph::controller<M, S, L> control_;
-  batch_of<ph::batch_controller<M, S, L>> batch_;
   std::unique_ptr<any_batch> at_wall_;
 };
 
 /// The controller of a mechanism, one of its laws and a scene; a ValueError if the scene is of another
-/// dimension, or of several walls where the law takes one.
+/// dimension, or of several walls where the law takes one. at_wall: batches that are compiled for its wall,
+/// or nullptr.
 template <class M, class L>
 std::unique_ptr<any_controller> make_controller(const M& mechanism, const ph::brakes_of<M>& brakes,
                                                 const scene& walls, const L& law,
-                                                const ph::step_options<double>& options) {
+                                                const ph::step_options<double>& options,
+                                                std::unique_ptr<any_batch> at_wall) {
   constexpr int D = M::task_dimension;
   if (walls.dimension() != D)
     refuse_value("scene has dimension " + std::to_string(walls.dimension()) + ", expected " +
                  std::to_string(D) + ", the task dimension of the mechanism");
-  const auto all = walls.geometry<D>();
-  if (all.size() == 1) {
+  if constexpr (ph::saturates_before_scaling<L>) {
+    const auto all = walls.geometry<D>();
+    if (all.size() != 1)
+      refuse_value("scene has " + std::to_string(all.size()) +
+                   " walls, expected one: a law that saturates before scaling takes one wall at a time; take "
+                   "direct_control");
     using S = ph::static_scene<any_shape<D>>;
-    return std::make_unique<controller_of<M, L, S>>(
-        mechanism, brakes, S(all[0]), law, options,
-        batch_at_wall<M, L>(mechanism, brakes, all[0], law, options));
+    return std::make_unique<controller_of<M, L, S>>(mechanism, brakes, S(all[0]), law, options,
+                                                    std::move(at_wall));
+  } else {
+    return std::make_unique<controller_of<M, L, any_scene<D>>>(mechanism, brakes, scene_of<D>(walls), law,
+                                                               options, std::move(at_wall));
   }
-  if constexpr (ph::saturates_before_scaling<L>)
-    refuse_value("scene has " + std::to_string(all.size()) +
-                 " walls, expected one: a law that saturates before scaling takes one wall at a time; take "
-                 "direct_control");
-  else
-    return std::make_unique<controller_of<M, L, ph::world<D>>>(mechanism, brakes, world_of<D>(all), law,
-                                                               options, nullptr);
 }
 
 }  // namespace passive_haptics_python

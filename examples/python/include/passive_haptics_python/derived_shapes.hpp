@@ -8,6 +8,8 @@
 #include <passive_haptics/scene/shapes/convex_polygon.hpp>
 #include <passive_haptics/scene/shapes/offset.hpp>
 
+#include <algorithm>
+
 namespace passive_haptics_python {
 
 namespace detail {
@@ -90,7 +92,14 @@ struct polygon_shape : shape {
     const std::size_t size = is_list ? py::len(given["corners"]) : 0;
     if (size < fewest || size > most)
       refuse_value("number of corners of " + name + " = " + std::to_string(size) + ", expected 3 to 8");
-    return made_of<fewest>(given, name, size);
+    for (const auto& [key, value] : given)
+      if (!key.equal(py::str("corners")))
+        refuse_type(name + " has no parameter " + std::string(py::repr(key)) + ", expected corners");
+    const auto list = py::reinterpret_borrow<py::sequence>(given["corners"]);
+    std::vector<ph::point<2>> corners;
+    for (std::size_t i = 0; i < size; ++i)
+      corners.emplace_back(vector_from<2>(py::object(list[i]), "corners[" + std::to_string(i) + "]"));
+    return made_of<fewest>(corners);
   }
   /// The corners.
   py::dict parameters() const {
@@ -103,14 +112,13 @@ struct polygon_shape : shape {
 
  private:
   template <std::size_t K>
-  static polygon_shape made_of(const py::dict& given, const std::string& name, std::size_t size) {
+  static polygon_shape made_of(const std::vector<ph::point<2>>& corners) {
     if constexpr (K < most) {
-      if (size != K) return made_of<K + 1>(given, name, size);
+      if (corners.size() != K) return made_of<K + 1>(corners);
     }
     ph::convex_polygon_parameters<int(K)> p;
-    assign_members(p, given, name);
-    return {shape_geometry(any_shape<2>(ph::convex_polygon<int(K)>(p))),
-            std::vector<ph::point<2>>(p.corners.begin(), p.corners.end())};
+    std::copy_n(corners.begin(), K, p.corners.begin());
+    return {shape_geometry(any_shape<2>(ph::convex_polygon<int(K)>(p))), corners};
   }
 };
 

@@ -2,7 +2,7 @@
 /// Mechanisms and their brakes in Python.
 #pragma once
 
-#include <passive_haptics_python/controller_of.hpp>
+#include <passive_haptics_python/device_of.hpp>
 
 namespace passive_haptics_python {
 
@@ -10,22 +10,48 @@ namespace passive_haptics_python {
 struct brakes {
   /// As of a base class.
   virtual ~brakes() = default;
+  /// The parameters, of any number of brakes.
+  virtual brake_numbers values() const = 0;
 };
 
 /// The brakes of a device that has this number of them.
 template <int Brakes>
-using brakes_value = table_value<brakes, ph::brake_parameters<double, Brakes>>;
+struct brakes_value : brakes {
+  using table_type = ph::brake_parameters<double, Brakes>;  ///< The struct of the table.
+
+  table_type table = {};  ///< The parameters.
+
+  /// The parameters, of any number of brakes.
+  brake_numbers values() const override {
+    return {table.torque_limit, table.rate_dead_band, table.torque_dead_band, table.time_constant};
+  }
+  /// The names of the parameters.
+  static std::vector<std::string> names() { return member_names<table_type>(); }
+  /// Of a dictionary.
+  static brakes_value made(const py::dict& given, const std::string& name) {
+    brakes_value b;
+    assign_members(b.table, given, name);
+    ph::require_no_error(ph::validate(b.table));
+    return b;
+  }
+  /// All parameters.
+  py::dict parameters() const { return to_dict(table); }
+  /// Those that are not the defaults.
+  py::dict changed() const { return changed_members(table, table_type{}); }
+};
 
 /// The base class of all mechanisms.
 struct mechanism {
   /// As of a base class.
   virtual ~mechanism() = default;
-  /// n, d and m.
-  virtual device_sizes sizes() const = 0;
+  /// Its functions.
+  virtual const any_device& device() const = 0;
   /// The controller; a TypeError or ValueError if something does not fit the mechanism.
-  virtual std::unique_ptr<any_controller> make_controller(const py::object& of_brakes, const scene& walls,
+  virtual std::unique_ptr<any_controller> make_controller(const brake_numbers& brakes, const scene& walls,
                                                           const py::object& of_law,
                                                           const ph::step_options<double>& options) const = 0;
+  /// What recommended_law returns.
+  virtual py::object recommended_law(const brake_numbers& brakes) const = 0;
 };
 
 namespace detail {
@@ -38,43 +64,49 @@ std::string law_name() {
 
 }  // namespace detail
 
-/// Mechanism M of parameters P, with the laws that it is built with.
-template <class M, ph::Parameters P, class Laws>
+/// Mechanism M of parameters P, with the laws that it is built with. Model: what its functions are compiled
+/// for, M itself or an any_mechanism that others share. DeviceLaws: the laws of those others, too.
+template <class M, ph::Parameters P, class Laws, class Model = M, class DeviceLaws = Laws>
 class mechanism_value;
 
 /// With these laws.
-template <class M, ph::Parameters P, class... Laws>
-class mechanism_value<M, P, law_list<Laws...>> : public mechanism {
+template <class M, ph::Parameters P, class... Laws, class Model, class DeviceLaws>
+class mechanism_value<M, P, law_list<Laws...>, Model, DeviceLaws> : public mechanism {
  public:
   /// Of these parameters; throws std::invalid_argument.
-  explicit mechanism_value(const P& p) : table_(p), model_(model_of(p)) {}
+  explicit mechanism_value(const P& p)
+      : table_(p), model_(model_of(p)), device_(Model(model_), ph::Dynamics<M>) {}
 
   /// The mechanism itself.
   const M& model() const { return model_; }
-  /// n, d and m.
-  device_sizes sizes() const override { return {M::dof, M::task_dimension, M::brake_count}; }
-  /// The parameters of these brakes; a TypeError if they are those of another device.
-  static const ph::brakes_of<M>& brakes_from(const py::object& given) {
-    return expect<brakes_value<M::brake_count>>(
-               given, "brakes", "what brakes() of the mechanism returns, for its number of brakes")
-        .table;
-  }
+  /// Its functions.
+  const any_device& device() const override { return device_; }
   /// The controller.
-  std::unique_ptr<any_controller> make_controller(const py::object& of_brakes, const scene& walls,
+  std::unique_ptr<any_controller> make_controller(const brake_numbers& brakes, const scene& walls,
                                                   const py::object& of_law,
                                                   const ph::step_options<double>& options) const override {
-    const ph::brakes_of<M>& known_brakes = brakes_from(of_brakes);
     std::unique_ptr<any_controller> made;
     const auto try_law = [&]<class L>(std::type_identity<L>) {
       if (made || !py::isinstance<law_value<L>>(of_law)) return;
-      const L chosen = made_law<L>(py::cast<const law_value<L>&>(of_law).table);
-      made = passive_haptics_python::make_controller<M, L>(model_, known_brakes, walls, chosen, options);
+      const auto& chosen = py::cast<const law_value<L>&>(of_law);
+      std::unique_ptr<any_batch> at_wall;
+      const auto all = walls.geometry<M::task_dimension>();
+      if (all.size() == 1)
+        at_wall = batch_at_wall<M, L>(model_, brakes_from(brakes), all[0], made_law<L>(chosen.table), options);
+      made = device_.make_controller(brakes, walls, chosen, options, std::move(at_wall));
     };
     (try_law(std::type_identity<Laws>()), ...);
     if (!made)
       refuse_type("law = " + shown(of_law) + ", expected a law that the mechanism is built with: " +
                   joined({detail::law_name<Laws>()...}));
     return made;
+  }
+  /// What recommended_law returns.
+  py::object recommended_law(const brake_numbers& brakes) const override {
+    using L = recommended_law_of<M>;
+    const L chosen = ph::recommended_law(model_, brakes_from(brakes));
+    if constexpr (requires { chosen.parameters(); }) return py::cast(law_value<L>(chosen.parameters()));
+    else return py::cast(law_value<L>(chosen.parameters));
   }
 
   /// The names of the parameters.
@@ -96,9 +128,18 @@ class mechanism_value<M, P, law_list<Laws...>> : public mechanism {
     else if constexpr (requires { p.mechanism(); }) return p.mechanism();
     else return M(p);
   }
+  static ph::brakes_of<M> brakes_from(const brake_numbers& b) {
+    ph::brakes_of<M> of;
+    of.torque_limit = b.torque_limit;
+    of.rate_dead_band = b.rate_dead_band;
+    of.torque_dead_band = b.torque_dead_band;
+    of.time_constant = b.time_constant;
+    return of;
+  }
 
   P table_;
   M model_;
+  device_of<Model, DeviceLaws> device_;
 };
 
 }  // namespace passive_haptics_python

@@ -2,10 +2,10 @@
 /// Walls and scenes of walls in Python.
 #pragma once
 
+#include <passive_haptics_python/any_scene.hpp>
 #include <passive_haptics_python/shapes.hpp>
 
 #include <passive_haptics/scene/scene.hpp>
-#include <passive_haptics/scene/world/world.hpp>
 
 #include <vector>
 
@@ -78,6 +78,13 @@ struct scene {
                      std::to_string(dimension()) + ", as wall 0 has");
     }
   }
+  /// As of a base class.
+  virtual ~scene() = default;
+  /// The scene of a controller in the plane.
+  virtual any_scene<2> in_plane() const = 0;
+  /// The scene of a controller in space.
+  virtual any_scene<3> in_space() const = 0;
+
   /// d
   int dimension() const { return py::cast<const wall&>(walls[0]).made_of().dimension(); }
   /// The walls of a controller in D dimensions.
@@ -90,12 +97,11 @@ struct scene {
   }
 };
 
-/// The world of several walls.
+/// The scene of a controller in D dimensions, those of its walls.
 template <int D>
-ph::world<D> world_of(const std::vector<ph::wall<any_shape<D>>>& walls) {
-  ph::world_walls<D> all;
-  for (const auto& w : walls) all.add(ph::any_wall<D>(w));
-  return ph::world<D>(all);
+any_scene<D> scene_of(const scene& walls) {
+  if constexpr (D == 2) return walls.in_plane();
+  else return walls.in_space();
 }
 
 }  // namespace passive_haptics_python

@@ -15,6 +15,12 @@ namespace passive_haptics_python {
 /// A vector whose length is that of a device.
 using numbers = Eigen::VectorXd;
 
+/// The value of an enumeration as the IntEnum of the package.
+template <class E>
+py::object enumerated(const char* name, E value) {
+  return py::module_::import("passive_haptics.results").attr(name)(int(value));
+}
+
 /// Whether two vectors have the same bits, so that a NaN equals itself.
 inline bool same_bits(const numbers& a, const numbers& b) {
   return a.size() == b.size() &&

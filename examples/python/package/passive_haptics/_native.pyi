@@ -3,509 +3,1174 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, NoReturn
 
-from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Rows
-from passive_haptics.results import contact_report, display_class, power_class, status, wall_limits
+from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Records, Rows
+from passive_haptics.results import (
+    contact_metrics,
+    contact_report,
+    display_class,
+    power_class,
+    run_end,
+    status,
+    wall_limits,
+)
 
 class _class(type): ...
 __version__: str
-def status_text(value: int) -> str: ...
-def power_text(value: int) -> str: ...
-def display_text(value: int) -> str: ...
+def status_text(value: int) -> str:
+    """A status in words."""
+def power_text(value: int) -> str:
+    """A power class in words."""
+def display_text(value: int) -> str:
+    """A display class in words."""
+def run_end_text(value: int) -> str:
+    """The end of a run in words."""
 class shape(metaclass=_class):
+    """A shape of a wall, as a signed distance."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
     @property
-    def dimension(self) -> int: ...
-    def distance(self, x: Numbers) -> float: ...
-    def gradient(self, x: Numbers) -> Array: ...
+    def dimension(self) -> int:
+        """2 in the plane, 3 in space."""
+    def distance(self, x: Numbers) -> float:
+        """The signed distance [m] at x [m], positive in free space."""
+    def gradient(self, x: Numbers) -> Array:
+        """The unit vector at x [m] out of the wall."""
 class half_space(shape):
+    """The wall behind a plane. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        surface_point [m]: a finite number; default [0.0, 0.0]
+        normal [1]: a direction; default [0.0, 0.0]
+    """
     def __init__(self, surface_point: Numbers = ..., normal: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class ball(shape):
+    """A round wall, touched from outside or, hollow, from inside. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        centre [m]: a finite number; default [0.0, 0.0]
+        radius [m]: a finite number > 0; default 0.0
+        inside: solid, hollow; default 'solid'
+    """
     def __init__(self, centre: Numbers = ..., radius: float = ..., inside: Literal["solid", "hollow"] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class box(shape):
+    """A rectangular wall. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        centre [m]: a finite number; default [0.0, 0.0]
+        half_extents [m]: a finite number >= 0; default [0.0, 0.0]
+        axes [1]: a finite number; default [[1.0, 0.0], [0.0, 1.0]]
+    """
     def __init__(self, centre: Numbers = ..., half_extents: Numbers = ..., axes: Rows = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class capsule(shape):
+    """A rounded bar. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        from_ [m]: a finite number; default [0.0, 0.0]
+        to [m]: a finite number; default [0.0, 0.0]
+        radius [m]: a finite number >= 0; default 0.0
+    """
     def __init__(self, from_: Numbers = ..., to: Numbers = ..., radius: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class convex_polygon(shape):
+    """A convex polygon in the plane, of 3 to 8 corners [m], either way round."""
     def __init__(self, corners: Rows) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class offset(shape):
+    """A shape whose surface moves this far [m] to the free side; < 0 shrinks it."""
     def __init__(self, shape: shape, growth: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class complement(shape):
+    """A shape with wall and free space swapped."""
     def __init__(self, shape: shape) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class wall(metaclass=_class):
+    """A shape that resists with stiffness [N/m] times depth; 1e7 where none is given."""
     def __init__(self, shape: shape, stiffness: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class scene(metaclass=_class):
+    """Walls, numbered from 0 in their order."""
     def __init__(self, *walls: wall) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def dimension(self) -> int: ...
+    def dimension(self) -> int:
+        """2 in the plane, 3 in space."""
     @property
-    def walls(self) -> tuple[wall, ...]: ...
+    def walls(self) -> tuple[wall, ...]:
+        """The walls."""
 class law(metaclass=_class):
+    """A control law."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
-class brake_parameters(metaclass=_class):
-    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
-class mechanism(metaclass=_class):
-    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
-    @property
-    def brake_count(self) -> int: ...
-    @property
-    def dof(self) -> int: ...
-    @property
-    def task_dimension(self) -> int: ...
 class direct_control(law):
+    """The paper's direct control (7)-(12).
+
+    Parameters:
+        velocity_dead_band [m/s]: a finite number >= 0; default 0.0
+    """
     def __init__(self, velocity_dead_band: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class saturated_direct_control(law):
+    """Direct control whose alpha scales torques that are already cut to the limits. One wall.
+
+    Parameters:
+        velocity_dead_band [m/s]: a finite number >= 0; default 0.0
+    """
     def __init__(self, velocity_dead_band: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class velocity_direct_control(law):
+    """The law that recommended_law returns for a mechanism with inertia and a force sensor.
+
+    Parameters:
+        depth_gain [1/s]: a finite number > 0; default 20.0
+        velocity_limit [m/s]: a finite number > 0; default 0.1
+        velocity_lag [s]: a finite number > 0; default 0.0075
+        integral_time [s]: a finite number > 0; default 0.1
+        release_length [m]: a finite number > 0; default 0.00016
+        hand_mass [kg]: a finite number >= 0; default 0.4
+        force_share [1]: 0 to 1; default 0.22
+        rate_lag [s]: a finite number >= 0; default 0.004
+        horizon [s]: a finite number >= 0; default 0.005
+        rest_depth [m]: a finite number >= 0; default 0.002
+        depth_per_jump [1]: a finite number >= 0; default 4.5
+        approach_speed [m/s]: a finite number >= 0; default 0.1
+    """
     def __init__(self, depth_gain: float = ..., velocity_limit: float = ..., velocity_lag: float = ..., integral_time: float = ..., release_length: float = ..., hand_mass: float = ..., force_share: float = ..., rate_lag: float = ..., horizon: float = ..., rest_depth: float = ..., depth_per_jump: float = ..., approach_speed: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class on_off_control(law):
+    """The whole approximated force or none, by a relay. recommended_law for a mechanism without inertia.
+
+    Parameters:
+        reference_depth [m]: a finite number; default 0.0015
+        hysteresis [m]: a finite number >= 0; default 0.0001
+        lead [s]: a finite number >= 0; default 0.02
+    """
     def __init__(self, reference_depth: float = ..., hysteresis: float = ..., lead: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class no_direct_control(law):
+    """The approximated force as it is, alpha = 1."""
     def __init__(self) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class bang_bang_control(law):
+    """A rival: brakes locked or free.
+
+    Parameters:
+        reference_depth [m]: a finite number; default 0.001
+        approach_length [m]: a finite number > 0; default 0.002
+        approach_slope [1]: a finite number >= 0; default 0.7
+        approach_hysteresis [1]: a finite number >= 0; default 0.6
+        following_hysteresis [1]: a finite number >= 0; default 0.6
+    """
     def __init__(self, reference_depth: float = ..., approach_length: float = ..., approach_slope: float = ..., approach_hysteresis: float = ..., following_hysteresis: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class coercive_force_approximation(law):
+    """A rival: each brake takes its own part of the force."""
     def __init__(self) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class single_degree_of_freedom_control(law):
+    """A rival: one brake is locked.
+
+    Parameters:
+        reference_depth [m]: a finite number; default 0.001
+        band [m]: a finite number >= 0; default 0.0003
+    """
     def __init__(self, reference_depth: float = ..., band: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class velocity_ratio_control(law):
+    """A rival: the ratio of the brakes' rates is controlled.
+
+    Parameters:
+        reference_depth [m]: a finite number; default 0.001
+        approach_length [m]: a finite number > 0; default 0.01
+        steepest_slope [1]: a finite number >= 0; default 0.2
+        gain [1]: a finite number >= 0; default 1.0
+    """
     def __init__(self, reference_depth: float = ..., approach_length: float = ..., steepest_slope: float = ..., gain: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class brake_parameters(metaclass=_class):
+    """The parameters of the brakes of a device."""
+    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
+class mechanism(metaclass=_class):
+    """A mechanism: joint positions in, end effector out."""
+    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
+    @property
+    def brake_count(self) -> int:
+        """m, the brakes."""
+    def brake_rates(self, q: Numbers, qd: Numbers) -> Array:
+        """The rates of the brakes, w = T qd [rad/s or m/s]."""
+    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array:
+        """The signs of the brakes: those of their rates, at rest those of the hand's torque."""
+    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
+        """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]. Of a mechanism with inertia; TypeError for others."""
+    def design_map(self, q: Array, direction: Numbers | Array, normal: Numbers | Array, brakes: brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> Records:
+        """The figures of the device at N places of a task, an array with the fields outcome (status), display (display_class), cosine of gamma [1], drag for each newton that is displayed [1], strongest force along the normal [N], sink_slope [1] and isotropy of E [1]. q: N x n joint positions; direction of the motion and normal of the wall: N x d, or one vector for all. push [N]. Ctrl-C ends it."""
+    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
+        """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
+    @property
+    def dof(self) -> int:
+        """n, the joints."""
+    def jacobian(self, q: Numbers) -> Array:
+        """J in v = J qd, d x n [m/rad or 1]."""
+    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
+        """The force [N] nearest to the desired one that brakes of these signs can make. Of a device with as many brakes and joints as task dimensions; TypeError for others."""
+    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]:
+        """The four passive FMEs: the signs of the torques, and the closed outline [N] as K rows of 2 numbers. NaN at a singular pose. Of two brakes on two joints in the plane; TypeError for others."""
+    def position(self, q: Numbers) -> Array:
+        """The end effector [m], base frame."""
+    def recommended_law(self, brakes: brake_parameters | None = ...) -> law:
+        """The law for a device with a force sensor whose user has not chosen one."""
+    def reference_forces(self, q: Numbers) -> tuple[Array, status]:
+        """The forces of unit torques, a column for each brake [N per N m] (6); NaN unless the status is ok. Of a device with as many brakes and joints as task dimensions; TypeError for others."""
+    def sink_depth(self, q: Array, direction: Numbers | Array, normal: Numbers | Array, brakes: brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> float:
+        """The depth [m] to which a hand that pushes [N] sinks on a path, at least. q: N x n joint positions at the middles of N >= 2 equal parts of the path; direction and normal of the wall there: N x d, or one vector for all."""
+    def sink_slope(self, q: Numbers, direction: Numbers, normal: Numbers, brakes: brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> tuple[float, status]:
+        """The least slope [1], metres into a wall for each metre along it, at which the brakes resist a push [N] while a hand leads the end effector in this direction; infinite where they do at none. Brakes without limits where none are given. motor_limit: the torque of a motor beside each brake [N m]."""
+    @property
+    def task_dimension(self) -> int:
+        """d, the size of a position."""
+    def velocity(self, q: Numbers, qd: Numbers) -> Array:
+        """The velocity of the end effector [m/s]."""
 class device_state(metaclass=_class):
+    """What a device measures, once a control cycle: time [s], joint positions [rad or m] and rates, and what the hand does to the handle [N] in the base frame; None without a force sensor."""
     def __init__(self, time: float, q: Numbers, qd: Numbers, hand_force: Numbers | None = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def hand_force(self) -> Array | None: ...
+    def hand_force(self) -> Array | None:
+        """What the hand does to the handle [N], base frame."""
     @property
-    def q(self) -> Array: ...
+    def q(self) -> Array:
+        """Joint positions [rad or m]."""
     @property
-    def qd(self) -> Array: ...
+    def qd(self) -> Array:
+        """Joint rates [rad/s or m/s]."""
     @property
-    def time(self) -> float: ...
+    def time(self) -> float:
+        """[s], of a clock that does not jump."""
 class step_result(metaclass=_class):
+    """What one control cycle decides, and why."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def alpha(self) -> float: ...
+    def alpha(self) -> float:
+        """Scale factor of the law (12)."""
     @property
-    def approximation_cosine(self) -> float: ...
+    def approximation_cosine(self) -> float:
+        """cos(gamma)."""
     @property
-    def capacity(self) -> Array: ...
+    def capacity(self) -> Array:
+        """The most each brake may hold [N m], to be commanded."""
     @property
-    def cone_coefficients(self) -> Array: ...
+    def cone_coefficients(self) -> Array:
+        """Torques that make Fc [N m]."""
     @property
-    def contacts(self) -> list[contact_report]: ...
+    def contacts(self) -> list[contact_report]:
+        """Of several contacts, each; empty at one wall."""
     @property
-    def control_force(self) -> Array: ...
+    def control_force(self) -> Array:
+        """Fc [N], base frame, before alpha and limits."""
     @property
-    def desired_force(self) -> Array: ...
+    def desired_force(self) -> Array:
+        """Fd [N], base frame."""
     @property
-    def display(self) -> display_class: ...
+    def display(self) -> display_class:
+        """How Fd is displayed."""
     @property
-    def outcome(self) -> status: ...
+    def outcome(self) -> status:
+        """ok, or why the brakes were released."""
     @property
-    def power(self) -> power_class: ...
+    def power(self) -> power_class:
+        """Of the desired force."""
     @property
-    def saturated(self) -> bool: ...
+    def saturated(self) -> bool:
+        """Whether a torque limit was reached."""
     @property
-    def settled_signs(self) -> Array: ...
+    def settled_signs(self) -> Array:
+        """s* once the self-motion has settled; empty of a device that has none."""
     @property
-    def settled_velocity(self) -> Array: ...
+    def settled_velocity(self) -> Array:
+        """v' [m/s], to which s* belongs; empty of a device that has none."""
     @property
-    def signs(self) -> Array: ...
+    def signs(self) -> Array:
+        """s, -1, 0 or 1 of each brake."""
     @property
-    def torque(self) -> Array: ...
+    def torque(self) -> Array:
+        """What the mechanism is predicted to feel (3) [N m]."""
     @property
-    def wall_number(self) -> int: ...
+    def wall_number(self) -> int:
+        """Wall that demands the force; -1 in free space."""
 class displayable_force(metaclass=_class):
+    """What brakes can display along the normal of a wall."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def angle(self) -> float: ...
+    def angle(self) -> float:
+        """gamma [rad] between the normal and the nearest force."""
     @property
-    def display(self) -> display_class: ...
+    def display(self) -> display_class:
+        """How a force along the normal is displayed."""
     @property
-    def outcome(self) -> status: ...
+    def outcome(self) -> status:
+        """ok, or why nothing is known."""
     @property
-    def signs(self) -> Array: ...
+    def signs(self) -> Array:
+        """s of the brakes in this motion."""
     @property
-    def strongest(self) -> float: ...
+    def strongest(self) -> float:
+        """The most along the normal [N] of all forces."""
     @property
-    def strongest_nearest(self) -> float: ...
+    def strongest_nearest(self) -> float:
+        """The most along the normal [N] of the nearest force."""
 class batch_result(metaclass=_class):
+    """What batch() stores: an array for each member of step_result, a row or a number for each state; None where it was not wanted. Arrays of rows stand in memory column by column."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def __len__(self) -> int: ...
+    def __len__(self) -> int:
+        """N."""
     @property
-    def alpha(self) -> Array: ...
+    def alpha(self) -> Array:
+        """Scale factor of the law (12), N."""
     @property
-    def approximation_cosine(self) -> Array: ...
+    def approximation_cosine(self) -> Array:
+        """cos(gamma), N."""
     @property
-    def capacity(self) -> Array: ...
+    def capacity(self) -> Array:
+        """The most each brake may hold [N m], N x m."""
     @property
-    def cone_coefficients(self) -> Array: ...
+    def cone_coefficients(self) -> Array:
+        """Torques that make Fc [N m], N x m."""
     @property
-    def control_force(self) -> Array: ...
+    def control_force(self) -> Array:
+        """Fc [N], N x d."""
     @property
-    def desired_force(self) -> Array: ...
+    def desired_force(self) -> Array:
+        """Fd [N], N x d."""
     @property
-    def display(self) -> Integers: ...
+    def display(self) -> Integers:
+        """display_class, N."""
     @property
-    def outcome(self) -> Integers: ...
+    def outcome(self) -> Integers:
+        """status, N."""
     @property
-    def power(self) -> Integers: ...
+    def power(self) -> Integers:
+        """power_class, N."""
     @property
-    def saturated(self) -> Booleans: ...
+    def saturated(self) -> Booleans:
+        """Whether a torque limit was reached, N."""
     @property
-    def signs(self) -> Array: ...
+    def signs(self) -> Array:
+        """s, N x m."""
     @property
-    def torque(self) -> Array: ...
+    def torque(self) -> Array:
+        """What the mechanism is predicted to feel [N m], N x m."""
     @property
-    def wall_number(self) -> Integers: ...
+    def wall_number(self) -> Integers:
+        """-1 in free space, N."""
 class controller(metaclass=_class):
+    """A mechanism, its brakes, a scene and a law, called once a cycle or for many states at once. max_approximation_angle [rad]: beyond it nothing is displayed. limits: what gives way at a torque limit. A pickled controller remembers nothing of its motion."""
     def __init__(self, mechanism: mechanism, brakes: brake_parameters, scene: scene, law: law, max_approximation_angle: float = ..., limits: Literal["keep_direction", "clamp_each"] = ...) -> None: ...
-    def __call__(self, state: device_state) -> step_result: ...
+    def __call__(self, state: device_state) -> step_result:
+        """One control cycle."""
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def batch(self, q: Array, qd: Array, hand_force: Array | None = ..., time: Array | None = ..., *, fields: Iterable[str] | None = ..., out: batch_result | None = ...) -> batch_result: ...
+    def batch(self, q: Array, qd: Array, hand_force: Array | None = ..., time: Array | None = ..., *, fields: Iterable[str] | None = ..., out: batch_result | None = ...) -> batch_result:
+        """The cycle of N states, each the first of a motion. q and qd: N x n, hand_force: N x d, time: N, of float64. Columns that are one piece of memory (order='F') are read where they stand. fields: names of the results that are wanted beside capacity and outcome; None: all. out: an earlier result of as many states, whose arrays are written again. Python's lock is released."""
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def reset(self) -> None: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+    def reset(self) -> None:
+        """Forgets the motion so far, and the scene the handle."""
 class braked_wall(metaclass=_class):
+    """A wall at one place of a device, the hand that comes, and the control, along the wall's normal.
+
+    Parameters:
+        force [N]: a finite number >= 0; default 10.0
+        approximated_force [N]: a finite number >= 0; default 8.0
+        residual_force [N]: a finite number; default 0.0
+        sliding_residual [N]: a finite number; default 0.0
+        inertia [kg]: a finite number > 0; default 0.7
+        depth_resolution [m]: a finite number >= 0; default 0.0001
+        approach_speed [m/s]: a finite number >= 0; default 0.1
+        time_constant [s]: a finite number >= 0; default 0.02
+        push [N]: a finite number; default 2.0
+        hand_stiffness [N/m]: a finite number >= 0; default 0.0
+        hand_damping [N s/m]: a finite number >= 0; default 20.0
+        control_period [s]: a finite number > 0; default 0.001
+        scene_period [s]: a finite number >= 0; default 0.001
+        reaction_time [s]: a finite number >= 0; default 0.004
+        averaging_time [s]: a finite number > 0; default 0.014366197723675814
+        rest_depth [m]: a finite number >= 0; default 0.002
+        depth_per_jump [1]: a finite number >= 0; default 4.5
+    """
     def __init__(self, force: float = ..., approximated_force: float = ..., residual_force: float = ..., sliding_residual: float = ..., inertia: float = ..., depth_resolution: float = ..., approach_speed: float = ..., time_constant: float = ..., push: float = ..., hand_stiffness: float = ..., hand_damping: float = ..., control_period: float = ..., scene_period: float = ..., reaction_time: float = ..., averaging_time: float = ..., rest_depth: float = ..., depth_per_jump: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
-def limits_of(wall: braked_wall) -> wall_limits: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+def limits_of(wall: braked_wall) -> wall_limits:
+    """What a wall made of brakes can be."""
+class brake_model(metaclass=_class):
+    """What one brake of a simulated device makes of a command."""
+    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
+class coulomb_brake(brake_model):
+    """Friction that follows its command with a lag.
+
+    Parameters:
+        torque_limit [N m]: a finite number >= 0; default 1.0
+        time_constant [s]: a finite number >= 0; default 0.02
+        fall_ratio [1]: a finite number > 0; default 1.0
+        gain [1]: a finite number > 0; default 1.0
+        residual: a dict
+            strength [N m]: a finite number >= 0; default 0.0
+            drag [N m s]: a finite number >= 0; default 0.0
+    """
+    def __init__(self, torque_limit: float = ..., time_constant: float = ..., fall_ratio: float = ..., gain: float = ..., residual: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class stribeck_brake(brake_model):
+    """A coulomb_brake whose friction is larger at rest.
+
+    Parameters:
+        coulomb: a dict
+            torque_limit [N m]: a finite number >= 0; default 1.0
+            time_constant [s]: a finite number >= 0; default 0.02
+            fall_ratio [1]: a finite number > 0; default 1.0
+            gain [1]: a finite number > 0; default 1.0
+            residual: a dict
+                strength [N m]: a finite number >= 0; default 0.0
+                drag [N m s]: a finite number >= 0; default 0.0
+        static_ratio [1]: a finite number >= 1; default 1.5
+        stribeck_rate [rad/s]: a finite number > 0; default 0.05
+    """
+    def __init__(self, coulomb: Mapping[str, object] = ..., static_ratio: float = ..., stribeck_rate: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class eddy_current_brake(brake_model):
+    """Drag by eddy currents: no torque at rest.
+
+    Parameters:
+        peak_torque [N m]: a finite number >= 0; default 27.76
+        critical_rate [rad/s]: a finite number > 0; default 102.1
+        time_constant [s]: a finite number >= 0; default 0.02
+        residual: a dict
+            strength [N m]: a finite number >= 0; default 0.0
+            drag [N m s]: a finite number >= 0; default 0.0
+    """
+    def __init__(self, peak_torque: float = ..., critical_rate: float = ..., time_constant: float = ..., residual: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class magnetorheological_brake(brake_model):
+    """A magnetorheological brake, with saturation and hysteresis.
+
+    Parameters:
+        torque_limit [N m]: a finite number >= 0; default 1.0
+        saturation [1]: a finite number > 0; default 1.5
+        coercive_current [1]: a finite number >= 0; default 0.02
+        time_constant [s]: a finite number >= 0; default 0.02
+        residual: a dict
+            strength [N m]: a finite number >= 0; default 0.0
+            drag [N m s]: a finite number >= 0; default 0.0
+    """
+    def __init__(self, torque_limit: float = ..., saturation: float = ..., coercive_current: float = ..., time_constant: float = ..., residual: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class presliding_brake(brake_model):
+    """A coulomb_brake that turns elastically before it slips.
+
+    Parameters:
+        model: a dict
+            torque_limit [N m]: a finite number >= 0; default 1.0
+            time_constant [s]: a finite number >= 0; default 0.02
+            fall_ratio [1]: a finite number > 0; default 1.0
+            gain [1]: a finite number > 0; default 1.0
+            residual: a dict
+                strength [N m]: a finite number >= 0; default 0.0
+                drag [N m s]: a finite number >= 0; default 0.0
+        presliding [rad]: a finite number >= 0; default 0.003
+    """
+    def __init__(self, model: Mapping[str, object] = ..., presliding: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class simulated_device(metaclass=_class):
+    """A device without hardware, at rest at joint positions q [rad or m]: a mechanism with inertia, real brakes and a hand's mass [kg] on its handle. brakes: what brakes() of the mechanism returns, for brakes that are what their controller believes, or a brake model for each brake. A pickled one, and parameters, are those of the start."""
+    def __init__(self, mechanism: mechanism, brakes: brake_parameters | Sequence[brake_model], hand_mass: float, q: Numbers) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None:
+        """One time step dt [s] under commanded capacities [N m] and the force that the hand's muscles exert [N]. No time passes where dt is not a finite number > 0."""
+    @property
+    def brake_force(self) -> Array:
+        """The force at the handle that does what these torques do [N]."""
+    @property
+    def brake_torque(self) -> Array:
+        """Mean torque of the brakes in the last step [N m]."""
+    @property
+    def energy(self) -> dict[str, float]:
+        """Where the energy came from and went since the motion was set [J], and the largest power of a brake [W]."""
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+    @property
+    def position(self) -> Array:
+        """The handle now [m]."""
+    @property
+    def q(self) -> Array:
+        """Joint positions now [rad or m]."""
+    @property
+    def qd(self) -> Array:
+        """Joint rates now [rad/s or m/s]."""
+    @property
+    def rates(self) -> Array:
+        """Rates of the brakes [rad/s or m/s]."""
+    @property
+    def sensed_force(self) -> Array:
+        """Force of the hand on the handle in the last step [N]."""
+    def set_motion(self, q: Numbers, qd: Numbers) -> None:
+        """Sets joint positions [rad or m] and rates, and begins the energy balance anew."""
+    @property
+    def velocity(self) -> Array:
+        """The handle's velocity [m/s]."""
+class following_hand(metaclass=_class):
+    """A hand that moves along a wall in a direction and presses on it, at start [m] at time 0.
+
+    Parameters:
+        speed [m/s]: a finite number; default 0.05
+        stiffness [N/m]: a finite number >= 0; default 200.0
+        damping [N s/m]: a finite number >= 0; default 20.0
+        push [N]: a finite number; default 2.0
+        normal_stiffness [N/m]: a finite number >= 0; default 0.0
+        target_depth [m]: a finite number; default 0.0
+        normal_damping [N s/m]: a finite number >= 0; default 20.0
+        mass [kg]: a finite number >= 0; default 0.5
+    """
+    def __init__(self, direction: Numbers, start: Numbers, speed: float = ..., stiffness: float = ..., damping: float = ..., push: float = ..., normal_stiffness: float = ..., target_depth: float = ..., normal_damping: float = ..., mass: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class wall_following_parameters(metaclass=_class):
+    """Timing and sensing of a wall-following experiment.
+
+    Parameters:
+        time_step [s]: a finite number > 0; default 0.0001
+        control_period [s]: a finite number > 0; default 0.001
+        sensor_corner [Hz]: a finite number >= 0; default 200.0
+        sensor_scale [1]: a finite number > 0; default 1.0
+        sensor_noise [N]: a finite number >= 0; default 0.0
+        noise_seed: anything; default 1
+        encoder_resolution [rad or m]: a finite number >= 0; default 0.0007669903939428206
+        rate_corner [Hz]: a finite number >= 0; default 50.0
+        path_end [m]: a finite number; default 0.17
+        longest [s]: a finite number > 0; default 8.0
+        deepest [m]: a finite number > 0; default 1.0
+        watched_brake: anything; default 1
+    """
+    def __init__(self, time_step: float = ..., control_period: float = ..., sensor_corner: float = ..., sensor_scale: float = ..., sensor_noise: float = ..., noise_seed: int = ..., encoder_resolution: float = ..., rate_corner: float = ..., path_end: float = ..., longest: float = ..., deepest: float = ..., watched_brake: int = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+def follow_wall(device: simulated_device, controller: controller, shape: shape, hand: following_hand, parameters: wall_following_parameters | None = ..., *, record: bool = ...) -> tuple[contact_metrics, Records]:
+    """The wall-following experiment: a hand moves the device along a shape, the wall whose depth is measured, under a controller. Returns its figures and, if record is true, an array with a row for each time step (else none): time [s], depth [m], position [m], velocity [m/s], rates of the brakes, brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control cycle capacity [N m], alpha, outcome, power, display, saturated and wall_number. The device and the controller go on from where they are. Ctrl-C ends it."""
 class brakes_2(brake_parameters):
+    """The brakes of a device with 2 of them.
+
+    Parameters:
+        torque_limit [N m]: a finite number >= 0; default [1.0, 1.0]
+        rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
+        torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
+        time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+    """
     def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class tendon_two_link(mechanism):
+    """The paper's device: two links, both brakes at the base, coupled by tendons.
+
+    It has 2 joints, 2 brakes and 2 task dimensions.
+
+    Parameters:
+        arm: a dict
+            length_1 [m]: a finite number > 0; default 0.15
+            length_2 [m]: a finite number > 0; default 0.15
+            mass_1 [kg]: a finite number > 0; default 0.2
+            mass_2 [kg]: a finite number > 0; default 0.2
+            handle_mass [kg]: a finite number >= 0; default 0.1
+            rotor_inertia_1 [kg m^2]: a finite number >= 0; default 5e-05
+            rotor_inertia_2 [kg m^2]: a finite number >= 0; default 5e-05
+        reduction_2 [1]: a finite number > 0; default 0.4
+    """
     def __init__(self, arm: Mapping[str, object] = ..., reduction_2: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array: ...
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+        """
+    def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]:
+        """Joint positions that put the handle at x [m], and whether it is in reach."""
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class two_link(mechanism):
+    """Two links in a plane, a brake on each joint.
+
+    It has 2 joints, 2 brakes and 2 task dimensions.
+
+    Parameters:
+        length_1 [m]: a finite number > 0; default 0.15
+        length_2 [m]: a finite number > 0; default 0.15
+        mass_1 [kg]: a finite number > 0; default 0.2
+        mass_2 [kg]: a finite number > 0; default 0.2
+        handle_mass [kg]: a finite number >= 0; default 0.1
+        rotor_inertia_1 [kg m^2]: a finite number >= 0; default 5e-05
+        rotor_inertia_2 [kg m^2]: a finite number >= 0; default 5e-05
+    """
     def __init__(self, length_1: float = ..., length_2: float = ..., mass_1: float = ..., mass_2: float = ..., handle_mass: float = ..., rotor_inertia_1: float = ..., rotor_inertia_2: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array: ...
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+        """
+    def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]:
+        """Joint positions that put the handle at x [m], and whether it is in reach."""
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class five_bar(mechanism):
+    """Two legs that meet at the handle (pantograph).
+
+    It has 2 joints, 2 brakes and 2 task dimensions.
+
+    Parameters:
+        base_distance [m]: a finite number >= 0; default 0.025
+        proximal_1 [m]: a finite number > 0; default 0.063
+        proximal_2 [m]: a finite number > 0; default 0.063
+        distal_1 [m]: a finite number > 0; default 0.075
+        distal_2 [m]: a finite number > 0; default 0.075
+        assembly: left, right; default 'left'
+        proximal_mass [kg]: a finite number > 0; default 0.05
+        distal_mass [kg]: a finite number >= 0; default 0.05
+        handle_mass [kg]: a finite number >= 0; default 0.1
+        rotor_inertia [kg m^2]: a finite number >= 0; default [5e-05, 5e-05]
+        gravity [m/s^2]: a finite number; default [0.0, 0.0]
+    """
+    def __init__(self, base_distance: float = ..., proximal_1: float = ..., proximal_2: float = ..., distal_1: float = ..., distal_2: float = ..., assembly: Literal["left", "right"] = ..., proximal_mass: float = ..., distal_mass: float = ..., handle_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+        """
+    def inverse(self, x: Numbers) -> tuple[Array, status]:
+        """Base angles that put the handle at x [m], elbows outward, and whether it is in reach."""
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class xy_table(mechanism):
+    """Two orthogonal slides, a brake on each.
+
+    It has 2 joints, 2 brakes and 2 task dimensions.
+
+    Parameters:
+        mass_x [kg]: a finite number > 0; default 0.5
+        mass_y [kg]: a finite number > 0; default 0.5
+    """
     def __init__(self, mass_x: float = ..., mass_y: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def inverse(self, x: Numbers) -> tuple[Array, status]: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array: ...
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+        """
+    def inverse(self, x: Numbers) -> tuple[Array, status]:
+        """Joint positions that put the handle at x [m], and whether it is in reach."""
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
-class five_bar(mechanism):
-    def __init__(self, base_distance: float = ..., proximal_1: float = ..., proximal_2: float = ..., distal_1: float = ..., distal_2: float = ..., assembly: Literal["left", "right"] = ..., proximal_mass: float = ..., distal_mass: float = ..., handle_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def inverse(self, x: Numbers) -> tuple[Array, status]: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array: ...
-    @property
-    def parameters(self) -> dict[str, Any]: ...
-    def passive_fme(self, q: Numbers, segments: int = ...) -> list[tuple[tuple[int, int], Array]]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class brakes_4(brake_parameters):
+    """The brakes of a device with 4 of them.
+
+    Parameters:
+        torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0]
+        rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+        torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
+        time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+    """
     def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class five_bar_with_four_brakes(mechanism):
+    """A five-bar with brakes on both base joints, their difference and their sum.
+
+    It has 2 joints, 4 brakes and 2 task dimensions.
+
+    Parameters:
+        base_distance [m]: a finite number >= 0; default 0.025
+        proximal_1 [m]: a finite number > 0; default 0.063
+        proximal_2 [m]: a finite number > 0; default 0.063
+        distal_1 [m]: a finite number > 0; default 0.075
+        distal_2 [m]: a finite number > 0; default 0.075
+        assembly: left, right; default 'left'
+        proximal_mass [kg]: a finite number > 0; default 0.05
+        distal_mass [kg]: a finite number >= 0; default 0.05
+        handle_mass [kg]: a finite number >= 0; default 0.1
+        rotor_inertia [kg m^2]: a finite number >= 0; default [5e-05, 5e-05, 5e-05, 5e-05]
+        gravity [m/s^2]: a finite number; default [0.0, 0.0]
+    """
     def __init__(self, base_distance: float = ..., proximal_1: float = ..., proximal_2: float = ..., distal_1: float = ..., distal_2: float = ..., assembly: Literal["left", "right"] = ..., proximal_mass: float = ..., distal_mass: float = ..., handle_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def inverse(self, x: Numbers) -> tuple[Array, status]: ...
-    def jacobian(self, q: Numbers) -> Array: ...
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+        """
+    def inverse(self, x: Numbers) -> tuple[Array, status]:
+        """Base angles that put the handle at x [m], elbows outward, and whether it is in reach."""
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class brakes_3(brake_parameters):
+    """The brakes of a device with 3 of them.
+
+    Parameters:
+        torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
+        rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
+        time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+    """
     def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
-    def parameters(self) -> dict[str, Any]: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class delta(mechanism):
+    """Three arms that move a platform in space without turning it.
+
+    It has 3 joints, 3 brakes and 3 task dimensions.
+
+    Parameters:
+        base_radius [m]: a finite number >= 0; default 0.05
+        platform_radius [m]: a finite number >= 0; default 0.02
+        upper_arm [m]: a finite number > 0; default 0.07
+        forearm [m]: a finite number > 0; default 0.13
+        assembly: lower, upper; default 'lower'
+        upper_arm_mass [kg]: a finite number > 0; default 0.05
+        forearm_mass [kg]: a finite number >= 0; default 0.03
+        platform_mass [kg]: a finite number >= 0; default 0.1
+        rotor_inertia [kg m^2]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
+        gravity [m/s^2]: a finite number; default [0.0, 0.0, 0.0]
+    """
     def __init__(self, base_radius: float = ..., platform_radius: float = ..., upper_arm: float = ..., forearm: float = ..., assembly: Literal["lower", "upper"] = ..., upper_arm_mass: float = ..., forearm_mass: float = ..., platform_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def inverse(self, x: Numbers) -> tuple[Array, status]: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array: ...
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        """
+    def inverse(self, x: Numbers) -> tuple[Array, status]:
+        """Base angles that put the platform at x [m], elbows outward, and whether it is in reach."""
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class planar_chain_3(mechanism):
+    """A serial chain of 3 joints in the plane, a brake on each.
+
+    It has 3 joints, 3 brakes and 2 task dimensions.
+
+    Parameters:
+        joints: anything, a list of 3 dicts
+            kind: revolute, prismatic; default 'revolute'
+            axis [1]: anything; default [0.0, 0.0]
+            point [m]: anything; default [0.0, 0.0]
+        handle [m]: a finite number; default [nan, nan]
+    """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def jacobian(self, q: Numbers) -> Array: ...
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        """
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
-class planar_chain_4(mechanism):
-    def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
-class spatial_chain_3(mechanism):
-    def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array: ...
-    @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
-class brakes_6(brake_parameters):
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    @property
-    def parameters(self) -> dict[str, Any]: ...
-class spatial_chain_6(mechanism):
-    def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_6: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
-class brakes_7(brake_parameters):
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    @property
-    def parameters(self) -> dict[str, Any]: ...
-class spatial_chain_7(mechanism):
-    def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_7: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class planar_chain_3_with_inertia(mechanism):
+    """A serial chain of 3 joints in the plane, a brake on each, with inertia.
+
+    It has 3 joints, 3 brakes and 2 task dimensions.
+
+    Parameters:
+        geometry: a dict
+            joints: anything, a list of 3 dicts
+                kind: revolute, prismatic; default 'revolute'
+                axis [1]: anything; default [0.0, 0.0]
+                point [m]: anything; default [0.0, 0.0]
+            handle [m]: a finite number; default [nan, nan]
+        inertia: a dict
+            links: anything, a list of 3 dicts
+                mass [kg]: a finite number > 0; default 0.0
+                centre [m]: a finite number; default [0.0, 0.0]
+                about_centre [kg m^2]: anything; default [0.0]
+            rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
+            handle_mass [kg]: a finite number >= 0; default 0.1
+            gravity [m/s^2]: a finite number; default [0.0, 0.0]
+    """
     def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def jacobian(self, q: Numbers) -> Array: ...
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        """
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class planar_chain_4(mechanism):
+    """A serial chain of 4 joints in the plane, a brake on each.
+
+    It has 4 joints, 4 brakes and 2 task dimensions.
+
+    Parameters:
+        joints: anything, a list of 4 dicts
+            kind: revolute, prismatic; default 'revolute'
+            axis [1]: anything; default [0.0, 0.0]
+            point [m]: anything; default [0.0, 0.0]
+        handle [m]: a finite number; default [nan, nan]
+    """
+    def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+        """
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class planar_chain_4_with_inertia(mechanism):
+    """A serial chain of 4 joints in the plane, a brake on each, with inertia.
+
+    It has 4 joints, 4 brakes and 2 task dimensions.
+
+    Parameters:
+        geometry: a dict
+            joints: anything, a list of 4 dicts
+                kind: revolute, prismatic; default 'revolute'
+                axis [1]: anything; default [0.0, 0.0]
+                point [m]: anything; default [0.0, 0.0]
+            handle [m]: a finite number; default [nan, nan]
+        inertia: a dict
+            links: anything, a list of 4 dicts
+                mass [kg]: a finite number > 0; default 0.0
+                centre [m]: a finite number; default [0.0, 0.0]
+                about_centre [kg m^2]: anything; default [0.0]
+            rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05, 5e-05]
+            handle_mass [kg]: a finite number >= 0; default 0.1
+            gravity [m/s^2]: a finite number; default [0.0, 0.0]
+    """
     def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def jacobian(self, q: Numbers) -> Array: ...
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+        """
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class spatial_chain_3(mechanism):
+    """A serial chain of 3 joints in space, a brake on each.
+
+    It has 3 joints, 3 brakes and 3 task dimensions.
+
+    Parameters:
+        joints: anything, a list of 3 dicts
+            kind: revolute, prismatic; default 'revolute'
+            axis [1]: anything; default [0.0, 0.0, 0.0]
+            point [m]: anything; default [0.0, 0.0, 0.0]
+        handle [m]: a finite number; default [nan, nan, nan]
+    """
+    def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        """
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class spatial_chain_3_with_inertia(mechanism):
+    """A serial chain of 3 joints in space, a brake on each, with inertia.
+
+    It has 3 joints, 3 brakes and 3 task dimensions.
+
+    Parameters:
+        geometry: a dict
+            joints: anything, a list of 3 dicts
+                kind: revolute, prismatic; default 'revolute'
+                axis [1]: anything; default [0.0, 0.0, 0.0]
+                point [m]: anything; default [0.0, 0.0, 0.0]
+            handle [m]: a finite number; default [nan, nan, nan]
+        inertia: a dict
+            links: anything, a list of 3 dicts
+                mass [kg]: a finite number > 0; default 0.0
+                centre [m]: a finite number; default [0.0, 0.0, 0.0]
+                about_centre [kg m^2]: anything; default [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
+            rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
+            handle_mass [kg]: a finite number >= 0; default 0.1
+            gravity [m/s^2]: a finite number; default [0.0, 0.0, 0.0]
+    """
     def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brake_rates(self, q: Numbers, qd: Numbers) -> Array: ...
-    def brake_signs(self, q: Numbers, qd: Numbers, hand_force: Numbers | None = ..., brakes: brake_parameters | None = ...) -> Array: ...
-    def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall: ...
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3: ...
-    def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force: ...
-    def jacobian(self, q: Numbers) -> Array: ...
-    def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array: ...
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        """
     @property
-    def parameters(self) -> dict[str, Any]: ...
-    def position(self, q: Numbers) -> Array: ...
-    def recommended_law(self, brakes: brake_parameters | None = ...) -> law: ...
-    def reference_forces(self, q: Numbers) -> tuple[Array, status]: ...
-    def velocity(self, q: Numbers, qd: Numbers) -> Array: ...
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class brakes_6(brake_parameters):
+    """The brakes of a device with 6 of them.
+
+    Parameters:
+        torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
+        rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+        torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
+        time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+    """
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class spatial_chain_6(mechanism):
+    """A serial chain of 6 joints in space, a brake on each.
+
+    It has 6 joints, 6 brakes and 3 task dimensions.
+
+    Parameters:
+        joints: anything, a list of 6 dicts
+            kind: revolute, prismatic; default 'revolute'
+            axis [1]: anything; default [0.0, 0.0, 0.0]
+            point [m]: anything; default [0.0, 0.0, 0.0]
+        handle [m]: a finite number; default [nan, nan, nan]
+    """
+    def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_6:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+        """
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class brakes_7(brake_parameters):
+    """The brakes of a device with 7 of them.
+
+    Parameters:
+        torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
+        rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+        torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
+        time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+    """
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class spatial_chain_7(mechanism):
+    """A serial chain of 7 joints in space, a brake on each.
+
+    It has 7 joints, 7 brakes and 3 task dimensions.
+
+    Parameters:
+        joints: anything, a list of 7 dicts
+            kind: revolute, prismatic; default 'revolute'
+            axis [1]: anything; default [0.0, 0.0, 0.0]
+            point [m]: anything; default [0.0, 0.0, 0.0]
+        handle [m]: a finite number; default [nan, nan, nan]
+    """
+    def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_7:
+        """The brakes of this device.
+
+        Parameters:
+            torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
+            rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+            torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
+            time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+        """
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""

@@ -16,3 +16,5 @@ Numbers = Union[collections.abc.Sequence[float], NDArray[Any]]
 """A vector that is passed: a list, a tuple or a one-dimensional array of real numbers."""
 Rows = Union[collections.abc.Sequence[collections.abc.Sequence[float]], collections.abc.Sequence[NDArray[Any]], NDArray[Any]]
 """Vectors that are passed."""
+Records = NDArray[numpy.void]
+"""A row for each place or time step, with named fields."""

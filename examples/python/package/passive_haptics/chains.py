@@ -1,9 +1,13 @@
-"""Serial chains by their usual shapes."""
+"""Serial chains by their usual shapes, and their inverse kinematics."""
 
 import collections.abc
 from typing import Union
 
+import numpy as np
+
 from passive_haptics import _native
+from passive_haptics.arrays import Array, Numbers
+from passive_haptics.results import status
 
 PlanarArm = Union[_native.planar_chain_3, _native.planar_chain_4]
 
@@ -18,3 +22,37 @@ def planar_arm(lengths: collections.abc.Sequence[float]) -> PlanarArm:
         joints.append({"point": [reached, 0.0]})
         reached += length
     return kinds[len(lengths)](joints=joints, handle=[reached, 0.0])
+
+
+def nearest_pose(mechanism: _native.mechanism, x: Numbers, start: Numbers) -> tuple[Array, status]:
+    """Joint positions that put the end effector at x [m], few turns away from `start`, and whether it is in reach.
+
+    For mechanisms without an inverse() of their own, such as chains. By damped least-squares steps (Levenberg,
+    Marquardt), each of the least norm of all joint steps, some 10 us each. Out of reach gives a place as near as
+    the steps come (status.out_of_reach).
+    """
+    MOST_STEPS, ROUNDING, LEAST_DAMPING = 200, 1e-14, 1e-12
+    target, q = np.array(x, dtype=float), np.array(start, dtype=float)
+    if target.shape != (mechanism.task_dimension,):
+        raise ValueError(f"passive_haptics: shape of x = {target.shape}, expected ({mechanism.task_dimension},)")
+    error = target - mechanism.position(q)
+    if not np.isfinite(error).all():
+        return q, status.state_not_finite
+    damping = 1e-3
+    for _ in range(MOST_STEPS):
+        scale = np.linalg.norm(target) + np.linalg.norm(error)
+        if np.linalg.norm(error) <= ROUNDING * scale:
+            break
+        J = mechanism.jacobian(q)
+        square = J @ J.T
+        damped = square + damping * max(float(np.trace(square)), LEAST_DAMPING) * np.eye(len(target))
+        step = J.T @ np.linalg.solve(damped, error)
+        after = target - mechanism.position(q + step)
+        if np.linalg.norm(after) < np.linalg.norm(error):
+            q, error, damping = q + step, after, max(damping / 10, 1e-15)
+        elif damping > 1e6:
+            break
+        else:
+            damping *= 10
+    reached = np.linalg.norm(error) <= 1e-9 * max(1e-3, float(np.linalg.norm(target)))
+    return q, status.ok if reached else status.out_of_reach

@@ -29,6 +29,7 @@ from passive_haptics.producible_forces import (
     producible_outline,
     unit_vector,
 )
+from passive_haptics.progress import progress_line
 from passive_haptics.results import status
 
 Axes = Any
@@ -170,13 +171,16 @@ def draw_map(
 def values_over(device: Any, x: Numbers, y: Numbers, function: collections.abc.Callable[[Array], float]) -> Array:
     """function(q) at the joint positions of each place of a grid x, y [m], len(y) x len(x); NaN where the
     device does not reach, or has singular poses in which the function returns NaN. The device has an
-    inverse."""
+    inverse. At a terminal, more than two seconds show their progress."""
     found = np.full((len(y), len(x)), np.nan)
+    shown = progress_line(len(y) * len(x), "places")
     for row, at_y in enumerate(y):
         for column, at_x in enumerate(x):
             q, outcome = device.inverse([float(at_x), float(at_y)])
             if outcome == status.ok:
                 found[row, column] = function(q)
+        shown.add(len(x))
+    shown.close()
     return found
 
 

@@ -145,7 +145,7 @@ def passive_fmes(device: _native.mechanism, q: Numbers) -> list[passive_fme]:
     """
     _require_planar(device, q)
     of: Any = device
-    if hasattr(of, "passive_fme"):
+    if device.dof == device.brake_count == 2:
         regions = [passive_fme(tuple(signs), outline) for signs, outline in of.passive_fme(q)]
         forces, outcome = of.reference_forces(q)
         if outcome == status.ok and np.linalg.norm(forces, axis=0).max() < HELD * _usual_force(of, q):

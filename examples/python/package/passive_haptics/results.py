@@ -81,3 +81,54 @@ class wall_limits(typing.NamedTuple):
     """Least noticeable drift off the wall or into it [m/s]."""
     pushed_out: bool
     """The residual torques alone push out a hand that slides along the wall."""
+
+
+class run_end(enum.IntEnum):
+    """How a run along a wall ended."""
+
+    time_over = 0
+    arrived = 1
+    too_deep = 2
+    not_finite = 3
+
+    @property
+    def text(self) -> str:
+        """The end in words."""
+        return _native.run_end_text(self.value)
+
+
+class contact_metrics(typing.NamedTuple):
+    """Figures of one run along a wall, counted from the first contact."""
+
+    separations: int
+    """Contact followed by a depth under -10 um."""
+    recontacts: int
+    """Separation followed by a depth over +10 um."""
+    depth_mean: float
+    """Mean depth after the first 10 % of the path [m]."""
+    depth_std: float
+    """Standard deviation of the depth there [m]."""
+    depth_range: float
+    """Largest less smallest depth there [m]."""
+    depth_drift: float
+    """Last less first depth there [m]; < 0 moves out of the wall."""
+    depth_max: float
+    """Largest depth on the whole path [m]."""
+    stick_share: float
+    """Share of time that the watched brake is slower than 1e-3 rad/s [1]."""
+    hand_force_std: float
+    """Standard deviation of the hand's force into the wall [N]."""
+    retarding_force: float
+    """Mean force of the brakes against the motion along the wall [N]."""
+    brake_energy: float
+    """Dissipated by the friction of all brakes [J]."""
+    largest_brake_power: float
+    """Largest that one brake gave to the device in a step [W]; 0 if none."""
+    duration: float
+    """From the first contact to the end [s]."""
+    arrived: bool
+    """The end of the path was reached."""
+    touched: bool
+    """The wall was touched at all."""
+    end: run_end
+    """How the run ended."""

@@ -1,4 +1,6 @@
 // Three arms that move a platform in space.
+#include <precompiled.hpp>
+
 #include "inverse.hpp"
 
 #include <passive_haptics/mechanism/models/delta.hpp>

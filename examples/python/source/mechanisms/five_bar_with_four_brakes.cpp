@@ -1,4 +1,6 @@
 // A five-bar with redundant brakes.
+#include <precompiled.hpp>
+
 #include "inverse.hpp"
 
 #include <passive_haptics/mechanism/models/five_bar.hpp>

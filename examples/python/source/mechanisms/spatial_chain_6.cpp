@@ -1,4 +1,6 @@
 // A serial chain of 6 joints.
+#include <precompiled.hpp>
+
 #include "inverse.hpp"
 
 #include <passive_haptics/mechanism/chains/serial_chain.hpp>

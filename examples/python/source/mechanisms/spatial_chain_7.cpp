@@ -1,4 +1,6 @@
 // A serial chain of 7 joints.
+#include <precompiled.hpp>
+
 #include "inverse.hpp"
 
 #include <passive_haptics/mechanism/chains/serial_chain.hpp>

@@ -1,4 +1,6 @@
 // The paper's device, with the rival laws.
+#include <precompiled.hpp>
+
 #include "inverse.hpp"
 
 #include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>

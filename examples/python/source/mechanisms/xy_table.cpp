@@ -1,4 +1,6 @@
 // Two orthogonal slides, a brake on each.
+#include <precompiled.hpp>
+
 #include "inverse.hpp"
 
 #include <passive_haptics/mechanism/models/xy_table.hpp>

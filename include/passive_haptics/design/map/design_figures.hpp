@@ -6,8 +6,7 @@
 #include <passive_haptics/design/path_point.hpp>
 #include <passive_haptics/design/sink_slope.hpp>
 
-#include <Eigen/SVD>
-
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,12 +38,40 @@ struct design_figures {
 
 namespace detail {
 
-// Least over largest singular value; 0 of 0.
+// Least over largest singular value; 0 of 0, and where a number is not finite. By one-sided Jacobi: rows are
+// turned in pairs until they are orthogonal, and their lengths are then the singular values. Reference: J.
+// Demmel, K. Veselic, Jacobi's method is more accurate than QR, SIAM J. Matrix Analysis 13 (4), 1992.
 template <class T, int D, int Brakes>
-T isotropy_of(const matrix<T, D, Brakes>& E) {
-  if constexpr (D == 1) return E.isZero(T(0)) ? T(0) : T(1);
-  const auto values = Eigen::JacobiSVD<matrix<T, D, Brakes>>(E).singularValues().eval();
-  return values[0] > T(0) ? values[values.size() - 1] / values[0] : T(0);
+T isotropy_of(matrix<T, D, Brakes> E) {
+  constexpr int most_sweeps = 30;
+  const T scale = E.cwiseAbs().maxCoeff();
+  if (!(scale > T(0)) || !all_finite(E)) return T(0);
+  E /= scale;
+  bool turned = true;
+  for (int sweep = 0; turned && sweep < most_sweeps; ++sweep) {
+    turned = false;
+    for (int i = 0; i < D; ++i) {
+      for (int j = i + 1; j < D; ++j) {
+        const T a = E.row(i).squaredNorm(), b = E.row(j).squaredNorm(), c = E.row(i).dot(E.row(j));
+        if (!(std::abs(c) > std::numeric_limits<T>::epsilon() * std::sqrt(a * b))) continue;
+        turned = true;
+        const T cotangent = (b - a) / (T(2) * c);
+        const T t = std::copysign(T(1) / (std::abs(cotangent) + std::hypot(T(1), cotangent)), cotangent);
+        const T cosine = T(1) / std::hypot(T(1), t), sine = cosine * t;
+        for (int k = 0; k < Brakes; ++k) {
+          const T x = E(i, k), y = E(j, k);
+          E(i, k) = cosine * x - sine * y;
+          E(j, k) = sine * x + cosine * y;
+        }
+      }
+    }
+  }
+  T least = E.row(0).norm(), largest = least;
+  for (int i = 1; i < D; ++i) {
+    least = std::min(least, E.row(i).norm());
+    largest = std::max(largest, E.row(i).norm());
+  }
+  return least / largest;
 }
 
 }  // namespace detail

@@ -1,0 +1,73 @@
+/// @file
+/// A brake whose model is known at run time only.
+#pragma once
+
+#include <passive_haptics/brake/models/brake_model.hpp>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace passive_haptics_python {
+
+namespace ph = passive_haptics;
+
+/// Holds a BrakeModel. Copies share it. A device that is simulated with it moves as with the model itself.
+class run_time_brake {
+  static constexpr std::size_t largest_state = 128;  // [bytes]
+
+ public:
+  using scalar = double;  ///< Of all models.
+  /// A place for what the model remembers.
+  struct state {
+    alignas(std::max_align_t) std::array<std::byte, largest_state> of_model = {};  ///< Its state, once begun.
+    bool has_begun = false;                                                       ///< Whether there is one.
+  };
+
+  ph::brake_resistance<double> residual;  ///< That of the model.
+  double compliance;                      ///< That of the model [rad/(N m)].
+
+  /// Holds a copy of this model.
+  template <ph::BrakeModel Model>
+    requires(!std::same_as<Model, run_time_brake>)
+  explicit run_time_brake(const Model& brake)
+      : residual(ph::residual_of(brake)), compliance(ph::compliance_of(brake)),
+        held_(std::make_shared<model<Model>>(brake)) {}
+
+  /// See BrakeModel.
+  ph::brake_resistance<double> advance(double dt, double command, double rate, state& now) const noexcept {
+    return held_->advance(dt, command, rate, now);
+  }
+  /// See BrakeModel.
+  double torque_limit_at(double rate) const noexcept { return held_->torque_limit_at(rate); }
+
+ private:
+  struct interface {
+    virtual ~interface() = default;
+    virtual ph::brake_resistance<double> advance(double dt, double command, double rate,
+                                                 state& now) const noexcept = 0;
+    virtual double torque_limit_at(double rate) const noexcept = 0;
+  };
+  template <class Model>
+  struct model final : interface {
+    using own_state = typename Model::state;
+    static_assert(sizeof(own_state) <= largest_state && std::is_trivially_copyable_v<own_state>);
+
+    explicit model(const Model& m) : brake(m) {}
+    ph::brake_resistance<double> advance(double dt, double command, double rate,
+                                         state& now) const noexcept override {
+      if (!now.has_begun) new (now.of_model.data()) own_state();
+      now.has_begun = true;
+      return brake.advance(dt, command, rate, *std::launder(reinterpret_cast<own_state*>(now.of_model.data())));
+    }
+    double torque_limit_at(double rate) const noexcept override { return brake.torque_limit_at(rate); }
+    Model brake;
+  };
+
+  std::shared_ptr<const interface> held_;
+};
+
+}  // namespace passive_haptics_python
