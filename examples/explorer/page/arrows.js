@@ -1,6 +1,6 @@
 // Arrows of forces and velocities, and the cones of forces that brakes can make.
 
-import { line_path, points_path } from "./pen.js";
+import { line_path, points_path } from './pen.js';
 
 // An arrow from a pixel along a vector of pixels. Where the vector is longer than most, the shaft is broken by a
 // zigzag, and the head stands at most. Returns the head.

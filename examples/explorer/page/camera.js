@@ -11,6 +11,7 @@ export function plane_camera(scale, origin) {
     // The point of the plane under a pixel.
     back: pixel => [(pixel[0] - origin[0]) / scale, (origin[1] - pixel[1]) / scale, 0],
     back_vector: d => [d[0], -d[1], 0],
+    towards: [0, 0, 0],
   };
 }
 
@@ -35,6 +36,8 @@ export function space_camera(scale, middle, centre, yaw, pitch) {
       return [0, 1, 2].map(i => centre[i] + d[i] + forward * towards[i]);
     },
     back_vector,
+    // The unit vector to the eye.
+    towards,
   };
 }
 

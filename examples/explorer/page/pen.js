@@ -136,19 +136,19 @@ export function svg_pen(width, height, background) {
 }
 
 // Texts of paths.
-const short = number => number.toFixed(2);
-export const line_path = (a, b) => `M${short(a[0])} ${short(a[1])}L${short(b[0])} ${short(b[1])}`;
+const pixels = number => number.toFixed(2);
+export const line_path = (a, b) => `M${pixels(a[0])} ${pixels(a[1])}L${pixels(b[0])} ${pixels(b[1])}`;
 export function points_path(points, is_closed = false) {
   let d = "";
-  for (let k = 0; k < points.length; ++k) d += (k ? "L" : "M") + short(points[k][0]) + " " + short(points[k][1]);
+  for (let k = 0; k < points.length; ++k) d += (k ? "L" : "M") + pixels(points[k][0]) + " " + pixels(points[k][1]);
   return is_closed && d ? d + "Z" : d;
 }
 export function circle_path([x, y], r) {
-  return `M${short(x - r)} ${short(y)}A${short(r)} ${short(r)} 0 1 1 ${short(x + r)} ${short(y)}A${short(r)} ${short(r)} 0 1 1 ${short(x - r)} ${short(y)}Z`;
+  return `M${pixels(x - r)} ${pixels(y)}A${pixels(r)} ${pixels(r)} 0 1 1 ${pixels(x + r)} ${pixels(y)}A${pixels(r)} ${pixels(r)} 0 1 1 ${pixels(x - r)} ${pixels(y)}Z`;
 }
 // An arc from angle a to b [rad], clockwise on the screen if b > a; 0 is to the right.
 export function arc_path([x, y], r, a, b) {
   if (Math.abs(b - a) >= 2 * Math.PI - 1e-6) return circle_path([x, y], r);
   const large = Math.abs(b - a) > Math.PI ? 1 : 0, sweep = b > a ? 1 : 0;
-  return `M${short(x + r * Math.cos(a))} ${short(y + r * Math.sin(a))}A${short(r)} ${short(r)} 0 ${large} ${sweep} ${short(x + r * Math.cos(b))} ${short(y + r * Math.sin(b))}`;
+  return `M${pixels(x + r * Math.cos(a))} ${pixels(y + r * Math.sin(a))}A${pixels(r)} ${pixels(r)} 0 ${large} ${sweep} ${pixels(x + r * Math.cos(b))} ${pixels(y + r * Math.sin(b))}`;
 }

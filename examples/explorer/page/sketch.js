@@ -2,10 +2,10 @@
 // that the engine computes. A brake is a disc that turns with its axis. Its ring is thin and dashed when it is
 // released, amber when it slips, blue with a filled hub when it holds; the thicker the ring, the stronger the torque.
 
-import { circle_path, line_path, points_path } from "./pen.js";
+import { circle_path, line_path, points_path } from './pen.js';
 
-const ground = 0, link = 1, joint = 2, slide = 3, carriage = 4, pulley = 5, belt = 6, brake = 7, platform = 8, handle = 9;
-export const row_length = 10;
+const kinds = {ground: 0, link: 1, joint: 2, slide: 3, carriage: 4, pulley: 5, belt: 6, brake: 7, platform: 8, handle: 9};
+const row_length = 10;
 
 // Rows of numbers as objects. point and other are [m].
 export function drawing_rows(numbers, count) {
@@ -17,37 +17,37 @@ export function drawing_rows(numbers, count) {
   return rows;
 }
 
-export const handle_of = rows => rows.find(row => row.kind === handle)?.point;
-export const brake_rows = rows => rows.filter(row => row.kind === brake);
+export const handle_of = rows => rows.find(row => row.kind === kinds.handle)?.point;
+export const brake_rows = rows => rows.filter(row => row.kind === kinds.brake);
 
 // brakes: for each {state: "released" | "slips" | "holds" | "absent", share: 0 to 1, text}. look: {width of a link [pixels],
 // is_ghost, labels}.
 export function draw_device(pen, camera, rows, brakes, theme, look) {
-  const order = camera.is_space ? rows.map(row => [layer(row) * 1e-3 + camera.depth(middle(row)), row]).sort((a, b) => a[0] - b[0]).map(pair => pair[1])
-    : [...rows].sort((a, b) => layer(a) - layer(b));
+  const order = camera.is_space ? rows.map(row => [drawing_layer(row) * 1e-3 + camera.depth(row_middle(row)), row]).sort((a, b) => a[0] - b[0]).map(pair => pair[1])
+    : [...rows].sort((a, b) => drawing_layer(a) - drawing_layer(b));
   for (const row of order) draw_row(pen, camera, row, brakes, theme, look);
   if (look.labels) label_brakes(pen, camera, rows, brakes, theme);
 }
 
-const layer = row => [0, 4, 6, 1, 3, 2.5, 2, 5, 4, 8][row.kind];
-const is_line = row => row.kind === link || row.kind === slide || row.kind === belt || row.kind === platform;
-const middle = row => is_line(row) ? [0, 1, 2].map(i => (row.point[i] + row.other[i]) / 2) : row.point;
+const drawing_layer = row => [0, 4, 6, 1, 3, 2.5, 2, 5, 4, 8][row.kind];
+const is_line = row => row.kind === kinds.link || row.kind === kinds.slide || row.kind === kinds.belt || row.kind === kinds.platform;
+const row_middle = row => is_line(row) ? [0, 1, 2].map(i => (row.point[i] + row.other[i]) / 2) : row.point;
 
 function draw_row(pen, camera, row, brakes, theme, look) {
   const at = camera.point(row.point), width = look.width;
   const paper = look.is_ghost ? "none" : theme.metal;
   switch (row.kind) {
-    case ground: return draw_ground(pen, at, Math.max(row.size * camera.scale, width), theme);
-    case link: case platform: {
-      const d = line_path(at, camera.point(row.other)), w = row.kind === link ? width : 0.6 * width;
+    case kinds.ground: return draw_ground(pen, at, Math.max(row.size * camera.scale, width), theme);
+    case kinds.link: case kinds.platform: {
+      const d = line_path(at, camera.point(row.other)), w = row.kind === kinds.link ? width : 0.6 * width;
       pen.path(d, {stroke: theme.ink, width: w});
       return pen.path(d, {stroke: paper, width: w - 2.6});
     }
-    case joint: {
+    case kinds.joint: {
       pen.path(circle_path(at, 0.3 * width), {fill: theme.paper, stroke: theme.ink, width: 1.5});
       return;
     }
-    case slide: {
+    case kinds.slide: {
       const to = camera.point(row.other), across = unit_across(at, to), gap = 0.28 * width;
       for (const side of [-gap, gap])
         pen.path(line_path([at[0] + side * across[0], at[1] + side * across[1]], [to[0] + side * across[0], to[1] + side * across[1]]), {stroke: theme.muted, width: 1.8});
@@ -55,21 +55,21 @@ function draw_row(pen, camera, row, brakes, theme, look) {
         pen.path(line_path([end[0] - 2 * gap * across[0], end[1] - 2 * gap * across[1]], [end[0] + 2 * gap * across[0], end[1] + 2 * gap * across[1]]), {stroke: theme.muted, width: 2.4});
       return;
     }
-    case carriage: {
-      const to = camera.point([0, 1, 2].map(i => row.point[i] + unit(row)[i] / camera.scale));
+    case kinds.carriage: {
+      const to = camera.point([0, 1, 2].map(i => row.point[i] + row_axis(row)[i] / camera.scale));
       const along = [to[0] - at[0], to[1] - at[1]], length = Math.hypot(...along) || 1, a = along.map(c => c / length), b = [-a[1], a[0]];
       const corner = (s, t) => [at[0] + 0.95 * width * s * a[0] + 0.62 * width * t * b[0], at[1] + 0.95 * width * s * a[1] + 0.62 * width * t * b[1]];
       return pen.path(points_path([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], true), {fill: paper, stroke: theme.ink, width: 1.5});
     }
-    case pulley: {
-      const r = Math.max(row.size, 6 / camera.scale), axis = unit(row);
+    case kinds.pulley: {
+      const r = Math.max(row.size, 6 / camera.scale), axis = row_axis(row);
       pen.path(ring_path(camera, row.point, axis, r), {fill: paper, stroke: theme.muted, width: 1.4});
       const [u, v] = across_axis(axis), mark = (f, s) => camera.point([0, 1, 2].map(i => row.point[i] + s * r * (Math.cos(row.angle + f) * u[i] + Math.sin(row.angle + f) * v[i])));
       return pen.path([0, Math.PI / 2].map(f => line_path(mark(f, -0.75), mark(f, 0.75))).join(""), {stroke: theme.muted, width: 1.1, alpha: 0.8});
     }
-    case belt: return pen.path(line_path(at, camera.point(row.other)), {stroke: theme.muted, width: 1.6});
-    case brake: return draw_brake(pen, camera, row, brakes[row.number], theme, look);
-    case handle: {
+    case kinds.belt: return pen.path(line_path(at, camera.point(row.other)), {stroke: theme.muted, width: 1.6});
+    case kinds.brake: return draw_brake(pen, camera, row, brakes[row.number], theme, look);
+    case kinds.handle: {
       pen.path(circle_path(at, 0.62 * width), {fill: theme.paper, stroke: theme.ink, width: 2});
       return pen.path(circle_path(at, 0.3 * width), {fill: theme.ink});
     }
@@ -78,7 +78,7 @@ function draw_row(pen, camera, row, brakes, theme, look) {
 
 function draw_brake(pen, camera, row, state, theme, look) {
   if (!state || state.state === "absent") return;
-  const r = brake_radius(row, camera), axis = unit(row), [u, v] = across_axis(axis);
+  const r = brake_radius(row, camera), axis = row_axis(row), [u, v] = across_axis(axis);
   const color = theme[state.state] || theme.released, strength = Math.min(1, Math.max(0, state.share || 0));
   const is_working = state.state !== "released";
   pen.path(ring_path(camera, row.point, axis, r), {fill: theme.paper, stroke: theme.ink, width: 1.2, alpha: look.is_ghost ? 0.4 : 1});
@@ -127,7 +127,7 @@ function ring_path(camera, centre, axis, r) {
   return points_path(points, true);
 }
 
-function unit(row) {
+function row_axis(row) {
   const d = [0, 1, 2].map(i => row.other[i] - row.point[i]), length = Math.hypot(...d);
   return length > 0 ? d.map(c => c / length) : [0, 0, 1];
 }

@@ -1,11 +1,11 @@
 // The colours of the drawing, as the style sheet names them: light and dark have one source.
 
-const names = ["paper", "ink", "muted", "faint", "metal", "wall", "wall_line", "cone", "cone_line", "wanted", "made", "motion",
+const theme_names = ["paper", "ink", "muted", "faint", "metal", "wall", "wall_line", "cone", "cone_line", "wanted", "made", "motion",
   "hand", "result", "slips", "holds", "released", "law_1", "law_2", "law_3"];
 
 export function read_theme() {
   const style = getComputedStyle(document.documentElement), theme = {};
-  for (const name of names) theme[name] = style.getPropertyValue("--" + name.replace("_", "-")).trim();
+  for (const name of theme_names) theme[name] = style.getPropertyValue("--" + name.replaceAll("_", "-")).trim();
   theme.laws = [theme.law_1, theme.law_2, theme.law_3];
   return theme;
 }

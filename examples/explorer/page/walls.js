@@ -1,6 +1,6 @@
 // The virtual walls: their surface as a line, and what lies behind it in a tint with slanting strokes.
 
-import { line_path, points_path } from "./pen.js";
+import { line_path, points_path } from './pen.js';
 
 // points: every 2 a segment of the plane, every 3 a triangle in space [m]. is_inside(pixel) says whether a pixel lies in a wall.
 export function draw_walls(pen, camera, points, theme) {
