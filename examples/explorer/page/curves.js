@@ -7,9 +7,10 @@ import { short_number } from './format.js';
 const shown_seconds = 5;
 
 // runner: with the histories; names and colors: of the laws; brakes: their number.
-export function draw_curves(pen, runner, theme, names, colors, brakes) {
+// With is_short only the depth is drawn.
+export function draw_curves(pen, runner, theme, names, colors, brakes, is_short) {
   const width = pen.width, left = 58, right = width - 14, gap = 30, top = 26;
-  const unit = (pen.height - top - 22 - 2 * gap) / 5;
+  const unit = is_short ? (pen.height - top - 18) / 2.6 : (pen.height - top - 16 - 2 * gap) / 5;
   const panels = [
     {key: "depth", from: top, height: 2.6 * unit, title: "depth in the wall [mm]", factor: 1e3, down: true},
     {key: "rate", from: top + 2.6 * unit + gap, height: 1.2 * unit, title: "rate of brake " + brakes + ", ω [rad/s]: 0 where it holds", factor: 1, even: true},
@@ -19,7 +20,7 @@ export function draw_curves(pen, runner, theme, names, colors, brakes) {
   for (const history of runner.histories) each_point(history, shown_seconds, k => { end = Math.max(end, history.time[k]); start = Math.min(start, history.time[k]); });
   const first = Math.max(start, end - shown_seconds), seconds = Math.max(shown_seconds, end - first);
   const x_of = t => left + (right - left) * (t - first) / seconds;
-  for (const panel of panels) draw_panel(pen, panel, runner, theme, colors, x_of, left, right);
+  for (const panel of is_short ? panels.slice(0, 1) : panels) draw_panel(pen, panel, runner, theme, colors, x_of, left, right);
   const labels = names.map((name, law) => ({name, law}));
   let at = right;
   for (const {name, law} of labels.reverse()) {

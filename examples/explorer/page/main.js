@@ -8,7 +8,7 @@ import { element, set_sentence, short_number } from './format.js';
 import { make_grips } from './grips.js';
 import { copy_text, make_numbers } from './numbers.js';
 import { canvas_pen, svg_pen } from './pen.js';
-import { make_picture, scales_of } from './picture.js';
+import { make_picture, margins_of, scales_of } from './picture.js';
 import { make_runner } from './runner.js';
 import { save_png, save_text, watch_files } from './save.js';
 import { format_settings, page_link, parse_link, parse_settings, settings_link } from './settings.js';
@@ -95,6 +95,8 @@ function begin(question, settings, preset, is_own) {
   if (question.id === "wanted" && !Math.hypot(...device.value("Fd"))) want_something();
   app.bounds = device.bounds();
   app.scales = scales_of(device, app.info);
+  app.begun = (app.begun || 0) + 1;
+  app.is_hollow = form_value("scene").startsWith("hollow");
   app.map = null;
   design.end();
   if (question.is_moving) {
@@ -176,7 +178,12 @@ function follow_runner() {
 // --- Drawing -----------------------------------------------------------------------------------------------------------------
 
 function view_of(width, height) {
-  return {device: app.device, info: app.info, scales: app.scales, bounds: app.bounds, width, height, yaw: app.yaw, pitch: app.pitch, is_moving: !!app.question.is_moving, runner,
+  const margins_key = [width, height, app.begun].join();
+  if (app.margins_key !== margins_key) {
+    app.margins_key = margins_key;
+    app.margins = margins_of({device: app.device, info: app.info, scales: app.scales, bounds: app.bounds, width, height, layers: app.layers, is_moving: !!app.question.is_moving});
+  }
+  return {margins: app.margins, is_hollow: app.is_hollow, device: app.device, info: app.info, scales: app.scales, bounds: app.bounds, width, height, yaw: app.yaw, pitch: app.pitch, is_moving: !!app.question.is_moving, runner,
     focus: app.focus, colors: app.question.is_moving ? colors() : [], value, layers: app.layers, brakes: brake_states(), pointer: app.is_held ? app.pointer : null,
     lens_memory: app.lens_memory, map: app.map, shows_hand: app.question.is_moving && !app.is_held && app.is_by_itself};
 }
@@ -191,7 +198,7 @@ function draw() {
   place_grips();
   if (app.question.is_moving && runner.layout) {
     curves_pen.begin();
-    draw_curves(curves_pen, runner, app.theme, app.laws.map(law_label), colors(), app.info.brakes);
+    draw_curves(curves_pen, runner, app.theme, app.laws.map(law_label), colors(), app.info.brakes, app.question.id === "watch");
     sound.play(runner.value(app.focus, "sound")?.[0] || 0);
   }
 }
@@ -383,6 +390,8 @@ function show_controls() {
   by_id("law_text").textContent = law ? law.look + (law.equation ? " Equation (" + law.equation + ")." : "") : "";
   show_laws();
   for (const id of ["transport", "plots"]) by_id(id).hidden = !question.is_moving;
+  document.body.dataset.question = question.id;
+  document.body.classList.toggle("moving", !!question.is_moving);
   by_id("results").hidden = app.laws.length < 2 || !question.is_moving;
   by_id("map_choice").hidden = question.id !== "mine";
   by_id("flip").hidden = question.is_moving;
@@ -403,6 +412,19 @@ function show_scene() {
   const fitting = engine.catalogue.scenes.filter(scene => scene.dimensions.includes(app.info.dimension));
   select.replaceChildren(...fitting.map(scene => element("option", {value: scene.id, text: scene.label})));
   select.value = kind || "none";
+}
+
+// A wall of this kind a little beyond the handle.
+function scene_text(kind) {
+  if (kind === "none") return kind;
+  const x = app.device.value("x").slice(0, app.info.dimension), reach = app.scales.reach, y = x.map((c, i) => c + (i === 1 ? 0.02 * reach : 0));
+  const along = (i, way) => y.map((c, k) => c + (k === i ? way : 0)), up = x.map((_, i) => i === 1 ? -1 : 0);
+  const numbers = {
+    plane: () => [...y, ...up], solid: () => [...along(1, 0.25 * reach), 0.25 * reach], hollow: () => [...along(1, -0.3 * reach), 0.3 * reach],
+    edge: () => [...y, -0.6, -0.8, 0.6, -0.8], outline: () => [[-0.2, 0.02], [0, 0], [0.2, 0.02], [0.12, 0.2], [-0.12, 0.2]].flatMap(([a, b]) => [y[0] + a * reach, y[1] + b * reach]),
+    box: () => [...x.map((c, i) => c - (i === 1 ? -0.02 : 0.15) * reach), ...x.map((c, i) => c + (i === 1 ? 0.2 : 0.15) * reach)],
+  }[kind]();
+  return kind + ":" + numbers.map(c => Number(c.toPrecision(4))).join();
 }
 
 function show_laws() {
@@ -427,7 +449,7 @@ function show_legend() {
   by_id("legend").replaceChildren(...layers.filter(layer => is_used(layer.id)).map(layer => {
     const button = element("button", {type: "button", "aria-pressed": String(app.layers.has(layer.id)), "data-layer": layer.id});
     button.innerHTML = legend_mark(layer.style);
-    button.append(...layer.label.split(/(_\{[^}]*\})/).map(part => part.startsWith("_{") ? element("sub", {text: part.slice(2, -1)}) : part));
+    button.append(element("span", {}, ...layer.label.split(/(_\{[^}]*\})/).map(part => part.startsWith("_{") ? element("sub", {text: part.slice(2, -1)}) : part)));
     button.addEventListener("click", () => {
       app.layers.has(layer.id) ? app.layers.delete(layer.id) : app.layers.add(layer.id);
       button.setAttribute("aria-pressed", String(app.layers.has(layer.id)));
@@ -545,7 +567,7 @@ function wire() {
     evaluate();
     show_controls();
   });
-  by_id("scene").addEventListener("change", event => change_setting("scene", event.target.value));
+  by_id("scene").addEventListener("change", event => change_setting("scene", scene_text(event.target.value)));
   by_id("map_figure").addEventListener("change", event => { app.map_figure = Number(event.target.value); paint_map(); app.is_dirty = true; });
   by_id("flip").addEventListener("click", () => { if (app.device.flip()) evaluate(); else say("This device has one pose for each place of its handle."); });
   by_id("pause").addEventListener("click", () => set_paused(!app.is_paused));

@@ -23,14 +23,33 @@ export function scales_of(device, info) {
   return {force: cone_share / (strongest || 1), motion: 1.1 / (reach || 1), reach};
 }
 
+// Margins of the picture of a device that leave room for what the brakes can make at the present place [pixels].
+export function margins_of({device, info, scales, bounds, width, height, yaw, pitch, layers, is_moving}) {
+  const least = width < 520 ? 18 : 34, margins = {left: least, right: least, top: least, bottom: least + 8}, x = device.value("x");
+  if (info.dimension === 3 || is_moving || !(layers.has("cone") || layers.has("references"))) return margins;
+  const force_scale = scales.force * Math.min(width, height), R = device.value("R"), limits = device.value("torque_limit");
+  for (let turn = 0; turn < 3; ++turn) {
+    const camera = fitting_camera(bounds, false, width, height, margins, yaw, pitch), at = camera.point(x);
+    for (let k = 0; k < info.brakes; ++k) for (const sign of [1, -1]) {
+      const d = camera.vector([0, 1, 2].map(i => sign * limits[k] * R[3 * k + i])), head = at.map((c, i) => c + 1.15 * force_scale * d[i]);
+      if (!head.every(Number.isFinite)) continue;
+      margins.left += Math.max(0, Math.min(0.2 * width, least - head[0]));
+      margins.right += Math.max(0, Math.min(0.2 * width, head[0] - width + least));
+      margins.top += Math.max(0, Math.min(0.2 * height, least - head[1]));
+      margins.bottom += Math.max(0, Math.min(0.2 * height, head[1] - height + least));
+    }
+  }
+  return margins;
+}
+
 // view: {device, info, scales, bounds, width, height, yaw, pitch, is_moving, runner, focus, colors, value, layers, pointer, lens_memory, map,
 // shows_hand}.
 export function make_picture(view) {
   const {device, info, value} = view, is_space = info.dimension === 3, small = view.width < 520, size = Math.min(view.width, view.height);
-  const camera = fitting_camera(view.bounds, is_space, view.width, view.height, {left: small ? 16 : 34, right: small ? 16 : 34, top: small ? 22 : 30, bottom: 40}, view.yaw, view.pitch);
+  const camera = fitting_camera(view.bounds, is_space, view.width, view.height, view.margins, view.yaw, view.pitch);
   const drawing = device.drawing(), rows = drawing_rows(drawing.numbers, drawing.count);
   const force_scale = view.scales.force * size, motion_scale = view.scales.motion * size;
-  const picture = {camera, rows, brakes: view.brakes, handle: handle_of(rows), cones: cones_of(view), references: references_of(view), arrows: arrows_of(view), force_scale,
+  const picture = {camera, is_hollow: view.is_hollow, rows, brakes: view.brakes, handle: handle_of(rows), cones: cones_of(view), references: references_of(view), arrows: arrows_of(view), force_scale,
     motion_scale, shown: view.layers, paths: [], others: [], bounds: view.bounds, map: view.layers.has("map") ? view.map : null, gamma: gamma_of(view),
     walls: walls_in(device, camera, view.width, view.height, is_space), pointer: view.is_moving ? view.pointer : null, shows_hand: view.shows_hand};
   if (view.is_moving) add_paths(picture, view, camera);
@@ -97,15 +116,17 @@ function add_paths(picture, view, camera) {
 }
 
 function lens_of(picture, view, camera, small) {
-  const memory = view.lens_memory, at = picture.handle;
-  if (!memory.centre || Math.hypot(memory.centre[0] - at[0], memory.centre[1] - at[1]) * camera.scale > 80) memory.centre = [...at];
-  // The lens follows fast along the wall, and slowly across it, so that the hand is what moves.
-  for (let i = 0; i < 2; ++i) memory.centre[i] += lens_rise * (at[i] - memory.centre[i]);
+  const memory = view.lens_memory, at = picture.handle, normal = view.device.value("normal");
+  if (Math.hypot(...normal) > 0.5) memory.normal = normal;
+  if (!memory.centre || Math.hypot(memory.centre[0] - at[0], memory.centre[1] - at[1]) * camera.scale > 60) memory.centre = at.slice(0, 2);
+  // The lens follows at once along the wall, and slowly across it, so that the hand is what moves.
+  const away = [at[0] - memory.centre[0], at[1] - memory.centre[1]], n = memory.normal || [0, 0], across = away[0] * n[0] + away[1] * n[1];
+  for (let i = 0; i < 2; ++i) memory.centre[i] += away[i] - (1 - lens_rise) * across * n[i];
   const radius = small ? 52 : Math.min(96, 0.19 * view.height), where = [view.width - radius - 22, view.height - radius - 44];
   const scale = camera.scale * lens_times;
   const lens_camera = plane_camera(scale, [where[0] - scale * memory.centre[0], where[1] + scale * memory.centre[1]]);
   const low = memory.centre.map(c => c - radius / scale), high = memory.centre.map(c => c + radius / scale);
-  return {at: where, radius, times: lens_times, centre: [...memory.centre, 0], camera: lens_camera, walls: view.device.walls(low, high), solids: []};
+  return {at: where, radius, times: lens_times, centre: [...memory.centre, 0], camera: lens_camera, walls: view.device.walls(low, high)};
 }
 
 export const most_pixels = view => longest_arrow * Math.min(view.width, view.height);

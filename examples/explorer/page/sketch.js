@@ -20,7 +20,7 @@ export function drawing_rows(numbers, count) {
 export const handle_of = rows => rows.find(row => row.kind === kinds.handle)?.point;
 export const brake_rows = rows => rows.filter(row => row.kind === kinds.brake);
 
-// brakes: for each {state: "released" | "slips" | "holds" | "absent", share: 0 to 1, text}. look: {width of a link [pixels],
+// brakes: for each {state: "released" | "slips" | "holds" | "no brake", share: 0 to 1, text}. look: {width of a link [pixels],
 // is_ghost, labels}.
 export function draw_device(pen, camera, rows, brakes, theme, look) {
   const order = camera.is_space ? rows.map(row => [drawing_layer(row) * 1e-3 + camera.depth(row_middle(row)), row]).sort((a, b) => a[0] - b[0]).map(pair => pair[1])
@@ -77,7 +77,7 @@ function draw_row(pen, camera, row, brakes, theme, look) {
 }
 
 function draw_brake(pen, camera, row, state, theme, look) {
-  if (!state || state.state === "absent") return;
+  if (!state || state.state === "no brake") return;
   const r = brake_radius(row, camera), axis = row_axis(row), [u, v] = across_axis(axis);
   const color = theme[state.state] || theme.released, strength = Math.min(1, Math.max(0, state.share || 0));
   const is_working = state.state !== "released";
@@ -97,7 +97,7 @@ function label_brakes(pen, camera, rows, brakes, theme) {
   const centre = [0, 1].map(i => all.reduce((sum, row) => sum + camera.point(row.point)[i], 0) / all.length);
   for (const row of all) {
     const state = brakes[row.number];
-    if (!state || state.state === "absent") continue;
+    if (!state || state.state === "no brake") continue;
     const at = camera.point(row.point), r = brake_radius(row, camera) * camera.scale;
     const is_left = all.length > 1 ? at[0] < centre[0] - 1 : false;
     const x = at[0] + (is_left ? -1 : 1) * (r + 7), align = is_left ? "end" : "start";

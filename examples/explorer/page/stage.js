@@ -14,7 +14,7 @@ export function draw_stage(pen, picture, theme) {
   const {camera, handle, shown} = picture, small = pen.width < 520;
   const at = handle && camera.point(handle), link_width = small ? 11 : 15;
   if (picture.map) draw_map(pen, picture, theme);
-  draw_walls(pen, camera, picture.walls, theme);
+  draw_walls(pen, camera, picture.walls, theme, picture.is_hollow, 18);
   if (camera.is_space) draw_floor(pen, picture, theme);
   draw_scale(pen, camera, theme);
   if (at && shown.has("others")) for (const cone of picture.cones) if (!cone.is_present) outline_cone(pen, picture, at, cone, theme);
@@ -79,7 +79,7 @@ function draw_angle(pen, picture, at, theme) {
   const r = 46, points = [];
   for (let k = 0; k <= 16; ++k) points.push([at[0] + r * Math.cos(a + turn * k / 16), at[1] + r * Math.sin(a + turn * k / 16)]);
   pen.path(points_path(points), {stroke: theme.ink, width: 1.2});
-  const middle = a + turn / 2;
+  const middle = a - 0.34 * Math.sign(turn);  // beside F_d, where no other arrow is
   pen.label(picture.gamma.text, at[0] + (r + 14) * Math.cos(middle), at[1] + (r + 14) * Math.sin(middle) + 5,
     {size: 14.5, math: true, align: Math.cos(middle) > 0.3 ? "start" : Math.cos(middle) < -0.3 ? "end" : "middle", color: theme.ink, halo: theme.paper});
 }
@@ -104,9 +104,11 @@ function outline_cone(pen, picture, at, cone, theme) {
 
 // A hand that holds the handle: the thumb and a finger, seen from above.
 function draw_hand(pen, at, theme, size) {
-  const p = (x, y) => (at[0] + size * x).toFixed(1) + " " + (at[1] + size * y).toFixed(1);
-  pen.path(`M${p(6, 74)}C${p(2, 52)} ${p(-20, 42)} ${p(-17, 22)}C${p(-15, 8)} ${p(-12, -10)} ${p(-4, -9)}C${p(2, -8)} ${p(-1, 4)} ${p(1, 12)}C${p(5, 6)} ${p(8, -6)} ${p(14, -3)}C${p(20, 1)} ${p(14, 12)} ${p(14, 18)}C${p(26, 30)} ${p(30, 46)} ${p(34, 70)}Z`,
-    {fill: theme.hand, alpha: 0.28, stroke: theme.hand, width: 1.6});
+  const c = Math.cos(-0.62), s = Math.sin(-0.62);  // the arm comes from the lower right
+  const p = (x, y) => (at[0] + size * (c * x - s * y)).toFixed(1) + " " + (at[1] + size * (s * x + c * y)).toFixed(1);
+  const fingers = [[[-9, -3], [-17, 20]], [[-2, -10], [-6, 20]], [[7, -8], [6, 22]], [[13, 1], [14, 28]]];
+  pen.path(`M${p(-21, 20)}C${p(-24, 40)} ${p(-14, 56)} ${p(-13, 92)}L${p(17, 92)}C${p(17, 62)} ${p(25, 44)} ${p(19, 24)}C${p(8, 12)} ${p(-12, 10)} ${p(-21, 20)}Z`, {fill: theme.hand, alpha: 0.24});
+  pen.path(fingers.map(([tip, root]) => `M${p(...tip)}L${p(...root)}`).join(""), {stroke: theme.hand, width: 9 * size, alpha: 0.3});
 }
 
 // A bar of a round length.
@@ -156,8 +158,7 @@ function draw_lens(pen, picture, theme) {
   pen.path(line_path([on_stage[0] + Math.max(small_r, 9) * d[0] / length, on_stage[1] + Math.max(small_r, 9) * d[1] / length], [lens.at[0] - r * d[0] / length, lens.at[1] - r * d[1] / length]), {stroke: theme.muted, width: 1.2, dash: [3, 4]});
   pen.path(circle_path(lens.at, r), {fill: theme.paper});
   pen.clip(circle_path(lens.at, r), () => {
-    for (const area of lens.solids) pen.path(points_path(area.map(lens.camera.point), true), {fill: theme.wall, alpha: 0.8});
-    draw_walls(pen, lens.camera, lens.walls, theme);
+    draw_walls(pen, lens.camera, lens.walls, theme, picture.is_hollow, 3 * r);
     for (const path of picture.paths) pen.path(points_path(path.points.map(lens.camera.point)), {stroke: path.color, width: 2.4});
     for (const other of [...picture.others, ...(picture.focus ? [picture.focus] : [])])
       pen.path(circle_path(lens.camera.point(other.point), 8), {fill: other.color, stroke: theme.paper, width: 2});

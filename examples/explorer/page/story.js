@@ -34,11 +34,8 @@ const length_of = vector => Math.hypot(...vector);
 export function still_answer(question, value, word, brakes) {
   const moving = length_of(value("v")) > 0, states = brakes.map((brake, k) => "brake " + (k + 1) + " " + brake.state);
   if (question === "forces") {
-    const [strongest] = value("strongest");
     if (!moving && length_of(value("Fh")) === 0) return "Nothing moves and nobody pushes: a brake at rest then makes no force. Drag the head of *v*, or of the hand force *F_h*.".replaceAll("_", "");
-    return "Inside the green area every force can be made, outside of it none" +
-      (Number.isFinite(strongest) && strongest > 0 ? "; the strongest is " + newton(strongest) : "") +
-      ". Every force in it resists the motion: brakes never push. " + list(states) + ".";
+    return "The brakes can make *every force in the green area*, and none outside of it. Each of them resists the motion: brakes never push. " + list(states, true) + ".";
   }
   if (question === "wanted") {
     const wanted = length_of(value("Fd")), [gamma] = value("gamma"), [alpha] = value("alpha");

@@ -1,7 +1,7 @@
 // The colours of the drawing, as the style sheet names them: light and dark have one source.
 
 const theme_names = ["paper", "ink", "muted", "faint", "metal", "wall", "wall_line", "cone", "cone_line", "wanted", "made", "motion",
-  "hand", "result", "slips", "holds", "released", "law_1", "law_2", "law_3"];
+  "hand", "result", "slips", "holds", "released", "slips_text", "holds_text", "law_1", "law_2", "law_3"];
 
 export function read_theme() {
   const style = getComputedStyle(document.documentElement), theme = {};
