@@ -9,7 +9,7 @@ const shown_seconds = 5;
 // runner: with the histories; names and colors: of the laws; brakes: their number.
 // With is_short only the depth is drawn.
 export function draw_curves(pen, runner, theme, names, colors, brakes, is_short) {
-  const width = pen.width, left = 58, right = width - 14, gap = 30, top = 26;
+  const width = pen.width, is_small = width < 520, left = is_small ? 40 : 58, right = width - 14, gap = 30, top = is_small ? 46 : 26;
   const unit = is_short ? (pen.height - top - 18) / 2.6 : (pen.height - top - 16 - 2 * gap) / 5;
   const panels = [
     {key: "depth", from: top, height: 2.6 * unit, title: "depth in the wall [mm]", factor: 1e3, down: true},
@@ -24,10 +24,10 @@ export function draw_curves(pen, runner, theme, names, colors, brakes, is_short)
   const labels = names.map((name, law) => ({name, law}));
   let at = right;
   for (const {name, law} of labels.reverse()) {
-    const text = name.replaceAll("_", " "), size = width < 520 ? 11.5 : 13;
+    const text = name.replaceAll("_", " "), size = is_small ? 12 : 13;
     pen.label(text, at, 17, {size, align: "end", color: colors[law], weight: 600});
     at -= text.length * size * 0.56 + 18;
-    if (at < left + 150) break;
+    if (at < (is_small ? 0 : left + 150)) break;
   }
 }
 

@@ -25,11 +25,12 @@ export const brake_rows = rows => rows.filter(row => row.kind === kinds.brake);
 export function draw_device(pen, camera, rows, brakes, theme, look) {
   const order = camera.is_space ? rows.map(row => [drawing_layer(row) * 1e-3 + camera.depth(row_middle(row)), row]).sort((a, b) => a[0] - b[0]).map(pair => pair[1])
     : [...rows].sort((a, b) => drawing_layer(a) - drawing_layer(b));
-  for (const row of order) draw_row(pen, camera, row, brakes, theme, look);
-  if (look.labels) label_brakes(pen, camera, rows, brakes, theme);
+  const all_look = {...look, enlarge: brake_enlargement(rows, camera)};
+  for (const row of order) draw_row(pen, camera, row, brakes, theme, all_look);
+  if (look.labels) label_brakes(pen, camera, rows, brakes, theme, all_look.enlarge);
 }
 
-const drawing_layer = row => [0, 4, 6, 1, 3, 2.5, 2, 5, 4, 8][row.kind];
+const drawing_layer = row => [0, 4, 6, 1, 3, 2.5, 2, 5, 4, 8][row.kind] - (row.kind === kinds.brake ? Math.min(0.9, row.size) : 0);
 const is_line = row => row.kind === kinds.link || row.kind === kinds.slide || row.kind === kinds.belt || row.kind === kinds.platform;
 const row_middle = row => is_line(row) ? [0, 1, 2].map(i => (row.point[i] + row.other[i]) / 2) : row.point;
 
@@ -78,7 +79,7 @@ function draw_row(pen, camera, row, brakes, theme, look) {
 
 function draw_brake(pen, camera, row, state, theme, look) {
   if (!state || state.state === "no brake") return;
-  const r = brake_radius(row, camera), axis = row_axis(row), [u, v] = across_axis(axis);
+  const r = row.size * look.enlarge, axis = row_axis(row), [u, v] = across_axis(axis);
   const color = theme[state.state] || theme.released, strength = Math.min(1, Math.max(0, state.share || 0));
   const is_working = state.state !== "released";
   pen.path(ring_path(camera, row.point, axis, r), {fill: theme.paper, stroke: theme.ink, width: 1.2, alpha: look.is_ghost ? 0.4 : 1});
@@ -90,16 +91,23 @@ function draw_brake(pen, camera, row, state, theme, look) {
   pen.path(ring_path(camera, row.point, axis, 0.3 * r), {fill: state.state === "holds" ? color : theme.paper, stroke: is_working ? color : theme.muted, width: 1.6});
 }
 
-const brake_radius = (row, camera) => Math.max(row.size, 14 / camera.scale);
+// All brakes are drawn larger by one factor where the smallest would be too small to be seen.
+function brake_enlargement(rows, camera) {
+  const least = Math.min(...brake_rows(rows).map(row => row.size * camera.scale));
+  return Number.isFinite(least) && least > 0 ? Math.max(1, smallest_brake / least) : 1;
+}
 
-function label_brakes(pen, camera, rows, brakes, theme) {
+const smallest_brake = 11;  // radius [pixels]
+
+function label_brakes(pen, camera, rows, brakes, theme, enlarge) {
   const all = brake_rows(rows);
   const centre = [0, 1].map(i => all.reduce((sum, row) => sum + camera.point(row.point)[i], 0) / all.length);
   for (const row of all) {
     const state = brakes[row.number];
     if (!state || state.state === "no brake") continue;
-    const at = camera.point(row.point), r = brake_radius(row, camera) * camera.scale;
-    const is_left = all.length > 1 ? at[0] < centre[0] - 1 : false;
+    const at = camera.point(row.point), r = row.size * enlarge * camera.scale, shares = all.some(other => other !== row && Math.hypot(...other.point.map((c, i) => c - row.point[i])) * camera.scale < 4);
+    const room = 7 * state.text.length + r + 12;  // of the text [pixels], about
+    const is_left = at[0] + room > pen.width || (at[0] > room && (shares ? row.number % 2 === 1 : all.length > 1 && at[0] < centre[0] - 1));
     const x = at[0] + (is_left ? -1 : 1) * (r + 7), align = is_left ? "end" : "start";
     pen.label("brake " + (row.number + 1), x, at[1] - 2, {size: 12, color: theme.muted, align, halo: theme.paper});
     pen.label(state.text, x, at[1] + 13, {size: 12, weight: 600, color: state.state === "released" ? theme.muted : theme[state.state + "_text"] || theme.ink, align, halo: theme.paper});
