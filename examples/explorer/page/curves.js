@@ -1,14 +1,14 @@
 // The curves of the last seconds: depth as a cut through the wall, the rate of a brake, and alpha. One colour for each law.
 
 import { line_path } from './pen.js';
-import { each_point } from './runner.js';
+import { each_point } from './tracks.js';
 import { short_number } from './format.js';
 
 const shown_seconds = 5;
 
-// runner: with the histories; names and colors: of the laws; brakes: their number.
+// tracks: with the histories; names and colors: of the laws; brakes: their number.
 // With is_short only the depth is drawn.
-export function draw_curves(pen, runner, theme, names, colors, brakes, is_short) {
+export function draw_curves(pen, tracks, theme, names, colors, brakes, is_short) {
   const width = pen.width, is_small = width < 520, left = is_small ? 40 : 58, right = width - 14, gap = 30, top = is_small ? 46 : 26;
   const unit = is_short ? (pen.height - top - 18) / 2.6 : (pen.height - top - 16 - 2 * gap) / 5;
   const panels = [
@@ -17,10 +17,10 @@ export function draw_curves(pen, runner, theme, names, colors, brakes, is_short)
     {key: "alpha", from: top + 3.8 * unit + 2 * gap, height: 1.2 * unit, title: "α, how much of F_{c} is commanded", log: true},
   ];
   let end = 0, start = Infinity;
-  for (const history of runner.histories) each_point(history, shown_seconds, k => { end = Math.max(end, history.time[k]); start = Math.min(start, history.time[k]); });
+  for (const history of tracks.histories) each_point(history, shown_seconds, k => { end = Math.max(end, history.time[k]); start = Math.min(start, history.time[k]); });
   const first = Math.max(start, end - shown_seconds), seconds = Math.max(shown_seconds, end - first);
   const x_of = t => left + (right - left) * (t - first) / seconds;
-  for (const panel of is_short ? panels.slice(0, 1) : panels) draw_panel(pen, panel, runner, theme, colors, x_of, left, right);
+  for (const panel of is_short ? panels.slice(0, 1) : panels) draw_panel(pen, panel, tracks, theme, colors, x_of, left, right);
   const labels = names.map((name, law) => ({name, law}));
   let at = right;
   for (const {name, law} of labels.reverse()) {
@@ -31,10 +31,10 @@ export function draw_curves(pen, runner, theme, names, colors, brakes, is_short)
   }
 }
 
-function draw_panel(pen, panel, runner, theme, colors, x_of, left, right) {
+function draw_panel(pen, panel, tracks, theme, colors, x_of, left, right) {
   const bottom = panel.from + panel.height;
   let low = Infinity, high = -Infinity;
-  for (const history of runner.histories) each_point(history, shown_seconds, k => {
+  for (const history of tracks.histories) each_point(history, shown_seconds, k => {
     const value = history[panel.key][k] * (panel.factor || 1);
     if (value === value) { low = Math.min(low, value); high = Math.max(high, value); }
   });
@@ -65,7 +65,7 @@ function draw_panel(pen, panel, runner, theme, colors, x_of, left, right) {
     pen.label(text, left - 8, y + 4, {size: 12, align: "end", color: theme.muted});
   }
   pen.label(panel.title, left, panel.from - 8, {size: 12.5, color: theme.muted});
-  pen.clip(`M${left} ${panel.from - 3}H${right + 8}V${bottom + 3}H${left}Z`, () => runner.histories.forEach((history, law) => {
+  pen.clip(`M${left} ${panel.from - 3}H${right + 8}V${bottom + 3}H${left}Z`, () => tracks.histories.forEach((history, law) => {
     let d = "", last = null;
     each_point(history, shown_seconds, k => {
       const value = history[panel.key][k] * (panel.factor || 1);

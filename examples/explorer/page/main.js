@@ -9,6 +9,7 @@ import { make_grips } from './grips.js';
 import { copy_text, make_numbers } from './numbers.js';
 import { canvas_pen, svg_pen } from './pen.js';
 import { make_picture, margins_of, scales_of } from './picture.js';
+import { make_player } from './player.js';
 import { make_runner } from './runner.js';
 import { save_png, save_text, watch_files } from './save.js';
 import { format_settings, page_link, parse_link, parse_settings, settings_link } from './settings.js';
@@ -83,6 +84,7 @@ function begin(question, settings, preset, is_own) {
   refuse("");
   const is_new_question = question !== app.question || !app.device;
   app.device?.end();
+  app.log?.end();
   Object.assign(app, {device, question, preset, is_own, log: null, pointer: null, is_held: false, lens_memory: {}});
   const lines = parse_settings(device.settings()), mechanism = lines.get("mechanism") || engine.catalogue.mechanisms[0].id;
   app.info = engine.catalogue.mechanisms.find(other => other.id === mechanism);
@@ -140,38 +142,36 @@ const law_label = law => engine.catalogue.laws.find(other => other.id === law)?.
 
 // --- Values ------------------------------------------------------------------------------------------------------------------
 
-const is_simulated = () => app.question.is_moving || app.log;
+// The rows that are shown: of the log that is played, or of the simulation.
+const tracks = () => app.log ? app.log.tracks : app.question.is_moving ? runner.tracks : null;
+const is_simulated = () => app.question.is_moving && !app.log;
+const is_moving = () => !!app.log || !!app.question.is_moving;
 
 function value(id) {
-  if (app.log) return log_value(id) ?? app.device.value(id);
-  if (app.question.is_moving) {
-    const number = runner.value(app.focus, id);
-    if (number) return number;
-    if (id === "Fc_scaled") return runner.value(app.focus, "Fc")?.map(c => c * runner.value(app.focus, "alpha")[0]) || [0, 0, 0];
-  }
+  const number = tracks()?.value(app.focus, id);
+  if (number) return number;
+  if (is_moving() && id === "Fc_scaled") return tracks()?.value(app.focus, "Fc")?.map(c => c * tracks().value(app.focus, "alpha")[0]) || [0, 0, 0];
   return app.device.value(id);
 }
 
-function word(id, k) {
-  return app.question.is_moving && runner.value(app.focus, id) ? runner.word(app.focus, id, k) : app.device.word(id, k);
-}
+function word(id, k) { return tracks()?.value(app.focus, id) ? tracks().word(app.focus, id, k) : app.device.word(id, k); }
 
 function brake_states() {
-  const torques = (app.question.is_moving && runner.value(app.focus, "brake_torque")) || app.device.value("torque"), limits = app.device.value("torque_limit");
+  const torques = tracks()?.value(app.focus, "brake_torque") || app.device.value("torque"), limits = app.device.value("torque_limit");
   return torques.map((torque, k) => {
     const state = word("brake_state", k) || "released";
     return {state, share: Math.abs(torque) / limits[k], text: state === "released" ? state : state + ", " + short_number(Math.abs(torque), 2) + " N m"};
   });
 }
 
-// The device takes the state of the last cycle of the simulation.
-function follow_runner() {
-  const q = runner.value(app.focus, "q");
+// The device takes the state of the last row.
+function follow_tracks() {
+  const q = tracks()?.value(app.focus, "q");
   if (!q) return;
   const state = app.device.state(app.info.joints);
   state.q.set(q);
-  state.qd.set(runner.value(app.focus, "qd"));
-  state.Fh.set(runner.value(app.focus, "hand_force"));
+  state.qd.set(tracks().value(app.focus, "qd"));
+  state.Fh.set(tracks().value(app.focus, "hand_force"));
   app.device.evaluate();
 }
 
@@ -181,25 +181,25 @@ function view_of(width, height) {
   const margins_key = [width, height, app.begun].join();
   if (app.margins_key !== margins_key) {
     app.margins_key = margins_key;
-    app.margins = margins_of({device: app.device, info: app.info, scales: app.scales, bounds: app.bounds, width, height, layers: app.layers, is_moving: !!app.question.is_moving});
+    app.margins = margins_of({device: app.device, info: app.info, scales: app.scales, bounds: app.bounds, width, height, layers: app.layers, is_moving: is_moving()});
   }
-  return {margins: app.margins, is_hollow: app.is_hollow, device: app.device, info: app.info, scales: app.scales, bounds: app.bounds, width, height, yaw: app.yaw, pitch: app.pitch, is_moving: !!app.question.is_moving, runner,
-    focus: app.focus, colors: app.question.is_moving ? colors() : [], value, layers: app.layers, brakes: brake_states(), pointer: app.is_held ? app.pointer : null,
-    lens_memory: app.lens_memory, map: app.map, shows_hand: app.question.is_moving && !app.is_held && app.is_by_itself};
+  return {margins: app.margins, is_hollow: app.is_hollow, device: app.device, info: app.info, scales: app.scales, bounds: app.bounds, width, height, yaw: app.yaw, pitch: app.pitch, is_moving: is_moving() && !!tracks(), tracks: tracks(),
+    focus: app.focus, colors: is_moving() ? colors() : [], value, layers: app.layers, brakes: brake_states(), pointer: app.is_held ? app.pointer : null,
+    lens_memory: app.lens_memory, map: app.map, shows_hand: is_simulated() && !app.is_held && app.is_by_itself};
 }
 
 function draw() {
-  if (app.question.is_moving) follow_runner();
+  if (is_moving()) follow_tracks();
   pen.begin();
   if (!pen.width) return;
   const view = view_of(pen.width, pen.height);
   app.picture = make_picture(view);
   draw_stage(pen, app.picture, app.theme);
   place_grips();
-  if (app.question.is_moving && runner.layout) {
+  if (tracks()) {
     curves_pen.begin();
-    draw_curves(curves_pen, runner, app.theme, app.laws.map(law_label), colors(), app.info.brakes, app.question.id === "watch");
-    sound.play(runner.value(app.focus, "sound")?.[0] || 0);
+    draw_curves(curves_pen, tracks(), app.theme, tracks().laws.map(law_label), colors(), app.info.brakes, app.question.id === "watch");
+    sound.play(tracks().value(app.focus, "sound")?.[0] || 0);
   }
 }
 
@@ -207,7 +207,8 @@ let last_slow = 0;
 
 function frame(now) {
   requestAnimationFrame(frame);
-  const is_running = app.question.is_moving && !app.is_paused && runner.layout;
+  const is_running = !app.is_paused && tracks();
+  if (app.log && is_running) play_log(now);
   if (!app.is_dirty && !is_running) return;
   const is_slow_turn = app.is_dirty || now - last_slow > 200;
   app.is_dirty = false;
@@ -218,23 +219,23 @@ function frame(now) {
 // Sentences and numbers, a few times a second.
 function show_texts() {
   const brakes = brake_states();
-  if (app.question.is_moving) {
-    set_sentence(by_id("answer"), app.laws.length < 2 ? moment_answer(runner, app.focus, brakes) : laws_answer(runner, new Map(app.laws.map(law => [law, law_label(law)]))));
-    if (runner.layout) show_numbers(runner.layout.values, entry => runner.value(app.focus, entry.id) || Array(entry.size).fill(NaN));
+  if (tracks()) {
+    set_sentence(by_id("answer"), tracks().laws.length < 2 ? moment_answer(tracks(), app.focus, brakes) : laws_answer(tracks(), new Map(app.laws.map(law => [law, law_label(law)]))));
+    show_numbers(tracks().layout.values, entry => tracks().value(app.focus, entry.id) || Array(entry.size).fill(NaN));
     show_results();
   } else {
     set_sentence(by_id("answer"), app.question.id === "mine" ? map_answer() : still_answer(app.question.id, value, word, brakes));
     show_numbers(app.device.layout, entry => app.device.value(entry.id));
   }
-  by_id("late").hidden = !(app.question.is_moving && runner.is_late && !app.is_paused);
+  by_id("late").hidden = !(is_simulated() && runner.is_late && !app.is_paused);
   by_id("late").textContent = "This machine is slower than real time: the simulation lags.";
   name_grips();
 }
 
 function show_results() {
   const target = by_id("results");
-  target.hidden = app.laws.length < 2;
-  if (target.hidden || !runner.figures.length) return;
+  target.hidden = app.laws.length < 2 || !!app.log;
+  if (target.hidden || !tracks().figures.length) return;
   const key = app.laws.join();
   if (target.dataset.key !== key) {
     target.dataset.key = key;
@@ -243,7 +244,7 @@ function show_results() {
       element("th", {scope: "row"}, element("span", {class: "swatch", style: "display:inline-block;margin-right:8px;vertical-align:middle;background:var(--law-" + (app.slots[k] + 1) + ")"}), law_label(law)), ...result_columns.map(() => element("td")))))));
   }
   [...target.querySelectorAll("tbody tr")].forEach((row, k) => [...row.querySelectorAll("td")].forEach((cell, c) => {
-    const figures = runner.figures[k], column = result_columns[c];
+    const figures = tracks().figures[k], column = result_columns[c];
     cell.textContent = figures ? short_number(figures[column.of] * column.factor, 3) : "–";
   }));
 }
@@ -280,7 +281,7 @@ function place_grips() {
   grips.place("handle", at);
   for (const id of ["v", "Fh", "Fd"]) {
     const arrow = picture.arrows.find(other => other.id === id);
-    const is_free = at && !app.question.is_moving && app.layers.has(id) && (id !== "Fd" || app.question.id === "wanted");
+    const is_free = at && !is_moving() && app.layers.has(id) && (id !== "Fd" || app.question.id === "wanted");
     if (!is_free) { grips.place(id, null); continue; }
     const head = arrow?.head && Math.hypot(arrow.head[0] - at[0], arrow.head[1] - at[1]) > 24 ? arrow.head : null, place = head || [at[0] + stub[id][0], at[1] + stub[id][1]];
     if (!head) {
@@ -305,7 +306,7 @@ function name_grips() {
 // The visitor takes the handle: the hand by itself lets go.
 function take_hand() {
   by_id("hint").hidden = true;
-  if (!app.question.is_moving) return;
+  if (!is_simulated()) return;
   app.is_held = true;
   app.pointer = value("x");
   if (app.is_by_itself) {
@@ -317,7 +318,7 @@ function take_hand() {
 }
 
 function let_go() {
-  if (!app.question.is_moving) return;
+  if (!is_simulated()) return;
   app.is_held = false;
   send_pointer();
 }
@@ -325,7 +326,8 @@ function let_go() {
 function send_pointer() { runner.send({kind: "pointer", point: app.pointer || value("x"), is_held: app.is_held}); }
 
 function move_handle(point) {
-  if (app.question.is_moving) {
+  if (app.log) return;
+  if (is_simulated()) {
     app.pointer = point;
     return send_pointer();
   }
@@ -337,8 +339,8 @@ function move_handle(point) {
 
 function nudge_handle(move) {
   const step = 0.008 * app.scales.reach;
-  if (app.question.is_moving && !app.is_held) take_hand();
-  const from = app.question.is_moving ? app.pointer : app.device.value("x");
+  if (is_simulated() && !app.is_held) take_hand();
+  const from = is_simulated() ? app.pointer : app.device.value("x");
   move_handle(from.map((c, i) => c + step * move[i]));
 }
 
@@ -389,9 +391,9 @@ function show_controls() {
   const law = engine.catalogue.laws.find(other => other.id === app.law);
   by_id("law_text").textContent = law ? law.look + (law.equation ? " Equation (" + law.equation + ")." : "") : "";
   show_laws();
-  for (const id of ["transport", "plots"]) by_id(id).hidden = !question.is_moving;
+  for (const id of ["transport", "plots"]) by_id(id).hidden = !is_moving();
   document.body.dataset.question = question.id;
-  document.body.classList.toggle("moving", !!question.is_moving);
+  document.body.classList.toggle("moving", is_moving());
   by_id("results").hidden = app.laws.length < 2 || !question.is_moving;
   by_id("map_choice").hidden = question.id !== "mine";
   by_id("flip").hidden = question.is_moving;
@@ -510,7 +512,8 @@ function set_paused(is_on) {
   app.is_paused = is_on;
   by_id("pause").setAttribute("aria-pressed", String(is_on));
   by_id("pause").textContent = is_on ? "Play" : "Pause";
-  runner.send({kind: "pause", is_on});
+  if (!app.log) runner.send({kind: "pause", is_on});
+  else if (!is_on && app.log.is_ended) app.log.restart();
   app.is_dirty = true;
 }
 
@@ -527,7 +530,7 @@ function set_by_itself(is_on) {
 
 function restart() {
   app.lens_memory = {};
-  runner.send({kind: "restart"});
+  app.log ? app.log.restart() : runner.send({kind: "restart"});
   if (app.is_paused) set_paused(false);
 }
 
@@ -549,8 +552,6 @@ function map_answer() {
 }
 
 // --- Wiring ------------------------------------------------------------------------------------------------------------------
-
-function log_value() { return null; }
 
 function wire() {
   by_id("questions").append(...questions.map(question => element("a", {href: page_link(question.id), "data-id": question.id}, element("b", {text: question.mark, "aria-hidden": "true"}), question.title)));
@@ -588,7 +589,7 @@ function wire() {
   addEventListener("hashchange", open_link);
   addEventListener("keydown", shortcut);
   new ResizeObserver(() => { app.is_dirty = true; }).observe(by_id("stage"));
-  document.addEventListener("visibilitychange", () => runner.send({kind: "pause", is_on: document.hidden || app.is_paused || !app.question.is_moving}));
+  document.addEventListener("visibilitychange", () => runner.send({kind: "pause", is_on: document.hidden || app.is_paused || !is_simulated()}));
 }
 
 function set_theme(name) { document.documentElement.dataset.theme = name; }
@@ -608,19 +609,36 @@ function toggle_record(button) {
   if (!is_on) for (const id of ["replay", "download"]) by_id(id).disabled = false;
 }
 
+// Plays a log of the library through the law that is chosen.
 function open_log(text, name) {
-  const log = engine.open_log(app.device.settings(), text);
+  const log = engine.open_log(app.device.settings() + "\nlaw=" + (app.laws[app.focus] || app.law), text);
   if (!log) return say(name + ": " + engine.error());
-  const [equal, all] = log.agreement();
-  say(name + ": " + log.count() + " lines" + (all ? "; " + equal + " of " + all + " capacities are those of this law to the last digit." : "."));
-  log.end();
+  const [equal, all] = log.agreement(), law = app.laws[app.focus] || app.law;
+  app.log?.end();
+  app.log = make_player(log, law);
+  app.laws = [law];
+  app.focus = 0;
+  assign_colors();
+  runner.send({kind: "pause", is_on: true});
+  say(name + ": " + log.count() + " lines" + (all ? "; " + equal + " of " + all + " capacities are those of " + law_label(law) + " to the last digit." : "."));
+  set_paused(false);
+  show_controls();
+}
+
+let last_played = 0;
+
+function play_log(now) {
+  const passed = Math.min(0.1, (now - last_played) / 1000);
+  last_played = now;
+  app.log.advance(passed * Number(by_id("speed").value));
+  if (app.log.is_ended) set_paused(true);
 }
 
 function shortcut(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
   const question = questions[Number(event.key) - 1];
   if (question) location.hash = page_link(question.id);
-  else if (!app.question.is_moving) return;
+  else if (!is_moving()) return;
   else if (event.key === " " && event.target.tagName !== "BUTTON" && event.target.tagName !== "A") { event.preventDefault(); set_paused(!app.is_paused); }
   else if (event.key === "r") restart();
   else if (event.key === "h") set_by_itself(!app.is_by_itself);

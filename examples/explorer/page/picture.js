@@ -3,7 +3,7 @@
 import { fitting_camera, plane_camera } from './camera.js';
 import { degrees, short_number } from './format.js';
 import { longest_arrow } from './stage.js';
-import { each_point } from './runner.js';
+import { each_point } from './tracks.js';
 import { drawing_rows, handle_of } from './sketch.js';
 
 const cone_share = 0.25;        // of the smaller side of the picture: the strongest force of a brake [1]
@@ -42,7 +42,7 @@ export function margins_of({device, info, scales, bounds, width, height, yaw, pi
   return margins;
 }
 
-// view: {device, info, scales, bounds, width, height, yaw, pitch, is_moving, runner, focus, colors, value, layers, pointer, lens_memory, map,
+// view: {device, info, scales, bounds, width, height, yaw, pitch, is_moving, tracks, focus, colors, value, layers, pointer, lens_memory, map,
 // shows_hand}.
 export function make_picture(view) {
   const {device, info, value} = view, is_space = info.dimension === 3, small = view.width < 520, size = Math.min(view.width, view.height);
@@ -103,12 +103,12 @@ function gamma_of({value, is_moving}) {
 }
 
 function add_paths(picture, view, camera) {
-  const {runner, layers} = view;
-  runner.histories.forEach((history, law) => {
+  const {tracks, layers} = view;
+  tracks.histories.forEach((history, law) => {
     const points = [];
     each_point(history, trail_seconds, k => points.push([history.x[3 * k], history.x[3 * k + 1], history.x[3 * k + 2]]));
     if (layers.has("paths")) picture.paths.push({points, color: view.colors[law]});
-    const x = runner.value(law, "x");
+    const x = tracks.value(law, "x");
     if (!x) return;
     if (law === view.focus) picture.focus = {point: x, color: view.colors[law]};
     else picture.others.push({point: x, color: view.colors[law]});

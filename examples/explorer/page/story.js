@@ -52,11 +52,11 @@ export function still_answer(question, value, word, brakes) {
 const scale_text = alpha => alpha < 1 ? " The law takes only α = *" + short_number(alpha, 3) + "* of it, so that the hand is not thrown off." : "";
 
 // What happens at this moment of the simulation, in one sentence.
-export function moment_answer(runner, law, brakes) {
-  const depth = runner.value(law, "depth")?.[0];
+export function moment_answer(tracks, law, brakes) {
+  const depth = tracks.value(law, "depth")?.[0];
   if (depth === undefined) return "";
   const holding = brakes.map((brake, k) => brake.state === "holds" ? "brake " + (k + 1) : "").filter(text => text);
-  const millimetres = "*" + short_number(Math.abs(1e3 * depth), 2) + " mm*", out = leaving(runner, law);
+  const millimetres = "*" + short_number(Math.abs(1e3 * depth), 2) + " mm*", out = leaving(tracks, law);
   if (!(depth > 0)) return "The handle is free, " + millimetres + " off the wall. The brakes are released, and the hand presses it back.";
   if (holding.length && out) return "*Bounce:* " + list(holding) + " holds, so the handle can only move on a curve. Here the curve leads *out* of the wall, " + millimetres + " deep.";
   if (holding.length) return list(holding, true) + " holds. The handle is " + millimetres + " deep and cannot sink further.";
@@ -64,15 +64,15 @@ export function moment_answer(runner, law, brakes) {
 }
 
 // Whether the handle moves out of the wall: the sign of the last change of depth.
-function leaving(runner, law) {
-  const history = runner.histories[law];
+function leaving(tracks, law) {
+  const history = tracks.histories[law];
   if (history.count < 3) return false;
   const n = history.depth.length;
   return history.depth[(history.count - 1) % n] < history.depth[(history.count - 3) % n];
 }
 
-export function laws_answer(runner, labels) {
-  const known = runner.laws.map((law, k) => ({label: labels.get(law) || law, figures: runner.figures[k]})).filter(entry => entry.figures && entry.figures[7] > 0.2);
+export function laws_answer(tracks, labels) {
+  const known = tracks.laws.map((law, k) => ({label: labels.get(law) || law, figures: tracks.figures[k]})).filter(entry => entry.figures && entry.figures[7] > 0.2);
   if (known.length < 2) return "The hand comes to the wall.";
   const best = [...known].sort((a, b) => a.figures[0] - b.figures[0] || a.figures[3] - b.figures[3])[0];
   const rest = known.filter(entry => entry !== best).map(entry => times(entry.figures[0]) + " under " + entry.label);
