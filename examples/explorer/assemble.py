@@ -8,7 +8,7 @@ ENGINE_FOLDER has engine.js and engine.wasm. In page/index.html these comments a
     <!-- explorer:style -->     the style sheets page/*.css, in the order of their names
     <!-- explorer:engine -->    <script id="engine-code" type="text/plain">, the glue code of emscripten, which defines
                                 explorer_engine(options); and <script id="engine-wasm" type="text/plain">, the engine
-                                in base64, whose bytes the page passes as options.wasmBinary
+                                packed by gzip, in base64; the page unpacks it and passes it as options.wasmBinary
     <!-- explorer:worker -->    <script id="worker-code" type="text/plain">, page/worker.js with what it imports
     <!-- explorer:main -->      <script type="module">, page/main.js with what it imports
     <!-- explorer:licences -->  the licences of what is included, as text
@@ -18,6 +18,7 @@ Modules are joined without a bundler, so they keep to three rules: imports are l
 one name at their top level.
 """
 import base64
+import gzip
 import html
 import pathlib
 import re
@@ -76,7 +77,7 @@ def main():
         sys.exit(__doc__)
     engine, output = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     page = (PAGE / 'index.html').read_text()
-    wasm = base64.b64encode((engine / 'engine.wasm').read_bytes()).decode()
+    wasm = base64.b64encode(gzip.compress((engine / 'engine.wasm').read_bytes(), 9, mtime=0)).decode()
     made = {
         'style': lambda: '<style>\n' + '\n'.join(p.read_text() for p in sorted(PAGE.glob('*.css'))) + '</style>',
         'engine': lambda: script('id="engine-code" type="text/plain"', (engine / 'engine.js').read_text()) +

@@ -8,11 +8,12 @@ export async function load_engine(code, bytes) {
   return wrap_engine(await make({wasmBinary: bytes, print: silent, printErr: silent, noExitRuntime: true}));
 }
 
-// The bytes of a text in base64.
-export function bytes_of(text) {
-  const raw = atob(text.replace(/\s+/g, "")), bytes = new Uint8Array(raw.length);
-  for (let k = 0; k < raw.length; ++k) bytes[k] = raw.charCodeAt(k);
-  return bytes;
+// The bytes of a text in base64, unpacked where gzip packed them.
+export async function bytes_of(text) {
+  const raw = atob(text.replace(/\s+/g, "")), bytes = Uint8Array.from(raw, letter => letter.charCodeAt(0));
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
+  const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(unpacked).arrayBuffer());
 }
 
 function wrap_engine(wasm) {

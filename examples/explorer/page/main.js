@@ -21,7 +21,7 @@ import { read_theme, watch_theme } from './theme.js';
 const by_id = id => document.getElementById(id);
 const preset_of = id => engine.catalogue.presets.find(preset => preset.id === id);
 
-const code = by_id("engine-code").textContent, bytes = bytes_of(by_id("engine-wasm").textContent);
+const code = by_id("engine-code").textContent, bytes = await bytes_of(by_id("engine-wasm").textContent);
 const engine = await load_engine(code, bytes);
 
 const app = {
