@@ -47,7 +47,7 @@ function draw_panel(pen, panel, tracks, theme, colors, x_of, left, right) {
     const most = panel.even ? round_up(Math.max(Math.abs(low), Math.abs(high), 0.5)) : round_up(Math.max(high, 2));
     const least = panel.even ? -most : Math.max(-most, Math.min(-0.4 * most, -round_up(Math.max(0.1, -low))));
     y_of = value => {
-      const part = (Math.min(most, Math.max(least, value)) - least) / (most - least);
+      const part = (value - least) / (most - least);
       return panel.down ? panel.from + panel.height * part : bottom - panel.height * part;
     };
     ticks = (panel.even ? [-most, 0, most] : [0, most / 2, most]).map(value => [value, short_number(value)]);

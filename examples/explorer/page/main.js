@@ -8,7 +8,7 @@ import { element, set_sentence, short_number } from './format.js';
 import { make_grips } from './grips.js';
 import { copy_text, make_numbers } from './numbers.js';
 import { canvas_pen, svg_pen } from './pen.js';
-import { make_picture, margins_of, scales_of } from './picture.js';
+import { box_of, make_picture, margins_of, scales_of } from './picture.js';
 import { make_player } from './player.js';
 import { make_runner } from './runner.js';
 import { save_png, save_text, watch_files } from './save.js';
@@ -73,14 +73,14 @@ function ask(question) {
     settings.set("hand", question.is_moving ? "along" : "pointer");
     return begin(question, format_settings(settings), null, true);
   }
-  const preset = preset_of(question.preset) || engine.catalogue.presets[0], settings = parse_settings(preset.settings);
+  const settings = parse_settings(preset_of(question.preset)?.settings || "mechanism=" + engine.catalogue.mechanisms[0].id + (question.is_moving ? "\nhand=along" : ""));
   if (!question.is_moving) settings.set("hand", "pointer");
   begin(question, format_settings(settings), null, false);
 }
 
 function begin(question, settings, preset, is_own) {
   const device = engine.device(settings);
-  if (!device) { refuse(engine.error()); if (app.device) return; return begin(questions[0], preset_of(questions[0].preset).settings, null, false); }
+  if (!device) { refuse(engine.error()); if (app.device) return; return ask(questions[0]); }
   refuse("");
   const is_new_question = question !== app.question || !app.device;
   app.device?.end();
@@ -93,9 +93,11 @@ function begin(question, settings, preset, is_own) {
   if (preset) app.laws = question.is_moving ? preset_laws(app.law) : [];
   else if (is_new_question) app.laws = [...(question.laws || [])];
   app.is_by_itself = question.is_moving;
+  if (question.is_moving && app.laws.length === 1) app.law = app.laws[0];
   device.evaluate();
   if (question.id === "wanted" && !Math.hypot(...device.value("Fd"))) want_something();
   app.bounds = device.bounds();
+  app.box = box_of(device, app.info, question.id === "mine");
   app.scales = scales_of(device, app.info);
   app.begun = (app.begun || 0) + 1;
   app.is_hollow = form_value("scene").startsWith("hollow");
@@ -181,9 +183,9 @@ function view_of(width, height) {
   const margins_key = [width, height, app.begun].join();
   if (app.margins_key !== margins_key) {
     app.margins_key = margins_key;
-    app.margins = margins_of({device: app.device, info: app.info, scales: app.scales, bounds: app.bounds, width, height, layers: app.layers, is_moving: is_moving()});
+    app.margins = margins_of({device: app.device, info: app.info, scales: app.scales, bounds: app.box, width, height, layers: app.layers, is_moving: is_moving()});
   }
-  return {margins: app.margins, is_hollow: app.is_hollow, device: app.device, info: app.info, scales: app.scales, bounds: app.bounds, width, height, yaw: app.yaw, pitch: app.pitch, is_moving: is_moving() && !!tracks(), tracks: tracks(),
+  return {margins: app.margins, is_hollow: app.is_hollow, device: app.device, info: app.info, scales: app.scales, bounds: app.box, width, height, yaw: app.yaw, pitch: app.pitch, is_moving: is_moving() && !!tracks(), tracks: tracks(),
     focus: app.focus, colors: is_moving() ? colors() : [], value, layers: app.layers, brakes: brake_states(), pointer: app.is_held ? app.pointer : null,
     lens_memory: app.lens_memory, map: app.map, shows_hand: is_simulated() && !app.is_held && app.is_by_itself};
 }

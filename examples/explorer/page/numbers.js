@@ -57,7 +57,7 @@ export function make_numbers(panel, copied) {
   };
 }
 
-const group_names = {motion: "Motion", forces: "Forces", brakes: "Brakes", decision: "What the law decides"};
+const group_names = {motion: "Motion", forces: "Forces", brakes: "Brakes", decision: "What the law decides", simulation: "Simulation"};
 
 // Copies a text, also where the clipboard is closed to a page from a file.
 export async function copy_text(text) {

@@ -4,23 +4,30 @@ import { fitting_camera, plane_camera } from './camera.js';
 import { degrees, short_number } from './format.js';
 import { longest_arrow } from './stage.js';
 import { each_point } from './tracks.js';
-import { drawing_rows, handle_of } from './sketch.js';
+import { drawing_rows, handle_of, is_line_row } from './sketch.js';
 
-const cone_share = 0.25;        // of the smaller side of the picture: the strongest force of a brake [1]
+const cone_share = 0.36;        // of the smaller side of the picture: the strongest force that the brakes make [1]
+const view_share = 0.17;        // of the reach, around the device at its first place [1]
 const trail_seconds = 1.6;      // of the paths of the hands
 const lens_times = 10;          // enlargement of the lens
 const lens_rise = 0.06;         // how fast the lens follows [1 a picture]
 
 // The scales of a device, which stay while it moves: pixels for a newton and for a metre a second, at a picture of size 1.
 export function scales_of(device, info) {
-  const value = id => device.value(id), R = value("R"), limits = value("torque_limit");
   let strongest = 0;
-  for (let k = 0; k < info.brakes; ++k) {
-    const size = Math.hypot(R[3 * k], R[3 * k + 1], R[3 * k + 2]) * limits[k];
-    if (Number.isFinite(size)) strongest = Math.max(strongest, size);
-  }
+  for (let region = 0; region < 1 << info.brakes; ++region)
+    for (const force of device.outline(region, true)) if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
   const bounds = device.bounds(), reach = Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
   return {force: cone_share / (strongest || 1), motion: 1.1 / (reach || 1), reach};
+}
+
+// The box that the picture shows of a device [m]: in the plane what is drawn now and some room, in space all that it reaches.
+export function box_of(device, info, shows_all) {
+  const bounds = device.bounds();
+  if (info.dimension === 3 || shows_all) return bounds;
+  const drawing = device.drawing(), points = drawing_rows(drawing.numbers, drawing.count).flatMap(row => is_line_row(row) ? [row.point, row.other] : [row.point]);
+  const room = view_share * Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]);
+  return [0, 1, 2].map(i => Math.min(...points.map(p => p[i])) - room).concat([0, 1, 2].map(i => Math.max(...points.map(p => p[i])) + room));
 }
 
 // Margins of the picture of a device that leave room for what the brakes can make at the present place [pixels].

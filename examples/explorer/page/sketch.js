@@ -31,8 +31,8 @@ export function draw_device(pen, camera, rows, brakes, theme, look) {
 }
 
 const drawing_layer = row => [0, 4, 6, 1, 3, 2.5, 2, 5, 4, 8][row.kind] - (row.kind === kinds.brake ? Math.min(0.9, row.size) : 0);
-const is_line = row => row.kind === kinds.link || row.kind === kinds.slide || row.kind === kinds.belt || row.kind === kinds.platform;
-const row_middle = row => is_line(row) ? [0, 1, 2].map(i => (row.point[i] + row.other[i]) / 2) : row.point;
+export const is_line_row = row => row.kind === kinds.link || row.kind === kinds.slide || row.kind === kinds.belt || row.kind === kinds.platform;
+const row_middle = row => is_line_row(row) ? [0, 1, 2].map(i => (row.point[i] + row.other[i]) / 2) : row.point;
 
 function draw_row(pen, camera, row, brakes, theme, look) {
   const at = camera.point(row.point), width = look.width;

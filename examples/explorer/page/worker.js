@@ -109,4 +109,6 @@ function run_cycles(cycles) {
   }
 }
 
-onmessage = event => handlers[event.data.kind](event.data);
+// Each message waits for those before it, the first for the engine.
+let served = Promise.resolve();
+onmessage = event => { served = served.then(() => handlers[event.data.kind](event.data)); };
