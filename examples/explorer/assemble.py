@@ -8,7 +8,8 @@ ENGINE_FOLDER has engine.js and engine.wasm. In page/index.html these comments a
     <!-- explorer:style -->     the style sheets page/*.css, in the order of their names
     <!-- explorer:engine -->    <script id="engine-code" type="text/plain">, the glue code of emscripten, which defines
                                 explorer_engine(options); and <script id="engine-wasm" type="text/plain">, the engine
-                                packed by gzip, in base64; the page unpacks it and passes it as options.wasmBinary
+                                compressed by gzip, in base64: the page passes its bytes, after
+                                new DecompressionStream('gzip'), as options.wasmBinary
     <!-- explorer:worker -->    <script id="worker-code" type="text/plain">, page/worker.js with what it imports
     <!-- explorer:main -->      <script type="module">, page/main.js with what it imports
     <!-- explorer:licences -->  the licences of what is included, as text

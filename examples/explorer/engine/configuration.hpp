@@ -203,7 +203,8 @@ struct configuration {
 
  private:
   void check_names(const settings& given) {
-    for (const auto& [name, value] : given.lines()) {
+    for (const auto& line : given.lines()) {
+      const std::string& name = line.first;
       bool is_known = name == "mechanism" || name == "law";
       const auto look = [&](const char* prefix, const char*, auto& table) {
         for_each_setting(table, prefix,

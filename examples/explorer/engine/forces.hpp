@@ -36,11 +36,10 @@ struct torque_set {
   }
 };
 
-inline void add_force(std::vector<double>& points, const ph::vector<double, 2>& F) {
-  for (const double x : {F[0], F[1], 0.0}) points.push_back(x);
-}
-inline void add_force(std::vector<double>& points, const ph::vector<double, 3>& F) {
-  for (const double x : {F[0], F[1], F[2]}) points.push_back(x);
+/// Adds a force as x y z.
+template <int D>
+void add_force(std::vector<double>& points, const ph::vector<double, D>& F) {
+  for (int i = 0; i < 3; ++i) points.push_back(i < D ? F[std::min(i, D - 1)] : 0.0);
 }
 
 /// A direction of the plane.
@@ -56,7 +55,10 @@ std::vector<double> outline_of(const ph::matrix<double, 2, Brakes>& G, const tor
   constexpr int directions = 180;
   std::vector<double> points;
   for (int k = 0; k <= directions; ++k)
-    add_force(points, G * set.farthest(ph::vector<double, Brakes>(G.transpose() * direction_at(k, directions))));
+    {
+    const ph::vector<double, Brakes> gain = G.transpose() * direction_at(k, directions);
+    add_force<2>(points, G * set.farthest(gain));
+  }
   return points;
 }
 
@@ -73,7 +75,7 @@ std::vector<double> outline_of(const ph::matrix<double, 3, Brakes>& G, const tor
   for (int i = 0; i < slices; ++i)
     for (int j = 0; j < stacks; ++j) {
       const auto a = on(i, j), b = on(i + 1, j), c = on(i + 1, j + 1), e = on(i, j + 1);
-      for (const auto& x : {a, b, c, a, c, e}) add_force(points, x);
+      for (const auto& x : {a, b, c, a, c, e}) add_force<3>(points, x);
     }
   return points;
 }
@@ -91,7 +93,7 @@ std::vector<double> displayable_outline(const M& mechanism, const ph::joint_vect
     const bool is_exact =
         found.outcome == ph::status::ok && found.display == ph::display_class::exact &&
         std::isfinite(found.strongest_nearest);
-    add_force(points, is_exact ? ph::vector<double, 2>(found.strongest_nearest * u) : ph::vector<double, 2>(0, 0));
+    add_force<2>(points, is_exact ? ph::vector<double, 2>(found.strongest_nearest * u) : ph::vector<double, 2>(0, 0));
   }
   return points;
 }
