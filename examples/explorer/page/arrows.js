@@ -31,18 +31,25 @@ export function draw_cone(pen, camera, at, points, scale, style) {
 
 // Triangles of forces in space, far ones first, each as bright as it faces the light.
 export function draw_solid_cone(pen, camera, at, points, scale, style) {
-  const triangles = [];
+  const faces = new Map(), largest = Math.max(...points.map(f => Math.hypot(...f))) ** 2;
   for (let k = 0; k + 2 < points.length; k += 3) {
-    const corners = points.slice(k, k + 3), screen = corners.map(f => { const d = camera.vector(f); return [at[0] + scale * d[0], at[1] + scale * d[1]]; });
-    const turn = (screen[1][0] - screen[0][0]) * (screen[2][1] - screen[0][1]) - (screen[1][1] - screen[0][1]) * (screen[2][0] - screen[0][0]);
-    const edges = [0, 1].map(j => [0, 1, 2].map(i => corners[j + 1][i] - corners[0][i]));
-    const normal = [0, 1, 2].map(i => edges[0][(i + 1) % 3] * edges[1][(i + 2) % 3] - edges[0][(i + 2) % 3] * edges[1][(i + 1) % 3]);
-    const size = Math.hypot(...normal) || 1;
-    triangles.push({depth: corners.reduce((sum, f) => sum + camera.depth(f), 0), screen, turn, light: Math.abs(normal[2] / size)});
+    const corners = points.slice(k, k + 3), edges = [0, 1].map(j => [0, 1, 2].map(i => corners[j + 1][i] - corners[0][i]));
+    const normal = [0, 1, 2].map(i => edges[0][(i + 1) % 3] * edges[1][(i + 2) % 3] - edges[0][(i + 2) % 3] * edges[1][(i + 1) % 3]), size = Math.hypot(...normal);
+    if (!(size > 1e-9 * largest)) continue;
+    // Triangles of one flat face are painted as one, so that no seam shows.
+    const unit = normal.map(c => c / size), sign = Math.sign(unit.find(c => Math.abs(c) > 1e-3)), side = unit.reduce((sum, c, i) => sum + sign * c * corners[0][i], 0) / Math.sqrt(largest);
+    const key = [...unit.map(c => sign * c), side].map(c => Math.round(50 * c) + 0).join();
+    if (!faces.has(key)) faces.set(key, {path: "", depth: 0, count: 0, light: Math.abs(unit[2])});
+    const face = faces.get(key), turn = turned(corners.map(f => camera.vector(f)));
+    face.path += points_path((turn < 0 ? [...corners].reverse() : corners).map(f => { const d = camera.vector(f); return [at[0] + scale * d[0], at[1] + scale * d[1]]; }), true);
+    face.depth += camera.depth(corners[0]) + camera.depth(corners[1]) + camera.depth(corners[2]);
+    ++face.count;
   }
-  triangles.sort((a, b) => a.depth - b.depth);
-  for (const t of triangles) pen.path(points_path(t.screen, true), {fill: style.fill, alpha: style.alpha * (0.45 + 0.55 * t.light), stroke: style.fill, width: 0.6});
+  const order = [...faces.values()].sort((a, b) => a.depth / a.count - b.depth / b.count);
+  for (const face of order) pen.path(face.path, {fill: style.fill, alpha: style.alpha * (0.5 + 0.5 * face.light)});
 }
+
+const turned = ([a, b, c]) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 
 // A spring between two pixels, with which the hand pulls.
 export function draw_spring(pen, from, to, style) {

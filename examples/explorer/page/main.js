@@ -90,6 +90,7 @@ function begin(question, settings, preset, is_own) {
   app.info = engine.catalogue.mechanisms.find(other => other.id === mechanism);
   app.law = lines.get("law") || form_value("law");
   if (is_new_question || preset) app.layers = new Set(question.layers);
+  if (app.info.dimension === 3) app.layers.delete("others");
   if (preset) app.laws = question.is_moving ? preset_laws(app.law) : [];
   else if (is_new_question) app.laws = [...(question.laws || [])];
   app.is_by_itself = question.is_moving;
@@ -253,7 +254,7 @@ function show_results() {
 
 // --- Grips -------------------------------------------------------------------------------------------------------------------
 
-const stub = {v: [0, 40], Fh: [40, 0], Fd: [-40, 0]};  // where a grip waits while its arrow is too short to be taken [pixels]
+const stub = {v: [0, 40], Fh: [32, -28], Fd: [-40, 0]};  // where a grip waits while its arrow is too short to be taken [pixels]
 
 function add_grips() {
   let from = null;

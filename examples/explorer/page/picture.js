@@ -18,15 +18,17 @@ export function scales_of(device, info) {
   for (let region = 0; region < 1 << info.brakes; ++region)
     for (const force of device.outline(region, true)) if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
   const bounds = device.bounds(), reach = Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
-  return {force: cone_share / (strongest || 1), motion: 1.1 / (reach || 1), reach};
+  // Where a brake alone makes no force (n > d): what all limits make at half of the reach.
+  if (!strongest) strongest = 2 * device.value("torque_limit").reduce((sum, limit) => sum + limit, 0) / reach;
+  return {force: (info.dimension === 3 ? 0.7 : 1) * cone_share / (strongest || 1), motion: 1.1 / (reach || 1), reach};
 }
 
 // The box that the picture shows of a device [m]: in the plane what is drawn now and some room, in space all that it reaches.
 export function box_of(device, info, shows_all) {
   const bounds = device.bounds();
-  if (info.dimension === 3 || shows_all) return bounds;
+  if (shows_all) return bounds;
   const drawing = device.drawing(), points = drawing_rows(drawing.numbers, drawing.count).flatMap(row => is_line_row(row) ? [row.point, row.other] : [row.point]);
-  const room = view_share * Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]);
+  const room = (info.dimension === 3 ? 0.4 : 1) * view_share * Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]);
   return [0, 1, 2].map(i => Math.min(...points.map(p => p[i])) - room).concat([0, 1, 2].map(i => Math.max(...points.map(p => p[i])) + room));
 }
 
@@ -58,25 +60,25 @@ export function make_picture(view) {
   const force_scale = view.scales.force * size, motion_scale = view.scales.motion * size;
   const picture = {camera, is_hollow: view.is_hollow, rows, brakes: view.brakes, handle: handle_of(rows), cones: cones_of(view), references: references_of(view), arrows: arrows_of(view), force_scale,
     motion_scale, shown: view.layers, paths: [], others: [], bounds: view.bounds, map: view.layers.has("map") ? view.map : null, gamma: gamma_of(view),
-    walls: walls_in(device, camera, view.width, view.height, is_space), pointer: view.is_moving ? view.pointer : null, shows_hand: view.shows_hand};
+    walls: walls_in(device, camera, view.width, view.height, is_space, view.bounds), pointer: view.is_moving ? view.pointer : null, shows_hand: view.shows_hand};
   if (view.is_moving) add_paths(picture, view, camera);
   if (view.is_moving && !is_space && picture.handle) picture.lens = lens_of(picture, view, camera, small);
   return picture;
 }
 
-function walls_in(device, camera, width, height, is_space) {
-  if (is_space) return device.walls([0, 0], [0, 0]);
+function walls_in(device, camera, width, height, is_space, box) {
+  if (is_space) return device.walls(box.slice(0, 2), box.slice(3, 5));
   const low = camera.back([0, height]), high = camera.back([width, 0]);
   return device.walls(low, high);
 }
 
 function cones_of({device, info, layers}) {
-  const cones = [], names = [];
+  const cones = [];
   const present = device.value("region")[0];
   if (layers.has("others"))
     for (let region = 0; region < 1 << info.brakes; ++region)
-      if (region !== present) cones.push({points: device.outline(region, true), is_present: false, name: "FME " + (region + 1)});
-  if (layers.has("cone")) cones.push({points: device.outline(-1, true), is_present: true, name: names[present]});
+      if (region !== present) cones.push({points: device.outline(region, true), is_present: false, alpha: 0.9 / (1 << info.brakes), name: info.brakes === 2 ? "FME " + (region + 1) : ""});
+  if (layers.has("cone")) cones.push({points: device.outline(-1, true), is_present: true});
   return cones.filter(cone => cone.points.length > 1 && cone.points.every(f => f.every(Number.isFinite)));
 }
 

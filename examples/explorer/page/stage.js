@@ -86,7 +86,7 @@ function draw_angle(pen, picture, at, theme) {
 
 function fill_cone(pen, picture, at, cone, theme) {
   const {camera, force_scale} = picture;
-  if (camera.is_space) return draw_solid_cone(pen, camera, at, cone.points, force_scale, {fill: theme.cone, alpha: 0.5});
+  if (camera.is_space) return draw_solid_cone(pen, camera, at, cone.points, force_scale, {fill: theme.cone, alpha: 0.3});
   draw_cone(pen, camera, at, cone.points, force_scale, {fill: theme.cone, alpha: 0.3});
   draw_cone(pen, camera, at, cone.points, force_scale, {stroke: theme.cone_line, width: 1.8});
 }
@@ -94,7 +94,7 @@ function fill_cone(pen, picture, at, cone, theme) {
 function outline_cone(pen, picture, at, cone, theme) {
   const {camera, force_scale} = picture;
   if (camera.is_space) return draw_solid_cone(pen, camera, at, cone.points, force_scale, {fill: theme.faint, alpha: 0.1});
-  draw_cone(pen, camera, at, cone.points, force_scale, {fill: theme.faint, alpha: 0.22});
+  draw_cone(pen, camera, at, cone.points, force_scale, {fill: theme.faint, alpha: cone.alpha});
   draw_cone(pen, camera, at, cone.points, force_scale, {stroke: theme.faint, width: 1});
   const sum = cone.points.reduce((s, f) => [s[0] + f[0], s[1] + f[1]], [0, 0]), size = Math.hypot(...sum) || 1;
   const far = Math.max(...cone.points.map(f => (f[0] * sum[0] + f[1] * sum[1]) / size));
