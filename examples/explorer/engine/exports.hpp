@@ -162,7 +162,7 @@ EXPLORER_EXPORT double* sim_ring(void* sim);
 EXPLORER_EXPORT double sim_cycles(void* sim);
 /// The columns of a row, JSON as of explorer_layout(), with "columns in all" as the row's length:
 /// {"row": 40, "values": [...]}. ids: t, q, qd, x, v, pointer, hand_force (sensed), muscle_force, depth, w,
-/// capacity, brake_torque, Fd, Fc, gamma, alpha, display, power, status, brake_state, sound (mean |torque of
+/// capacity, brake_torque, brake_force, Fd, Fc, gamma, alpha, display, power, status, brake_state, sound (mean |torque of
 /// the brakes| that slip, as a share of their limits).
 EXPLORER_EXPORT const char* sim_layout(void* sim);
 /// Counts since the start: separations, deepest [m], mean depth [m], deviation of the depth [m], share of the

@@ -21,8 +21,8 @@ template <class E>
 struct row_columns {
   static constexpr int n = configuration<E>::n, m = configuration<E>::m;
   value_table table;  ///< The names, and the numbers of one row.
-  int t, q, qd, x, v, pointer, hand_force, muscle_force, depth, w, capacity, brake_torque, Fd, Fc, gamma, alpha,
-      display, power, status, brake_state, sound, progress;  ///< Offsets.
+  int t, q, qd, x, v, pointer, hand_force, muscle_force, depth, w, capacity, brake_torque, brake_force, Fd, Fc, gamma,
+      alpha, display, power, status, brake_state, sound, progress;  ///< Offsets.
 
   row_columns() {
     const std::string torque = E::slides ? "N" : "N m", rate = E::slides ? "m/s" : "rad/s";
@@ -42,6 +42,7 @@ struct row_columns {
     w = add("w", "rates of the brakes", "θ̇", rate, m);
     capacity = add("capacity", "commanded capacity", "|τ_c|", torque, m);
     brake_torque = add("brake_torque", "torque of the brakes", "τ", torque, m);
+    brake_force = add("brake_force", "force of the brakes at the handle", "", "N", 3);
     Fd = add("Fd", "desired force", "F_d", "N", 3);
     Fc = add("Fc", "control force", "F_c", "N", 3);
     gamma = add("gamma", "approximation angle", "γ", "rad", 1);
@@ -281,6 +282,7 @@ class simulation_of final : public simulation {
     const ph::brake_vector<M> w = plant_.rates();
     t.put_column(columns_.w, w, m);
     t.put_column(columns_.brake_torque, plant_.brake_torque(), m);
+    t.put_column(columns_.brake_force, plant_.brake_force(), 3);
     double sound = 0;
     for (int i = 0; i < m; ++i) {
       const brake_doing doing = doing_of(c_, i, w[i], r.capacity[i]);

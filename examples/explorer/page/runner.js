@@ -1,0 +1,35 @@
+// The simulation as the page sees it: a worker beside the page, made from a text, as a page from a file has no other.
+
+import { make_tracks } from './tracks.js';
+
+// code, bytes: the engine; worker_code: the text of the worker. events: {started(), refused(reason), log(text, command), replayed()}.
+export function make_runner(code, bytes, worker_code, events) {
+  const worker = new Worker(URL.createObjectURL(new Blob([worker_code], {type: "text/javascript"})));
+  let run = 0;
+  const runner = {
+    tracks: null, is_late: false,
+    // Simulates devices of these settings, one for each law, from a place of the pointer [m] on.
+    start(settings, laws, point) {
+      runner.tracks = null;
+      runner.laws = laws;
+      worker.postMessage({kind: "start", settings, run: ++run, point});
+    },
+    send(message) { worker.postMessage(message.kind === "restart" || message.kind === "replay" ? {...message, run: ++run} : message); },
+  };
+
+  worker.onmessage = ({data}) => {
+    if (data.run !== undefined && data.run !== run) return;
+    if (data.kind === "started") {
+      runner.tracks = make_tracks(data.layout, runner.laws);
+      events.started();
+    } else if (data.kind === "rows") {
+      data.chunks.forEach((chunk, law) => {
+        runner.tracks.add(law, chunk.rows);
+        runner.tracks.figures[law] = chunk.figures;
+      });
+      runner.is_late = data.is_late;
+    } else events[data.kind]?.(data);
+  };
+  worker.postMessage({kind: "load", code, bytes});
+  return runner;
+}

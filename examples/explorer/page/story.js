@@ -1,0 +1,93 @@
+// The questions of the page, and the sentences that go with what is seen. Numbers in them are the engine's.
+
+import { degrees, short_number } from './format.js';
+
+// is_moving: the simulation runs; laws: those that it starts with; layers: what is drawn at first; preset: where it begins.
+export const questions = [
+  {id: "watch", mark: "▶", title: "Watch a hand glide along a wall", is_moving: true, preset: "fig9", laws: ["no_direct_control", "velocity_direct_control"],
+    layers: ["brakes", "paths"],
+    lead: "One hand, one wall, two control laws. Without a law the hand bounces off the wall again and again. With the right law it glides. Take the handle and feel it."},
+  {id: "forces", mark: "1", title: "Which forces can it make here?", preset: "fig2", layers: ["cone", "others", "references", "v", "Fh", "brakes"],
+    lead: "The green area holds every force that the brakes can make at this place, while the handle moves along v. Drag the handle, or the head of v: the area changes."},
+  {id: "wanted", mark: "2", title: "What becomes of a wanted force?", preset: "fig3-Fd2", layers: ["cone", "Fd", "made", "v", "brakes"],
+    lead: "A wall wants the black force. The brakes make the orange one. Drag the black arrowhead into the green area and out of it."},
+  {id: "bounce", mark: "3", title: "Why does it bounce?", is_moving: true, preset: "fig9", laws: ["no_direct_control"], speed: "0.1", layers: ["cone", "Fd", "made", "Fh", "v", "brakes", "paths"],
+    lead: "Ten times slower: the wall pushes straight out, but the brakes can only push askew. When a brake holds, the handle can only move on a curve, and the curve leads out of the wall."},
+  {id: "laws", mark: "4", title: "Which law helps?", is_moving: true, preset: "fig9", laws: ["no_direct_control", "saturated_direct_control", "velocity_direct_control"], layers: ["brakes", "paths"],
+    lead: "Three devices, one motion of the hand. The law that helps has a flat curve of depth: the hand stays in the wall, and does not leave it."},
+  {id: "mine", mark: "5", title: "Would my device do?", preset: "fig9", layers: ["map", "brakes", "cone"], opens_form: true,
+    lead: "Change lengths, brakes and limits in the form: the colours show where your device renders the wall well. The link of this page then carries your device."},
+];
+
+export const layers = [
+  {id: "cone", label: "forces that can be made now", style: "cone"}, {id: "others", label: "for other directions", style: "others"},
+  {id: "references", label: "reference forces R", style: "references"}, {id: "Fd", label: "wanted force F_{d}", style: "Fd"},
+  {id: "made", label: "made force: F_{c} pale, αF_{c} full", style: "Fc_scaled"}, {id: "v", label: "velocity v", style: "v"},
+  {id: "Fh", label: "hand force F_{h}", style: "Fh"}, {id: "Fr", label: "hand and brakes F_{r}", style: "Fr"},
+  {id: "brakes", label: "brakes in words", style: ""}, {id: "paths", label: "paths of the hands", style: ""}, {id: "map", label: "design map", style: ""},
+];
+
+const newton = value => "*" + short_number(value, 3) + " N*";
+const length_of = vector => Math.hypot(...vector);
+
+// What the present state means, for the questions without motion. value(id), word(id): of the engine.
+export function still_answer(question, value, word, brakes) {
+  const moving = length_of(value("v")) > 0, states = brakes.map((brake, k) => "brake " + (k + 1) + " " + brake.state);
+  if (question === "forces") {
+    if (!moving && length_of(value("Fh")) === 0) return "Nothing moves and nobody pushes: a brake at rest then makes no force. Drag the head of *v*, or of the hand force *F_h*.".replaceAll("_", "");
+    return "The brakes can make *every force in the green area*, and none outside of it. Each of them resists the motion: brakes never push. " + list(states, true) + ".";
+  }
+  if (question === "wanted") {
+    const wanted = length_of(value("Fd")), [gamma] = value("gamma"), [alpha] = value("alpha");
+    if (wanted === 0) return "No force is wanted here. Drag the black arrowhead, or move the handle into a wall.";
+    const display = word("display");
+    if (display === "exact") return "The wanted force lies in the green area: the brakes make *exactly* it, " + newton(wanted) + "." + scale_text(alpha);
+    if (display === "approximate") return "The wanted force lies outside of the green area. The nearest that can be made is *" + short_number(degrees(gamma), 3) +
+      "° off* (γ). What is across it, " + newton(wanted * Math.tan(gamma)) + ", is felt as a pull along the wall." + scale_text(alpha);
+    return "*No force* of the green area comes within 90° of the wanted one. The brakes are released: nothing is felt.";
+  }
+  return "";
+}
+
+const scale_text = alpha => alpha < 1 ? " The law takes only α = *" + short_number(alpha, 3) + "* of it, so that the hand is not thrown off." : "";
+
+// What happens at this moment of the simulation, in one sentence.
+export function moment_answer(tracks, law, brakes) {
+  const depth = tracks.value(law, "depth")?.[0];
+  if (depth === undefined) return "";
+  const holding = brakes.map((brake, k) => brake.state === "holds" ? "brake " + (k + 1) : "").filter(text => text);
+  const millimetres = "*" + short_number(Math.abs(1e3 * depth), 2) + " mm*", out = leaving(tracks, law);
+  if (!(depth > 0)) return "The handle is free, " + millimetres + " off the wall. The brakes are released, and the hand presses it back.";
+  if (holding.length && out) return "*Bounce:* " + list(holding) + " holds, so the handle can only move on a curve. Here the curve leads *out* of the wall, " + millimetres + " deep.";
+  if (holding.length) return list(holding, true) + " holds. The handle is " + millimetres + " deep and cannot sink further.";
+  return "The handle is " + millimetres + " deep in the wall and moves " + (out ? "out" : "in") + ". The brakes slip: they resist, and nothing is stuck.";
+}
+
+// Whether the handle moves out of the wall: the sign of the last change of depth.
+function leaving(tracks, law) {
+  const history = tracks.histories[law];
+  if (history.count < 3) return false;
+  const n = history.depth.length;
+  return history.depth[(history.count - 1) % n] < history.depth[(history.count - 3) % n];
+}
+
+export function laws_answer(tracks, labels) {
+  const known = tracks.laws.map((law, k) => ({label: labels.get(law) || law, figures: tracks.figures[k]})).filter(entry => entry.figures && entry.figures[7] > 0.2);
+  if (known.length < 2) return "The hand comes to the wall.";
+  const best = [...known].sort((a, b) => a.figures[0] - b.figures[0] || a.figures[3] - b.figures[3])[0];
+  const rest = known.filter(entry => entry !== best).map(entry => times(entry.figures[0]) + " under " + entry.label);
+  return "So far the hand left the wall *" + times(best.figures[0]) + "* under *" + best.label + "*, and " + list(rest) + ".";
+}
+
+const times = count => count === 0 ? "never" : count === 1 ? "once" : short_number(count) + " times";
+
+function list(parts, is_start = false) {
+  const text = parts.length < 2 ? parts.join("") : parts.slice(0, -1).join(", ") + " and " + parts.at(-1);
+  return is_start ? text.charAt(0).toUpperCase() + text.slice(1) : text;
+}
+
+// The columns of the table of laws: figure of sim_figures(), factor to the unit that is shown.
+export const result_columns = [
+  {title: "left the wall", of: 0, factor: 1, unit: "times"}, {title: "deepest", of: 1, factor: 1e3, unit: "mm"}, {title: "depth, mean", of: 2, factor: 1e3, unit: "mm"},
+  {title: "unrest of depth", of: 3, factor: 1e3, unit: "mm"}, {title: "a brake sticks", of: 4, factor: 100, unit: "%"}, {title: "pull along the wall", of: 5, factor: 1, unit: "N"},
+];
