@@ -201,7 +201,7 @@ function draw() {
   place_grips();
   if (tracks()) {
     curves_pen.begin();
-    draw_curves(curves_pen, tracks(), app.theme, tracks().laws.map(law_label), colors(), app.info.brakes, app.question.id === "watch");
+    draw_curves(curves_pen, tracks(), app.log ? null : runner.last, app.theme, tracks().laws.map(law_label), colors(), app.info.brakes, app.question.id === "watch");
     sound.play(tracks().value(app.focus, "sound")?.[0] || 0);
   }
 }
@@ -212,6 +212,7 @@ function frame(now) {
   requestAnimationFrame(frame);
   const is_running = !app.is_paused && tracks();
   if (app.log && is_running) play_log(now);
+  if (is_running && is_simulated() && app.is_by_itself && is_way_done()) { app.lens_memory = {}; runner.again(); }
   if (!app.is_dirty && !is_running) return;
   const is_slow_turn = app.is_dirty || now - last_slow > 200;
   app.is_dirty = false;
@@ -219,11 +220,17 @@ function frame(now) {
   if (is_slow_turn) { last_slow = now; show_texts(); }
 }
 
+// Whether the hand by itself came to the end of its way, under all laws, or well beyond under one.
+function is_way_done() {
+  const shares = app.laws.map((_, law) => tracks().value(law, "progress")?.[0] ?? 0);
+  return Math.min(...shares) >= 1 || Math.max(...shares) >= 1.05;
+}
+
 // Sentences and numbers, a few times a second.
 function show_texts() {
   const brakes = brake_states();
   if (tracks()) {
-    set_sentence(by_id("answer"), tracks().laws.length < 2 ? moment_answer(tracks(), app.focus, brakes) : laws_answer(tracks(), new Map(app.laws.map(law => [law, law_label(law)]))));
+    set_sentence(by_id("answer"), tracks().laws.length < 2 ? moment_answer(tracks(), app.focus, brakes) : laws_answer(tracks(), new Map(app.laws.map(law => [law, law_label(law)])), runner.last?.figures));
     show_numbers(tracks().layout.values, entry => tracks().value(app.focus, entry.id) || Array(entry.size).fill(NaN));
     show_results();
   } else {
@@ -533,7 +540,7 @@ function set_by_itself(is_on) {
 
 function restart() {
   app.lens_memory = {};
-  app.log ? app.log.restart() : runner.send({kind: "restart"});
+  app.log ? app.log.restart() : runner.again();
   if (app.is_paused) set_paused(false);
 }
 

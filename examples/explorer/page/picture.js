@@ -33,20 +33,18 @@ export function box_of(device, info, shows_all) {
 }
 
 // Margins of the picture of a device that leave room for what the brakes can make at the present place [pixels].
-export function margins_of({device, info, scales, bounds, width, height, yaw, pitch, layers, is_moving}) {
+export function margins_of({device, info, scales, bounds, width, height, layers, is_moving}) {
   const least = width < 520 ? 18 : 34, margins = {left: least, right: least, top: least, bottom: least + 8}, x = device.value("x");
-  if (info.dimension === 3 || is_moving || !(layers.has("cone") || layers.has("references"))) return margins;
-  const force_scale = scales.force * Math.min(width, height), R = device.value("R"), limits = device.value("torque_limit");
+  if (info.dimension === 3 || is_moving || !layers.has("cone")) return margins;
+  const force_scale = scales.force * Math.min(width, height), forces = cones_of({device, info, layers}).flatMap(cone => cone.points);
   for (let turn = 0; turn < 3; ++turn) {
-    const camera = fitting_camera(bounds, false, width, height, margins, yaw, pitch), at = camera.point(x);
-    for (let k = 0; k < info.brakes; ++k) for (const sign of [1, -1]) {
-      const d = camera.vector([0, 1, 2].map(i => sign * limits[k] * R[3 * k + i])), head = at.map((c, i) => c + 1.15 * force_scale * d[i]);
-      if (!head.every(Number.isFinite)) continue;
-      margins.left += Math.max(0, Math.min(0.2 * width, least - head[0]));
-      margins.right += Math.max(0, Math.min(0.2 * width, head[0] - width + least));
-      margins.top += Math.max(0, Math.min(0.2 * height, least - head[1]));
-      margins.bottom += Math.max(0, Math.min(0.2 * height, head[1] - height + least));
-    }
+    const camera = fitting_camera(bounds, false, width, height, margins), at = camera.point(x);
+    const heads = forces.map(f => { const d = camera.vector(f); return [at[0] + force_scale * d[0], at[1] + force_scale * d[1]]; });
+    const over = (side, most) => Math.max(0, Math.min(most, ...[heads.reduce((largest, head) => Math.max(largest, side(head)), 0)]));
+    margins.left += over(head => least - head[0], 0.2 * width);
+    margins.right += over(head => head[0] - width + least, 0.2 * width);
+    margins.top += over(head => least - head[1], 0.2 * height);
+    margins.bottom += over(head => head[1] - height + least, 0.2 * height);
   }
   return margins;
 }
@@ -93,13 +91,15 @@ function references_of({device, info, layers}) {
 }
 
 function arrows_of({value, is_moving}) {
+  const made = is_moving ? [{id: "brake_force", layer: "made", label: "brakes", vector: value("brake_force")}]
+    : [{id: "Fc", layer: "made", label: "F_{c}", vector: value("Fc")}, {id: "Fc_scaled", layer: "made", label: "αF_{c}", vector: value("Fc_scaled")}];
   const arrows = [
-    {id: "Fc", layer: "made", label: "F_{c}", vector: value("Fc")}, {id: "Fc_scaled", layer: "made", label: "αF_{c}", vector: value("Fc_scaled")},
+    ...made,
     {id: "Fd", layer: "Fd", label: "F_{d}", vector: value("Fd")}, {id: "Fr", layer: "Fr", label: "F_{r}", vector: value("Fr")},
     {id: "v", layer: "v", label: "v", vector: value("v"), is_motion: true}, {id: "Fh", layer: "Fh", label: "F_{h}", vector: value(is_moving ? "hand_force" : "Fh")},
   ];
   const [fc, scaled] = arrows;
-  if (length_of_vector(fc.vector) === length_of_vector(scaled.vector)) { scaled.label = "F_{c}"; fc.label = ""; fc.vector = [0, 0, 0]; }
+  if (!is_moving && length_of_vector(fc.vector) === length_of_vector(scaled.vector)) { scaled.label = "F_{c}"; fc.label = ""; fc.vector = [0, 0, 0]; }
   return arrows.filter(arrow => arrow.vector.length === 3 && arrow.vector.every(Number.isFinite));
 }
 

@@ -22,7 +22,7 @@ export const questions = [
 export const layers = [
   {id: "cone", label: "forces that can be made now", style: "cone"}, {id: "others", label: "for other directions", style: "others"},
   {id: "references", label: "reference forces R", style: "references"}, {id: "Fd", label: "wanted force F_{d}", style: "Fd"},
-  {id: "made", label: "made force: F_{c} pale, αF_{c} full", style: "Fc_scaled"}, {id: "v", label: "velocity v", style: "v"},
+  {id: "made", label: "made force", style: "Fc_scaled"}, {id: "v", label: "velocity v", style: "v"},
   {id: "Fh", label: "hand force F_{h}", style: "Fh"}, {id: "Fr", label: "hand and brakes F_{r}", style: "Fr"},
   {id: "brakes", label: "brakes in words", style: ""}, {id: "paths", label: "paths of the hands", style: ""}, {id: "map", label: "design map", style: ""},
 ];
@@ -71,12 +71,14 @@ function leaving(tracks, law) {
   return history.depth[(history.count - 1) % n] < history.depth[(history.count - 3) % n];
 }
 
-export function laws_answer(tracks, labels) {
-  const known = tracks.laws.map((law, k) => ({label: labels.get(law) || law, figures: tracks.figures[k]})).filter(entry => entry.figures && entry.figures[7] > 0.2);
+// last: the figures of the pass before, which count until this pass has gone on for a while.
+export function laws_answer(tracks, labels, last) {
+  const is_early = last && !(tracks.figures[0]?.[7] > 1), figures = is_early ? last : tracks.figures;
+  const known = tracks.laws.map((law, k) => ({label: labels.get(law) || law, figures: figures[k]})).filter(entry => entry.figures && entry.figures[7] > 0.2);
   if (known.length < 2) return "The hand comes to the wall.";
   const best = [...known].sort((a, b) => a.figures[0] - b.figures[0] || a.figures[3] - b.figures[3])[0];
   const rest = known.filter(entry => entry !== best).map(entry => times(entry.figures[0]) + " under " + entry.label);
-  return "So far the hand left the wall *" + times(best.figures[0]) + "* under *" + best.label + "*, and " + list(rest) + ".";
+  return (is_early ? "On the last way" : "So far") + " the hand left the wall *" + times(best.figures[0]) + "* under *" + best.label + "*, and " + list(rest) + ".";
 }
 
 const times = count => count === 0 ? "never" : count === 1 ? "once" : short_number(count) + " times";
