@@ -2,6 +2,7 @@
 /// All settings of a device, and their form as text.
 #pragma once
 
+#include "fields.hpp"
 #include "laws.hpp"
 
 #include <passive_haptics/brake/brake_parameters.hpp>
@@ -137,43 +138,36 @@ struct configuration {
   whole top = {};                                                 ///< The rest.
 
   /// Calls f(prefix, group, table) for each table, of the law that of the chosen one.
-  template <class Self, class F>
-  static void visit(Self& self, F&& f) {
-    f("mechanism.", "mechanism", self.mechanism);
-    f("brakes.", "brakes", self.on);
-    f("brakes.", "brakes", self.brakes);
-    law_settings::visit(self.law_tables, self.law, [&](auto& table) { f("law.", "law", table); });
-    f("options.", "options", self.options);
-    f("", "scene", self.top);
-    f("scene.", "scene", self.wall);
-    f("hand.", "hand", self.hand);
-    f("hand.along.", "hand", self.along);
-    f("hand.path.", "hand", self.path);
-    f("map.", "map", self.map);
+  template <class F>
+  void for_each_table(F&& f) {
+    f("mechanism.", "mechanism", mechanism);
+    f("brakes.", "brakes", on);
+    f("brakes.", "brakes", brakes);
+    law_tables.visit(law, [&](auto& table) { f("law.", "law", table); });
+    f("options.", "options", options);
+    f("", "scene", top);
+    f("scene.", "scene", wall);
+    f("hand.", "hand", hand);
+    f("hand.along.", "hand", along);
+    f("hand.path.", "hand", path);
+    f("map.", "map", map);
+  }
+
+  /// All fields of these settings, by address.
+  field_list fields() {
+    field_list all;
+    for_each_table([&](const char* prefix, const char* group, auto& table) { add_fields(all, table, prefix, group); });
+    return all;
   }
 
   /// Takes all lines; throws std::invalid_argument where one is not known or not valid.
   void take(const settings& given) {
-    if (const std::string* id = given.find("law")) {
-      const law_description* found = nullptr;
-      std::string known;
-      for (const law_description& l : laws) {
-        if (*id == l.id) found = &l;
-        known.append(known.empty() ? "" : ", ").append(l.id);
-      }
-      if (found == nullptr) refuse("law", *id, "one of " + known);
-      law = found->kind;
-    }
-    std::size_t taken = 0;
-    visit(*this, [&](const char* prefix, const char*, auto& table) {
-      for_each_setting(table, prefix, [&](const std::string& name, const auto& about, auto& value) {
-        if (const std::string* text = given.find(name)) read_value(value, about, name, *text), ++taken;
-      });
-    });
-    check_names(given);
-    visit(*this, [](const char*, const char*, const auto& table) { ph::require_valid(table); });
+    if (const std::string* id = given.find("law")) law = law_of(*id);
+    const field_list all = fields();
+    read(all, given);
+    check_names(all, given);
+    for_each_table([](const char*, const char*, const auto& table) { ph::require_valid(table); });
     static_cast<void>(shape_of<d>(top.scene));
-    E::check(*this);
   }
 
   /// The brakes as the controllers take them: those that are not there are off.
@@ -202,19 +196,14 @@ struct configuration {
   }
 
  private:
-  void check_names(const settings& given) {
+  void check_names(const field_list& all, const settings& given) {
+    field_list of_laws;  // those of another law may stand there, too
+    for (const law_description& l : laws)
+      law_tables.visit(l.kind, [&](auto& table) { add_fields(of_laws, table, "law.", "law"); });
     for (const auto& line : given.lines()) {
       const std::string& name = line.first;
-      bool is_known = name == "mechanism" || name == "law";
-      const auto look = [&](const char* prefix, const char*, auto& table) {
-        for_each_setting(table, prefix,
-                         [&](const std::string& known, const auto&, auto&) { is_known |= known == name; });
-      };
-      visit(*this, look);
-      // Of another law, as of the one that was chosen before
-      for (const law_description& l : laws)
-        law_settings::visit(law_tables, l.kind, [&](auto& table) { look("law.", "law", table); });
-      if (!is_known) refuse("setting", name, "a name of the device's form");
+      if (name != "mechanism" && name != "law" && find(all, name) == nullptr && find(of_laws, name) == nullptr)
+        refuse("setting", name, "a name of the device's form");
     }
   }
 };

@@ -22,8 +22,6 @@ namespace explorer {
 /// What all descriptions share.
 struct described {
   static constexpr bool slides = false;  ///< Joints turn.
-  /// Nothing but what the tables say.
-  static void check(const auto&) {}
   /// There is no wall to go along.
   [[noreturn]] static void refuse_hand() { refuse("hand", "along", "pointer, where there is no wall: scene=none"); }
   /// There is one branch only.
@@ -32,14 +30,6 @@ struct described {
     return std::nullopt;
   }
 };
-
-/// A label of a member: its name without underscores.
-inline std::string label_of(std::string_view name) {
-  std::string label(name);
-  for (char& c : label)
-    if (c == '_') c = ' ';
-  return label;
-}
 
 /// The device.
 template <class E>
@@ -63,51 +53,25 @@ class device_of final : public device {
   }
 
   settings changed() const override {
-    C now = c_;
+    C now = c_, usual;
     read_state(now);
+    usual.law = now.law;
     settings all;
     all.set("mechanism", E::id);
-    for (const law_description& l : laws)
-      if (l.kind == now.law) all.set("law", l.id);
-    C usual;
-    usual.law = now.law;
-    std::vector<std::string> before;
-    C::visit(usual, [&](const char* prefix, const char*, const auto& table) {
-      for_each_setting(table, prefix, [&](const std::string&, const auto& about, const auto& value) {
-        before.push_back(value_text(value, about));
-      });
-    });
-    std::size_t k = 0;
-    C::visit(now, [&](const char* prefix, const char*, const auto& table) {
-      for_each_setting(table, prefix, [&](const std::string& name, const auto& about, const auto& value) {
-        const std::string text = value_text(value, about);
-        if (text != before[k++] || name == "q" || name == "scene") all.set(name, text);
-      });
-    });
+    all.set("law", id_of(now.law));
+    const field_list fields = now.fields(), defaults = usual.fields();
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      const std::string text = text_of(fields[k]), &name = fields[k].name;
+      if (name == "q" || name == "scene" || text != text_of(defaults[k])) all.set(name, text);
+    }
     return all;
   }
 
   std::string form() const override {
-    C now = c_;
+    C now = c_, usual;
     read_state(now);
-    C usual;
     usual.law = now.law;
-    std::vector<std::string> before;
-    C::visit(usual, [&](const char* prefix, const char*, const auto& table) {
-      for_each_setting(table, prefix, [&](const std::string&, const auto& about, const auto& value) {
-        before.push_back(value_text(value, about));
-      });
-    });
-    std::size_t k = 0;
-    json_writer json;
-    json.list([&] {
-      C::visit(now, [&](const char* prefix, const char* group, const auto& table) {
-        for_each_setting(table, prefix, [&](const std::string& name, const auto& about, const auto& value) {
-          write_field(json, name, group, about, value, before[k++]);
-        });
-      });
-    });
-    return json.text();
+    return form_of(now.fields(), usual.fields());
   }
 
   double* state() override { return state_.data(); }
@@ -195,34 +159,6 @@ class device_of final : public device {
   }
 
  private:
-  template <class V>
-  static void write_field(json_writer& json, const std::string& name, const char* group,
-                          const ph::member_description& about, const V& value, const std::string& usual) {
-    json.object([&] {
-      json.put("name", name);
-      json.put("group", group);
-      json.put("label", label_of(about.name));
-      json.put("unit", about.unit);
-      json.put("value", value_text(value, about));
-      json.put("default", usual);
-      if constexpr (std::is_enum_v<V>) {
-        json.put("kind", "choice");
-        json.put("expected", std::string("one of ") + about.choices);
-        json.put_list("choices", ph::choices_of(about));
-        json.put("size", 1);
-      } else if constexpr (std::is_same_v<V, std::string>) {
-        json.put("kind", "text");
-        json.put("expected", "a text as of the catalogue's scenes");
-        json.put("size", 1);
-      } else {
-        json.put("kind", name == "brakes.present" ? "bool" : "number");
-        json.put("expected", to_text(about.hard));
-        if constexpr (std::is_arithmetic_v<V>) json.put("size", 1);
-        else json.put("size", int(value.size()));
-      }
-    });
-  }
-
   // The torques of a region: of the present signs, or of all that it names.
   torque_set<m> torques_in(int region, bool is_limited) const {
     torque_set<m> set{ph::brake_vector<M>::Zero(), ph::brake_vector<M>::Zero(), !is_limited};

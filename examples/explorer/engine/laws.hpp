@@ -62,6 +62,11 @@ inline constexpr law_description laws[] = {
     {law_kind::coercive, "coercive_force_approximation", "Coercive force approximation",
      "Each brake takes its own part of the wall's force, or none where it would have to drive.", ""}};
 
+/// The law of an id. Throws std::invalid_argument.
+law_kind law_of(const std::string& id);
+/// The id of a law.
+const char* id_of(law_kind kind);
+
 /// The parameters of all laws; those of the chosen one are shown.
 struct law_settings {
   ph::direct_control direct;                              ///< Of direct_control.
@@ -70,13 +75,13 @@ struct law_settings {
   ph::on_off_parameters on_off;                           ///< Of on_off_control.
 
   /// Calls f(table) with that of a law, if it has one.
-  template <class Self, class F>
-  static void visit(Self& self, law_kind kind, F&& f) {
+  template <class F>
+  void visit(law_kind kind, F&& f) {
     switch (kind) {
-      case law_kind::direct: return f(self.direct);
-      case law_kind::saturated: return f(self.saturated);
-      case law_kind::velocity: return f(self.velocity);
-      case law_kind::on_off: return f(self.on_off);
+      case law_kind::direct: return f(direct);
+      case law_kind::saturated: return f(saturated);
+      case law_kind::velocity: return f(velocity);
+      case law_kind::on_off: return f(on_off);
       case law_kind::none:
       case law_kind::coercive: return;
     }

@@ -172,25 +172,18 @@ class simulation_of final : public simulation {
   }
 
   std::string replay_command() const override {
-    const auto id = [&] {
-      for (const law_description& l : laws)
-        if (l.kind == c_.law) return l.id;
-      return "";
-    };
     std::string command = std::string("./examples/run replay --input FILE --mechanism ") + E::id + " --wall " +
-                          c_.top.scene + " --stiffness " + number_text(c_.wall.stiffness) + " --law " + id() +
-                          " --limit " + number_text(c_.brakes.torque_limit[0]) + " --dead-band " +
-                          number_text(c_.brakes.rate_dead_band[0]);
-    const typename E::parameters usual;
-    for_each_setting(c_.mechanism, "", [&](const std::string& name, const auto& about, const auto& value) {
-      const std::string now = value_text(value, about);
-      const std::size_t dot = name.rfind('.') + 1;  // 0 where there is none
-      bool differs = false;
-      for_each_setting(usual, "", [&](const std::string& other, const auto& same, const auto& before) {
-        if (other == name) differs = value_text(before, same) != now;
-      });
-      if (differs) command += " --parameter " + name.substr(dot) + "=" + now;
-    });
+                          c_.top.scene + " --stiffness " + number_text(c_.wall.stiffness) + " --law " +
+                          id_of(c_.law) + " --limit " + number_text(c_.brakes.torque_limit[0]) +
+                          " --dead-band " + number_text(c_.brakes.rate_dead_band[0]);
+    C now = c_, usual;
+    usual.law = now.law;
+    const field_list fields = now.fields(), defaults = usual.fields();
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      const field& f = fields[k];
+      if (f.name.starts_with("mechanism.") && text_of(f) != text_of(defaults[k]))
+        command.append(" --parameter ").append(f.about.name).append("=").append(text_of(f));
+    }
     return command;
   }
 
