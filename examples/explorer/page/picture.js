@@ -7,7 +7,7 @@ import { each_point } from './tracks.js';
 import { drawing_rows, handle_of, is_line_row } from './sketch.js';
 
 const cone_share = 0.36;        // of the smaller side of the picture: the strongest force that the brakes make [1]
-const view_share = 0.17;        // of the reach, around the device at its first place [1]
+const view_share = {still: 0.13, moving: 0.075, space: 0.06};  // of the reach, around the device at its first place [1]
 const trail_seconds = 1.6;      // of the paths of the hands
 const lens_times = 10;          // enlargement of the lens
 const lens_rise = 0.06;         // how fast the lens follows [1 a picture]
@@ -24,11 +24,11 @@ export function scales_of(device, info) {
 }
 
 // The box that the picture shows of a device [m]: in the plane what is drawn now and some room, in space all that it reaches.
-export function box_of(device, info, shows_all) {
+export function box_of(device, info, question) {
   const bounds = device.bounds();
-  if (shows_all) return bounds;
+  if (question.layers.includes("map")) return bounds;
   const drawing = device.drawing(), points = drawing_rows(drawing.numbers, drawing.count).flatMap(row => is_line_row(row) ? [row.point, row.other] : [row.point]);
-  const room = (info.dimension === 3 ? 0.4 : 1) * view_share * Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]);
+  const room = view_share[info.dimension === 3 ? "space" : question.is_moving ? "moving" : "still"] * Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]);
   return [0, 1, 2].map(i => Math.min(...points.map(p => p[i])) - room).concat([0, 1, 2].map(i => Math.max(...points.map(p => p[i])) + room));
 }
 
@@ -91,7 +91,7 @@ function references_of({device, info, layers}) {
 }
 
 function arrows_of({value, is_moving}) {
-  const made = is_moving ? [{id: "brake_force", layer: "made", label: "brakes", vector: value("brake_force")}]
+  const made = is_moving ? [{id: "brake_force", layer: "made", label: "made", vector: value("brake_force")}]
     : [{id: "Fc", layer: "made", label: "F_{c}", vector: value("Fc")}, {id: "Fc_scaled", layer: "made", label: "αF_{c}", vector: value("Fc_scaled")}];
   const arrows = [
     ...made,
