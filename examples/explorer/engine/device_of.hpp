@@ -21,7 +21,8 @@ namespace explorer {
 
 /// What all descriptions share.
 struct described {
-  static constexpr bool slides = false;  ///< Joints turn.
+  static constexpr bool slides = false;     ///< Joints turn.
+  static constexpr bool has_replay = true;  ///< The program replay knows the mechanism.
   /// There is no wall to go along.
   [[noreturn]] static void refuse_hand() { refuse("hand", "along", "pointer, where there is no wall: scene=none"); }
   /// There is one branch only.

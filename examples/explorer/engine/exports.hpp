@@ -103,7 +103,7 @@ EXPLORER_EXPORT double* explorer_values(void* device);
 /// ids (m brakes, n joints; vectors of a handle have 3 numbers):
 /// x, v, J (3 rows of n), w, signs, at_rest, E (3 rows of m), R (m rows of 3: R_i+; -R_i+ is R_i-),
 /// R_defined, Fh, Fd, depth, normal, Fp (the nearest force), Fc, Fc_scaled (alpha Fc), brake_force (what the
-/// torques do at the handle), Fr (resultant (7)), gamma, alpha, cone_coefficients, capacity, torque,
+/// torques do at the handle), Fr (resultant (7) of hand and brakes), gamma, alpha, cone_coefficients, capacity, torque,
 /// torque_limit, torque_share (0 released to 1 at its limit), brake_state (released, slips, holds, absent),
 /// power, display, saturated, region (index of the passive FME of the present signs, -1 where a brake is at
 /// rest), strongest, manipulability, status.
@@ -174,7 +174,7 @@ EXPLORER_EXPORT double* sim_figures(void* sim);
 EXPLORER_EXPORT void sim_record(void* sim, int is_on);
 /// The record as a log of the library, CSV (docs/guide/log.md): what `./examples/run replay` reads.
 EXPLORER_EXPORT const char* sim_log(void* sim);
-/// The command line that replays this log, for the page to show.
+/// The command line that replays this log, for the page to show; "" where the program replay lacks part of the device.
 EXPLORER_EXPORT const char* sim_replay_command(void* sim);
 
 // --- A dropped log

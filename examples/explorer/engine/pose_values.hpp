@@ -144,14 +144,15 @@ class pose_values {
     put(Fp_, ph::task_vector<M>(cosine * cosine * Fc));
     put(Fc_, Fc);
     put(Fc_scaled_, Fc_scaled);
-    put(Fr_, ph::task_vector<M>(c.top.Fh + Fc_scaled));
     table_.put(gamma_, whole.approximation_angle());
     table_.put(alpha_, r.alpha);
     table_.put_column(coefficients_, whole.cone_coefficients, m);
     table_.put_column(capacity_, r.capacity, m);
     table_.put_column(torque_, r.torque, m);
     table_.put_column(limit_, c.brakes.torque_limit, m);
-    put(brake_force_, force_of(pose, r.torque));
+    const ph::task_vector<M> felt = force_of(pose, r.torque);
+    put(brake_force_, felt);
+    put(Fr_, ph::task_vector<M>(c.top.Fh + felt));  // a brake that holds takes what the hand gives, not alpha Fc
     for (int i = 0; i < m; ++i) {
       const double limit = c.brakes.torque_limit[i];
       table_.put(share_ + i, limit > 0 ? r.capacity[i] / limit : 0);

@@ -172,6 +172,7 @@ class simulation_of final : public simulation {
   }
 
   std::string replay_command() const override {
+    if (!is_replayable()) return "";
     std::string command = std::string("./examples/run replay --input FILE --mechanism ") + E::id + " --wall " +
                           c_.top.scene + " --stiffness " + number_text(c_.wall.stiffness) + " --law " +
                           id_of(c_.law) + " --limit " + number_text(c_.brakes.torque_limit[0]) +
@@ -197,6 +198,27 @@ class simulation_of final : public simulation {
     double depth;
     ph::brake_vector<M> rates, brake_torque;
   };
+
+  // Whether the program replay has what this device is made of.
+  bool is_replayable() const {
+    C now = c_, usual;
+    usual.law = now.law;
+    const field_list fields = now.fields(), defaults = usual.fields();
+    const std::string& scene = c_.top.scene;
+    if (!E::has_replay || c_.wall.rate != 0 || c_.law == law_kind::on_off || c_.law == law_kind::coercive) return false;
+    if (!scene.starts_with("plane:") && !scene.starts_with("solid:") && !scene.starts_with("hollow:")) return false;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      const std::string_view name = fields[k].name, group = fields[k].group;
+      if (name == "brakes.torque_limit" || name == "brakes.rate_dead_band") {
+        for (int i = 1; i < fields[k].count; ++i)
+          if (fields[k].numbers[i] != fields[k].numbers[0]) return false;
+      } else if ((group == "brakes" || group == "law" || group == "options") &&
+                 text_of(fields[k]) != text_of(defaults[k])) {
+        return false;
+      }
+    }
+    return true;
+  }
 
   double mass() const { return c_.top.hand == hand_kind::along ? c_.along.mass : c_.hand.mass; }
 

@@ -11,6 +11,7 @@ struct description : described {
   using parameters = arm_parameters;
   using joints = ph::vector<double, 3>;
   static constexpr const char *id = "planar_3r", *label = "Three links in the plane, one more than needed";
+  static constexpr bool has_replay = false;
   static constexpr const char* scene = "plane:0,0.2,0,-1";
 
   static mechanism make(const parameters& p) {

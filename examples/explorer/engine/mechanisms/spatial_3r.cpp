@@ -12,6 +12,7 @@ struct description : described {
   using joints = ph::vector<double, 3>;
   using place = ph::vector<double, 3>;
   static constexpr const char *id = "spatial_3r", *label = "An arm in space";
+  static constexpr bool has_replay = false;
   static constexpr const char* scene = "plane:0,0,0.05,0,0,1";
 
   // In the zero pose: a column, then two links along x. Base about z, shoulder and elbow about -y, so that
