@@ -27,8 +27,8 @@ using explorer::device;
 using explorer::settings;
 
 const explorer::preset& preset_of(const std::string& id) {
-  const auto* found =
-      std::find_if(std::begin(explorer::presets), std::end(explorer::presets), [&](const auto& p) { return p.id == id; });
+  const auto* found = std::find_if(std::begin(explorer::presets), std::end(explorer::presets),
+                                   [&](const auto& p) { return p.id == id; });
   EXPECT_NE(found, std::end(explorer::presets)) << id;
   return *found;
 }
@@ -84,7 +84,8 @@ TEST(explorer, values_are_those_of_a_controller) {
   made->evaluate();
   const ph::tendon_two_link<double> arm;
   const ph::brakes_of<ph::tendon_two_link<double>> brakes;
-  ph::controller control(arm, brakes, ph::scene(ph::wall(ph::half_space<2>({0, 0.225}, {0, -1}))), ph::direct_control());
+  ph::controller control(arm, brakes, ph::scene(ph::wall(ph::half_space<2>({0, 0.225}, {0, -1}))),
+                         ph::direct_control());
   ph::device_state<ph::tendon_two_link<double>> state;
   const double* s = made->state();
   state.time = 0;
@@ -129,9 +130,9 @@ TEST(explorer, figures_are_those_of_the_paper) {
     const auto F = value_of(of, "Fr");
     return F[0] * n[0] + F[1] * n[1];
   };
-  EXPECT_LT(normal_part(*evaluated("fig5a")), -0.1);         // into the wall
-  EXPECT_GT(normal_part(*evaluated("fig5b")), 0.1);          // the pull-back
-  EXPECT_NEAR(normal_part(*evaluated("fig6")), 0, 1e-3);     // Fd is printed with four digits
+  EXPECT_LT(normal_part(*evaluated("fig5a")), -0.1);      // into the wall
+  EXPECT_GT(normal_part(*evaluated("fig5b")), 0.1);       // the pull-back
+  EXPECT_NEAR(normal_part(*evaluated("fig6")), 0, 1e-3);  // Fd is printed with four digits
   const auto direct = evaluated("fig6");
   EXPECT_GT(value_of(*direct, "alpha")[0], 0);
   EXPECT_LT(value_of(*direct, "alpha")[0], 1);
@@ -151,11 +152,13 @@ TEST(explorer, inverse_kinematics_reach_where_the_handle_was) {
       made->evaluate();
       const auto found = value_of(*made, "x");
       if (is_reached)
-        for (int i = 0; i < entry.dimension; ++i) EXPECT_NEAR(found[std::size_t(i)], to[std::size_t(i)], 1e-9) << entry.id;
+        for (int i = 0; i < entry.dimension; ++i)
+          EXPECT_NEAR(found[std::size_t(i)], to[std::size_t(i)], 1e-9) << entry.id;
       if (k == 0) EXPECT_TRUE(is_reached) << entry.id;
       if (k % 10 == 9) x = found;
     }
-    EXPECT_FALSE(made->reach({10, 10, 10})) << entry.id << (std::string(entry.id) == "xy_table" ? " reaches all" : "");
+    EXPECT_FALSE(made->reach({10, 10, 10}))
+        << entry.id << (std::string(entry.id) == "xy_table" ? " reaches all" : "");
     made->reach({std::nan(""), 0, 0});
     for (int i = 0; i < entry.joints; ++i) EXPECT_TRUE(std::isfinite(made->state()[i])) << entry.id;
   }
@@ -187,10 +190,12 @@ TEST(explorer, the_other_elbow_has_the_handle_at_one_place) {
 TEST(explorer, refuses_with_the_words_of_the_library) {
   EXPECT_EQ(refusal("mechanism=two_link\nmechanism.length_1=-1"),
             "passive_haptics: length_1 [m] = -1, expected a finite number > 0");
-  EXPECT_EQ(refusal("mechanism=two_link\nmechanism.length_1=abc"), "mechanism.length_1 = 'abc', expected a number");
+  EXPECT_EQ(refusal("mechanism=two_link\nmechanism.length_1=abc"),
+            "mechanism.length_1 = 'abc', expected a number");
   EXPECT_EQ(refusal("mechanism=two_link\nq=1"), "q = '1', expected 2 numbers with commas between");
   EXPECT_EQ(refusal("mechanism=two_link\nq=nan,1").substr(0, 23), "passive_haptics: q[0] [");
-  EXPECT_EQ(refusal("mechanism=two_link\nlenght=1"), "setting = 'lenght', expected a name of the device's form");
+  EXPECT_EQ(refusal("mechanism=two_link\nlenght=1"),
+            "setting = 'lenght', expected a name of the device's form");
   EXPECT_EQ(refusal("mechanism=two_link\nscene=plane:1,2"),
             "scene = 'plane:1,2', expected none, plane:X,Y,NX,NY, solid:X,Y,RADIUS, hollow:X,Y,RADIUS, "
             "edge:X,Y,NX,NY,NX,NY or outline:X,Y,X,Y,X,Y,...");
@@ -221,8 +226,10 @@ TEST(explorer, an_absent_brake_makes_no_torque) {
 
 // A record is a log of the library: replayed under the same settings it commands the same capacities.
 TEST(explorer, a_record_replays_to_the_last_digit) {
-  for (const char* law : {"no_direct_control", "direct_control", "saturated_direct_control", "velocity_direct_control"}) {
-    const std::string text = std::string("mechanism=tendon_two_link\nlaw=") + law + "\nq=1.7783850056991168,-1.2684323440621927";
+  for (const char* law :
+       {"no_direct_control", "direct_control", "saturated_direct_control", "velocity_direct_control"}) {
+    const std::string text =
+        std::string("mechanism=tendon_two_link\nlaw=") + law + "\nq=1.7783850056991168,-1.2684323440621927";
     const auto made = explorer::make_device(settings(text));
     const auto simulation = made->simulate();
     simulation->record(true);

@@ -1,6 +1,7 @@
-// Prints what the engine computes: of each preset all values, "PRESET ID NUMBER ..." in hexadecimal; then of each
-// preset a closed loop of 21 000 cycles, "loop:PRESET ID NUMBER ..." of its last cycle and "loop:PRESET hash H", of the
-// bits of all numbers of all cycles. tests/explorer/engine.mjs does the same with engine.wasm.
+// Prints what the engine computes: of each preset all values, "PRESET ID NUMBER ..." in hexadecimal; then of
+// each preset a closed loop of 21 000 cycles, "loop:PRESET ID NUMBER ..." of its last cycle and "loop:PRESET
+// hash H", of the bits of all numbers of all cycles. tests/explorer/engine.mjs does the same with
+// engine.wasm.
 #include <exports.hpp>
 
 #include <device.hpp>
@@ -55,7 +56,8 @@ void print_loop(const explorer::preset& p) {
   for (int frame = 0; frame < cycles / cycles_of_a_frame; ++frame) {
     const double way = reach * wave(frame);
     simulation->step(cycles_of_a_frame,
-                     explorer::drawing::place(start[0] + way, start[1] + way / 2, start[2] - way), frame % 100 < 90);
+                     explorer::drawing::place(start[0] + way, start[1] + way / 2, start[2] - way),
+                     frame % 100 < 90);
     for (int k = 0; k < cycles_of_a_frame; ++k) {
       const int cycle = frame * cycles_of_a_frame + k;
       const double* numbers = simulation->ring() + (cycle % explorer::simulation::ring_size) * row.size();
@@ -64,7 +66,8 @@ void print_loop(const explorer::preset& p) {
           for (int i = 0; i < v.size; ++i) all.add(numbers[v.offset + i]);
     }
   }
-  std::fprintf(stderr, "%s: %.2f us a cycle\n", name.c_str(), double(std::clock() - began) / CLOCKS_PER_SEC / cycles * 1e6);
+  std::fprintf(stderr, "%s: %.2f us a cycle\n", name.c_str(),
+               double(std::clock() - began) / CLOCKS_PER_SEC / cycles * 1e6);
   for (const explorer::named_value& v : row.names()) print(name, v, row.data());
   std::printf("%s hash %u\n", name.c_str(), all.value);
 }

@@ -40,10 +40,10 @@ struct wall_settings {
 
 /// The hand that holds the handle: a mass on a spring to the pointer.
 struct pointer_hand {
-  double stiffness = 300;   ///< [N/m]
-  double damping = 12;      ///< Of the handle's own velocity [N s/m].
-  double strength = 3;      ///< Most force of the spring [N].
-  double mass = 0.3;        ///< That moves with the handle [kg].
+  double stiffness = 300;  ///< [N/m]
+  double damping = 12;     ///< Of the handle's own velocity [N s/m].
+  double strength = 3;     ///< Most force of the spring [N].
+  double mass = 0.3;       ///< That moves with the handle [kg].
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -67,24 +67,24 @@ inline ph::following_hand_parameters<double> yielding_hand() {
 /// Settings of a device whose mechanism is described by E (device_of.hpp).
 template <class E>
 struct configuration {
-  using M = typename E::mechanism;                 ///< The mechanism.
-  static constexpr int n = M::dof;                 ///< Joints.
-  static constexpr int d = M::task_dimension;      ///< Dimension of the task.
-  static constexpr int m = M::brake_count;         ///< Brakes.
+  using M = typename E::mechanism;             ///< The mechanism.
+  static constexpr int n = M::dof;             ///< Joints.
+  static constexpr int d = M::task_dimension;  ///< Dimension of the task.
+  static constexpr int m = M::brake_count;     ///< Brakes.
 
   /// Which joints have a brake, besides the table of the brakes.
   struct presence {
     ph::vector<double, m> present = ph::vector<double, m>::Ones();  ///< 1 or 0 for each brake.
     /// The table of core/parameters.hpp.
     static constexpr auto members() {
-      return ph::member_table(
-          ph::member("present", &presence::present, "", ph::range::between(0, 1).as("1 or 0 for each brake")));
+      return ph::member_table(ph::member("present", &presence::present, "",
+                                         ph::range::between(0, 1).as("1 or 0 for each brake")));
     }
   };
   /// How far the hand along the wall goes.
   struct way {
     ph::vector<double, d> direction = ph::vector<double, d>::UnitX();  ///< In which it moves.
-    double length = 0.12;                                              ///< Way [m] after which it begins anew.
+    double length = 0.12;  ///< Way [m] after which it begins anew.
     /// The table of core/parameters.hpp.
     static constexpr auto members() {
       return ph::member_table(ph::member("direction", &way::direction, "1", ph::range::direction),
@@ -93,9 +93,9 @@ struct configuration {
   };
   /// The task of the design map.
   struct task {
-    ph::vector<double, d> direction = ph::vector<double, d>::UnitX();   ///< In which the handle moves.
-    ph::vector<double, d> normal = -ph::vector<double, d>::UnitY();     ///< Of the wall, out of it.
-    double push = 2;                                                    ///< Of the hand [N].
+    ph::vector<double, d> direction = ph::vector<double, d>::UnitX();  ///< In which the handle moves.
+    ph::vector<double, d> normal = -ph::vector<double, d>::UnitY();    ///< Of the wall, out of it.
+    double push = 2;                                                   ///< Of the hand [N].
     /// The table of core/parameters.hpp.
     static constexpr auto members() {
       return ph::member_table(ph::member("direction", &task::direction, "1", ph::range::direction),
@@ -105,33 +105,33 @@ struct configuration {
   };
   /// What stands without a group.
   struct whole {
-    std::string scene = E::scene;                             ///< The wall.
-    desired_kind desired = desired_kind::scene;               ///< Where Fd comes from.
-    hand_kind hand = hand_kind::pointer;                      ///< Who moves the handle.
-    ph::vector<double, n> q = E::start();                     ///< Joint positions.
-    ph::vector<double, n> qd = ph::vector<double, n>::Zero(); ///< Joint rates.
-    ph::vector<double, d> Fh = ph::vector<double, d>::Zero(); ///< Hand force [N].
-    ph::vector<double, d> Fd = ph::vector<double, d>::Zero(); ///< Desired force [N].
+    std::string scene = E::scene;                              ///< The wall.
+    desired_kind desired = desired_kind::scene;                ///< Where Fd comes from.
+    hand_kind hand = hand_kind::pointer;                       ///< Who moves the handle.
+    ph::vector<double, n> q = E::start();                      ///< Joint positions.
+    ph::vector<double, n> qd = ph::vector<double, n>::Zero();  ///< Joint rates.
+    ph::vector<double, d> Fh = ph::vector<double, d>::Zero();  ///< Hand force [N].
+    ph::vector<double, d> Fd = ph::vector<double, d>::Zero();  ///< Desired force [N].
     /// The table of core/parameters.hpp.
     static constexpr auto members() {
       using p = whole;
-      return ph::member_table(ph::member("scene", &p::scene), ph::choice("desired", &p::desired, "scene, given"),
-                              ph::choice("hand", &p::hand, "pointer, along"),
-                              ph::member("q", &p::q, "rad or m", ph::range::finite),
-                              ph::member("qd", &p::qd, "rad/s or m/s", ph::range::finite),
-                              ph::member("Fh", &p::Fh, "N", ph::range::finite),
-                              ph::member("Fd", &p::Fd, "N", ph::range::finite));
+      return ph::member_table(
+          ph::member("scene", &p::scene), ph::choice("desired", &p::desired, "scene, given"),
+          ph::choice("hand", &p::hand, "pointer, along"),
+          ph::member("q", &p::q, "rad or m", ph::range::finite),
+          ph::member("qd", &p::qd, "rad/s or m/s", ph::range::finite),
+          ph::member("Fh", &p::Fh, "N", ph::range::finite), ph::member("Fd", &p::Fd, "N", ph::range::finite));
     }
   };
 
-  typename E::parameters mechanism = {};              ///< Lengths and masses.
-  ph::brakes_of<M> brakes = {};                       ///< Limits, dead bands and lags.
-  presence on = {};                                   ///< Which brakes there are.
-  law_kind law = law_kind::direct;                    ///< The law.
-  law_settings law_tables = {};                       ///< Its parameters.
-  ph::approximation_parameters<double> options = {};  ///< Of the approximation.
-  wall_settings wall = {};                            ///< Beside the shape.
-  pointer_hand hand = {};                             ///< At the pointer.
+  typename E::parameters mechanism = {};                          ///< Lengths and masses.
+  ph::brakes_of<M> brakes = {};                                   ///< Limits, dead bands and lags.
+  presence on = {};                                               ///< Which brakes there are.
+  law_kind law = law_kind::direct;                                ///< The law.
+  law_settings law_tables = {};                                   ///< Its parameters.
+  ph::approximation_parameters<double> options = {};              ///< Of the approximation.
+  wall_settings wall = {};                                        ///< Beside the shape.
+  pointer_hand hand = {};                                         ///< At the pointer.
   ph::following_hand_parameters<double> along = yielding_hand();  ///< By itself.
   way path = {};                                                  ///< Of that hand.
   task map = {};                                                  ///< Of the design map.
@@ -156,7 +156,8 @@ struct configuration {
   /// All fields of these settings, by address.
   field_list fields() {
     field_list all;
-    for_each_table([&](const char* prefix, const char* group, auto& table) { add_fields(all, table, prefix, group); });
+    for_each_table(
+        [&](const char* prefix, const char* group, auto& table) { add_fields(all, table, prefix, group); });
     return all;
   }
 
@@ -202,7 +203,8 @@ struct configuration {
       law_tables.visit(l.kind, [&](auto& table) { add_fields(of_laws, table, "law.", "law"); });
     for (const auto& line : given.lines()) {
       const std::string& name = line.first;
-      if (name != "mechanism" && name != "law" && find(all, name) == nullptr && find(of_laws, name) == nullptr)
+      if (name != "mechanism" && name != "law" && find(all, name) == nullptr &&
+          find(of_laws, name) == nullptr)
         refuse("setting", name, "a name of the device's form");
     }
   }

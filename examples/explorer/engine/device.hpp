@@ -103,11 +103,11 @@ class device {
 
 /// What the catalogue has of a mechanism, and how a device of it is made.
 struct mechanism_entry {
-  const char* id;      ///< As in the settings.
-  const char* label;   ///< In words.
-  int joints;          ///< n
-  int dimension;       ///< d
-  int brakes;          ///< m
+  const char* id;                     ///< As in the settings.
+  const char* label;                  ///< In words.
+  int joints;                         ///< n
+  int dimension;                      ///< d
+  int brakes;                         ///< m
   std::unique_ptr<device> (*make)();  ///< One with all default settings.
 };
 

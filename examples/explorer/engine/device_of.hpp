@@ -6,7 +6,8 @@
 ///   - `mechanism`, `parameters`, and `mechanism make(const parameters&)`;
 ///   - `id`, `label`, whether its joints are `slides`, and `scene`, the wall at first;
 ///   - `start()`: joint positions at first;
-///   - `inverse(model, x, q)`: joint positions that put the handle at x, on the branch of q, with their status;
+///   - `inverse(model, x, q)`: joint positions that put the handle at x, on the branch of q, with their
+///   status;
 ///   - `flipped(model, q)`: those of the other branch, if there is one;
 ///   - `draw(model, q, drawing)`, and `reach(model)`: half the size of the box about the base [m].
 #pragma once
@@ -24,7 +25,9 @@ struct described {
   static constexpr bool slides = false;     ///< Joints turn.
   static constexpr bool has_replay = true;  ///< The program replay knows the mechanism.
   /// There is no wall to go along.
-  [[noreturn]] static void refuse_hand() { refuse("hand", "along", "pointer, where there is no wall: scene=none"); }
+  [[noreturn]] static void refuse_hand() {
+    refuse("hand", "along", "pointer, where there is no wall: scene=none");
+  }
   /// There is one branch only.
   template <class M>
   static std::optional<ph::joint_vector<M>> no_other_branch() {
@@ -165,7 +168,8 @@ class device_of final : public device {
     torque_set<m> set{ph::brake_vector<M>::Zero(), ph::brake_vector<M>::Zero(), !is_limited};
     const ph::brake_vector<M> w = ph::brake_rates(model_, c_.top.q, c_.top.qd);
     const ph::brake_matrix<M> E_of_q(ph::brake_jacobian(model_, c_.top.q));
-    const ph::brake_vector<M> s = ph::brake_signs(w, ph::brake_vector<M>(ph::brake_torque(E_of_q, c_.top.Fh)), c_.brakes);
+    const ph::brake_vector<M> s =
+        ph::brake_signs(w, ph::brake_vector<M>(ph::brake_torque(E_of_q, c_.top.Fh)), c_.brakes);
     const auto regions = ph::passive_fme_regions<m>();
     for (int i = 0; i < m; ++i) {
       if (!c_.is_present(i)) continue;
@@ -179,7 +183,8 @@ class device_of final : public device {
 
   void write_state() {
     state_.fill(0);
-    for (int i = 0; i < n; ++i) state_[std::size_t(i)] = c_.top.q[i], state_[std::size_t(n + i)] = c_.top.qd[i];
+    for (int i = 0; i < n; ++i)
+      state_[std::size_t(i)] = c_.top.q[i], state_[std::size_t(n + i)] = c_.top.qd[i];
     for (int i = 0; i < d; ++i)
       state_[std::size_t(2 * n + i)] = c_.top.Fh[i], state_[std::size_t(2 * n + 3 + i)] = c_.top.Fd[i];
   }
@@ -204,8 +209,9 @@ class device_of final : public device {
 template <class E>
 mechanism_entry entry_of() {
   using M = typename E::mechanism;
-  return {E::id, E::label, M::dof, M::task_dimension, M::brake_count,
-          []() -> std::unique_ptr<device> { return std::make_unique<device_of<E>>(); }};
+  return {E::id,          E::label,
+          M::dof,         M::task_dimension,
+          M::brake_count, []() -> std::unique_ptr<device> { return std::make_unique<device_of<E>>(); }};
 }
 
 }  // namespace explorer

@@ -27,8 +27,8 @@ class drawing {
   /// Adds an item. number: of the brake or joint from 0, -1 for none. size [m], angle [rad].
   void add(item_kind kind, int number, const place& from, const place& to, double size = 0,
            double angle = 0) {
-    for (const double x : {double(int(kind)), double(number), from[0], from[1], from[2], to[0], to[1], to[2],
-                           size, angle})
+    for (const double x :
+         {double(int(kind)), double(number), from[0], from[1], from[2], to[0], to[1], to[2], size, angle})
       rows_.push_back(x);
   }
   /// Adds a joint or brake that turns about `axis`.

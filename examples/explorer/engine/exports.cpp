@@ -135,8 +135,8 @@ int explorer_walls(void* p, double low_x, double low_y, double high_x, double hi
 double* explorer_walls_points(void* p) { return device_at(p).walls.data(); }
 
 void* sim_new(const char* given) {
-  return guarded<void*>(nullptr,
-                        [&] { return handle_of<simulation_handle>(make_device(settings(given))->simulate()); });
+  return guarded<void*>(
+      nullptr, [&] { return handle_of<simulation_handle>(make_device(settings(given))->simulate()); });
 }
 void sim_delete(void* p) { delete static_cast<simulation_handle*>(p); }
 int sim_set(void* p, const char* given) {
@@ -165,7 +165,8 @@ const char* sim_replay_command(void* p) {
 }
 
 void* log_open(const char* given, const char* text) {
-  return guarded<void*>(nullptr, [&] { return handle_of<log_handle>(make_device(settings(given))->replay(text)); });
+  return guarded<void*>(nullptr,
+                        [&] { return handle_of<log_handle>(make_device(settings(given))->replay(text)); });
 }
 void log_delete(void* p) { delete static_cast<log_handle*>(p); }
 int log_count(void* p) { return log_at(p).held->count(); }

@@ -103,10 +103,10 @@ EXPLORER_EXPORT double* explorer_values(void* device);
 /// ids (m brakes, n joints; vectors of a handle have 3 numbers):
 /// x, v, J (3 rows of n), w, signs, at_rest, E (3 rows of m), R (m rows of 3: R_i+; -R_i+ is R_i-),
 /// R_defined, Fh, Fd, depth, normal, Fp (the nearest force), Fc, Fc_scaled (alpha Fc), brake_force (what the
-/// torques do at the handle), Fr (resultant (7) of hand and brakes), gamma, alpha, cone_coefficients, capacity, torque,
-/// torque_limit, torque_share (0 released to 1 at its limit), brake_state (released, slips, holds, absent),
-/// power, display, saturated, region (index of the passive FME of the present signs, -1 where a brake is at
-/// rest), strongest, manipulability, status.
+/// torques do at the handle), Fr (resultant (7) of hand and brakes), gamma, alpha, cone_coefficients,
+/// capacity, torque, torque_limit, torque_share (0 released to 1 at its limit), brake_state (released, slips,
+/// holds, absent), power, display, saturated, region (index of the passive FME of the present signs, -1 where
+/// a brake is at rest), strongest, manipulability, status.
 EXPLORER_EXPORT const char* explorer_layout(void* device);
 
 /// The drawing at the present state: rows of 10 numbers, explorer_drawing_count() of them,
@@ -162,8 +162,8 @@ EXPLORER_EXPORT double* sim_ring(void* sim);
 EXPLORER_EXPORT double sim_cycles(void* sim);
 /// The columns of a row, JSON as of explorer_layout(), with "columns in all" as the row's length:
 /// {"row": 40, "values": [...]}. ids: t, q, qd, x, v, pointer, hand_force (sensed), muscle_force, depth, w,
-/// capacity, brake_torque, brake_force, Fd, Fc, gamma, alpha, display, power, status, brake_state, sound (mean |torque of
-/// the brakes| that slip, as a share of their limits).
+/// capacity, brake_torque, brake_force, Fd, Fc, gamma, alpha, display, power, status, brake_state, sound
+/// (mean |torque of the brakes| that slip, as a share of their limits).
 EXPLORER_EXPORT const char* sim_layout(void* sim);
 /// Counts since the start: separations, deepest [m], mean depth [m], deviation of the depth [m], share of the
 /// time in contact in which a brake sticks, retarding force [N], largest power of a brake [W], contact time
@@ -174,7 +174,8 @@ EXPLORER_EXPORT double* sim_figures(void* sim);
 EXPLORER_EXPORT void sim_record(void* sim, int is_on);
 /// The record as a log of the library, CSV (docs/guide/log.md): what `./examples/run replay` reads.
 EXPLORER_EXPORT const char* sim_log(void* sim);
-/// The command line that replays this log, for the page to show; "" where the program replay lacks part of the device.
+/// The command line that replays this log, for the page to show; "" where the program replay lacks part of
+/// the device.
 EXPLORER_EXPORT const char* sim_replay_command(void* sim);
 
 // --- A dropped log

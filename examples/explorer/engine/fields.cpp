@@ -42,7 +42,8 @@ void read(const field& f, const std::string& text) {
   } else {
     const auto found = numbers_of(f.name, text);
     if (found.size() != static_cast<std::size_t>(f.count))
-      refuse(f.name, text, f.count == 1 ? "a number" : std::to_string(f.count) + " numbers with commas between");
+      refuse(f.name, text,
+             f.count == 1 ? "a number" : std::to_string(f.count) + " numbers with commas between");
     std::copy(found.begin(), found.end(), f.numbers);
   }
 }

@@ -15,22 +15,22 @@ namespace explorer {
 
 /// A member of a table: numbers, an enumeration or a text, by address.
 struct field {
-  std::string name;              ///< As in the settings: "mechanism.length_1".
-  const char* group = "";        ///< Where the form shows it.
-  ph::member_description about;  ///< Name, unit, range and choices.
-  double* numbers = nullptr;     ///< The first number, or nullptr.
-  int count = 1;                 ///< Numbers.
-  void* choice = nullptr;        ///< The enumeration, or nullptr.
-  int (*get_choice)(const void*) = nullptr;       ///< Reads it.
-  void (*set_choice)(void*, int) = nullptr;       ///< Writes it.
-  std::string* text = nullptr;   ///< The text, or nullptr.
+  std::string name;                          ///< As in the settings: "mechanism.length_1".
+  const char* group = "";                    ///< Where the form shows it.
+  ph::member_description about;              ///< Name, unit, range and choices.
+  double* numbers = nullptr;                 ///< The first number, or nullptr.
+  int count = 1;                             ///< Numbers.
+  void* choice = nullptr;                    ///< The enumeration, or nullptr.
+  int (*get_choice)(const void*) = nullptr;  ///< Reads it.
+  void (*set_choice)(void*, int) = nullptr;  ///< Writes it.
+  std::string* text = nullptr;               ///< The text, or nullptr.
 };
 
 /// Fields, in the order of a form.
 using field_list = std::vector<field>;
 
-/// Adds the members of a table and of the tables within, with `prefix` before their names. The table must outlive the
-/// list.
+/// Adds the members of a table and of the tables within, with `prefix` before their names. The table must
+/// outlive the list.
 template <class P>
 void add_fields(field_list& all, P& table, const std::string& prefix, const char* group) {
   ph::for_each_member(table, [&](const ph::member_description& about, auto& value) {

@@ -15,7 +15,8 @@ namespace explorer {
 
 namespace ph = passive_haptics;
 
-/// The torques of brakes that are drawn: from lower to upper on each axis [N m], and for a passive FME of length
+/// The torques of brakes that are drawn: from lower to upper on each axis [N m], and for a passive FME of
+/// length
 /// <= 1 besides.
 template <int Brakes>
 struct torque_set {
@@ -48,14 +49,13 @@ inline ph::vector<double, 2> direction_at(int k, int count) {
   return {std::cos(a), std::sin(a)};
 }
 
-/// The closed outline of { G t } over a convex set of torques that contains 0: the farthest point in each of many
-/// directions [N].
+/// The closed outline of { G t } over a convex set of torques that contains 0: the farthest point in each of
+/// many directions [N].
 template <int Brakes>
 std::vector<double> outline_of(const ph::matrix<double, 2, Brakes>& G, const torque_set<Brakes>& set) {
   constexpr int directions = 180;
   std::vector<double> points;
-  for (int k = 0; k <= directions; ++k)
-    {
+  for (int k = 0; k <= directions; ++k) {
     const ph::vector<double, Brakes> gain = G.transpose() * direction_at(k, directions);
     add_force<2>(points, G * set.farthest(gain));
   }
@@ -80,20 +80,21 @@ std::vector<double> outline_of(const ph::matrix<double, 3, Brakes>& G, const tor
   return points;
 }
 
-/// What can be displayed exactly in each direction of the plane while the handle moves along `direction` [N]: for
-/// devices with self-motion, whose brakes do not make a force each.
+/// What can be displayed exactly in each direction of the plane while the handle moves along `direction` [N]:
+/// for devices with self-motion, whose brakes do not make a force each.
 template <class M>
 std::vector<double> displayable_outline(const M& mechanism, const ph::joint_vector<M>& q,
-                                        const ph::task_vector<M>& direction, const ph::hybrid_brakes<M>& brakes) {
+                                        const ph::task_vector<M>& direction,
+                                        const ph::hybrid_brakes<M>& brakes) {
   constexpr int directions = 180;
   std::vector<double> points;
   for (int k = 0; k <= directions; ++k) {
     const ph::vector<double, 2> u = direction_at(k, directions);
     const auto found = ph::displayable(mechanism, q, direction, u, brakes);
-    const bool is_exact =
-        found.outcome == ph::status::ok && found.display == ph::display_class::exact &&
-        std::isfinite(found.strongest_nearest);
-    add_force<2>(points, is_exact ? ph::vector<double, 2>(found.strongest_nearest * u) : ph::vector<double, 2>(0, 0));
+    const bool is_exact = found.outcome == ph::status::ok && found.display == ph::display_class::exact &&
+                          std::isfinite(found.strongest_nearest);
+    add_force<2>(points,
+                 is_exact ? ph::vector<double, 2>(found.strongest_nearest * u) : ph::vector<double, 2>(0, 0));
   }
   return points;
 }

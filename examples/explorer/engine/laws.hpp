@@ -19,10 +19,11 @@ namespace explorer {
 
 /// Whether the forces are scaled: the paper's law, or none, in one type.
 struct scaled_forces {
-  static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
-  static constexpr bool nulls_normal_force = true;  ///< As direct_control; with alpha = 1 it makes no difference.
-  bool is_direct = true;                            ///< Direct control; else alpha = 1.
-  ph::direct_control direct = {};                   ///< The law.
+  static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
+  static constexpr bool nulls_normal_force =
+      true;                        ///< As direct_control; with alpha = 1 it makes no difference.
+  bool is_direct = true;           ///< Direct control; else alpha = 1.
+  ph::direct_control direct = {};  ///< The law.
 
   /// alpha
   template <class T, int D>
@@ -48,15 +49,18 @@ inline constexpr law_description laws[] = {
     {law_kind::none, "no_direct_control", "Without direct control",
      "The brakes make the force nearest to the wall's, as hard as they can: the hand bounces.", ""},
     {law_kind::direct, "direct_control", "Direct control, as printed",
-     "Where the handle moves out, alpha scales the force so that nothing of the resultant is left normal to the "
+     "Where the handle moves out, alpha scales the force so that nothing of the resultant is left normal to "
+     "the "
      "wall.",
      "12"},
     {law_kind::saturated, "saturated_direct_control", "Direct control, limit first",
-     "Alpha scales what the brakes can make, as the paper's experiments read it: the brakes let go while the handle "
+     "Alpha scales what the brakes can make, as the paper's experiments read it: the brakes let go while the "
+     "handle "
      "moves out.",
      "12"},
     {law_kind::velocity, "velocity_direct_control", "Velocity direct control",
-     "The brakes keep the handle at a small depth by the inertia of the device and their own lag: it glides.", ""},
+     "The brakes keep the handle at a small depth by the inertia of the device and their own lag: it glides.",
+     ""},
     {law_kind::on_off, "on_off_control", "On-off control",
      "The whole force or none, by a relay that looks ahead by the lag of the brakes.", ""},
     {law_kind::coercive, "coercive_force_approximation", "Coercive force approximation",
@@ -69,10 +73,10 @@ const char* id_of(law_kind kind);
 
 /// The parameters of all laws; those of the chosen one are shown.
 struct law_settings {
-  ph::direct_control direct;                              ///< Of direct_control.
-  ph::saturated_direct_control saturated;                 ///< Of saturated_direct_control.
-  ph::velocity_direct_control_parameters velocity;        ///< Of velocity_direct_control.
-  ph::on_off_parameters on_off;                           ///< Of on_off_control.
+  ph::direct_control direct;                        ///< Of direct_control.
+  ph::saturated_direct_control saturated;           ///< Of saturated_direct_control.
+  ph::velocity_direct_control_parameters velocity;  ///< Of velocity_direct_control.
+  ph::on_off_parameters on_off;                     ///< Of on_off_control.
 
   /// Calls f(table) with that of a law, if it has one.
   template <class F>
@@ -92,7 +96,7 @@ struct law_settings {
 template <class M>
 class any_control {
  public:
-  using brakes = ph::switchable_brakes<M>;         ///< Its brakes.
+  using brakes = ph::switchable_brakes<M>;          ///< Its brakes.
   using scene = explorer_scene<M::task_dimension>;  ///< Its scene.
 
   virtual ~any_control() = default;
@@ -107,8 +111,8 @@ class control_of final : public any_control<M> {
   using base = any_control<M>;
 
  public:
-  control_of(const M& mechanism, const typename base::brakes& brakes, typename base::scene scene, const L& law,
-             const ph::step_options<double>& options)
+  control_of(const M& mechanism, const typename base::brakes& brakes, typename base::scene scene,
+             const L& law, const ph::step_options<double>& options)
       : control_(mechanism, brakes, std::move(scene), law, options) {}
   ph::step_result<M> decide(const ph::device_state<M>& state) override { return control_(state); }
 

@@ -21,7 +21,8 @@ class map_of final : public figure_map {
 
  public:
   /// Of columns x rows points from low to high, in space at the height of the present handle.
-  map_of(const C& c, int columns, int rows, const ph::vector<double, 2>& low, const ph::vector<double, 2>& high)
+  map_of(const C& c, int columns, int rows, const ph::vector<double, 2>& low,
+         const ph::vector<double, 2>& high)
       : c_(c), model_(E::make(c.mechanism)), columns_(columns), rows_(rows), low_(low), high_(high) {
     if (columns < 1 || rows < 1 || columns > 1000 || rows > 1000)
       refuse("map", std::to_string(columns) + " x " + std::to_string(rows), "1 to 1000 points a side");
@@ -35,7 +36,8 @@ class map_of final : public figure_map {
     return done_;
   }
   double* figure(int number) override {
-    if (number < 0 || number >= figure_count) refuse("figure", std::to_string(number), "one of the catalogue, from 0");
+    if (number < 0 || number >= figure_count)
+      refuse("figure", std::to_string(number), "one of the catalogue, from 0");
     return figures_[std::size_t(number)].data();
   }
 
@@ -53,7 +55,8 @@ class map_of final : public figure_map {
     const auto f = ph::design_figures_at(model_, point, ph::hybrid_brakes<M>(c_.switchable()), c_.map.push);
     if (f.outcome != ph::status::ok) return;
     const std::size_t k = std::size_t(row) * std::size_t(columns_) + std::size_t(column);
-    const double all[figure_count] = {f.cosine, f.drag, f.strongest, f.sink_slope, f.isotropy, double(int(f.display))};
+    const double all[figure_count] = {f.cosine,     f.drag,     f.strongest,
+                                      f.sink_slope, f.isotropy, double(int(f.display))};
     for (std::size_t i = 0; i < figure_count; ++i) figures_[i][k] = all[i];
   }
 

@@ -10,8 +10,8 @@ namespace explorer {
 
 namespace ph = passive_haptics;
 
-/// A polygon of any number of corners, solid inside: a Shape. Its distance is exact on both sides; at a corner the
-/// gradient leads away from the corner.
+/// A polygon of any number of corners, solid inside: a Shape. Its distance is exact on both sides; at a
+/// corner the gradient leads away from the corner.
 class outline {
  public:
   static constexpr int dimension = 2;              ///< d

@@ -21,7 +21,9 @@ inline std::vector<std::string> power_words() {
   return {"no force desired", "active", "passive I", "passive II"};
 }
 /// How a force is displayed.
-inline std::vector<std::string> display_words() { return {"not displayed", "approximate", "exact", "empty cone"}; }
+inline std::vector<std::string> display_words() {
+  return {"not displayed", "approximate", "exact", "empty cone"};
+}
 /// What a brake does.
 enum class brake_doing { released, slips, holds, absent };
 /// Its names.
@@ -75,7 +77,8 @@ class pose_values {
     w_ = of_brakes("w", "rates of the brakes", "θ̇", "", rate);
     signs_ = of_brakes("signs", "signs of the brakes' motion", "sgn θ̇", "3", "1");
     at_rest_ = of_brakes("at_rest", "at rest", "", "3", "1");
-    E_ = table_.add({"E", "map of brake rates to velocity", "E", "2", E::slides ? "1" : "m", "brakes", 3 * m, m});
+    E_ = table_.add(
+        {"E", "map of brake rates to velocity", "E", "2", E::slides ? "1" : "m", "brakes", 3 * m, m});
     R_ = table_.add({"R", "reference forces", "R₊", "6", "N", "forces", 3 * m, 3});
     R_defined_ = number("R_defined", "reference forces are defined", "", "", "1", "forces");
     Fh_ = vector_of("Fh", "hand force", "Fₕ", "7", "N", "forces");
@@ -126,10 +129,9 @@ class pose_values {
     for (int i = 0; i < m; ++i) table_.put(at_rest_ + i, ph::slips(w[i], c.brakes.rate_dead_band[i]) ? 0 : 1);
     put_reference_forces(pose);
 
-    explorer_scene<d> scene =
-        c.top.desired == desired_kind::given
-            ? explorer_scene<d>(wall_or_force<d>::demanding(c.top.Fd, x), 0)
-            : walls;
+    explorer_scene<d> scene = c.top.desired == desired_kind::given
+                                  ? explorer_scene<d>(wall_or_force<d>::demanding(c.top.Fd, x), 0)
+                                  : walls;
     const auto touched = scene.scene().touched_at(x);
     put(normal_, touched.empty() ? ph::task_vector<M>(ph::task_vector<M>::Zero()) : touched[0].normal);
     table_.put(depth_, touched.empty() ? 0.0 : touched[0].depth);
@@ -152,7 +154,8 @@ class pose_values {
     table_.put_column(limit_, c.brakes.torque_limit, m);
     const ph::task_vector<M> felt = force_of(pose, r.torque);
     put(brake_force_, felt);
-    put(Fr_, ph::task_vector<M>(c.top.Fh + felt));  // a brake that holds takes what the hand gives, not alpha Fc
+    put(Fr_,
+        ph::task_vector<M>(c.top.Fh + felt));  // a brake that holds takes what the hand gives, not alpha Fc
     for (int i = 0; i < m; ++i) {
       const double limit = c.brakes.torque_limit[i];
       table_.put(share_ + i, limit > 0 ? r.capacity[i] / limit : 0);
@@ -205,8 +208,8 @@ class pose_values {
     return -1;
   }
 
-  static double strongest(const C& c, const M& model, const ph::joint_vector<M>& q, const ph::task_vector<M>& v,
-                          const ph::task_vector<M>& Fd) {
+  static double strongest(const C& c, const M& model, const ph::joint_vector<M>& q,
+                          const ph::task_vector<M>& v, const ph::task_vector<M>& Fd) {
     if (!(Fd.norm() > 0)) return 0;
     const auto found = ph::displayable(model, q, v, Fd, ph::hybrid_brakes<M>(c.switchable()));
     return found.outcome == ph::status::ok ? found.strongest : 0;

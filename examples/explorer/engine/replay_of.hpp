@@ -41,13 +41,12 @@ class replay_of final : public replayed_log {
         const ph::task_vector<M> x = model.position(state.q);
         const ph::brake_vector<M> w = ph::brake_rates(model, state.q, state.qd);
         t.put_column(columns_.x, x, 3);
-        t.put_column(columns_.v, ph::task_vector<M>(ph::jacobian_matrix<M>(ph::jacobian(model, state.q)) * state.qd),
-                     3);
+        t.put_column(columns_.v,
+                     ph::task_vector<M>(ph::jacobian_matrix<M>(ph::jacobian(model, state.q)) * state.qd), 3);
         t.put_column(columns_.w, w, m);
         t.put(columns_.depth, shape ? -shape->distance(x) : 0.0);
         t.put_column(columns_.brake_torque, r.torque, m);  // as predicted: nobody measured it
-        for (int i = 0; i < m; ++i)
-          t.put(columns_.brake_state + i, int(doing_of(c, i, w[i], r.capacity[i])));
+        for (int i = 0; i < m; ++i) t.put(columns_.brake_state + i, int(doing_of(c, i, w[i], r.capacity[i])));
         if (const auto logged = where.capacity()) {
           agreement_[1] += 1;
           agreement_[0] += *logged == r.capacity ? 1 : 0;
@@ -60,7 +59,8 @@ class replay_of final : public replayed_log {
   int count() const override { return static_cast<int>(rows_.size()) / width(); }
   value_table& row(int line) override {
     value_table& t = columns_.table;
-    if (line >= 0 && line < count()) std::copy_n(rows_.data() + std::size_t(line) * std::size_t(width()), width(), t.data());
+    if (line >= 0 && line < count())
+      std::copy_n(rows_.data() + std::size_t(line) * std::size_t(width()), width(), t.data());
     return t;
   }
   double* agreement() override { return agreement_.data(); }

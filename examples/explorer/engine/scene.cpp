@@ -36,12 +36,12 @@ parsed parse(const std::string& text) {
   for (const double x : p.numbers)
     if (!std::isfinite(x)) refuse("scene", text, "finite numbers");
   const std::size_t n = p.numbers.size();
-  const bool fits = p.kind == "plane"                          ? n == 2 * D
-                    : p.kind == "solid" || p.kind == "hollow"  ? n == D + 1
-                    : p.kind == "edge"                         ? D == 2 && n == 6
-                    : p.kind == "outline"                      ? D == 2 && n >= 6 && n % 2 == 0
-                    : p.kind == "box"                          ? D == 3 && n == 6
-                                                               : false;
+  const bool fits = p.kind == "plane"                         ? n == 2 * D
+                    : p.kind == "solid" || p.kind == "hollow" ? n == D + 1
+                    : p.kind == "edge"                        ? D == 2 && n == 6
+                    : p.kind == "outline"                     ? D == 2 && n >= 6 && n % 2 == 0
+                    : p.kind == "box"                         ? D == 3 && n == 6
+                                                              : false;
   if (!fits) refuse("scene", text, expected);
   return p;
 }
@@ -94,16 +94,16 @@ void add_plane(std::vector<double>& points, const ph::point<3>& p, const ph::poi
   const ph::point<3> aside = std::abs(n[0]) < 0.9 ? ph::point<3>(1, 0, 0) : ph::point<3>(0, 1, 0);
   const ph::point<3> u = ph::direction_of(ph::point<3>(aside - n * n.dot(aside)));
   const ph::point<3> v = ph::cross(n, u);
-  add_quadrilateral(points, at - reach * u - reach * v, at + reach * u - reach * v, at + reach * u + reach * v,
-                    at - reach * u + reach * v);
+  add_quadrilateral(points, at - reach * u - reach * v, at + reach * u - reach * v,
+                    at + reach * u + reach * v, at - reach * u + reach * v);
 }
 
 void add_ball(std::vector<double>& points, const ph::point<3>& centre, double radius) {
   constexpr int slices = 24, stacks = 12;
   const auto on = [&](int i, int j) {
     const double a = 2 * std::numbers::pi * i / slices, b = std::numbers::pi * j / stacks;
-    return ph::point<3>(centre + radius * ph::point<3>(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a),
-                                                       std::cos(b)));
+    return ph::point<3>(
+        centre + radius * ph::point<3>(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)));
   };
   for (int i = 0; i < slices; ++i)
     for (int j = 0; j < stacks; ++j)
@@ -115,8 +115,10 @@ void add_box(std::vector<double>& points, const ph::point<3>& low, const ph::poi
     return ph::point<3>((bits & 1) != 0 ? high[0] : low[0], (bits & 2) != 0 ? high[1] : low[1],
                         (bits & 4) != 0 ? high[2] : low[2]);
   };
-  constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-  for (const auto& f : faces) add_quadrilateral(points, corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3]));
+  constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                               {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+  for (const auto& f : faces)
+    add_quadrilateral(points, corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3]));
 }
 
 }  // namespace
@@ -149,12 +151,14 @@ std::vector<double> surface_of(const std::string& text, const ph::point<2>& low,
     if (p.kind == "plane") {
       const ph::point<2> n = ph::direction_of(point_at<2>(p, 2)), along(-n[1], n[0]);
       const ph::point<2> middle = (low + high) / 2, at = middle - n * n.dot(middle - point_at<2>(p, 0));
-      for (const double way : {-reach, reach}) add_point(points, at[0] + way * along[0], at[1] + way * along[1]);
+      for (const double way : {-reach, reach})
+        add_point(points, at[0] + way * along[0], at[1] + way * along[1]);
     } else if (p.kind == "solid" || p.kind == "hollow") {
       add_circle(points, point_at<2>(p, 0), p.numbers.back());
     } else {
       const auto corners = corners_of(p);
-      const std::size_t sides = p.kind == "edge" ? 2 : corners.size();  // the third side of an edge is far off
+      const std::size_t sides =
+          p.kind == "edge" ? 2 : corners.size();  // the third side of an edge is far off
       for (std::size_t i = 0; i < sides; ++i)
         for (const auto& c : {corners[i], corners[(i + 1) % corners.size()]}) add_point(points, c[0], c[1]);
     }

@@ -24,8 +24,8 @@ std::optional<any_shape<D>> shape_of(const std::string& text);
 extern template std::optional<any_shape<2>> shape_of<2>(const std::string& text);
 extern template std::optional<any_shape<3>> shape_of<3>(const std::string& text);
 
-/// The surface inside a rectangle [m]: in the plane segments, 2 points each, in space triangles, 3 points each; z
-/// is 0 in the plane.
+/// The surface inside a rectangle [m]: in the plane segments, 2 points each, in space triangles, 3 points
+/// each; z is 0 in the plane.
 template <int D>
 std::vector<double> surface_of(const std::string& text, const ph::point<2>& low, const ph::point<2>& high);
 extern template std::vector<double> surface_of<2>(const std::string&, const ph::point<2>&,
@@ -37,7 +37,7 @@ extern template std::vector<double> surface_of<3>(const std::string&, const ph::
 template <int D>
 class wall_or_force {
  public:
-  static constexpr int dimension = D;         ///< d
+  static constexpr int dimension = D;        ///< d
   using contacts_type = ph::contacts<D, 1>;  ///< At most one.
 
   /// A wall of this shape and stiffness [N/m], if there is a shape.

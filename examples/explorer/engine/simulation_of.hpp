@@ -3,9 +3,8 @@
 #pragma once
 
 #include "device.hpp"
-#include "pose_values.hpp"
-
-#include <log/decision.hpp>
+#include "motion_record.hpp"
+#include "simulation_row.hpp"
 
 #include <passive_haptics/plant/contact_metrics.hpp>
 #include <passive_haptics/plant/following_hand.hpp>
@@ -16,63 +15,6 @@
 
 namespace explorer {
 
-/// The columns of a row: what a cycle saw, decided and did.
-template <class E>
-struct row_columns {
-  static constexpr int n = configuration<E>::n, m = configuration<E>::m;
-  value_table table;  ///< The names, and the numbers of one row.
-  int t, q, qd, x, v, pointer, hand_force, muscle_force, depth, w, capacity, brake_torque, brake_force, Fd, Fc, gamma,
-      alpha, display, power, status, brake_state, sound, progress;  ///< Offsets.
-
-  row_columns() {
-    const std::string torque = E::slides ? "N" : "N m", rate = E::slides ? "m/s" : "rad/s";
-    const auto add = [&](const char* id, const char* label, const char* symbol, const std::string& unit, int size,
-                         std::vector<std::string> words = {}) {
-      return table.add({id, label, symbol, "", unit, "simulation", size, size, {}, std::move(words)});
-    };
-    t = add("t", "time", "t", "s", 1);
-    q = add("q", "joint positions", "q", E::slides ? "m" : "rad", n);
-    qd = add("qd", "joint rates", "q̇", rate, n);
-    x = add("x", "handle", "x", "m", 3);
-    v = add("v", "velocity of the handle", "v", "m/s", 3);
-    pointer = add("pointer", "pointer", "", "m", 3);
-    hand_force = add("hand_force", "sensed hand force", "Fₕ", "N", 3);
-    muscle_force = add("muscle_force", "force of the hand's muscles", "", "N", 3);
-    depth = add("depth", "depth in the wall", "", "m", 1);
-    w = add("w", "rates of the brakes", "θ̇", rate, m);
-    capacity = add("capacity", "commanded capacity", "|τ_c|", torque, m);
-    brake_torque = add("brake_torque", "torque of the brakes", "τ", torque, m);
-    brake_force = add("brake_force", "force of the brakes at the handle", "", "N", 3);
-    Fd = add("Fd", "desired force", "F_d", "N", 3);
-    Fc = add("Fc", "control force", "F_c", "N", 3);
-    gamma = add("gamma", "approximation angle", "γ", "rad", 1);
-    alpha = add("alpha", "scale factor", "α", "1", 1);
-    display = add("display", "how it is displayed", "", "", 1, display_words());
-    power = add("power", "region of the desired force", "", "", 1, power_words());
-    status = add("status", "status", "", "", 1, status_words());
-    brake_state = add("brake_state", "state of the brakes", "", "", m, brake_words());
-    sound = add("sound", "mean torque of slipping brakes", "", "1", 1);
-    progress = add("progress", "share of the way", "", "1", 1);
-  }
-
-  /// State and decision of a cycle.
-  template <class M>
-  void put_cycle(const ph::device_state<M>& state, const ph::step_result<M>& r) {
-    table.put(t, state.time);
-    table.put_column(q, state.q, n);
-    table.put_column(qd, state.qd, n);
-    table.put_column(hand_force, state.hand_force, 3);
-    table.put_column(capacity, r.capacity, m);
-    table.put_column(Fd, r.desired_force, 3);
-    table.put_column(Fc, r.control_force, 3);
-    table.put(gamma, r.approximation_angle());
-    table.put(alpha, r.alpha);
-    table.put(display, int(r.display));
-    table.put(power, int(r.power));
-    table.put(status, int(r.outcome));
-  }
-};
-
 /// The simulation of E's device.
 template <class E>
 class simulation_of final : public simulation {
@@ -82,12 +24,14 @@ class simulation_of final : public simulation {
   static constexpr int n = C::n, d = C::d, m = C::m;
   static constexpr double cycle = 1e-3, time_step = 1e-4;  // [s]
   static constexpr int steps_per_cycle = 10;
-  static constexpr std::size_t longest_record = 120'000;  // [cycles]
 
  public:
   /// Begins at the state of the settings.
   explicit simulation_of(const C& c)
-      : c_(c), model_(E::make(c.mechanism)), plant_(model_, c.brakes, mass(), c.top.q), meter_(far_away, time_step) {
+      : c_(c),
+        model_(E::make(c.mechanism)),
+        plant_(model_, c.brakes, mass(), c.top.q),
+        meter_(far_away, time_step) {
     ring_.resize(std::size_t(ring_size) * std::size_t(columns_.table.size()));
     prepare();
     restart();
@@ -154,73 +98,11 @@ class simulation_of final : public simulation {
     is_recording_ = is_on;
   }
 
-  std::string log() const override {
-    example::joint_kinds kinds;
-    if (E::slides) kinds.slides.assign(std::size_t(std::max(n, m)), true);
-    example::log_row row;
-    std::string text;
-    for (const recorded& r : record_) {
-      row.start();
-      put_motion(row, kinds, r.state);
-      put_decision(row, kinds, r.decision);
-      row.put_axes("x", "m", r.position);
-      row.put("depth", "m", r.depth);
-      row.put("w", kinds.rate(), r.rates);
-      row.put("brake_torque", kinds.torque(), r.brake_torque);
-      if (text.empty()) text = row.header();
-      text += row.csv();
-    }
-    return text;
-  }
-
-  std::string replay_command() const override {
-    if (!is_replayable()) return "";
-    std::string command = std::string("./examples/run replay --input FILE --mechanism ") + E::id + " --wall " +
-                          c_.top.scene + " --stiffness " + number_text(c_.wall.stiffness) + " --law " +
-                          id_of(c_.law) + " --limit " + number_text(c_.brakes.torque_limit[0]) +
-                          " --dead-band " + number_text(c_.brakes.rate_dead_band[0]);
-    C now = c_, usual;
-    usual.law = now.law;
-    const field_list fields = now.fields(), defaults = usual.fields();
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-      const field& f = fields[k];
-      if (f.name.starts_with("mechanism.") && text_of(f) != text_of(defaults[k]))
-        command.append(" --parameter ").append(f.about.name).append("=").append(text_of(f));
-    }
-    return command;
-  }
+  std::string log() const override { return record_.log(); }
+  std::string replay_command() const override { return explorer::replay_command(c_); }
 
  private:
   static constexpr double far_away = 1e300;  // [m]; a path without an end
-
-  struct recorded {
-    ph::device_state<M> state;
-    ph::step_result<M> decision;
-    ph::task_vector<M> position;
-    double depth;
-    ph::brake_vector<M> rates, brake_torque;
-  };
-
-  // Whether the program replay has what this device is made of.
-  bool is_replayable() const {
-    C now = c_, usual;
-    usual.law = now.law;
-    const field_list fields = now.fields(), defaults = usual.fields();
-    const std::string& scene = c_.top.scene;
-    if (!E::has_replay || c_.wall.rate != 0 || c_.law == law_kind::on_off || c_.law == law_kind::coercive) return false;
-    if (!scene.starts_with("plane:") && !scene.starts_with("solid:") && !scene.starts_with("hollow:")) return false;
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-      const std::string_view name = fields[k].name, group = fields[k].group;
-      if (name == "brakes.torque_limit" || name == "brakes.rate_dead_band") {
-        for (int i = 1; i < fields[k].count; ++i)
-          if (fields[k].numbers[i] != fields[k].numbers[0]) return false;
-      } else if ((group == "brakes" || group == "law" || group == "options") &&
-                 text_of(fields[k]) != text_of(defaults[k])) {
-        return false;
-      }
-    }
-    return true;
-  }
 
   double mass() const { return c_.top.hand == hand_kind::along ? c_.along.mass : c_.hand.mass; }
 
@@ -273,8 +155,7 @@ class simulation_of final : public simulation {
     const ph::device_state<M> state{time, plant_.q(), plant_.qd(), plant_.sensed_force()};
     const ph::step_result<M> r = control_->decide(state);
     ph::task_vector<M> muscle = ph::task_vector<M>::Zero();
-    const double depth_then = depth();
-    const recorded now{state, r, plant_.position(), depth_then, plant_.rates(), plant_.brake_torque()};
+    const recorded_cycle<M> now{state, r, plant_.position(), depth(), plant_.rates(), plant_.brake_torque()};
     for (int k = 0; k < steps_per_cycle; ++k) {
       muscle = muscle_force(is_held, motion_time_ + k * time_step);
       const double friction = plant_.energy().friction();
@@ -294,7 +175,7 @@ class simulation_of final : public simulation {
     }
     motion_time_ += cycle;
     put_row(state, r, muscle);
-    if (is_recording_ && record_.size() < longest_record) record_.push_back(now);
+    if (is_recording_) record_.add(now);
     ++cycles_;
     if (!plant_.q().allFinite() || !plant_.position().allFinite()) stop_at(state.q);
   }
@@ -305,7 +186,8 @@ class simulation_of final : public simulation {
     plant_.set_motion(q, ph::joint_vector<M>::Zero());
   }
 
-  void put_row(const ph::device_state<M>& state, const ph::step_result<M>& r, const ph::task_vector<M>& muscle) {
+  void put_row(const ph::device_state<M>& state, const ph::step_result<M>& r,
+               const ph::task_vector<M>& muscle) {
     value_table& t = columns_.table;
     columns_.put_cycle(state, r);
     t.put_column(columns_.x, plant_.position(), 3);
@@ -344,7 +226,7 @@ class simulation_of final : public simulation {
   std::vector<double> ring_;
   ph::contact_meter meter_;
   std::array<double, 8> figures_{};
-  std::vector<recorded> record_;
+  motion_record<E> record_;
 };
 
 }  // namespace explorer

@@ -13,17 +13,17 @@ namespace explorer {
 
 /// What stands in some places of the table.
 struct named_value {
-  const char* id;            ///< As exports.hpp lists it.
-  const char* label;         ///< In words.
-  const char* symbol;        ///< As in the paper; empty where it has none.
-  const char* equation;      ///< Its number in the paper; empty where it has none.
-  std::string unit;          ///< "1" for a ratio, "" for a word.
-  const char* group;         ///< Where it is shown: motion, forces, brakes, decision.
-  int size = 1;              ///< Numbers.
-  int columns = 1;           ///< Of them in a row.
+  const char* id;                       ///< As exports.hpp lists it.
+  const char* label;                    ///< In words.
+  const char* symbol;                   ///< As in the paper; empty where it has none.
+  const char* equation;                 ///< Its number in the paper; empty where it has none.
+  std::string unit;                     ///< "1" for a ratio, "" for a word.
+  const char* group;                    ///< Where it is shown: motion, forces, brakes, decision.
+  int size = 1;                         ///< Numbers.
+  int columns = 1;                      ///< Of them in a row.
   std::vector<std::string> units = {};  ///< One for each number, where they differ.
   std::vector<std::string> words = {};  ///< Of an enumeration, which counts from 0.
-  int offset = 0;            ///< Of the first number; the table sets it.
+  int offset = 0;                       ///< Of the first number; the table sets it.
 };
 
 /// The numbers and their names.

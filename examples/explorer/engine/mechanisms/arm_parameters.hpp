@@ -9,16 +9,17 @@ namespace explorer {
 
 namespace ph = passive_haptics;
 
-/// Lengths of three links and the masses of a light desktop device; uniform rods with a point mass at the handle.
+/// Lengths of three links and the masses of a light desktop device; uniform rods with a point mass at the
+/// handle.
 struct arm_parameters {
-  double length_1 = 0.12;         ///< [m]
-  double length_2 = 0.12;         ///< [m]
-  double length_3 = 0.08;         ///< [m]
-  double mass_1 = 0.2;            ///< [kg]
-  double mass_2 = 0.2;            ///< [kg]
-  double mass_3 = 0.1;            ///< [kg]
-  double handle_mass = 0.1;       ///< [kg]
-  double rotor_inertia = 5e-5;    ///< On each joint's axis [kg m^2].
+  double length_1 = 0.12;       ///< [m]
+  double length_2 = 0.12;       ///< [m]
+  double length_3 = 0.08;       ///< [m]
+  double mass_1 = 0.2;          ///< [kg]
+  double mass_2 = 0.2;          ///< [kg]
+  double mass_3 = 0.1;          ///< [kg]
+  double handle_mass = 0.1;     ///< [kg]
+  double rotor_inertia = 5e-5;  ///< On each joint's axis [kg m^2].
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {

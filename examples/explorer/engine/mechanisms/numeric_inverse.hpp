@@ -13,9 +13,9 @@ namespace explorer {
 
 namespace ph = passive_haptics;
 
-/// Joint positions near q that put the handle at x [m]: q += J^T (J J^T + l^2 1)^-1 e, the damping l of the size of
-/// the error e. Steps that do not help are halved. `size` is a length of the device [m]: the point is reached to
-/// 1e-9 of it.
+/// Joint positions near q that put the handle at x [m]: q += J^T (J J^T + l^2 1)^-1 e, the damping l of the
+/// size of the error e. Steps that do not help are halved. `size` is a length of the device [m]: the point is
+/// reached to 1e-9 of it.
 template <class M>
 ph::joint_solution<double, M::dof> numeric_inverse(const M& model, const ph::task_vector<M>& x,
                                                    const ph::joint_vector<M>& from, double size) {

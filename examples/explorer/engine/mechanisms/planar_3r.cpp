@@ -24,15 +24,16 @@ struct description : described {
                                                const joints& q) {
     return numeric_inverse(model, x, q, reach(model));
   }
-  static std::optional<joints> flipped(const mechanism&, const joints&) { return no_other_branch<mechanism>(); }
+  static std::optional<joints> flipped(const mechanism&, const joints&) {
+    return no_other_branch<mechanism>();
+  }
   static void draw(const mechanism& model, const joints& q, drawing& to) {
     const auto pose = model.pose(q);
     const drawing::place points[] = {drawing::in_plane(pose.point[0]), drawing::in_plane(pose.point[1]),
                                      drawing::in_plane(pose.point[2]), drawing::in_plane(pose.handle)};
     const double size = brake_share * reach(model) / 2;
     draw_links(to, points, size);
-    for (int i = 0; i < 3; ++i)
-      to.add_turning(item_kind::brake, i, points[i], out_of_plane(), size, q[i]);
+    for (int i = 0; i < 3; ++i) to.add_turning(item_kind::brake, i, points[i], out_of_plane(), size, q[i]);
   }
   static double reach(const mechanism& model) { return model.position(joints(0, 0, 0)).norm(); }
 };

@@ -14,7 +14,8 @@ struct description : two_links {
   static mechanism make(const parameters& p) { return mechanism(p); }
 
   // The two outer tangents of pulleys of radii r at a and s at b, in the plane.
-  static void add_belt(drawing& to, int brake, const drawing::place& a, double r, const drawing::place& b, double s) {
+  static void add_belt(drawing& to, int brake, const drawing::place& a, double r, const drawing::place& b,
+                       double s) {
     const ph::vector<double, 2> apart(b[0] - a[0], b[1] - a[1]);
     const double distance = apart.norm();
     if (!(distance > std::abs(r - s))) return;

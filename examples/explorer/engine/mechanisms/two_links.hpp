@@ -24,7 +24,8 @@ struct two_links : described {
     return std::sin(q[1]) > 0 ? ph::elbow::right : ph::elbow::left;
   }
   /// On the branch of q.
-  static ph::joint_solution<double, 2> inverse(const ph::two_link<double>& model, const joints& x, const joints& q) {
+  static ph::joint_solution<double, 2> inverse(const ph::two_link<double>& model, const joints& x,
+                                               const joints& q) {
     return model.inverse(x, branch_of(q));
   }
   /// With the elbow on the other side.
