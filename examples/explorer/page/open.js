@@ -63,10 +63,10 @@ export function begin(question, settings, preset, is_own) {
   app.is_by_itself = question.is_moving;
   if (question.is_moving && app.laws.length === 1) app.law = app.laws[0];
   device.evaluate();
-  if (question.id === "wanted" && !Math.hypot(...device.value("Fd"))) want_something();
   app.bounds = device.bounds();
   app.box = box_of(device, app.info, question);
   app.scales = scales_of(device, app.info);
+  if (!preset && (question.id === "forces" || question.id === "wanted")) start_still(question);
   app.begun = (app.begun || 0) + 1;
   app.is_hollow = form_value("scene").startsWith("hollow");
   app.map = null;
@@ -81,12 +81,16 @@ export function begin(question, settings, preset, is_own) {
   app.is_dirty = true;
 }
 
-// A force to begin with where none is wanted: halfway between two reference forces.
-function want_something() {
-  const R = app.device.value("R"), limits = app.device.value("torque_limit"), state = app.device.state(app.info.joints);
-  for (let i = 0; i < 3; ++i) state.Fd[i] = 0.5 * (limits[0] * R[i] - limits[1] * R[3 + i]);
-  app.device.set("desired=given");
-  app.device.evaluate();
+// A motion and a wanted force to begin with where a still picture has none: the handle goes aside, and the force is that of a wall in front.
+function start_still(question) {
+  const {device, info} = app, state = device.state(info.joints);
+  if (!Math.hypot(...device.value("v"))) device.move([0.09 / app.scales.motion, 0, 0]);
+  device.evaluate();
+  app.scales = scales_of(device, info);  // the cone of a device with more joints than needed depends on its motion
+  if (question.id !== "wanted" || Math.hypot(...device.value("Fd"))) return;
+  state.Fd.set(info.dimension === 3 ? [0, 0, 0.2 / app.scales.force] : [0, -0.2 / app.scales.force, 0]);
+  device.set("desired=given");
+  device.evaluate();
 }
 
 export function start_runner() {

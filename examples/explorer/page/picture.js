@@ -18,7 +18,8 @@ export function scales_of(device, info) {
   for (let region = 0; region < 1 << info.brakes; ++region)
     for (const force of device.outline(region, true)) if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
   const bounds = device.bounds(), reach = Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
-  // Where a brake alone makes no force (n > d): what all limits make at half of the reach.
+  // Where a brake alone makes no force (n > d): what all make together, or would at half of the reach.
+  if (!strongest) for (const force of device.outline(-1, true)) if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
   if (!strongest) strongest = 2 * device.value("torque_limit").reduce((sum, limit) => sum + limit, 0) / reach;
   return {force: (info.dimension === 3 ? 0.7 : 1) * cone_share / (strongest || 1), motion: 1.1 / (reach || 1), reach};
 }
@@ -40,11 +41,11 @@ export function margins_of({device, info, scales, bounds, width, height, layers,
   for (let turn = 0; turn < 3; ++turn) {
     const camera = fitting_camera(bounds, false, width, height, margins), at = camera.point(x);
     const heads = forces.map(f => { const d = camera.vector(f); return [at[0] + force_scale * d[0], at[1] + force_scale * d[1]]; });
-    const over = (side, most) => Math.max(0, Math.min(most, ...[heads.reduce((largest, head) => Math.max(largest, side(head)), 0)]));
-    margins.left += over(head => least - head[0], 0.2 * width);
-    margins.right += over(head => head[0] - width + least, 0.2 * width);
-    margins.top += over(head => least - head[1], 0.2 * height);
-    margins.bottom += over(head => head[1] - height + least, 0.2 * height);
+    const over = side => heads.reduce((largest, head) => Math.max(largest, side(head)), 0);
+    margins.left = Math.min(0.24 * width, margins.left + over(head => least - head[0]));
+    margins.right = Math.min(0.24 * width, margins.right + over(head => head[0] - width + least));
+    margins.top = Math.min(0.24 * height, margins.top + over(head => least - head[1]));
+    margins.bottom = Math.min(0.24 * height, margins.bottom + over(head => head[1] - height + least));
   }
   return margins;
 }
