@@ -8,6 +8,8 @@ import { by_id, refuse } from './messages.js';
 import { begin, start_runner } from './open.js';
 import { layers } from './story.js';
 
+const device_groups = [["mechanism", "Mechanism"], ["brakes", "Brakes"]], map_group = ["map", "Task of the design map"];
+const other_groups = [["law", "Law"], ["options", "Approximation"], ["scene", "Wall"], ["hand", "Hand"]];
 const form = make_form(by_id("form"), change_setting);
 
 export function show_controls() {
@@ -31,7 +33,7 @@ export function show_controls() {
   by_id("results").hidden = app.laws.length < 2 || !question.is_moving;
   by_id("map_choice").hidden = question.id !== "mine";
   by_id("flip").hidden = question.is_moving;
-  if (question.opens_form) by_id("form_details").open = true;
+  by_id("form_details").open = by_id("form_details").open || !!question.opens_form;
   by_id("self").setAttribute("aria-pressed", String(app.is_by_itself));
   by_id("hint").hidden = !(question.id === "watch" && app.is_by_itself);
   by_id("hint").textContent = "Take the handle: drag it, or press Tab and the arrow keys";
@@ -41,7 +43,7 @@ export function show_controls() {
 
 function mark_current(link, is_current) { is_current ? link.setAttribute("aria-current", "page") : link.removeAttribute("aria-current"); }
 
-function show_form() { form.show(app.device.form(), ["mechanism", "brakes", "law", "options", "scene", "hand"]); }
+function show_form() { form.show(app.device.form(), app.question.id === "mine" ? [...device_groups, map_group, ...other_groups] : [...device_groups, ...other_groups, map_group]); }
 
 function show_scene() {
   const text = form_value("scene"), select = by_id("scene"), kind = text.split(":")[0];

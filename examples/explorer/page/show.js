@@ -10,7 +10,7 @@ import { canvas_pen, svg_pen } from './pen.js';
 import { make_picture, margins_of } from './picture.js';
 import { make_sound } from './sound.js';
 import { draw_stage } from './stage.js';
-import { laws_answer, moment_answer, result_columns, still_answer } from './story.js';
+import { design_answer, laws_answer, moment_answer, result_columns, still_answer } from './story.js';
 import { is_way_done, play_log } from './transport.js';
 
 const curves_pen = canvas_pen(by_id("curves")), show_numbers = make_numbers(by_id("numbers"), text => speak("Copied " + text));
@@ -89,9 +89,8 @@ function show_results() {
 }
 
 function map_answer() {
-  if (!app.map || !app.map.known.length) return "The map is being computed.";
-  const {known} = app.map, figure = engine.catalogue.figures[app.map_figure], unit = figure.unit && figure.unit !== "1" ? " " + figure.unit : "";
-  return figure.look + " Over all places that it reaches the median is *" + short_number(known[known.length >> 1], 3) + unit + "*, the least *" + short_number(known[0], 3) + unit + "*.";
+  const {map} = app, figure = engine.catalogue.figures[app.map_figure];
+  return map ? design_answer(figure, map.known) : "";
 }
 
 export function picture_svg() {

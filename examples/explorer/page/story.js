@@ -88,6 +88,16 @@ function list(parts, is_start = false) {
   return is_start ? text.charAt(0).toUpperCase() + text.slice(1) : text;
 }
 
+// What a design map says. known: the numbers of all places in reach, from the least on.
+export function design_answer(figure, known) {
+  if (!known.length) return "The map is being computed.";
+  const share = test => "*" + short_number(100 * known.filter(test).length / known.length, 2) + " %*", unit = figure.unit && figure.unit !== "1" ? " " + figure.unit : "";
+  if (figure.id === "cosine") return "Yellow is good. At " + share(c => c === 1) + " of the places that it reaches the brakes make the force of the wall exactly, at " +
+    share(c => c > 0 && c < 1) + " a force beside it, at " + share(c => c === 0) + " none.";
+  return figure.look + " Over all places that it reaches the median is *" + short_number(known[known.length >> 1], 3) + unit + "*, the least *" + short_number(known[0], 3) + unit + "*, the most *" +
+    short_number(known.at(-1), 3) + unit + "*.";
+}
+
 // The columns of the table of laws: figure of sim_figures(), factor to the unit that is shown.
 export const result_columns = [
   {title: "left the wall", of: 0, factor: 1, unit: "times"}, {title: "deepest", of: 1, factor: 1e3, unit: "mm"}, {title: "depth, mean", of: 2, factor: 1e3, unit: "mm"},
