@@ -12,7 +12,7 @@ export function make_form(form, changed) {
     // entries: the list of explorer_form(); groups: those to show, in this order.
     show(entries, groups) {
       const fields = entries.filter(entry => !elsewhere.has(entry.name)), key = fields.map(entry => entry.name + entry.size).join();
-      if (key !== shown) form.replaceChildren(...groups.map(group => fieldset_of(group, fields.filter(entry => entry.group === group))));
+      if (key !== shown) form.replaceChildren(...groups.map(group => fieldset_of(group, fields.filter(entry => entry.group === group[0]))));
       shown = key;
       for (const entry of fields) show_value(entry);
     },
