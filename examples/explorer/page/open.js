@@ -108,5 +108,5 @@ function begin_map() {
 }
 
 export function paint_map() {
-  app.map = design.picture(app.map_figure, engine.catalogue.figures[app.map_figure]);
+  app.map = design.picture(app.map_figure, engine.catalogue.figures[app.map_figure], engine.catalogue.figures.findIndex(figure => figure.id === "display"));
 }

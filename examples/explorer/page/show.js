@@ -1,6 +1,6 @@
 // The loop that draws: the picture and the curves in each frame, sentences and numbers a few times a second.
 
-import { app, brake_states, colors, engine, follow_tracks, is_moving, is_simulated, law_label, pen, runner, tracks, value, word } from './app.js';
+import { app, brake_states, colors, engine, follow_tracks, form_value, is_moving, is_simulated, law_label, pen, runner, tracks, value, word } from './app.js';
 import { draw_curves } from './curves.js';
 import { element, set_sentence, short_number } from './format.js';
 import { name_grips, place_grips } from './hand.js';
@@ -90,7 +90,7 @@ function show_results() {
 
 function map_answer() {
   const {map} = app, figure = engine.catalogue.figures[app.map_figure];
-  return map ? design_answer(figure, map.known) : "";
+  return map ? design_answer(figure, map.known, map.classes, app.device.layout.find(entry => entry.id === "display").words, {direction: form_value("map.direction"), normal: form_value("map.normal")}) : "";
 }
 
 export function picture_svg() {

@@ -15,7 +15,7 @@ export const questions = [
     lead: "Ten times slower: the wall pushes straight out, but the brakes can only push askew. When a brake holds, the handle can only move on a curve, and the curve leads out of the wall."},
   {id: "laws", mark: "4", title: "Which law helps?", is_moving: true, preset: "fig9", laws: ["no_direct_control", "saturated_direct_control", "velocity_direct_control"], layers: ["brakes", "paths"],
     lead: "Three devices, one motion of the hand. The law that helps has a flat curve of depth: the hand stays in the wall, and does not leave it."},
-  {id: "mine", mark: "5", title: "Would my device do?", preset: "fig9", layers: ["map", "brakes", "cone"], opens_form: true,
+  {id: "mine", mark: "5", title: "Would my device do?", preset: "fig9", layers: ["map", "brakes"], opens_form: true,
     lead: "Change lengths, brakes and limits in the form: the colours show where your device renders the wall well. The link of this page then carries your device."},
 ];
 
@@ -88,12 +88,13 @@ function list(parts, is_start = false) {
   return is_start ? text.charAt(0).toUpperCase() + text.slice(1) : text;
 }
 
-// What a design map says. known: the numbers of all places in reach, from the least on.
-export function design_answer(figure, known) {
+// What a design map says. known: the numbers of all places in reach, from the least on; classes: how each place displays the wall, with
+// its words; task: {direction, normal} in text.
+export function design_answer(figure, known, classes, words, task) {
   if (!known.length) return "The map is being computed.";
-  const share = test => "*" + short_number(100 * known.filter(test).length / known.length, 2) + " %*", unit = figure.unit && figure.unit !== "1" ? " " + figure.unit : "";
-  if (figure.id === "cosine") return "Yellow is good. At " + share(c => c === 1) + " of the places that it reaches the brakes make the force of the wall exactly, at " +
-    share(c => c > 0 && c < 1) + " a force beside it, at " + share(c => c === 0) + " none.";
+  const share = test => "*" + short_number(100 * classes.filter(place => test(words[place])).length / classes.length, 2) + " %*", unit = figure.unit && figure.unit !== "1" ? " " + figure.unit : "";
+  if (figure.id === "cosine") return "At " + share(word => word === "exact" || word === "approximate") + " of all places the brakes can make a force against a wall with the normal (" + task.normal.replaceAll(",", ", ") +
+    ") while the hand moves along (" + task.direction.replaceAll(",", ", ") + "): yellow is straight against it, dark is hardly. At the others they can make none.";
   return figure.look + " Over all places that it reaches the median is *" + short_number(known[known.length >> 1], 3) + unit + "*, the least *" + short_number(known[0], 3) + unit + "*, the most *" +
     short_number(known.at(-1), 3) + unit + "*.";
 }
