@@ -16,6 +16,7 @@ export function show_controls() {
   const {question} = app;
   set_sentence(by_id("lead"), app.preset ? app.preset.title + ". " + app.preset.look : question.lead);
   for (const link of by_id("questions").children) mark_current(link, link.dataset.id === question.id);
+  show_current(by_id("questions"));
   for (const link of by_id("presets").children) mark_current(link, app.preset?.id === link.dataset.id);
   by_id("mechanism").value = app.info.id;
   by_id("law").value = app.law;
@@ -36,12 +37,18 @@ export function show_controls() {
   by_id("form_details").open = by_id("form_details").open || !!question.opens_form;
   by_id("self").setAttribute("aria-pressed", String(app.is_by_itself));
   by_id("hint").hidden = !(question.id === "watch" && app.is_by_itself);
-  by_id("hint").textContent = "Take the handle: drag it, or press Tab and the arrow keys";
+  by_id("hint").textContent = innerWidth < 520 ? "Take the handle and drag it" : "Take the handle: drag it, or press Tab and the arrow keys";
   show_form();
   show_legend();
 }
 
 function mark_current(link, is_current) { is_current ? link.setAttribute("aria-current", "page") : link.removeAttribute("aria-current"); }
+
+// Brings the current link of a row into view where the row is wider than the screen.
+function show_current(row) {
+  const link = row.querySelector('[aria-current="page"]');
+  if (link && row.scrollWidth > row.clientWidth) row.scrollLeft = link.offsetLeft - row.offsetLeft - (row.clientWidth - link.offsetWidth) / 2;
+}
 
 function show_form() { form.show(app.device.form(), app.question.id === "mine" ? [...device_groups, map_group, ...other_groups] : [...device_groups, ...other_groups, map_group]); }
 

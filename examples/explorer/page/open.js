@@ -22,7 +22,7 @@ export function open_link() {
   }
   const preset = preset_of(page);
   if (preset) return begin(question_of(preset), preset.settings, preset, false);
-  return ask(questions.find(question => question.id === page) || questions[0]);
+  return turn_to(questions.find(question => question.id === page) || questions[0]);
 }
 
 // The question that a figure of the paper belongs to.
@@ -33,7 +33,7 @@ function question_of(preset) {
 }
 
 // Goes to a question, with the device that was chosen, or with that of the question.
-function ask(question) {
+function turn_to(question) {
   if (app.is_own && app.device) {
     const settings = parse_settings(app.device.settings());
     settings.set("desired", question.id === "wanted" ? "given" : "scene");
@@ -47,7 +47,7 @@ function ask(question) {
 
 export function begin(question, settings, preset, is_own) {
   const device = engine.device(settings);
-  if (!device) { refuse(engine.error()); if (app.device) return; return ask(questions[0]); }
+  if (!device) { refuse(engine.error()); if (app.device) return; return turn_to(questions[0]); }
   refuse("");
   const is_new_question = question !== app.question || !app.device;
   app.device?.end();

@@ -10,7 +10,7 @@ import { canvas_pen, svg_pen } from './pen.js';
 import { make_picture, margins_of } from './picture.js';
 import { make_sound } from './sound.js';
 import { draw_stage } from './stage.js';
-import { design_answer, laws_answer, moment_answer, result_columns, still_answer } from './story.js';
+import { design_sentence, laws_sentence, moment_sentence, result_columns, still_sentence } from './story.js';
 import { is_way_done, play_log } from './transport.js';
 
 const curves_pen = canvas_pen(by_id("curves")), show_numbers = make_numbers(by_id("numbers"), text => speak("Copied " + text));
@@ -23,8 +23,10 @@ function view_of(width, height) {
     app.margins_key = margins_key;
     app.margins = margins_of({device: app.device, info: app.info, scales: app.scales, bounds: app.box, width, height, layers: app.layers, is_moving: is_moving()});
   }
+  const brakes = brake_states();
+  if (width < 520) for (const brake of brakes) brake.text = brake.state;  // there is no room for more
   return {margins: app.margins, is_hollow: app.is_hollow, device: app.device, info: app.info, scales: app.scales, bounds: app.box, width, height, yaw: app.yaw, pitch: app.pitch, is_moving: is_moving() && !!tracks(), tracks: tracks(),
-    focus: app.focus, colors: is_moving() ? colors() : [], value, layers: app.layers, brakes: brake_states(), pointer: app.is_held ? app.pointer : null,
+    focus: app.focus, colors: is_moving() ? colors() : [], value, layers: app.layers, brakes, pointer: app.is_held ? app.pointer : null,
     lens_memory: app.lens_memory, map: app.map, shows_hand: is_simulated() && !app.is_held && app.is_by_itself};
 }
 
@@ -59,11 +61,11 @@ export function frame(now) {
 function show_texts() {
   const brakes = brake_states();
   if (tracks()) {
-    set_sentence(by_id("answer"), tracks().laws.length < 2 ? moment_answer(tracks(), app.focus, brakes) : laws_answer(tracks(), new Map(app.laws.map(law => [law, law_label(law)])), runner.last?.figures));
+    set_sentence(by_id("answer"), tracks().laws.length < 2 ? moment_sentence(tracks(), app.focus, brakes) : laws_sentence(tracks(), new Map(app.laws.map(law => [law, law_label(law)])), runner.last?.figures));
     show_numbers(tracks().layout.values, entry => tracks().value(app.focus, entry.id) || Array(entry.size).fill(NaN));
     show_results();
   } else {
-    set_sentence(by_id("answer"), app.question.id === "mine" ? map_answer() : still_answer(app.question.id, value, word, brakes));
+    set_sentence(by_id("answer"), app.question.id === "mine" ? map_sentence() : still_sentence(app.question.id, value, word, brakes));
     show_numbers(app.device.layout, entry => app.device.value(entry.id));
   }
   by_id("late").hidden = !(is_simulated() && runner.is_late && !app.is_paused);
@@ -88,9 +90,9 @@ function show_results() {
   }));
 }
 
-function map_answer() {
+function map_sentence() {
   const {map} = app, figure = engine.catalogue.figures[app.map_figure];
-  return map ? design_answer(figure, map.known, map.classes, app.device.layout.find(entry => entry.id === "display").words, {direction: form_value("map.direction"), normal: form_value("map.normal")}) : "";
+  return map ? design_sentence(figure, map.known, map.classes, app.device.layout.find(entry => entry.id === "display").words, {direction: form_value("map.direction"), normal: form_value("map.normal")}) : "";
 }
 
 export function picture_svg() {

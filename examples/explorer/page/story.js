@@ -31,7 +31,7 @@ const newton = value => "*" + short_number(value, 3) + " N*";
 const length_of = vector => Math.hypot(...vector);
 
 // What the present state means, for the questions without motion. value(id), word(id): of the engine.
-export function still_answer(question, value, word, brakes) {
+export function still_sentence(question, value, word, brakes) {
   const moving = length_of(value("v")) > 0, states = brakes.map((brake, k) => "brake " + (k + 1) + " " + brake.state);
   if (question === "forces") {
     if (!moving && length_of(value("Fh")) === 0) return "Nothing moves and nobody pushes: a brake at rest then makes no force. Drag the head of *v*, or of the hand force *F_h*.".replaceAll("_", "");
@@ -52,7 +52,7 @@ export function still_answer(question, value, word, brakes) {
 const scale_text = alpha => alpha < 1 ? " The law takes only α = *" + short_number(alpha, 3) + "* of it, so that the hand is not thrown off." : "";
 
 // What happens at this moment of the simulation, in one sentence.
-export function moment_answer(tracks, law, brakes) {
+export function moment_sentence(tracks, law, brakes) {
   const depth = tracks.value(law, "depth")?.[0];
   if (depth === undefined) return "";
   const holding = brakes.map((brake, k) => brake.state === "holds" ? "brake " + (k + 1) : "").filter(text => text);
@@ -72,7 +72,7 @@ function leaving(tracks, law) {
 }
 
 // last: the figures of the pass before, which count until this pass has gone on for a while.
-export function laws_answer(tracks, labels, last) {
+export function laws_sentence(tracks, labels, last) {
   const is_early = last && !(tracks.figures[0]?.[7] > 1), figures = is_early ? last : tracks.figures;
   const known = tracks.laws.map((law, k) => ({label: labels.get(law) || law, figures: figures[k]})).filter(entry => entry.figures && entry.figures[7] > 0.2);
   if (known.length < 2) return "The hand comes to the wall.";
@@ -90,7 +90,7 @@ function list(parts, is_start = false) {
 
 // What a design map says. known: the numbers of all places in reach, from the least on; classes: how each place displays the wall, with
 // its words; task: {direction, normal} in text.
-export function design_answer(figure, known, classes, words, task) {
+export function design_sentence(figure, known, classes, words, task) {
   if (!known.length) return "The map is being computed.";
   const share = test => "*" + short_number(100 * classes.filter(place => test(words[place])).length / classes.length, 2) + " %*", unit = figure.unit && figure.unit !== "1" ? " " + figure.unit : "";
   if (figure.id === "cosine") return "At " + share(word => word === "exact" || word === "approximate") + " of all places the brakes can make a force against a wall with the normal (" + task.normal.replaceAll(",", ", ") +
