@@ -72,7 +72,7 @@ async function in_browser(browser) {
     }
   };
 
-  await test('the page opens, moves by itself, and asks for nothing from a network', () => with_page('', {}, async page => {
+  await test('the page opens, moves by itself, and loads nothing from a network', () => with_page('', {}, async page => {
     await page.waitForFunction(() => Number(document.querySelector('.number[data-id="t"]')?.dataset.value) > 0.5, null, {timeout: 30000});
     expect(await page.title() !== '', 'the page has a title');
     expect(await page.locator('#questions a[aria-current="page"]').count() === 1, 'one question is current');

@@ -55,7 +55,9 @@ class simulation_of final : public simulation {
       plant_ = ph::simulated_device<M>(model_, c_.brakes, mass(), q);
       plant_.set_motion(q, qd);
     }
-    prepare();
+    // A hand that takes over leaves the controller its memory, so that a log of both is that of one controller
+    if (!has_only_hand(changed)) control_ = c_.control(model_, c_.law, c_.walls());
+    prepare_hand();
   }
 
   void restart() override {
@@ -104,9 +106,19 @@ class simulation_of final : public simulation {
 
   double mass() const { return c_.top.hand == hand_kind::along ? c_.along.mass : c_.hand.mass; }
 
+  static bool has_only_hand(const settings& changed) {
+    for (const auto& [name, value] : changed.lines())
+      if (name != "hand") return false;
+    return true;
+  }
+
   // What follows from the settings, but for the plant.
   void prepare() {
     control_ = c_.control(model_, c_.law, c_.walls());
+    prepare_hand();
+  }
+
+  void prepare_hand() {
     shape_ = shape_of<d>(c_.top.scene);
     hand_.reset();
     if (c_.top.hand == hand_kind::along) {

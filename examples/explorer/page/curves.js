@@ -4,11 +4,12 @@ import { line_path } from './pen.js';
 import { each_point } from './tracks.js';
 import { short_number } from './format.js';
 
-const shown_seconds = 5;
+const longest_shown = 5;  // [s]
 
 // tracks: with the histories; names and colors: of the laws; brakes: their number.
 // With is_short only the depth is drawn.
-export function draw_curves(pen, tracks, theme, names, colors, brakes, is_short) {
+// last: the tracks of the pass before, drawn pale where this pass has not come to yet.
+export function draw_curves(pen, tracks, last, theme, names, colors, brakes, is_short) {
   const width = pen.width, is_small = width < 520, left = is_small ? 40 : 58, right = width - 14, gap = 30, top = is_small ? 46 : 26;
   const unit = is_short ? (pen.height - top - 18) / 2.6 : (pen.height - top - 16 - 2 * gap) / 5;
   const panels = [
@@ -16,11 +17,10 @@ export function draw_curves(pen, tracks, theme, names, colors, brakes, is_short)
     {key: "rate", from: top + 2.6 * unit + gap, height: 1.2 * unit, title: "rate of brake " + brakes + ", ω [rad/s]: 0 where it holds", factor: 1, even: true},
     {key: "alpha", from: top + 3.8 * unit + 2 * gap, height: 1.2 * unit, title: "α, how much of F_{c} is commanded", log: true},
   ];
-  let end = 0, start = Infinity;
-  for (const history of tracks.histories) each_point(history, shown_seconds, k => { end = Math.max(end, history.time[k]); start = Math.min(start, history.time[k]); });
-  const first = Math.max(start, end - shown_seconds), seconds = Math.max(shown_seconds, end - first);
+  const [start, end] = times_of(tracks), last_end = last ? times_of(last)[1] : 0;
+  const seconds = last && end < last_end ? Math.min(longest_shown, last_end) : longest_shown, first = Math.max(start, end - seconds);
   const x_of = t => left + (right - left) * (t - first) / seconds;
-  for (const panel of is_short ? panels.slice(0, 1) : panels) draw_panel(pen, panel, tracks, theme, colors, x_of, left, right);
+  for (const panel of is_short ? panels.slice(0, 1) : panels) draw_panel(pen, panel, tracks, last && end < last_end ? last : null, end, theme, colors, x_of, left, right);
   const labels = names.map((name, law) => ({name, law}));
   let at = right;
   for (const {name, law} of labels.reverse()) {
@@ -31,10 +31,17 @@ export function draw_curves(pen, tracks, theme, names, colors, brakes, is_short)
   }
 }
 
-function draw_panel(pen, panel, tracks, theme, colors, x_of, left, right) {
+// The first and the last time of the curves that are shown [s].
+function times_of(tracks) {
+  let start = Infinity, end = 0;
+  for (const history of tracks.histories) each_point(history, longest_shown, k => { start = Math.min(start, history.time[k]); end = Math.max(end, history.time[k]); });
+  return [Math.min(start, end), end];
+}
+
+function draw_panel(pen, panel, tracks, last, now, theme, colors, x_of, left, right) {
   const bottom = panel.from + panel.height;
   let low = Infinity, high = -Infinity;
-  for (const history of tracks.histories) each_point(history, shown_seconds, k => {
+  for (const history of [...tracks.histories, ...(last ? last.histories : [])]) each_point(history, longest_shown, k => {
     const value = history[panel.key][k] * (panel.factor || 1);
     if (value === value) { low = Math.min(low, value); high = Math.max(high, value); }
   });
@@ -65,19 +72,25 @@ function draw_panel(pen, panel, tracks, theme, colors, x_of, left, right) {
     pen.label(text, left - 8, y + 4, {size: 12, align: "end", color: theme.muted});
   }
   pen.label(panel.title, left, panel.from - 8, {size: 12.5, color: theme.muted});
-  pen.clip(`M${left} ${panel.from - 3}H${right + 8}V${bottom + 3}H${left}Z`, () => tracks.histories.forEach((history, law) => {
-    let d = "", last = null;
-    each_point(history, shown_seconds, k => {
-      const value = history[panel.key][k] * (panel.factor || 1);
-      if (value !== value) { last = null; return; }
-      const x = x_of(history.time[k]), y = y_of(value);
-      d += (last ? "L" : "M") + x.toFixed(1) + " " + y.toFixed(1);
-      last = [x, y];
+  pen.clip(`M${left} ${panel.from - 3}H${right + 8}V${bottom + 3}H${left}Z`, () => {
+    const curve = (history, from) => {
+      let d = "", head = null;
+      each_point(history, longest_shown, k => {
+        const value = history[panel.key][k] * (panel.factor || 1);
+        if (value !== value || history.time[k] < from) { head = null; return; }
+        const x = x_of(history.time[k]), y = y_of(value);
+        d += (head ? "L" : "M") + x.toFixed(1) + " " + y.toFixed(1);
+        head = [x, y];
+      });
+      return {d, head};
+    };
+    if (last) last.histories.forEach((history, law) => pen.path(curve(history, now).d, {stroke: colors[law], width: 1.4, alpha: 0.3}));
+    tracks.histories.forEach((history, law) => {
+      const {d, head} = curve(history, -1);
+      if (d) pen.path(d, {stroke: colors[law], width: 1.8});
+      if (head) pen.path(`M${head[0] - 3.5} ${head[1]}a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0Z`, {fill: colors[law], stroke: theme.paper, width: 1.2});
     });
-    if (!d) return;
-    pen.path(d, {stroke: colors[law], width: 1.8});
-    if (last) pen.path(`M${last[0] - 3.5} ${last[1]}a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0Z`, {fill: colors[law], stroke: theme.paper, width: 1.2});
-  }));
+  });
 }
 
 // The next of 1, 2, 5, 10, ...

@@ -28,7 +28,7 @@ export function make_design_map(changed) {
     },
     end() { clearTimeout(timer); map?.end(); map = null; },
     // The picture of a figure of the catalogue: {image, low, high, ramp, texts, title, numbers}.
-    picture(index, figure) {
+    picture(index, figure, class_index) {
       if (!map) return null;
       const numbers = map.figure(index), known = [...numbers].filter(Number.isFinite).sort((a, b) => a - b);
       const least = known.length ? known[Math.floor(0.02 * known.length)] : 0, most = known.length ? known[Math.floor(0.98 * (known.length - 1))] : 1;
@@ -44,6 +44,7 @@ export function make_design_map(changed) {
       context.putImageData(data, 0, 0);
       const unit = figure.unit && figure.unit !== "1" ? " " + figure.unit : "";
       return {image, low: box.low, high: box.high, ramp: ramp.map(c => "rgb(" + c + ")"), title: figure.label + (figure.symbol ? " " + figure.symbol : ""),
+        classes: [...map.figure(class_index)].filter(Number.isFinite),
         texts: [short_number(least, 2) + unit, short_number(most, 2) + unit], known};
     },
   };

@@ -7,7 +7,7 @@ import { each_point } from './tracks.js';
 import { drawing_rows, handle_of, is_line_row } from './sketch.js';
 
 const cone_share = 0.36;        // of the smaller side of the picture: the strongest force that the brakes make [1]
-const view_share = 0.17;        // of the reach, around the device at its first place [1]
+const view_share = {still: 0.13, moving: 0.075, space: 0.06};  // of the reach, around the device at its first place [1]
 const trail_seconds = 1.6;      // of the paths of the hands
 const lens_times = 10;          // enlargement of the lens
 const lens_rise = 0.06;         // how fast the lens follows [1 a picture]
@@ -18,35 +18,34 @@ export function scales_of(device, info) {
   for (let region = 0; region < 1 << info.brakes; ++region)
     for (const force of device.outline(region, true)) if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
   const bounds = device.bounds(), reach = Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
-  // Where a brake alone makes no force (n > d): what all limits make at half of the reach.
+  // Where a brake alone makes no force (n > d): what all make together, or would at half of the reach.
+  if (!strongest) for (const force of device.outline(-1, true)) if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
   if (!strongest) strongest = 2 * device.value("torque_limit").reduce((sum, limit) => sum + limit, 0) / reach;
   return {force: (info.dimension === 3 ? 0.7 : 1) * cone_share / (strongest || 1), motion: 1.1 / (reach || 1), reach};
 }
 
 // The box that the picture shows of a device [m]: in the plane what is drawn now and some room, in space all that it reaches.
-export function box_of(device, info, shows_all) {
+export function box_of(device, info, question) {
   const bounds = device.bounds();
-  if (shows_all) return bounds;
+  if (question.layers.includes("map")) return bounds;
   const drawing = device.drawing(), points = drawing_rows(drawing.numbers, drawing.count).flatMap(row => is_line_row(row) ? [row.point, row.other] : [row.point]);
-  const room = (info.dimension === 3 ? 0.4 : 1) * view_share * Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]);
+  const room = view_share[info.dimension === 3 ? "space" : question.is_moving ? "moving" : "still"] * Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]);
   return [0, 1, 2].map(i => Math.min(...points.map(p => p[i])) - room).concat([0, 1, 2].map(i => Math.max(...points.map(p => p[i])) + room));
 }
 
 // Margins of the picture of a device that leave room for what the brakes can make at the present place [pixels].
-export function margins_of({device, info, scales, bounds, width, height, yaw, pitch, layers, is_moving}) {
+export function margins_of({device, info, scales, bounds, width, height, layers, is_moving}) {
   const least = width < 520 ? 18 : 34, margins = {left: least, right: least, top: least, bottom: least + 8}, x = device.value("x");
-  if (info.dimension === 3 || is_moving || !(layers.has("cone") || layers.has("references"))) return margins;
-  const force_scale = scales.force * Math.min(width, height), R = device.value("R"), limits = device.value("torque_limit");
+  if (info.dimension === 3 || is_moving || !layers.has("cone")) return margins;
+  const force_scale = scales.force * Math.min(width, height), forces = cones_of({device, info, layers}).flatMap(cone => cone.points);
   for (let turn = 0; turn < 3; ++turn) {
-    const camera = fitting_camera(bounds, false, width, height, margins, yaw, pitch), at = camera.point(x);
-    for (let k = 0; k < info.brakes; ++k) for (const sign of [1, -1]) {
-      const d = camera.vector([0, 1, 2].map(i => sign * limits[k] * R[3 * k + i])), head = at.map((c, i) => c + 1.15 * force_scale * d[i]);
-      if (!head.every(Number.isFinite)) continue;
-      margins.left += Math.max(0, Math.min(0.2 * width, least - head[0]));
-      margins.right += Math.max(0, Math.min(0.2 * width, head[0] - width + least));
-      margins.top += Math.max(0, Math.min(0.2 * height, least - head[1]));
-      margins.bottom += Math.max(0, Math.min(0.2 * height, head[1] - height + least));
-    }
+    const camera = fitting_camera(bounds, false, width, height, margins), at = camera.point(x);
+    const heads = forces.map(f => { const d = camera.vector(f); return [at[0] + force_scale * d[0], at[1] + force_scale * d[1]]; });
+    const over = side => heads.reduce((largest, head) => Math.max(largest, side(head)), 0);
+    margins.left = Math.min(0.24 * width, margins.left + over(head => least - head[0]));
+    margins.right = Math.min(0.24 * width, margins.right + over(head => head[0] - width + least));
+    margins.top = Math.min(0.24 * height, margins.top + over(head => least - head[1]));
+    margins.bottom = Math.min(0.24 * height, margins.bottom + over(head => head[1] - height + least));
   }
   return margins;
 }
@@ -93,13 +92,15 @@ function references_of({device, info, layers}) {
 }
 
 function arrows_of({value, is_moving}) {
+  const made = is_moving ? [{id: "brake_force", layer: "made", label: "made", vector: value("brake_force")}]
+    : [{id: "Fc", layer: "made", label: "F_{c}", vector: value("Fc")}, {id: "Fc_scaled", layer: "made", label: "αF_{c}", vector: value("Fc_scaled")}];
   const arrows = [
-    {id: "Fc", layer: "made", label: "F_{c}", vector: value("Fc")}, {id: "Fc_scaled", layer: "made", label: "αF_{c}", vector: value("Fc_scaled")},
+    ...made,
     {id: "Fd", layer: "Fd", label: "F_{d}", vector: value("Fd")}, {id: "Fr", layer: "Fr", label: "F_{r}", vector: value("Fr")},
     {id: "v", layer: "v", label: "v", vector: value("v"), is_motion: true}, {id: "Fh", layer: "Fh", label: "F_{h}", vector: value(is_moving ? "hand_force" : "Fh")},
   ];
   const [fc, scaled] = arrows;
-  if (length_of_vector(fc.vector) === length_of_vector(scaled.vector)) { scaled.label = "F_{c}"; fc.label = ""; fc.vector = [0, 0, 0]; }
+  if (!is_moving && length_of_vector(fc.vector) === length_of_vector(scaled.vector)) { scaled.label = "F_{c}"; fc.label = ""; fc.vector = [0, 0, 0]; }
   return arrows.filter(arrow => arrow.vector.length === 3 && arrow.vector.every(Number.isFinite));
 }
 

@@ -7,14 +7,19 @@ export function make_runner(code, bytes, worker_code, events) {
   const worker = new Worker(URL.createObjectURL(new Blob([worker_code], {type: "text/javascript"})));
   let run = 0;
   const runner = {
-    tracks: null, is_late: false,
+    tracks: null, last: null, is_late: false,
     // Simulates devices of these settings, one for each law, from a place of the pointer [m] on.
     start(settings, laws, point) {
-      runner.tracks = null;
+      runner.tracks = runner.last = null;
       runner.laws = laws;
       worker.postMessage({kind: "start", settings, run: ++run, point});
     },
-    send(message) { worker.postMessage(message.kind === "restart" || message.kind === "replay" ? {...message, run: ++run} : message); },
+    // Begins the way of the hand again, and keeps what was.
+    again() {
+      runner.last = runner.tracks;
+      worker.postMessage({kind: "restart", run: ++run});
+    },
+    send(message) { worker.postMessage(message.kind === "replay" ? {...message, run: ++run} : message); },
   };
 
   worker.onmessage = ({data}) => {

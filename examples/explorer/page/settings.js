@@ -17,7 +17,7 @@ export function format_settings(settings) {
   return [...settings].map(([name, value]) => name + "=" + value).join("\n");
 }
 
-// What a link asks for: {page} or {settings}; an unknown version or an empty link gives {}.
+// What a link names: {page} or {settings}; an unknown version or an empty link gives {}.
 export function parse_link(hash) {
   const match = /^#v1\/(.*)$/s.exec(hash);
   if (!match) return {};

@@ -100,19 +100,23 @@ function brake_enlargement(rows, camera) {
 const smallest_brake = 11;  // radius [pixels]
 
 function label_brakes(pen, camera, rows, brakes, theme, enlarge) {
-  const all = brake_rows(rows);
+  const all = brake_rows(rows), handle_at = camera.point(handle_of(rows));
   const centre = [0, 1].map(i => all.reduce((sum, row) => sum + camera.point(row.point)[i], 0) / all.length);
   for (const row of all) {
     const state = brakes[row.number];
     if (!state || state.state === "no brake") continue;
-    const at = camera.point(row.point), r = row.size * enlarge * camera.scale, shares = all.some(other => other !== row && Math.hypot(...other.point.map((c, i) => c - row.point[i])) * camera.scale < 4);
+    const at = camera.point(row.point), here = all.filter(other => Math.hypot(...other.point.map((c, i) => c - row.point[i])) * camera.scale < 4), shares = here.length > 1;
+    const r = Math.max(...here.map(other => other.size)) * enlarge * camera.scale;
     const room = 7 * state.text.length + r + 12;  // of the text [pixels], about
-    const is_left = at[0] + room > pen.width || (at[0] > room && (shares ? row.number % 2 === 1 : all.length > 1 && at[0] < centre[0] - 1));
+    const is_left = at[0] + room > pen.width || (at[0] > room && (shares ? row.number % 2 === 1 : all.length > 1 && (at[0] < centre[0] - 1 || is_beside(at, handle_at))));
     const x = at[0] + (is_left ? -1 : 1) * (r + 7), align = is_left ? "end" : "start";
     pen.label("brake " + (row.number + 1), x, at[1] - 2, {size: 12, color: theme.muted, align, halo: theme.paper});
     pen.label(state.text, x, at[1] + 13, {size: 12, weight: 600, color: state.state === "released" ? theme.muted : theme[state.state + "_text"] || theme.ink, align, halo: theme.paper});
   }
 }
+
+// Whether a label to the right of a brake would lie on the handle.
+const is_beside = (at, handle_at) => handle_at[0] > at[0] && handle_at[0] < at[0] + 110 && Math.abs(handle_at[1] - at[1]) < 34;
 
 function draw_ground(pen, at, half, theme) {
   const depth = 0.5 * half, strokes = [];

@@ -15,14 +15,14 @@ export const questions = [
     lead: "Ten times slower: the wall pushes straight out, but the brakes can only push askew. When a brake holds, the handle can only move on a curve, and the curve leads out of the wall."},
   {id: "laws", mark: "4", title: "Which law helps?", is_moving: true, preset: "fig9", laws: ["no_direct_control", "saturated_direct_control", "velocity_direct_control"], layers: ["brakes", "paths"],
     lead: "Three devices, one motion of the hand. The law that helps has a flat curve of depth: the hand stays in the wall, and does not leave it."},
-  {id: "mine", mark: "5", title: "Would my device do?", preset: "fig9", layers: ["map", "brakes", "cone"], opens_form: true,
+  {id: "mine", mark: "5", title: "Would my device do?", preset: "fig9", layers: ["map", "brakes"], opens_form: true,
     lead: "Change lengths, brakes and limits in the form: the colours show where your device renders the wall well. The link of this page then carries your device."},
 ];
 
 export const layers = [
   {id: "cone", label: "forces that can be made now", style: "cone"}, {id: "others", label: "for other directions", style: "others"},
   {id: "references", label: "reference forces R", style: "references"}, {id: "Fd", label: "wanted force F_{d}", style: "Fd"},
-  {id: "made", label: "made force: F_{c} pale, αF_{c} full", style: "Fc_scaled"}, {id: "v", label: "velocity v", style: "v"},
+  {id: "made", label: "made force", style: "Fc_scaled"}, {id: "v", label: "velocity v", style: "v"},
   {id: "Fh", label: "hand force F_{h}", style: "Fh"}, {id: "Fr", label: "hand and brakes F_{r}", style: "Fr"},
   {id: "brakes", label: "brakes in words", style: ""}, {id: "paths", label: "paths of the hands", style: ""}, {id: "map", label: "design map", style: ""},
 ];
@@ -31,7 +31,7 @@ const newton = value => "*" + short_number(value, 3) + " N*";
 const length_of = vector => Math.hypot(...vector);
 
 // What the present state means, for the questions without motion. value(id), word(id): of the engine.
-export function still_answer(question, value, word, brakes) {
+export function still_sentence(question, value, word, brakes) {
   const moving = length_of(value("v")) > 0, states = brakes.map((brake, k) => "brake " + (k + 1) + " " + brake.state);
   if (question === "forces") {
     if (!moving && length_of(value("Fh")) === 0) return "Nothing moves and nobody pushes: a brake at rest then makes no force. Drag the head of *v*, or of the hand force *F_h*.".replaceAll("_", "");
@@ -52,7 +52,7 @@ export function still_answer(question, value, word, brakes) {
 const scale_text = alpha => alpha < 1 ? " The law takes only α = *" + short_number(alpha, 3) + "* of it, so that the hand is not thrown off." : "";
 
 // What happens at this moment of the simulation, in one sentence.
-export function moment_answer(tracks, law, brakes) {
+export function moment_sentence(tracks, law, brakes) {
   const depth = tracks.value(law, "depth")?.[0];
   if (depth === undefined) return "";
   const holding = brakes.map((brake, k) => brake.state === "holds" ? "brake " + (k + 1) : "").filter(text => text);
@@ -71,12 +71,14 @@ function leaving(tracks, law) {
   return history.depth[(history.count - 1) % n] < history.depth[(history.count - 3) % n];
 }
 
-export function laws_answer(tracks, labels) {
-  const known = tracks.laws.map((law, k) => ({label: labels.get(law) || law, figures: tracks.figures[k]})).filter(entry => entry.figures && entry.figures[7] > 0.2);
+// last: the figures of the pass before, which count until this pass has gone on for a while.
+export function laws_sentence(tracks, labels, last) {
+  const is_early = last && !(tracks.figures[0]?.[7] > 1), figures = is_early ? last : tracks.figures;
+  const known = tracks.laws.map((law, k) => ({label: labels.get(law) || law, figures: figures[k]})).filter(entry => entry.figures && entry.figures[7] > 0.2);
   if (known.length < 2) return "The hand comes to the wall.";
   const best = [...known].sort((a, b) => a.figures[0] - b.figures[0] || a.figures[3] - b.figures[3])[0];
   const rest = known.filter(entry => entry !== best).map(entry => times(entry.figures[0]) + " under " + entry.label);
-  return "So far the hand left the wall *" + times(best.figures[0]) + "* under *" + best.label + "*, and " + list(rest) + ".";
+  return (is_early ? "On the last way" : "So far") + " the hand left the wall *" + times(best.figures[0]) + "* under *" + best.label + "*, and " + list(rest) + ".";
 }
 
 const times = count => count === 0 ? "never" : count === 1 ? "once" : short_number(count) + " times";
@@ -84,6 +86,17 @@ const times = count => count === 0 ? "never" : count === 1 ? "once" : short_numb
 function list(parts, is_start = false) {
   const text = parts.length < 2 ? parts.join("") : parts.slice(0, -1).join(", ") + " and " + parts.at(-1);
   return is_start ? text.charAt(0).toUpperCase() + text.slice(1) : text;
+}
+
+// What a design map says. known: the numbers of all places in reach, from the least on; classes: how each place displays the wall, with
+// its words; task: {direction, normal} in text.
+export function design_sentence(figure, known, classes, words, task) {
+  if (!known.length) return "The map is being computed.";
+  const share = test => "*" + short_number(100 * classes.filter(place => test(words[place])).length / classes.length, 2) + " %*", unit = figure.unit && figure.unit !== "1" ? " " + figure.unit : "";
+  if (figure.id === "cosine") return "At " + share(word => word === "exact" || word === "approximate") + " of all places the brakes can make a force against a wall with the normal (" + task.normal.replaceAll(",", ", ") +
+    ") while the hand moves along (" + task.direction.replaceAll(",", ", ") + "): yellow is straight against it, dark is hardly. At the others they can make none.";
+  return figure.look + " Over all places that it reaches the median is *" + short_number(known[known.length >> 1], 3) + unit + "*, the least *" + short_number(known[0], 3) + unit + "*, the most *" +
+    short_number(known.at(-1), 3) + unit + "*.";
 }
 
 // The columns of the table of laws: figure of sim_figures(), factor to the unit that is shown.

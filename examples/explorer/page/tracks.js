@@ -10,11 +10,12 @@ export function make_tracks(layout, laws) {
   const histories = laws.map(() => ({count: 0, time: new Float64Array(track_length), depth: new Float64Array(track_length), rate: new Float64Array(track_length),
     alpha: new Float64Array(track_length), x: new Float64Array(3 * track_length)}));
   const rows = [], figures = [], counts = laws.map(() => 0);
+  let start;  // the time of the first row [s]
   const number = (row, id, k = 0) => row[columns.get(id).offset + k];
 
   function add_point(history, row) {
     const at = history.count++ % track_length;
-    history.time[at] = number(row, "t");
+    history.time[at] = number(row, "t") - (start ??= number(row, "t"));
     history.depth[at] = number(row, "depth");
     history.rate[at] = number(row, "w", rate_at);
     history.alpha[at] = number(row, "alpha");

@@ -8,7 +8,7 @@ export function draw_walls(pen, camera, points, theme, is_hollow, depth) {
   if (camera.is_space) {
     const triangles = [];
     for (let k = 0; k + 2 < points.length; k += 3) triangles.push(points_path(points.slice(k, k + 3).map(camera.point), true));
-    pen.path(triangles.join(""), {fill: theme.wall, stroke: theme.wall_line, width: 0.5, alpha: 0.4});
+    pen.path(triangles.join(""), {fill: theme.wall, stroke: triangles.length > 20 ? theme.wall_line : "", width: 0.3, alpha: 0.45});
     return;
   }
   let surface = "", strokes = "", tint = "";

@@ -60,7 +60,7 @@ let run_number = 0;
 
 function begin_again(run, point) {
   run_number = run;
-  sent = simulations.map(() => 0);
+  sent = simulations.map(simulation => simulation.cycles());
   if (point) pointer = {point, is_held: false};
   due = 0;
   replaying = null;
