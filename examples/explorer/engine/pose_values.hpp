@@ -22,7 +22,13 @@ inline std::vector<std::string> power_words() {
 }
 /// How a force is displayed.
 inline std::vector<std::string> display_words() {
-  return {"not displayed", "approximate", "exact", "empty cone"};
+  return {"not displayed", "approximate", "exact", "empty cone", "no force desired"};
+}
+/// The number of the word for how a step displays its force.
+template <class Result>
+int display_number(const Result& r) {
+  const bool is_desired = r.outcome != ph::status::ok || r.power != ph::power_class::none;
+  return is_desired ? int(r.display) : int(ph::display_class::empty_cone) + 1;
 }
 /// What a brake does.
 enum class brake_doing { released, slips, holds, absent };
@@ -162,7 +168,7 @@ class pose_values {
       table_.put(doing_ + i, int(doing_of(c, i, w[i], r.capacity[i])));
     }
     table_.put(power_, int(r.power));
-    table_.put(display_, int(r.display));
+    table_.put(display_, display_number(r));
     table_.put(saturated_, r.saturated ? 1 : 0);
     table_.put(region_, region_of(s));
     table_.put(strongest_, strongest(c, model, q, v, whole.desired_force));

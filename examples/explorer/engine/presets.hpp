@@ -24,8 +24,9 @@ struct preset {
   "4400687400278886\n"                                                                               \
   "qd=-0.674537688095,1.0915359589\n"
 // The slanted wall of Fig. 5 on the XY table.
-#define SLANTED \
-  "mechanism=xy_table\nscene=plane:0,0.05,0.5,-0.8660254037844386\ndesired=given\nq=0.02,0.055\n"
+#define SLANTED                                                                                       \
+  "mechanism=xy_table\nbrakes.torque_limit=5,5\nscene=plane:0,0.05,0.5,-0.8660254037844386\ndesired=" \
+  "given\nq=0.02,0.055\n"
 
 /// All presets, the first things to see first.
 inline constexpr preset presets[] = {
@@ -57,7 +58,8 @@ inline constexpr preset presets[] = {
     {"fig4", "Figure 4: a wall along an axis",
      "The wall's force is one of the reference forces: brake 2 makes it alone and exactly, the hand slides "
      "on.",
-     "mechanism=xy_table\nscene=plane:0,0.05,0,-1\nlaw=no_direct_control\nq=0.02,0.0502\nqd=0.05,0.01\nFh=0."
+     "mechanism=xy_table\nbrakes.torque_limit=5,5\nscene=plane:0,0.05,0,-1\nlaw=no_direct_control\nq=0.02,0."
+     "0502\nqd=0.05,0.01\nFh=0."
      "5,1.5\n"},
     {"fig5a", "Figure 5 (a): little depth",
      "F_c is smaller than the hand's part against it: the brake slips, and the resultant still points into "

@@ -31,7 +31,7 @@ class simulation_of final : public simulation {
       : c_(c),
         model_(E::make(c.mechanism)),
         plant_(model_, c.brakes, mass(), c.top.q),
-        meter_(far_away, time_step) {
+        meter_(way_of_meter, time_step) {
     ring_.resize(std::size_t(ring_size) * std::size_t(columns_.table.size()));
     prepare();
     restart();
@@ -55,7 +55,8 @@ class simulation_of final : public simulation {
       plant_ = ph::simulated_device<M>(model_, c_.brakes, mass(), q);
       plant_.set_motion(q, qd);
     }
-    // A hand that takes over leaves the controller its memory, so that a log of both is that of one controller
+    // A hand that takes over leaves the controller its memory, so that a log of both is that of one
+    // controller
     if (!has_only_hand(changed)) control_ = c_.control(model_, c_.law, c_.walls());
     prepare_hand();
   }
@@ -64,7 +65,7 @@ class simulation_of final : public simulation {
     plant_ = ph::simulated_device<M>(model_, c_.brakes, mass(), c_.top.q);
     plant_.set_motion(c_.top.q, c_.top.qd);
     control_ = c_.control(model_, c_.law, c_.walls());
-    meter_ = ph::contact_meter(far_away, time_step);
+    meter_ = ph::contact_meter(way_of_meter, time_step);
     start_ = plant_.position();
     motion_time_ = 0;
     is_pointed_ = false;
@@ -102,7 +103,8 @@ class simulation_of final : public simulation {
   std::string replay_command() const override { return explorer::replay_command(c_); }
 
  private:
-  static constexpr double far_away = 1e300;  // [m]; a path without an end
+  static constexpr double way_of_meter =
+      3;  // [s]; its settling share of it, 0.3 s, stays out of the mean depth
 
   double mass() const { return c_.top.hand == hand_kind::along ? c_.along.mass : c_.hand.mass; }
 

@@ -64,7 +64,7 @@ struct row_columns {
     table.put_column(Fc, r.control_force, 3);
     table.put(gamma, r.approximation_angle());
     table.put(alpha, r.alpha);
-    table.put(display, int(r.display));
+    table.put(display, display_number(r));
     table.put(power, int(r.power));
     table.put(status, int(r.outcome));
   }
