@@ -91,10 +91,15 @@ struct configuration {
                               ph::member("length", &way::length, "m", ph::range::positive));
     }
   };
+  /// A wall ahead in the plane, a floor in space.
+  static ph::vector<double, d> out_of_wall() {
+    if constexpr (d == 3) return ph::vector<double, d>::UnitZ();
+    else return -ph::vector<double, d>::UnitY();
+  }
   /// The task of the design map.
   struct task {
     ph::vector<double, d> direction = ph::vector<double, d>::UnitX();  ///< In which the handle moves.
-    ph::vector<double, d> normal = -ph::vector<double, d>::UnitY();    ///< Of the wall, out of it.
+    ph::vector<double, d> normal = out_of_wall();                      ///< Of the wall, out of it.
     double push = 2;                                                   ///< Of the hand [N].
     /// The table of core/parameters.hpp.
     static constexpr auto members() {
