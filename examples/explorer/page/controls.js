@@ -37,7 +37,7 @@ export function show_controls() {
   by_id("form_details").open = by_id("form_details").open || !!question.opens_form;
   by_id("self").setAttribute("aria-pressed", String(app.is_by_itself));
   by_id("hint").hidden = !(question.id === "watch" && app.is_by_itself);
-  by_id("hint").textContent = innerWidth < 520 ? "Take the handle and drag it" : "Take the handle: drag it, or press Tab and the arrow keys";
+  by_id("hint").textContent = app.is_paused ? "Press Play: it moves only if you want it to" : innerWidth < 520 ? "Take the handle and drag it" : "Take the handle: drag it, or press Tab and the arrow keys";
   show_form();
   show_legend();
 }

@@ -117,7 +117,7 @@ function add_paths(picture, view, camera) {
   tracks.histories.forEach((history, law) => {
     const points = [];
     each_point(history, trail_seconds, k => points.push([history.x[3 * k], history.x[3 * k + 1], history.x[3 * k + 2]]));
-    if (layers.has("paths")) picture.paths.push({points, color: view.colors[law]});
+    if (layers.has("paths") && points.length > 1) picture.paths.push({points, color: view.colors[law]});
     const x = tracks.value(law, "x");
     if (!x) return;
     if (law === view.focus) picture.focus = {point: x, color: view.colors[law]};
@@ -132,7 +132,7 @@ function lens_of(picture, view, camera, small) {
   // The lens follows at once along the wall, and slowly across it, so that the hand is what moves.
   const away = [at[0] - memory.centre[0], at[1] - memory.centre[1]], n = memory.normal || [0, 0], across = away[0] * n[0] + away[1] * n[1];
   for (let i = 0; i < 2; ++i) memory.centre[i] += away[i] - (1 - lens_rise) * across * n[i];
-  const radius = small ? 52 : Math.min(96, 0.19 * view.height), where = [view.width - radius - 22, view.height - radius - 44];
+  const radius = small ? 46 : Math.min(96, 0.19 * view.height), where = [view.width - radius - (small ? 12 : 22), view.height - radius - 44];
   const scale = camera.scale * lens_times;
   const lens_camera = plane_camera(scale, [where[0] - scale * memory.centre[0], where[1] + scale * memory.centre[1]]);
   const low = memory.centre.map(c => c - radius / scale), high = memory.centre.map(c => c + radius / scale);
