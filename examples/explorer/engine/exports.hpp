@@ -37,8 +37,7 @@
 
 extern "C" {
 
-// --- What there is
-// -------------------------------------------------------------------------------------------
+// What there is
 
 /// The catalogue, JSON:
 ///
@@ -54,8 +53,7 @@ EXPLORER_EXPORT const char* explorer_catalogue();
 /// Why the last call of any function was refused, in the words of the library; "" where it was not.
 EXPLORER_EXPORT const char* explorer_error();
 
-// --- A device
-// ------------------------------------------------------------------------------------------------
+// A device
 
 /// A device of these settings; 0 where they are refused, see explorer_error().
 EXPLORER_EXPORT void* explorer_new(const char* settings);
@@ -94,19 +92,21 @@ EXPLORER_EXPORT void explorer_evaluate(void* device);
 EXPLORER_EXPORT double* explorer_values(void* device);
 /// The names of the values, JSON: a list of
 ///
-///     {"id": "gamma", "label", "symbol": "γ", "equation": "12" or "", "unit": "rad", "group": one of
-///     "motion",
-///      "forces", "brakes", "decision", "offset": into explorer_values(), "size": numbers, "columns": 1 or
-///      the length of each row, "units": one for each number where they differ, "words": names of the values
-///      of an enumeration, which count from 0}
+///     {"id": "gamma", "label", "symbol": "γ", "equation": "12" or "", "unit": "rad", "group",
+///      "offset": into explorer_values(), "size": numbers, "columns": 1 or the length of each row,
+///      "words": of an enumeration, which counts from 0}
 ///
-/// ids (m brakes, n joints; vectors of a handle have 3 numbers):
-/// x, v, J (3 rows of n), w, signs, at_rest, E (3 rows of m), R (m rows of 3: R_i+; -R_i+ is R_i-),
-/// R_defined, Fh, Fd, depth, normal, Fp (the nearest force), Fc, Fc_scaled (alpha Fc), brake_force (what the
-/// torques do at the handle), Fr (resultant (7) of hand and brakes), gamma, alpha, cone_coefficients,
-/// capacity, torque, torque_limit, torque_share (0 released to 1 at its limit), brake_state (released, slips,
-/// holds, absent), power, display, saturated, region (index of the passive FME of the present signs, -1 where
-/// a brake is at rest), strongest, manipulability, status.
+/// ids of m brakes and n joints, where vectors of the handle have 3 numbers:
+///
+///     motion    x, v, J (3 rows of n), w, signs, at_rest
+///     forces    E (3 rows of m), R (m rows of 3, R_i+; R_i- is -R_i+), R_defined, Fh, Fd, depth, normal,
+///               Fp (nearest force), Fc, Fc_scaled (alpha Fc), brake_force (of the torques, at the handle),
+///               Fr (resultant of hand and brakes)
+///     brakes    cone_coefficients, capacity, torque, torque_limit, torque_share (0 released, 1 at the
+///     limit),
+///               brake_state (released, slips, holds, no brake)
+///     decision  gamma, alpha, power, display, saturated, region (passive FME of the present signs, -1 where
+///               a brake is at rest), strongest, status
 EXPLORER_EXPORT const char* explorer_layout(void* device);
 
 /// The drawing at the present state: rows of 10 numbers, explorer_drawing_count() of them,
@@ -114,11 +114,17 @@ EXPLORER_EXPORT const char* explorer_layout(void* device);
 ///     kind, number, x0, y0, z0, x1, y1, z1, size, angle
 ///
 /// points in m, base frame. Kinds, with what the rest means:
-/// 0 ground (at 0, size: half width), 1 link (0 to 1), 2 joint (at 0, turning about 1 - 0 as axis), 3 slide
-/// (rail from 0 to 1), 4 carriage (at 0, moves along 1 - 0), 5 pulley (at 0, size: radius, angle: how far it
-/// turned [rad]; number: of the brake), 6 belt (a straight run of a tendon 0 to 1; number: of the brake),
-/// 7 brake (at 0, axis 1 - 0, size: radius to draw, angle: how far it turned; number: of the brake from 0),
-/// 8 platform (0 to 1, an edge), 9 handle (at 0).
+///
+///     0 ground    at 0; size: half width
+///     1 link      from 0 to 1
+///     2 joint     at 0, turns about 1 - 0
+///     3 slide     a rail from 0 to 1
+///     4 carriage  at 0, moves along 1 - 0
+///     5 pulley    at 0; size: radius; angle: how far it turned [rad]; number: of the brake from 0
+///     6 belt      a straight run of a tendon from 0 to 1; number: of the brake
+///     7 brake     at 0, axis 1 - 0; size: radius to draw; angle: how far it turned; number: of the brake
+///     8 platform  an edge from 0 to 1
+///     9 handle    at 0
 EXPLORER_EXPORT double* explorer_drawing(void* device);
 /// Rows of the drawing; call it first, it computes them.
 EXPLORER_EXPORT int explorer_drawing_count(void* device);
@@ -140,8 +146,7 @@ EXPLORER_EXPORT int explorer_walls(void* device, double low_x, double low_y, dou
 /// The points of the last explorer_walls(), x y z each [m].
 EXPLORER_EXPORT double* explorer_walls_points(void* device);
 
-// --- The simulation: the device at 1 kHz with a hand
-// ---------------------------------------------------------
+// The simulation: the device at 1 kHz with a hand
 
 /// A simulation that starts at the state of these settings; 0 where they are refused.
 EXPLORER_EXPORT void* sim_new(const char* settings);
@@ -166,11 +171,11 @@ EXPLORER_EXPORT double sim_cycles(void* sim);
 /// (mean |torque of the brakes| that slip, as a share of their limits).
 EXPLORER_EXPORT const char* sim_layout(void* sim);
 /// Counts since the start: separations, deepest [m], mean depth [m], deviation of the depth [m], share of the
-/// time in contact in which a brake sticks, retarding force [N], largest power of a brake [W], contact time
-/// [s].
+/// time in contact in which the last brake sticks, retarding force [N], largest power of a brake [W], contact
+/// time [s].
 EXPLORER_EXPORT double* sim_figures(void* sim);
 
-/// Begins to record (1), or stops (0); a new record forgets the last. The most is 10 minutes.
+/// Begins to record (1), or stops (0); a new record forgets the last. The most is 2 minutes.
 EXPLORER_EXPORT void sim_record(void* sim, int is_on);
 /// The record as a log of the library, CSV (docs/guide/log.md): what `./examples/run replay` reads.
 EXPLORER_EXPORT const char* sim_log(void* sim);
@@ -178,8 +183,7 @@ EXPLORER_EXPORT const char* sim_log(void* sim);
 /// the device.
 EXPLORER_EXPORT const char* sim_replay_command(void* sim);
 
-// --- A dropped log
-// -------------------------------------------------------------------------------------------
+// A dropped log
 
 /// A log of the library's format, run through the law of these settings; 0 where it is refused, with the
 /// reason and the line in explorer_error().
@@ -196,8 +200,7 @@ EXPLORER_EXPORT const char* log_layout(void* log);
 /// Lines whose capacities are those of the log to the last digit, of those that have any: two numbers.
 EXPLORER_EXPORT double* log_agreement(void* log);
 
-// --- The design map
-// ------------------------------------------------------------------------------------------
+// The design map
 
 /// A map of this device over a grid of points inside low to high [m] (z 0 in space: the plane of the present
 /// handle height), for a hand that moves and pushes in the directions of the settings map.direction and

@@ -19,7 +19,7 @@ struct description : described {
     const auto& j = geometry.joints;
     return chain_of<2>(j, {j[0].point, j[1].point, j[2].point, geometry.handle}, p);
   }
-  static joints start() { return {1.9, -0.9, -0.8}; }
+  static joints start() { return {2.13, -1.12, -1.06}; }
   static ph::joint_solution<double, 3> inverse(const mechanism& model, const ph::vector<double, 2>& x,
                                                const joints& q) {
     return numeric_inverse(model, x, q, reach(model));
