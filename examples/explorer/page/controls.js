@@ -17,7 +17,7 @@ export function show_controls() {
   set_sentence(by_id("lead"), app.preset ? app.preset.title + ". " + app.preset.look : question.lead);
   for (const link of by_id("questions").children) mark_current(link, link.dataset.id === question.id);
   show_current(by_id("questions"));
-  for (const link of by_id("presets").children) mark_current(link, app.preset?.id === link.dataset.id);
+  for (const link of by_id("presets").querySelectorAll("a")) mark_current(link, app.preset?.id === link.dataset.id);
   by_id("mechanism").value = app.info.id;
   by_id("law").value = app.law;
   show_scene();

@@ -13,8 +13,9 @@ export const longest_arrow = 0.36;  // of the smaller side of the picture; longe
 export function draw_stage(pen, picture, theme) {
   const {camera, handle, shown} = picture, small = pen.width < 520;
   const at = handle && camera.point(handle), link_width = small ? 11 : 15;
-  if (picture.map) draw_map(pen, picture, theme);
+  if (picture.map && !camera.is_space) draw_map(pen, picture, theme);
   draw_walls(pen, camera, picture.walls, theme, picture.is_hollow, 18);
+  if (picture.map && camera.is_space) draw_map(pen, picture, theme);
   if (camera.is_space) draw_floor(pen, picture, theme);
   draw_scale(pen, camera, theme);
   if (at && shown.has("others")) for (const cone of picture.cones) if (!cone.is_present) outline_cone(pen, picture, at, cone, theme);
