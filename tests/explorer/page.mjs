@@ -187,7 +187,7 @@ async function in_browser(browser) {
     expect(mechanisms.length >= 8, 'mechanisms', mechanisms);
     for (const mechanism of mechanisms) {
       await page.selectOption('#mechanism', mechanism);
-      for (const question of ['forces', 'wanted', 'bounce', 'laws', 'mine']) {
+      for (const question of ['forces', 'wanted', 'why', 'laws', 'mine']) {
         await page.evaluate(id => { location.hash = '#v1/' + id; }, question);
         await page.waitForFunction(id => document.body.dataset.question === id, question);
         await page.waitForTimeout(120);
@@ -212,7 +212,7 @@ async function in_browser(browser) {
   });
 
   if (browser.name === 'chromium') await test('axe finds nothing, in light and dark, wide and as a phone', async () => {
-    for (const question of ['watch', 'forces', 'wanted', 'bounce', 'laws', 'mine']) for (const dark of [false, true]) for (const width of [1280, 390])
+    for (const question of ['watch', 'forces', 'wanted', 'why', 'laws', 'mine']) for (const dark of [false, true]) for (const width of [1280, 390])
       await with_page('#v1/' + question, {width, height: 844, dark}, async page => {
         await page.waitForTimeout(150);
         await page.evaluate(axe_source);

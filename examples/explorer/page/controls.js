@@ -17,7 +17,7 @@ export function show_controls() {
   set_sentence(by_id("lead"), app.preset ? app.preset.title + ". " + app.preset.look : question.lead);
   for (const link of by_id("questions").children) mark_current(link, link.dataset.id === question.id);
   show_current(by_id("questions"));
-  for (const link of by_id("presets").children) mark_current(link, app.preset?.id === link.dataset.id);
+  for (const link of by_id("presets").querySelectorAll("a")) mark_current(link, app.preset?.id === link.dataset.id);
   by_id("mechanism").value = app.info.id;
   by_id("law").value = app.law;
   show_scene();
@@ -37,7 +37,7 @@ export function show_controls() {
   by_id("form_details").open = by_id("form_details").open || !!question.opens_form;
   by_id("self").setAttribute("aria-pressed", String(app.is_by_itself));
   by_id("hint").hidden = !(question.id === "watch" && app.is_by_itself);
-  by_id("hint").textContent = innerWidth < 520 ? "Take the handle and drag it" : "Take the handle: drag it, or press Tab and the arrow keys";
+  by_id("hint").textContent = app.is_paused ? "Press Play: it moves only if you want it to" : innerWidth < 520 ? "Take the handle and drag it" : "Take the handle: drag it, or press Tab and the arrow keys";
   show_form();
   show_legend();
 }

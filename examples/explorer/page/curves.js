@@ -74,20 +74,21 @@ function draw_panel(pen, panel, tracks, last, now, theme, colors, x_of, left, ri
   pen.label(panel.title, left, panel.from - 8, {size: 12.5, color: theme.muted});
   pen.clip(`M${left} ${panel.from - 3}H${right + 8}V${bottom + 3}H${left}Z`, () => {
     const curve = (history, from) => {
-      let d = "", head = null;
+      const pieces = [];
+      let piece = null, head = null;
       each_point(history, longest_shown, k => {
         const value = history[panel.key][k] * (panel.factor || 1);
-        if (value !== value || history.time[k] < from) { head = null; return; }
-        const x = x_of(history.time[k]), y = y_of(value);
-        d += (head ? "L" : "M") + x.toFixed(1) + " " + y.toFixed(1);
-        head = [x, y];
+        if (value !== value || history.time[k] < from) { piece = head = null; return; }
+        head = [x_of(history.time[k]), y_of(value)];
+        if (!piece) pieces.push(piece = []);
+        piece.push(...head);
       });
-      return {d, head};
+      return {pieces, head};
     };
-    if (last) last.histories.forEach((history, law) => pen.path(curve(history, now).d, {stroke: colors[law], width: 1.4, alpha: 0.3}));
+    if (last) last.histories.forEach((history, law) => pen.curve(curve(history, now).pieces, {stroke: colors[law], width: 1.4, alpha: 0.3}));
     tracks.histories.forEach((history, law) => {
-      const {d, head} = curve(history, -1);
-      if (d) pen.path(d, {stroke: colors[law], width: 1.8});
+      const {pieces, head} = curve(history, -1);
+      pen.curve(pieces, {stroke: colors[law], width: 1.8});
       if (head) pen.path(`M${head[0] - 3.5} ${head[1]}a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0Z`, {fill: colors[law], stroke: theme.paper, width: 1.2});
     });
   });

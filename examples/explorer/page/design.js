@@ -31,7 +31,9 @@ export function make_design_map(changed) {
     picture(index, figure, class_index) {
       if (!map) return null;
       const numbers = map.figure(index), known = [...numbers].filter(Number.isFinite).sort((a, b) => a - b);
-      const least = known.length ? known[Math.floor(0.02 * known.length)] : 0, most = known.length ? known[Math.floor(0.98 * (known.length - 1))] : 1;
+      // Shares go from 0 to 1; others as far as nearly all places go.
+      const is_share = figure.id === "cosine" || figure.id === "isotropy";
+      const least = is_share ? 0 : known.length ? known[Math.floor(0.02 * known.length)] : 0, most = is_share ? 1 : known.length ? known[Math.floor(0.98 * (known.length - 1))] : 1;
       const image = document.createElement("canvas"), context = image.getContext("2d");
       image.width = columns;
       image.height = rows;

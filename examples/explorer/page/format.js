@@ -34,10 +34,10 @@ export function element(name, attributes = {}, ...children) {
   return made;
 }
 
-// A sentence in which *words* are strong.
+// A sentence in which *words* are strong, and F_d has its subscript.
 export function set_sentence(target, sentence) {
   if (target.dataset.sentence === sentence) return;
   target.dataset.sentence = sentence;
-  target.replaceChildren(...sentence.split(/(\*[^*]+\*)/).filter(part => part).map(part =>
-    part.startsWith("*") ? element("b", {text: part.slice(1, -1)}) : document.createTextNode(part)));
+  target.replaceChildren(...sentence.split(/(\*[^*]+\*)/).filter(part => part).flatMap(part =>
+    part.startsWith("*") ? [element("b", {}, ...symbol_nodes(part.slice(1, -1)))] : symbol_nodes(part)));
 }

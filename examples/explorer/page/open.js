@@ -5,7 +5,7 @@ import { make_design_map } from './design.js';
 import { refuse } from './messages.js';
 import { box_of, scales_of } from './picture.js';
 import { format_settings, parse_link, parse_settings } from './settings.js';
-import { questions } from './story.js';
+import { question_of, questions } from './story.js';
 import { set_paused, set_speed } from './transport.js';
 
 const design = make_design_map(() => { paint_map(); app.is_dirty = true; });
@@ -21,15 +21,8 @@ export function open_link() {
     return begin(question, format_settings(settings), null, true);
   }
   const preset = preset_of(page);
-  if (preset) return begin(question_of(preset), preset.settings, preset, false);
+  if (preset) return begin(question_of(parse_settings(preset.settings)), preset.settings, preset, false);
   return turn_to(questions.find(question => question.id === page) || questions[0]);
-}
-
-// The question that a figure of the paper belongs to.
-function question_of(preset) {
-  const settings = parse_settings(preset.settings);
-  if (settings.get("hand") === "along") return questions[4];
-  return settings.get("desired") === "given" || (settings.get("scene") || "none") !== "none" ? questions[2] : questions[1];
 }
 
 // Goes to a question, with the device that was chosen, or with that of the question.
@@ -60,7 +53,7 @@ export function begin(question, settings, preset, is_own) {
   if (app.info.dimension === 3) app.layers.delete("others");
   if (preset) app.laws = question.is_moving ? preset_laws(app.law) : [];
   else if (is_new_question) app.laws = [...(question.laws || [])];
-  app.is_by_itself = question.is_moving;
+  app.is_by_itself = question.is_moving && form_value("hand") === "along";
   if (question.is_moving && app.laws.length === 1) app.law = app.laws[0];
   device.evaluate();
   app.bounds = device.bounds();
@@ -84,7 +77,7 @@ export function begin(question, settings, preset, is_own) {
 // A motion and a wanted force to begin with where a still picture has none: the handle goes aside, and the force is that of a wall in front.
 function start_still(question) {
   const {device, info} = app, state = device.state(info.joints);
-  if (!Math.hypot(...device.value("v"))) device.move([0.09 / app.scales.motion, 0, 0]);
+  if (!Math.hypot(...device.value("v"))) device.move([0.1 * app.scales.reach, 0, 0]);
   device.evaluate();
   app.scales = scales_of(device, info);  // the cone of a device with more joints than needed depends on its motion
   if (question.id !== "wanted" || Math.hypot(...device.value("Fd"))) return;

@@ -49,6 +49,21 @@ export function canvas_pen(canvas) {
       }
       context.globalAlpha = 1;
     },
+    // A line through many points, pieces of it as flat lists [x, y, x, y, ...].
+    curve(pieces, style) {
+      context.beginPath();
+      for (const piece of pieces) {
+        context.moveTo(piece[0], piece[1]);
+        for (let k = 2; k < piece.length; k += 2) context.lineTo(piece[k], piece[k + 1]);
+      }
+      context.globalAlpha = style.alpha ?? 1;
+      context.strokeStyle = style.stroke;
+      context.lineWidth = style.width;
+      context.lineJoin = "round";
+      context.setLineDash([]);
+      context.stroke();
+      context.globalAlpha = 1;
+    },
     clip(d, draw) {
       context.save();
       context.clip(new Path2D(d));
@@ -82,11 +97,14 @@ export function canvas_pen(canvas) {
       }
       return width;
     },
-    image(source, x, y, width, height, alpha) {
+    // An image whose upper left corner, upper right and lower left one are at these pixels.
+    image(source, a, b, c, alpha) {
+      context.save();
       context.globalAlpha = alpha;
       context.imageSmoothingEnabled = false;
-      context.drawImage(source, x, y, width, height);
-      context.globalAlpha = 1;
+      context.transform((b[0] - a[0]) / source.width, (b[1] - a[1]) / source.width, (c[0] - a[0]) / source.height, (c[1] - a[1]) / source.height, a[0], a[1]);
+      context.drawImage(source, 0, 0);
+      context.restore();
     },
   };
 }
@@ -103,6 +121,9 @@ export function svg_pen(width, height, background) {
         (style.stroke ? ` stroke="${style.stroke}" stroke-width="${style.width ?? 1}" stroke-linecap="${style.cap || "round"}" stroke-linejoin="${style.join || "round"}"` : "") +
         (style.dash && style.dash.length ? ` stroke-dasharray="${style.dash.join(" ")}"` : "") +
         (style.alpha !== undefined ? ` opacity="${style.alpha}"` : "") + "/>");
+    },
+    curve(pieces, style) {
+      for (const piece of pieces) this.path("M" + piece.map(pixels).join(" "), style);
     },
     clip(d, draw) {
       const name = "clip" + definitions.length;
@@ -125,8 +146,9 @@ export function svg_pen(width, height, background) {
         (style.halo ? ` stroke="${style.halo}" stroke-width="4" stroke-linejoin="round" paint-order="stroke"` : "") + `>${spans}</text>`);
       return 0;
     },
-    image(source, x, y, w, h, alpha) {
-      body.push(`<image x="${round(x)}" y="${round(y)}" width="${round(w)}" height="${round(h)}" opacity="${alpha}" preserveAspectRatio="none" style="image-rendering:pixelated" href="${source.toDataURL()}"/>`);
+    image(source, a, b, c, alpha) {
+      const matrix = [(b[0] - a[0]) / source.width, (b[1] - a[1]) / source.width, (c[0] - a[0]) / source.height, (c[1] - a[1]) / source.height, a[0], a[1]];
+      body.push(`<image width="${source.width}" height="${source.height}" transform="matrix(${matrix.join(" ")})" opacity="${alpha}" style="image-rendering:pixelated" href="${source.toDataURL()}"/>`);
     },
     text() {
       return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">` +

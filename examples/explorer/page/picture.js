@@ -8,6 +8,7 @@ import { drawing_rows, handle_of, is_line_row } from './sketch.js';
 
 const cone_share = 0.36;        // of the smaller side of the picture: the strongest force that the brakes make [1]
 const view_share = {still: 0.13, moving: 0.075, space: 0.06};  // of the reach, around the device at its first place [1]
+const motion_share = 0.13;      // of the smaller side: the velocity at first [1]
 const trail_seconds = 1.6;      // of the paths of the hands
 const lens_times = 10;          // enlargement of the lens
 const lens_rise = 0.06;         // how fast the lens follows [1 a picture]
@@ -18,10 +19,11 @@ export function scales_of(device, info) {
   for (let region = 0; region < 1 << info.brakes; ++region)
     for (const force of device.outline(region, true)) if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
   const bounds = device.bounds(), reach = Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]);
+  const speed = Math.hypot(...device.value("v"));
   // Where a brake alone makes no force (n > d): what all make together, or would at half of the reach.
   if (!strongest) for (const force of device.outline(-1, true)) if (force.every(Number.isFinite)) strongest = Math.max(strongest, Math.hypot(...force));
   if (!strongest) strongest = 2 * device.value("torque_limit").reduce((sum, limit) => sum + limit, 0) / reach;
-  return {force: (info.dimension === 3 ? 0.7 : 1) * cone_share / (strongest || 1), motion: 1.1 / (reach || 1), reach};
+  return {force: (info.dimension === 3 ? 0.7 : 1) * cone_share / (strongest || 1), motion: speed > 0 ? motion_share / speed : 1.1 / (reach || 1), reach};
 }
 
 // The box that the picture shows of a device [m]: in the plane what is drawn now and some room, in space all that it reaches.
@@ -35,7 +37,7 @@ export function box_of(device, info, question) {
 
 // Margins of the picture of a device that leave room for what the brakes can make at the present place [pixels].
 export function margins_of({device, info, scales, bounds, width, height, layers, is_moving}) {
-  const least = width < 520 ? 18 : 34, margins = {left: least, right: least, top: least, bottom: least + 8}, x = device.value("x");
+  const least = width < 520 ? 18 : 34, margins = {left: least, right: least, top: least, bottom: least + (layers.has("map") ? 34 : 8)}, x = device.value("x");
   if (info.dimension === 3 || is_moving || !layers.has("cone")) return margins;
   const force_scale = scales.force * Math.min(width, height), forces = cones_of({device, info, layers}).flatMap(cone => cone.points);
   for (let turn = 0; turn < 3; ++turn) {
@@ -117,7 +119,7 @@ function add_paths(picture, view, camera) {
   tracks.histories.forEach((history, law) => {
     const points = [];
     each_point(history, trail_seconds, k => points.push([history.x[3 * k], history.x[3 * k + 1], history.x[3 * k + 2]]));
-    if (layers.has("paths")) picture.paths.push({points, color: view.colors[law]});
+    if (layers.has("paths") && points.length > 1) picture.paths.push({points, color: view.colors[law]});
     const x = tracks.value(law, "x");
     if (!x) return;
     if (law === view.focus) picture.focus = {point: x, color: view.colors[law]};
@@ -132,7 +134,7 @@ function lens_of(picture, view, camera, small) {
   // The lens follows at once along the wall, and slowly across it, so that the hand is what moves.
   const away = [at[0] - memory.centre[0], at[1] - memory.centre[1]], n = memory.normal || [0, 0], across = away[0] * n[0] + away[1] * n[1];
   for (let i = 0; i < 2; ++i) memory.centre[i] += away[i] - (1 - lens_rise) * across * n[i];
-  const radius = small ? 52 : Math.min(96, 0.19 * view.height), where = [view.width - radius - 22, view.height - radius - 44];
+  const radius = small ? 46 : Math.min(96, 0.19 * view.height), where = [view.width - radius - (small ? 12 : 22), view.height - radius - 44];
   const scale = camera.scale * lens_times;
   const lens_camera = plane_camera(scale, [where[0] - scale * memory.centre[0], where[1] + scale * memory.centre[1]]);
   const low = memory.centre.map(c => c - radius / scale), high = memory.centre.map(c => c + radius / scale);

@@ -15,7 +15,7 @@ import { is_way_done, play_log } from './transport.js';
 
 const curves_pen = canvas_pen(by_id("curves")), show_numbers = make_numbers(by_id("numbers"), text => speak("Copied " + text));
 export const sound = make_sound();
-let last_slow = 0;
+let last_slow = 0, is_even = false;  // the curves are drawn in every other frame
 
 function view_of(width, height) {
   const margins_key = [width, height, app.begun].join();
@@ -38,7 +38,7 @@ function draw() {
   app.picture = make_picture(view);
   draw_stage(pen, app.picture, app.theme);
   place_grips();
-  if (tracks()) {
+  if (tracks() && (is_even = !is_even || app.is_paused)) {
     curves_pen.begin();
     draw_curves(curves_pen, tracks(), app.log ? null : runner.last, app.theme, tracks().laws.map(law_label), colors(), app.info.brakes, app.question.id === "watch");
     sound.play(tracks().value(app.focus, "sound")?.[0] || 0);
@@ -82,8 +82,10 @@ function show_results() {
     target.dataset.key = key;
     target.replaceChildren(element("table", {}, element("thead", {}, element("tr", {}, element("th", {scope: "col", text: "law"}),
       ...result_columns.map(column => element("th", {scope: "col", text: column.title + " [" + column.unit + "]"})))), element("tbody", {}, ...app.laws.map((law, k) => element("tr", {},
-      element("th", {scope: "row"}, element("span", {class: "swatch", style: "display:inline-block;margin-right:8px;vertical-align:middle;background:var(--law-" + (app.slots[k] + 1) + ")"}), law_label(law)), ...result_columns.map(() => element("td")))))));
+      element("th", {scope: "row"}, element("span", {class: "swatch", style: "background:var(--law-" + (app.slots[k] + 1) + ")"}),
+        element("button", {type: "button", class: "plain", title: "Draw the device of this law", onclick: () => { app.focus = k; app.is_dirty = true; }}, law_label(law))), ...result_columns.map(() => element("td")))))));
   }
+  target.querySelectorAll("tbody .plain").forEach((button, k) => button.setAttribute("aria-pressed", String(k === app.focus)));
   [...target.querySelectorAll("tbody tr")].forEach((row, k) => [...row.querySelectorAll("td")].forEach((cell, c) => {
     const figures = tracks().figures[k], column = result_columns[c];
     cell.textContent = figures ? short_number(figures[column.of] * column.factor, 3) : "–";

@@ -13,15 +13,16 @@ export const longest_arrow = 0.36;  // of the smaller side of the picture; longe
 export function draw_stage(pen, picture, theme) {
   const {camera, handle, shown} = picture, small = pen.width < 520;
   const at = handle && camera.point(handle), link_width = small ? 11 : 15;
-  if (picture.map) draw_map(pen, picture, theme);
+  if (picture.map && !camera.is_space) draw_map(pen, picture, theme);
   draw_walls(pen, camera, picture.walls, theme, picture.is_hollow, 18);
+  if (picture.map && camera.is_space) draw_map(pen, picture, theme);
   if (camera.is_space) draw_floor(pen, picture, theme);
   draw_scale(pen, camera, theme);
   if (at && shown.has("others")) for (const cone of picture.cones) if (!cone.is_present) outline_cone(pen, picture, at, cone, theme);
   if (at && shown.has("cone") && !camera.is_space) for (const cone of picture.cones) if (cone.is_present) fill_cone(pen, picture, at, cone, theme);
   draw_device(pen, camera, picture.rows, picture.brakes, theme, {width: link_width, labels: shown.has("brakes")});
   if (at && shown.has("cone") && camera.is_space) for (const cone of picture.cones) if (cone.is_present) fill_cone(pen, picture, at, cone, theme);
-  for (const path of picture.paths) pen.path(points_path(path.points.map(camera.point)), {stroke: path.color, width: 2, alpha: 0.8});
+  for (const path of picture.paths) pen.curve([path.points.flatMap(camera.point)], {stroke: path.color, width: 2, alpha: 0.8});
   for (const other of picture.others) pen.path(circle_path(camera.point(other.point), small ? 4.5 : 6), {fill: other.color, stroke: theme.paper, width: 1.5});
   if (at) {
     if (picture.pointer) {
@@ -141,8 +142,8 @@ function draw_floor(pen, picture, theme) {
 
 // The design map, painted under the mechanism, and what its colours mean.
 function draw_map(pen, picture, theme) {
-  const {map, camera} = picture, a = camera.point([map.low[0], map.high[1], 0]), b = camera.point([map.high[0], map.low[1], 0]);
-  pen.image(map.image, a[0], a[1], b[0] - a[0], b[1] - a[1], 0.85);
+  const {map, camera} = picture, z = picture.handle ? picture.handle[2] : 0, corner = (x, y) => camera.point([x, y, z]);
+  pen.image(map.image, corner(map.low[0], map.high[1]), corner(map.high[0], map.high[1]), corner(map.low[0], map.low[1]), 0.85);
   const width = 150, x = pen.width - width - 18, y = pen.height - 30;
   map.ramp.forEach((color, k) => pen.path(`M${x + width * k / map.ramp.length} ${y}h${width / map.ramp.length + 0.5}v9h${-width / map.ramp.length - 0.5}Z`, {fill: color}));
   pen.label(map.texts[0], x, y + 23, {size: 12, color: theme.muted, halo: theme.paper});
@@ -159,7 +160,7 @@ function draw_lens(pen, picture, theme) {
   pen.path(circle_path(lens.at, r), {fill: theme.paper});
   pen.clip(circle_path(lens.at, r), () => {
     draw_walls(pen, lens.camera, lens.walls, theme, picture.is_hollow, 3 * r);
-    for (const path of picture.paths) pen.path(points_path(path.points.map(lens.camera.point)), {stroke: path.color, width: 2.4});
+    for (const path of picture.paths) pen.curve([path.points.flatMap(lens.camera.point)], {stroke: path.color, width: 2.4});
     for (const other of [...picture.others, ...(picture.focus ? [picture.focus] : [])])
       pen.path(circle_path(lens.camera.point(other.point), 8), {fill: other.color, stroke: theme.paper, width: 2});
   });

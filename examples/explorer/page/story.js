@@ -4,20 +4,29 @@ import { degrees, short_number } from './format.js';
 
 // is_moving: the simulation runs; laws: those that it starts with; layers: what is drawn at first; preset: where it begins.
 export const questions = [
-  {id: "watch", mark: "▶", title: "Watch a hand glide along a wall", is_moving: true, preset: "fig9", laws: ["no_direct_control", "velocity_direct_control"],
+  {id: "watch", mark: "▶", title: "Watch a hand glide along a wall", is_moving: true, preset: "fig9-none", laws: ["no_direct_control", "velocity_direct_control"],
     layers: ["brakes", "paths"],
     lead: "One hand, one wall, two control laws. Without a law the hand bounces off the wall again and again. With the right law it glides. Take the handle and feel it."},
   {id: "forces", mark: "1", title: "Which forces can it make here?", preset: "fig2", layers: ["cone", "others", "references", "v", "Fh", "brakes"],
     lead: "The green area holds every force that the brakes can make at this place, while the handle moves along v. Drag the handle, or the head of v: the area changes."},
   {id: "wanted", mark: "2", title: "What becomes of a wanted force?", preset: "fig3-Fd2", layers: ["cone", "Fd", "made", "v", "brakes"],
     lead: "A wall wants the black force. The brakes make the orange one. Drag the black arrowhead into the green area and out of it."},
-  {id: "bounce", mark: "3", title: "Why does it bounce?", is_moving: true, preset: "fig9", laws: ["no_direct_control"], speed: "0.1", layers: ["cone", "Fd", "made", "Fh", "v", "brakes", "paths"],
+  {id: "why", mark: "3", title: "Why does it bounce?", is_moving: true, preset: "fig9-none", laws: ["no_direct_control"], speed: "0.1", layers: ["cone", "Fd", "made", "Fh", "v", "brakes", "paths"],
     lead: "Ten times slower: the wall pushes straight out, but the brakes can only push askew. When a brake holds, the handle can only move on a curve, and the curve leads out of the wall."},
-  {id: "laws", mark: "4", title: "Which law helps?", is_moving: true, preset: "fig9", laws: ["no_direct_control", "saturated_direct_control", "velocity_direct_control"], layers: ["brakes", "paths"],
+  {id: "laws", mark: "4", title: "Which law helps?", is_moving: true, preset: "fig9-none", laws: ["no_direct_control", "saturated_direct_control", "velocity_direct_control"], layers: ["brakes", "paths"],
     lead: "Three devices, one motion of the hand. The law that helps has a flat curve of depth: the hand stays in the wall, and does not leave it."},
-  {id: "mine", mark: "5", title: "Would my device do?", preset: "fig9", layers: ["map", "brakes"], opens_form: true,
+  {id: "mine", mark: "5", title: "Would my device do?", preset: "wall", layers: ["map", "brakes"], opens_form: true,
     lead: "Change lengths, brakes and limits in the form: the colours show where your device renders the wall well. The link of this page then carries your device."},
 ];
+
+// The question under which a preset is shown, by what its settings hold.
+export function question_of(settings) {
+  const has = name => settings.has(name), named = id => questions.find(question => question.id === id);
+  if (has("brakes.present")) return named("mine");
+  if (settings.get("hand") === "along") return named(settings.get("law") === "no_direct_control" ? "why" : "laws");
+  if (has("Fd") || has("Fh")) return named("wanted");
+  return named(has("qd") || settings.get("scene") === "none" ? "forces" : "laws");
+}
 
 export const layers = [
   {id: "cone", label: "forces that can be made now", style: "cone"}, {id: "others", label: "for other directions", style: "others"},
@@ -34,7 +43,7 @@ const length_of = vector => Math.hypot(...vector);
 export function still_sentence(question, value, word, brakes) {
   const moving = length_of(value("v")) > 0, states = brakes.map((brake, k) => "brake " + (k + 1) + " " + brake.state);
   if (question === "forces") {
-    if (!moving && length_of(value("Fh")) === 0) return "Nothing moves and nobody pushes: a brake at rest then makes no force. Drag the head of *v*, or of the hand force *F_h*.".replaceAll("_", "");
+    if (!moving && length_of(value("Fh")) === 0) return "Nothing moves and nobody pushes: a brake at rest then makes no force. Drag the head of *v*, or of the hand force *F_h*.";
     return "The brakes can make *every force in the green area*, and none outside of it. Each of them resists the motion: brakes never push. " + list(states, true) + ".";
   }
   if (question === "wanted") {

@@ -1,8 +1,8 @@
 // The motion of one device for each law, as rows that the engine wrote: the last row, and curves of the last seconds. It comes from the
 // simulation or from a log.
 
-const track_length = 1500;  // points of a curve [1]
-const track_step = 4;       // rows a point [1]
+const track_length = 750;  // points of a curve [1]
+const track_step = 8;       // rows a point [1]
 
 // layout: {row, values} of the engine; laws: ids.
 export function make_tracks(layout, laws) {

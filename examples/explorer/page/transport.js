@@ -15,6 +15,7 @@ export function set_paused(is_on) {
   app.is_paused = is_on;
   by_id("pause").setAttribute("aria-pressed", String(is_on));
   by_id("pause").textContent = is_on ? "Play" : "Pause";
+  if (!is_on && app.device) by_id("hint").hidden = true;
   if (!app.log) runner.send({kind: "pause", is_on});
   else if (!is_on && app.log.is_ended) app.log.restart();
   app.is_dirty = true;
