@@ -51,8 +51,9 @@ export function still_sentence(question, value, word, brakes) {
     if (wanted === 0) return "No force is wanted here. Drag the black arrowhead, or move the handle into a wall.";
     const display = word("display");
     if (display === "exact") return "The wanted force lies in the green area: the brakes make *exactly* it, " + newton(wanted) + "." + scale_text(alpha);
-    if (display === "approximate") return "The wanted force lies outside of the green area. The nearest that can be made is *" + short_number(degrees(gamma), 3) +
-      "° off* (γ). What is across it, " + newton(wanted * Math.tan(gamma)) + ", is felt as a pull along the wall." + scale_text(alpha);
+    const made = newton(length_of(value("brake_force"))) + (word("saturated") === "yes" ? ", all that they can" : "");
+    if (display === "approximate") return "The wanted force lies outside of the green area. The nearest that the brakes can make is *" + short_number(degrees(gamma), 3) +
+      "° off* (γ): what is across the wanted force is felt as a pull along the wall. The brakes make " + made + "." + scale_text(alpha);
     return "*No force* of the green area comes within 90° of the wanted one. The brakes are released: nothing is felt.";
   }
   return "";
