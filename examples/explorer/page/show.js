@@ -49,7 +49,7 @@ export function frame(now) {
   requestAnimationFrame(frame);
   const is_running = !app.is_paused && tracks();
   if (app.log && is_running) play_log(now);
-  if (is_running && is_simulated() && app.is_by_itself && is_way_done()) { app.lens_memory = {}; runner.again(); }
+  if (is_running && is_simulated() && app.is_by_itself && !app.is_recording && is_way_done()) { app.lens_memory = {}; runner.again(); }
   if (!app.is_dirty && !is_running) return;
   const is_slow_turn = app.is_dirty || now - last_slow > 200;
   app.is_dirty = false;

@@ -6,8 +6,8 @@ import { load_engine } from './engine.js';
 const period = 1;         // of a control cycle [ms]
 const most_at_once = 60;  // cycles computed before the page is served [1]
 
-let engine, simulations = [], sent = [], speed = 1, is_paused = true, due = 0, last = 0, lost = 0;
-let pointer = {point: [0, 0, 0], is_held: false}, recording = null, replaying = null, late_since = 0;
+let engine, simulations = [], sent = [], speed = 1, is_paused = true, due = 0, last = 0;
+let pointer = {point: [0, 0, 0], is_held: false}, recording = null, is_recording = false, replaying = null;
 
 const handlers = {
   async load({code, bytes}) {
@@ -40,9 +40,13 @@ const handlers = {
     begin_again(run);
   },
   // The hand's motion is recorded as what it gave to each step, from the start of the devices on.
-  record({is_on}) {
+  record({is_on, run}) {
+    if (is_on) {
+      handlers.restart({run});
+      recording = [];
+    }
+    is_recording = is_on;
     simulations.forEach(simulation => simulation.record(is_on));
-    if (is_on) { recording = []; replaying = null; }
   },
   log({law}) {
     const simulation = simulations[law];
@@ -82,7 +86,7 @@ function turn() {
   const busy = performance.now() - began;
   // What could not be made up for within a tenth of a second is given up, and the page says so.
   const behind = due > 100 * speed;
-  if (behind) { lost += due; due = 0; }
+  if (behind) due = 0;
   const chunks = simulations.map((simulation, k) => {
     const chunk = simulation.rows_from(sent[k]);
     sent[k] = simulation.cycles();
@@ -103,7 +107,7 @@ function run_cycles(cycles) {
         return;
       }
       [count, point, is_held] = [entry.count, entry.point, entry.is_held];
-    } else if (recording) recording.push({count, point, is_held});
+    } else if (is_recording) recording.push({count, point, is_held});
     for (const simulation of simulations) simulation.step(count, point, is_held);
     cycles -= count;
   }
