@@ -35,6 +35,7 @@ export function make_runner(code, bytes, worker_code, events) {
         runner.tracks.figures[law] = chunk.figures;
       });
       runner.is_late = data.is_late;
+      runner.is_replay = data.is_replay;
     } else events[data.kind]?.(data);
   };
   worker.postMessage({kind: "load", code, bytes});

@@ -7,6 +7,7 @@ const period = 1;         // of a control cycle [ms]
 const most_at_once = 60;  // cycles computed before the page is served [1]
 
 let engine, simulations = [], sent = [], speed = 1, is_paused = true, due = 0, last = 0;
+let hand = "pointer";  // who moves the handle
 let pointer = {point: [0, 0, 0], is_held: false}, recording = null, is_recording = false, replaying = null;
 
 const handlers = {
@@ -19,6 +20,7 @@ const handlers = {
   start({settings, run, point}) {
     for (const simulation of simulations) simulation?.end();
     simulations = settings.map(text => engine.simulation(text));
+    hand = hand_of(settings[0]) || "pointer";
     const failed = simulations.findIndex(simulation => !simulation);
     if (failed >= 0) {
       postMessage({kind: "refused", run, reason: engine.error()});
@@ -28,6 +30,7 @@ const handlers = {
     begin_again(run, point);
   },
   settings({text, law_texts}) {
+    hand = hand_of(text) || hand;
     simulations.forEach((simulation, k) => {
       if (!simulation.set(law_texts ? text + "\n" + law_texts[k] : text)) postMessage({kind: "refused", run: run_number, reason: engine.error()});
     });
@@ -54,6 +57,7 @@ const handlers = {
   },
   replay({run}) {
     if (!recording || !recording.length) return;
+    take_over(recording[0].hand);
     simulations.forEach(simulation => simulation.restart());
     begin_again(run);
     replaying = {tape: recording, at: 0};
@@ -70,6 +74,13 @@ function begin_again(run, point) {
   replaying = null;
   last = performance.now();
   if (simulations.length) postMessage({kind: "started", run, layout: simulations[0].layout});
+}
+
+const hand_of = text => /^hand=(\w+)$/m.exec(text)?.[1];
+
+function take_over(by) {
+  hand = by;
+  for (const simulation of simulations) simulation.set("hand=" + by);
 }
 
 function turn() {
@@ -107,7 +118,8 @@ function run_cycles(cycles) {
         return;
       }
       [count, point, is_held] = [entry.count, entry.point, entry.is_held];
-    } else if (is_recording) recording.push({count, point, is_held});
+      if (entry.hand !== hand) take_over(entry.hand);
+    } else if (is_recording) recording.push({count, point, is_held, hand});
     for (const simulation of simulations) simulation.step(count, point, is_held);
     cycles -= count;
   }
