@@ -28,7 +28,7 @@ export function make_numbers(panel, copied) {
           cell.append(button, " ");
         }
         if (entry.unit && entry.unit !== "1") cell.append(element("span", {class: "unit", text: entry.unit}));
-        body.append(element("tr", {}, element("th", {scope: "row"}, ...symbol_nodes(entry.symbol || "")), cell,
+        body.append(element("tr", {}, element(...(entry.symbol ? ["th", {scope: "row"}] : ["td", {}]), ...symbol_nodes(entry.symbol || "")), cell,
           element("td", {class: "eq", text: entry.equation ? "(" + entry.equation.replace(/[()]/g, "") + ")" : ""})));
         rows.push({entry, buttons});
       }
