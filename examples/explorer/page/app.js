@@ -22,6 +22,8 @@ export const pen = canvas_pen(by_id("picture"));
 export const runner_events = {started() { app.is_dirty = true; }};
 export const runner = make_runner(code, bytes, by_id("worker-code").textContent, runner_events);
 
+const least_shown = 1e-3;  // of the torque limit; a torque below is written as 0 [1]
+
 // The rows that are shown: of the log that is played, or of the simulation.
 export const tracks = () => app.log ? app.log.tracks : app.question.is_moving ? runner.tracks : null;
 export const is_simulated = () => app.question.is_moving && !app.log;
@@ -47,7 +49,8 @@ export function brake_states() {
   const unit = app.device.layout.find(entry => entry.id === "torque").unit;
   return torques.map((torque, k) => {
     const state = word("brake_state", k) || "released";
-    return {state, share: Math.abs(torque) / limits[k], text: state === "released" ? state : state + ", " + short_number(Math.abs(torque), 2) + " " + unit};
+    const share = Math.abs(torque) / limits[k], shown = share < least_shown ? 0 : Math.abs(torque);
+    return {state, share, text: state === "released" ? state : state + ", " + short_number(shown, 2) + " " + unit};
   });
 }
 
