@@ -126,6 +126,8 @@ export function evaluate() {
   app.device.evaluate();
   app.is_dirty = true;
   app.is_moved = true;
-  app.preset = null;
   keep_link();
+  if (!app.preset) return;
+  app.preset = null;  // it is no longer what the figure shows
+  app.shown();
 }

@@ -45,7 +45,7 @@ export function begin(question, settings, preset, is_own) {
   const is_new_question = question !== app.question || !app.device;
   app.device?.end();
   app.log?.end();
-  Object.assign(app, {device, question, preset, is_own, log: null, pointer: null, is_held: false, lens_memory: {}});
+  Object.assign(app, {device, question, preset, is_own, is_moved: false, log: null, pointer: null, is_held: false, lens_memory: {}});
   const lines = parse_settings(device.settings()), mechanism = lines.get("mechanism") || engine.catalogue.mechanisms[0].id;
   app.info = engine.catalogue.mechanisms.find(other => other.id === mechanism);
   app.law = lines.get("law") || form_value("law");
