@@ -9,7 +9,7 @@ import { by_id, say } from './messages.js';
 import { copy_text } from './numbers.js';
 import { begin, open_link, paint_map, start_runner } from './open.js';
 import { save_png, save_text, watch_files } from './save.js';
-import { page_link } from './settings.js';
+import { page_address, page_link } from './settings.js';
 import { frame, picture_svg, sound } from './show.js';
 import { questions } from './story.js';
 import { read_theme, watch_theme } from './theme.js';
@@ -18,9 +18,9 @@ import { open_log, restart, set_by_itself, set_paused, set_speed, toggle_record 
 const is_figure = preset => /^fig/.test(preset.id);
 
 function wire() {
-  by_id("questions").append(...questions.map(question => element("a", {href: page_link(question.id), "data-id": question.id}, element("b", {text: question.mark, "aria-hidden": "true"}), question.title)));
+  by_id("questions").append(...questions.map(question => element("a", {href: page_address(question.id), "data-id": question.id}, element("b", {text: question.mark, "aria-hidden": "true"}), question.title)));
   for (const [id, is_here] of [["figures", is_figure], ["others", preset => !is_figure(preset)]])
-    by_id(id).append(...engine.catalogue.presets.filter(is_here).map(preset => element("a", {href: page_link(preset.id), "data-id": preset.id, title: preset.look}, preset.title)));
+    by_id(id).append(...engine.catalogue.presets.filter(is_here).map(preset => element("a", {href: page_address(preset.id), "data-id": preset.id, title: preset.look}, preset.title)));
   by_id("mechanism").append(...engine.catalogue.mechanisms.map(mechanism => element("option", {value: mechanism.id, text: mechanism.label})));
   by_id("law").append(...engine.catalogue.laws.map(law => element("option", {value: law.id, text: law.label})));
   by_id("map_figure").append(...engine.catalogue.figures.map((figure, k) => element("option", {value: k, text: figure.label})));

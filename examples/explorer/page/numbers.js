@@ -27,8 +27,8 @@ export function make_numbers(panel, copied) {
           buttons.push(button);
           cell.append(button, " ");
         }
-        if (entry.unit) cell.append(element("span", {class: "unit", text: entry.unit}));
-        body.append(element("tr", {}, element("th", {scope: "row"}, ...symbol_nodes(entry.symbol || entry.id)), cell,
+        if (entry.unit && entry.unit !== "1") cell.append(element("span", {class: "unit", text: entry.unit}));
+        body.append(element("tr", {}, element("th", {scope: "row"}, ...symbol_nodes(entry.symbol || "")), cell,
           element("td", {class: "eq", text: entry.equation ? "(" + entry.equation.replace(/[()]/g, "") + ")" : ""})));
         rows.push({entry, buttons});
       }

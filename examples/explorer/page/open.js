@@ -51,6 +51,7 @@ export function begin(question, settings, preset, is_own) {
   app.law = lines.get("law") || form_value("law");
   if (is_new_question || preset) app.layers = new Set(question.layers);
   if (app.info.dimension === 3) app.layers.delete("others");
+  if (question.id === "wanted" && lines.has("Fh")) for (const layer of ["Fh", "Fr"]) app.layers.add(layer);
   if (preset) app.laws = question.is_moving ? preset_laws(app.law) : [];
   else if (is_new_question) app.laws = [...(question.laws || [])];
   app.is_by_itself = question.is_moving && form_value("hand") === "along";

@@ -19,6 +19,8 @@ export function make_runner(code, bytes, worker_code, events) {
       runner.last = runner.tracks;
       worker.postMessage({kind: "restart", run: ++run});
     },
+    // Begins the record of a motion, from the start of the devices on, or ends it.
+    record(is_on) { worker.postMessage({kind: "record", is_on, run: is_on ? ++run : run}); },
     send(message) { worker.postMessage(message.kind === "replay" ? {...message, run: ++run} : message); },
   };
 
@@ -33,6 +35,7 @@ export function make_runner(code, bytes, worker_code, events) {
         runner.tracks.figures[law] = chunk.figures;
       });
       runner.is_late = data.is_late;
+      runner.is_replay = data.is_replay;
     } else events[data.kind]?.(data);
   };
   worker.postMessage({kind: "load", code, bytes});

@@ -37,6 +37,9 @@ export function settings_link(settings) {
 
 export function page_link(page) { return "#" + link_version + "/" + encodeURIComponent(page); }
 
+// The whole address of a page, for links: a reader of the screen then does not take it for a place of this page.
+export function page_address(page) { return location.href.split("#")[0] + page_link(page); }
+
 function safe_decode(text) {
   try { return decodeURIComponent(text); } catch { return text; }
 }

@@ -49,7 +49,7 @@ export function frame(now) {
   requestAnimationFrame(frame);
   const is_running = !app.is_paused && tracks();
   if (app.log && is_running) play_log(now);
-  if (is_running && is_simulated() && app.is_by_itself && is_way_done()) { app.lens_memory = {}; runner.again(); }
+  if (is_running && is_simulated() && app.is_by_itself && !app.is_recording && !runner.is_replay && is_way_done()) { app.lens_memory = {}; runner.again(); }
   if (!app.is_dirty && !is_running) return;
   const is_slow_turn = app.is_dirty || now - last_slow > 200;
   app.is_dirty = false;
@@ -88,7 +88,7 @@ function show_results() {
   target.querySelectorAll("tbody .plain").forEach((button, k) => button.setAttribute("aria-pressed", String(k === app.focus)));
   [...target.querySelectorAll("tbody tr")].forEach((row, k) => [...row.querySelectorAll("td")].forEach((cell, c) => {
     const figures = tracks().figures[k], column = result_columns[c];
-    cell.textContent = figures ? short_number(figures[column.of] * column.factor, 3) : "–";
+    cell.textContent = figures && (column.of < 2 || figures[7] > 1) ? short_number(figures[column.of] * column.factor, 3) : "–";
   }));
 }
 

@@ -51,8 +51,9 @@ export function still_sentence(question, value, word, brakes) {
     if (wanted === 0) return "No force is wanted here. Drag the black arrowhead, or move the handle into a wall.";
     const display = word("display");
     if (display === "exact") return "The wanted force lies in the green area: the brakes make *exactly* it, " + newton(wanted) + "." + scale_text(alpha);
-    if (display === "approximate") return "The wanted force lies outside of the green area. The nearest that can be made is *" + short_number(degrees(gamma), 3) +
-      "° off* (γ). What is across it, " + newton(wanted * Math.tan(gamma)) + ", is felt as a pull along the wall." + scale_text(alpha);
+    const made = newton(length_of(value("brake_force"))) + (word("saturated") === "yes" ? ", all that they can" : "");
+    if (display === "approximate") return "The wanted force lies outside of the green area. The nearest that the brakes can make is *" + short_number(degrees(gamma), 3) +
+      "° off* (γ): what is across the wanted force is felt as a pull along the wall. The brakes make " + made + "." + scale_text(alpha);
     return "*No force* of the green area comes within 90° of the wanted one. The brakes are released: nothing is felt.";
   }
   return "";
@@ -85,9 +86,9 @@ export function laws_sentence(tracks, labels, last) {
   const is_early = last && !(tracks.figures[0]?.[7] > 1), figures = is_early ? last : tracks.figures;
   const known = tracks.laws.map((law, k) => ({label: labels.get(law) || law, figures: figures[k]})).filter(entry => entry.figures && entry.figures[7] > 0.2);
   if (known.length < 2) return "The hand comes to the wall.";
-  const best = [...known].sort((a, b) => a.figures[0] - b.figures[0] || a.figures[3] - b.figures[3])[0];
-  const rest = known.filter(entry => entry !== best).map(entry => times(entry.figures[0]) + " under " + entry.label);
-  return (is_early ? "On the last way" : "So far") + " the hand left the wall *" + times(best.figures[0]) + "* under *" + best.label + "*, and " + list(rest) + ".";
+  const counts = [...new Set(known.map(entry => entry.figures[0]))].sort((a, b) => a - b);
+  const parts = counts.map(count => "*" + times(count) + "* under " + list(known.filter(entry => entry.figures[0] === count).map(entry => "*" + entry.label + "*")));
+  return (is_early ? "On the last way" : "So far") + " the hand left the wall " + list(parts) + ".";
 }
 
 const times = count => count === 0 ? "never" : count === 1 ? "once" : short_number(count) + " times";

@@ -48,8 +48,9 @@ export function toggle_record(button) {
   const is_on = button.getAttribute("aria-pressed") !== "true";
   button.setAttribute("aria-pressed", String(is_on));
   button.textContent = is_on ? "Stop recording" : "Record";
-  if (is_on) restart();
-  runner.send({kind: "record", is_on});
+  app.is_recording = is_on;
+  if (is_on && app.is_paused) set_paused(false);
+  runner.record(is_on);
   if (!is_on) for (const id of ["replay", "download"]) by_id(id).disabled = false;
 }
 

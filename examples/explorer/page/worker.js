@@ -6,8 +6,9 @@ import { load_engine } from './engine.js';
 const period = 1;         // of a control cycle [ms]
 const most_at_once = 60;  // cycles computed before the page is served [1]
 
-let engine, simulations = [], sent = [], speed = 1, is_paused = true, due = 0, last = 0, lost = 0;
-let pointer = {point: [0, 0, 0], is_held: false}, recording = null, replaying = null, late_since = 0;
+let engine, simulations = [], sent = [], speed = 1, is_paused = true, due = 0, last = 0;
+let hand = "pointer";  // who moves the handle
+let pointer = {point: [0, 0, 0], is_held: false}, recording = null, is_recording = false, replaying = null;
 
 const handlers = {
   async load({code, bytes}) {
@@ -19,6 +20,7 @@ const handlers = {
   start({settings, run, point}) {
     for (const simulation of simulations) simulation?.end();
     simulations = settings.map(text => engine.simulation(text));
+    hand = hand_of(settings[0]) || "pointer";
     const failed = simulations.findIndex(simulation => !simulation);
     if (failed >= 0) {
       postMessage({kind: "refused", run, reason: engine.error()});
@@ -28,6 +30,7 @@ const handlers = {
     begin_again(run, point);
   },
   settings({text, law_texts}) {
+    hand = hand_of(text) || hand;
     simulations.forEach((simulation, k) => {
       if (!simulation.set(law_texts ? text + "\n" + law_texts[k] : text)) postMessage({kind: "refused", run: run_number, reason: engine.error()});
     });
@@ -40,9 +43,13 @@ const handlers = {
     begin_again(run);
   },
   // The hand's motion is recorded as what it gave to each step, from the start of the devices on.
-  record({is_on}) {
+  record({is_on, run}) {
+    if (is_on) {
+      handlers.restart({run});
+      recording = [];
+    }
+    is_recording = is_on;
     simulations.forEach(simulation => simulation.record(is_on));
-    if (is_on) { recording = []; replaying = null; }
   },
   log({law}) {
     const simulation = simulations[law];
@@ -50,6 +57,7 @@ const handlers = {
   },
   replay({run}) {
     if (!recording || !recording.length) return;
+    take_over(recording[0].hand);
     simulations.forEach(simulation => simulation.restart());
     begin_again(run);
     replaying = {tape: recording, at: 0};
@@ -68,6 +76,13 @@ function begin_again(run, point) {
   if (simulations.length) postMessage({kind: "started", run, layout: simulations[0].layout});
 }
 
+const hand_of = text => /^hand=(\w+)$/m.exec(text)?.[1];
+
+function take_over(by) {
+  hand = by;
+  for (const simulation of simulations) simulation.set("hand=" + by);
+}
+
 function turn() {
   const now = performance.now();
   const passed = now - last;
@@ -82,7 +97,7 @@ function turn() {
   const busy = performance.now() - began;
   // What could not be made up for within a tenth of a second is given up, and the page says so.
   const behind = due > 100 * speed;
-  if (behind) { lost += due; due = 0; }
+  if (behind) due = 0;
   const chunks = simulations.map((simulation, k) => {
     const chunk = simulation.rows_from(sent[k]);
     sent[k] = simulation.cycles();
@@ -103,7 +118,8 @@ function run_cycles(cycles) {
         return;
       }
       [count, point, is_held] = [entry.count, entry.point, entry.is_held];
-    } else if (recording) recording.push({count, point, is_held});
+      if (entry.hand !== hand) take_over(entry.hand);
+    } else if (is_recording) recording.push({count, point, is_held, hand});
     for (const simulation of simulations) simulation.step(count, point, is_held);
     cycles -= count;
   }
