@@ -234,7 +234,7 @@ function label_brakes(pen, camera, rows, brakes, theme, enlarge) {
 
 // Whether a label to the right of a brake would lie on the handle.
 const is_beside = (at, handle_at) =>
-  handle_at[0] > at[0] && handle_at[0] < at[0] + 110 && Math.abs(handle_at[1] - at[1]) < 34;
+  handle_at[0] > at[0] - 4 && handle_at[0] < at[0] + 110 && Math.abs(handle_at[1] - at[1]) < 34;
 
 function draw_ground(pen, at, half, theme) {
   const depth = 0.5 * half,
