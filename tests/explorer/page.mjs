@@ -264,6 +264,23 @@ async function in_browser(browser) {
       expect((await number(page, 't')) > 0, 'the replay runs');
     }));
 
+  if (browser.name === 'chromium')
+    await test('the page says so where the simulation falls behind real time', () =>
+      with_page('#v1/laws', {}, async page => {
+        await page.waitForFunction(
+          () => Number(document.querySelector('.number[data-id="t"]')?.dataset.value) > 0.2,
+          null,
+          {timeout: 30000},
+        );
+        const stall = () => {
+          for (const began = performance.now(); performance.now() - began < 500; );
+        };
+        await page.workers()[0].evaluate(stall);
+        await page.waitForFunction(() => !document.getElementById('late').hidden, null, {timeout: 10000});
+        expect(/real time/.test(await page.locator('#late').textContent()), 'the badge names real time');
+        await page.waitForFunction(() => document.getElementById('late').hidden, null, {timeout: 30000});
+      }));
+
   await test('a refused setting is explained in the words of the library, and nothing changes', () =>
     with_page('#v1/mine', {}, async page => {
       const field = page.locator('#form input').first(),

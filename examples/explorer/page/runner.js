@@ -3,15 +3,19 @@
 
 import {make_tracks} from './tracks.js';
 
+const late_shown = 1500; // [ms]
+
 // code, bytes: the engine; worker_code: the text of the worker. events: {started(), refused(reason),
 // log(text, command), replayed()}.
 export function make_runner(code, bytes, worker_code, events) {
   const worker = new Worker(URL.createObjectURL(new Blob([worker_code], {type: 'text/javascript'})));
-  let run = 0;
+  let run = 0,
+    late_at = -Infinity;
   const runner = {
     tracks: null,
     last: null,
-    is_late: false,
+    // Whether the simulation fell behind real time a moment ago.
+    is_late: () => performance.now() - late_at < late_shown,
     // Simulates devices of these settings, one for each law, from a place of the pointer [m] on.
     start(settings, laws, point) {
       runner.tracks = runner.last = null;
@@ -42,7 +46,7 @@ export function make_runner(code, bytes, worker_code, events) {
         runner.tracks.add(law, chunk.rows);
         runner.tracks.figures[law] = chunk.figures;
       });
-      runner.is_late = data.is_late;
+      if (data.is_late) late_at = performance.now();
       runner.is_replay = data.is_replay;
     } else events[data.kind]?.(data);
   };

@@ -148,7 +148,7 @@ function show_texts() {
     );
     show_numbers(app.device.layout, entry => app.device.value(entry.id));
   }
-  by_id('late').hidden = !(is_simulated() && runner.is_late && !app.is_paused);
+  by_id('late').hidden = !(is_simulated() && runner.is_late() && !app.is_paused);
   by_id('late').textContent = 'This machine is slower than real time: the simulation lags.';
   name_grips();
 }

@@ -113,9 +113,7 @@ function turn() {
   const cycles = Math.min(Math.floor(due), most_at_once);
   if (cycles < 1) return;
   due -= cycles;
-  const began = performance.now();
   run_cycles(cycles);
-  const busy = performance.now() - began;
   // What could not be made up for within a tenth of a second is given up, and the page says so.
   const behind = due > 100 * speed;
   if (behind) due = 0;
@@ -125,7 +123,7 @@ function turn() {
     return {...chunk, figures: simulation.figures()};
   });
   postMessage(
-    {kind: 'rows', run: run_number, chunks, is_late: behind, cycles, busy, is_replay: !!replaying},
+    {kind: 'rows', run: run_number, chunks, is_late: behind, is_replay: !!replaying},
     chunks.map(chunk => chunk.rows.buffer),
   );
 }
