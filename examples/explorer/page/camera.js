@@ -1,9 +1,10 @@
-// Where a point of the base frame [m] is on the screen [CSS pixels], and back. The plane is seen from above, y up;
-// space by a parallel projection of its own, turned by two angles.
+// Where a point of the base frame [m] is on the screen [CSS pixels], and back. The plane is seen from
+// above, y up; space by a parallel projection of its own, turned by two angles.
 
 export function plane_camera(scale, origin) {
   return {
-    is_space: false, scale,
+    is_space: false,
+    scale,
     point: p => [origin[0] + scale * p[0], origin[1] - scale * p[1]],
     // The direction of a vector of unit length, as pixels for one unit.
     vector: f => [f[0], -f[1]],
@@ -17,15 +18,24 @@ export function plane_camera(scale, origin) {
 
 // yaw turns about z, pitch lifts the eye over the plane z = 0; both [rad]. centre is seen at middle.
 export function space_camera(scale, middle, centre, yaw, pitch) {
-  const cy = Math.cos(yaw), sy = Math.sin(yaw), cp = Math.cos(pitch), sp = Math.sin(pitch);
-  const right = [cy, sy, 0], up = [-sy * sp, cy * sp, cp], towards = [sy * cp, -cy * cp, sp];
+  const cy = Math.cos(yaw),
+    sy = Math.sin(yaw),
+    cp = Math.cos(pitch),
+    sp = Math.sin(pitch);
+  const right = [cy, sy, 0],
+    up = [-sy * sp, cy * sp, cp],
+    towards = [sy * cp, -cy * cp, sp];
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const vector = f => [dot(f, right), -dot(f, up)];
   const from = p => [p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]];
   const back_vector = d => [0, 1, 2].map(i => d[0] * right[i] - d[1] * up[i]);
   return {
-    is_space: true, scale,
-    point: p => { const f = vector(from(p)); return [middle[0] + scale * f[0], middle[1] + scale * f[1]]; },
+    is_space: true,
+    scale,
+    point: p => {
+      const f = vector(from(p));
+      return [middle[0] + scale * f[0], middle[1] + scale * f[1]];
+    },
     vector,
     // How near a point is to the eye [m].
     depth: p => dot(from(p), towards),
@@ -45,7 +55,10 @@ export function space_camera(scale, middle, centre, yaw, pitch) {
 export function fitting_camera(box, is_space, width, height, margin, yaw = 0, pitch = 0) {
   const centre = [0, 1, 2].map(i => (box[i] + box[i + 3]) / 2);
   const size = [0, 1, 2].map(i => Math.max(1e-9, box[i + 3] - box[i]));
-  const room = [Math.max(20, width - margin.left - margin.right), Math.max(20, height - margin.top - margin.bottom)];
+  const room = [
+    Math.max(20, width - margin.left - margin.right),
+    Math.max(20, height - margin.top - margin.bottom),
+  ];
   const middle = [margin.left + room[0] / 2, margin.top + room[1] / 2];
   if (!is_space) {
     const scale = Math.min(room[0] / size[0], room[1] / size[1]);

@@ -1,29 +1,39 @@
-// The worker: the simulated devices, one for each law, at 1 kHz of real time. All get the pointer of one hand.
-// Messages in: start, settings, pointer, speed, pause, restart, record, log, replay. Messages out: rows, refused, log, replayed.
+// The worker: the simulated devices, one for each law, at 1 kHz of real time. All get the pointer of one
+// hand. Messages in: start, settings, pointer, speed, pause, restart, record, log, replay. Messages out:
+// rows, refused, log, replayed.
 
-import { load_engine } from './engine.js';
+import {load_engine} from './engine.js';
 
-const period = 1;         // of a control cycle [ms]
-const most_at_once = 60;  // cycles computed before the page is served [1]
+const period = 1; // of a control cycle [ms]
+const most_at_once = 60; // cycles computed before the page is served [1]
 
-let engine, simulations = [], sent = [], speed = 1, is_paused = true, due = 0, last = 0;
-let hand = "pointer";  // who moves the handle
-let pointer = {point: [0, 0, 0], is_held: false}, recording = null, is_recording = false, replaying = null;
+let engine,
+  simulations = [],
+  sent = [],
+  speed = 1,
+  is_paused = true,
+  due = 0,
+  last = 0;
+let hand = 'pointer'; // who moves the handle
+let pointer = {point: [0, 0, 0], is_held: false},
+  recording = null,
+  is_recording = false,
+  replaying = null;
 
 const handlers = {
   async load({code, bytes}) {
     engine = await load_engine(code, bytes);
-    postMessage({kind: "ready"});
+    postMessage({kind: 'ready'});
     last = performance.now();
     setInterval(turn, 10);
   },
   start({settings, run, point}) {
     for (const simulation of simulations) simulation?.end();
     simulations = settings.map(text => engine.simulation(text));
-    hand = hand_of(settings[0]) || "pointer";
+    hand = hand_of(settings[0]) || 'pointer';
     const failed = simulations.findIndex(simulation => !simulation);
     if (failed >= 0) {
-      postMessage({kind: "refused", run, reason: engine.error()});
+      postMessage({kind: 'refused', run, reason: engine.error()});
       simulations.forEach(simulation => simulation?.end());
       simulations = [];
     }
@@ -32,12 +42,22 @@ const handlers = {
   settings({text, law_texts}) {
     hand = hand_of(text) || hand;
     simulations.forEach((simulation, k) => {
-      if (!simulation.set(law_texts ? text + "\n" + law_texts[k] : text)) postMessage({kind: "refused", run: run_number, reason: engine.error()});
+      if (!simulation.set(law_texts ? text + '\n' + law_texts[k] : text))
+        postMessage({kind: 'refused', run: run_number, reason: engine.error()});
     });
   },
-  pointer({point, is_held}) { pointer = {point, is_held}; },
-  speed({factor}) { speed = factor; due = 0; },
-  pause({is_on}) { is_paused = is_on; last = performance.now(); due = 0; },
+  pointer({point, is_held}) {
+    pointer = {point, is_held};
+  },
+  speed({factor}) {
+    speed = factor;
+    due = 0;
+  },
+  pause({is_on}) {
+    is_paused = is_on;
+    last = performance.now();
+    due = 0;
+  },
   restart({run}) {
     simulations.forEach(simulation => simulation.restart());
     begin_again(run);
@@ -53,7 +73,8 @@ const handlers = {
   },
   log({law}) {
     const simulation = simulations[law];
-    if (simulation) postMessage({kind: "log", law, text: simulation.log(), command: simulation.replay_command()});
+    if (simulation)
+      postMessage({kind: 'log', law, text: simulation.log(), command: simulation.replay_command()});
   },
   replay({run}) {
     if (!recording || !recording.length) return;
@@ -73,14 +94,14 @@ function begin_again(run, point) {
   due = 0;
   replaying = null;
   last = performance.now();
-  if (simulations.length) postMessage({kind: "started", run, layout: simulations[0].layout});
+  if (simulations.length) postMessage({kind: 'started', run, layout: simulations[0].layout});
 }
 
 const hand_of = text => /^hand=(\w+)$/m.exec(text)?.[1];
 
 function take_over(by) {
   hand = by;
-  for (const simulation of simulations) simulation.set("hand=" + by);
+  for (const simulation of simulations) simulation.set('hand=' + by);
 }
 
 function turn() {
@@ -88,7 +109,7 @@ function turn() {
   const passed = now - last;
   last = now;
   if (is_paused || !simulations.length) return;
-  due += passed * speed / period;
+  due += (passed * speed) / period;
   const cycles = Math.min(Math.floor(due), most_at_once);
   if (cycles < 1) return;
   due -= cycles;
@@ -103,18 +124,23 @@ function turn() {
     sent[k] = simulation.cycles();
     return {...chunk, figures: simulation.figures()};
   });
-  postMessage({kind: "rows", run: run_number, chunks, is_late: behind, cycles, busy, is_replay: !!replaying}, chunks.map(chunk => chunk.rows.buffer));
+  postMessage(
+    {kind: 'rows', run: run_number, chunks, is_late: behind, cycles, busy, is_replay: !!replaying},
+    chunks.map(chunk => chunk.rows.buffer),
+  );
 }
 
 function run_cycles(cycles) {
   while (cycles > 0) {
-    let count = cycles, point = pointer.point, is_held = pointer.is_held;
+    let count = cycles,
+      point = pointer.point,
+      is_held = pointer.is_held;
     if (replaying) {
       const entry = replaying.tape[replaying.at++];
       if (!entry) {
         replaying = null;
         is_paused = true;
-        postMessage({kind: "replayed", run: run_number});
+        postMessage({kind: 'replayed', run: run_number});
         return;
       }
       [count, point, is_held] = [entry.count, entry.point, entry.is_held];
@@ -127,4 +153,6 @@ function run_cycles(cycles) {
 
 // Each message waits for those before it, the first for the engine.
 let served = Promise.resolve();
-onmessage = event => { served = served.then(() => handlers[event.data.kind](event.data)); };
+onmessage = event => {
+  served = served.then(() => handlers[event.data.kind](event.data));
+};
