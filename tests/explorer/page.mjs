@@ -98,6 +98,17 @@ async function drag_by_touch(browser, page, id, by) {
   await settle(page);
 }
 
+// Collects what moved by itself on the page.
+function watch_shifts() {
+  window.shifts = [];
+  new PerformanceObserver(list => window.shifts.push(...list.getEntries().map(entry => entry.value))).observe(
+    {
+      type: 'layout-shift',
+      buffered: true,
+    },
+  );
+}
+
 async function in_browser(browser) {
   console.log(browser.name + ' ' + browser.version);
   const with_page = async (hash, options, run) => {
@@ -273,13 +284,22 @@ async function in_browser(browser) {
           {timeout: 30000},
         );
         const stall = () => {
-          for (const began = performance.now(); performance.now() - began < 500; );
+          for (const began = performance.now(); performance.now() - began < 500;);
         };
         await page.workers()[0].evaluate(stall);
         await page.waitForFunction(() => !document.getElementById('late').hidden, null, {timeout: 10000});
         expect(/real time/.test(await page.locator('#late').textContent()), 'the badge names real time');
         await page.waitForFunction(() => document.getElementById('late').hidden, null, {timeout: 30000});
       }));
+
+  if (browser.name === 'chromium')
+    for (const width of [1280, 390])
+      await test(`nothing jumps while the page loads, ${width} pixels wide`, () =>
+        with_page('', {width, prepare: watch_shifts}, async page => {
+          await page.waitForTimeout(1500);
+          const shifts = await page.evaluate(() => window.shifts);
+          expect(shifts.length === 0, 'layout shifts', shifts);
+        }));
 
   await test('a refused setting is explained in the words of the library, and nothing changes', () =>
     with_page('#v1/mine', {}, async page => {
