@@ -49,6 +49,7 @@ present() {
     g++-mingw-w64-x86-64) command -v x86_64-w64-mingw32-g++ >/dev/null ;;
     wine64) [[ -x /usr/lib/wine/wine64 ]] || command -v wine64 >/dev/null ;;
     emscripten) command -v em++ >/dev/null ;;
+    python3) [[ -x /usr/bin/python3 ]] || command -v python3 >/dev/null ;;
     openmpi-bin) command -v mpirun >/dev/null ;;
     nodejs) command -v node >/dev/null ;;
     python3-* | libc++*-dev | doxygen-awesome-css | libjs-katex | fonts-katex) found_by_dpkg "$1" ;;
@@ -116,6 +117,20 @@ build_preset() {
   cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
   say "building build/$preset"
   cmake --build "build/$preset" --parallel "$jobs" ${1:+--target "$@"}
+}
+
+# build_explorer PAGE: the explorer as one HTML file; its engine stays in build/explorer.
+explorer_packages="cmake ninja-build libeigen3-dev libboost-dev emscripten nodejs python3"
+build_explorer() {
+  local page=$1 log=$build/explorer.configure.log
+  check_build_folder explorer
+  say "building the explorer"
+  mkdir -p "$build" "${page%/*}"
+  # Debian's emscripten finds the packages of nodejs there
+  export NODE_PATH=/usr/share/nodejs${NODE_PATH:+:$NODE_PATH}
+  emcmake cmake -G Ninja -S examples/explorer -B build/explorer >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+  cmake --build build/explorer --parallel "$jobs"
+  python3 examples/explorer/assemble.py build/explorer "$page"
 }
 
 # build_python_package: into a venv of build/python; what is made on the way stays there, so that the next time is quick.

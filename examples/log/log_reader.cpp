@@ -1,10 +1,10 @@
 #include <log/log_reader.hpp>
 #include <log/log_row.hpp>
+#include <log/number_text.hpp>
 
 #include <passive_haptics/core/text.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -143,7 +143,7 @@ double log_reader::number(std::size_t column) const {
   double value = 0;
   const char* const end = field.data() + field.size();
   const bool plus = field.front() == '+' && field.size() > 1 && field[1] != '-';  // from_chars takes no plus
-  const auto [stop, error] = std::from_chars(field.data() + (plus ? 1 : 0), end, value);
+  const auto [stop, error] = read_number(field.data() + (plus ? 1 : 0), end, value);
   if (error == std::errc::result_out_of_range) refuse(in_quotes(field) + " is out of range");
   if (error != std::errc()) refuse(in_quotes(field));
   if (stop != end) {

@@ -1,7 +1,6 @@
 #include <log/log_row.hpp>
+#include <log/number_text.hpp>
 
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace example {
@@ -14,13 +13,6 @@ void append_quoted(std::string& line, std::string_view text, std::string_view ma
     line += c;
   }
   line += '"';
-}
-
-template <class Number>
-void write(std::string& text, Number value) {
-  std::array<char, 32> digits;
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  text.assign(digits.data(), end);
 }
 
 }  // namespace
@@ -38,12 +30,12 @@ log_row::cell& log_row::next(std::string_view name, std::string_view unit) {
 
 void log_row::put(std::string_view name, std::string_view unit, double value) {
   std::string& text = next(name, unit).text;
-  if (std::isfinite(value) && !blank_) write(text, value);
+  if (std::isfinite(value) && !blank_) set_to_number(text, value);
 }
 
 void log_row::put(std::string_view name, std::string_view unit, std::int64_t value) {
   std::string& text = next(name, unit).text;
-  if (!blank_) write(text, value);
+  if (!blank_) set_to_number(text, value);
 }
 
 void log_row::put(std::string_view name, std::string_view word) {

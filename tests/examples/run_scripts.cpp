@@ -94,7 +94,7 @@ TEST_F(run_scripts, go_to_their_own_folder_whatever_CDPATH_is) {
   make_clone(here / "elsewhere", "other");
   const outcome o = shell("cd " + quoted(clone) + " && CDPATH=../elsewhere examples/run list");
   EXPECT_EQ(o.status, 0) << o.err;
-  EXPECT_EQ(o.out, "one\npython\n");
+  EXPECT_EQ(o.out, "one\nexplorer\npython\n");
 }
 
 TEST_F(run_scripts, time_the_compiler_in_a_folder_of_any_name) {

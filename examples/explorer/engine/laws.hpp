@@ -1,0 +1,147 @@
+/// @file
+/// The laws of the explorer, and a controller whose law is chosen at run time.
+#pragma once
+
+#include "scene.hpp"
+#include "settings.hpp"
+
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
+#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/saturated_direct_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
+
+#include <memory>
+
+namespace explorer {
+
+/// Whether the forces are scaled: the paper's law, or none, in one type.
+struct scaled_forces {
+  static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
+  static constexpr bool nulls_normal_force =
+      true;                        ///< As direct_control; with alpha = 1 it makes no difference.
+  bool is_direct = true;           ///< Direct control; else alpha = 1.
+  ph::direct_control direct = {};  ///< The law.
+
+  /// alpha
+  template <class T, int D>
+  T scale(const ph::contact_situation<T, D>& c) const noexcept {
+    return is_direct ? direct.scale(c) : T(1);
+  }
+};
+
+/// The laws, in the order of the catalogue.
+enum class law_kind { none, direct, saturated, velocity, on_off, coercive };
+
+/// What the catalogue has of a law.
+struct law_description {
+  law_kind kind;         ///< Which.
+  const char* id;        ///< As in the library.
+  const char* label;     ///< In words.
+  const char* look;      ///< One sentence: what it does.
+  const char* equation;  ///< Of the paper.
+};
+
+/// All laws.
+inline constexpr law_description laws[] = {
+    {law_kind::none, "no_direct_control", "Without direct control",
+     "The brakes make the force nearest to the wall's, as hard as they can: the hand bounces.", ""},
+    {law_kind::direct, "direct_control", "Direct control, as printed",
+     "Where the handle moves out, alpha scales the force so that nothing of the resultant is left normal to "
+     "the "
+     "wall.",
+     "12"},
+    {law_kind::saturated, "saturated_direct_control", "Direct control, limit first",
+     "Alpha scales what the brakes can make, as the paper's experiments read it: the brakes let go while the "
+     "handle "
+     "moves out.",
+     "12"},
+    {law_kind::velocity, "velocity_direct_control", "Velocity direct control",
+     "The brakes keep the handle at a small depth by the inertia of the device and their own lag: it glides.",
+     ""},
+    {law_kind::on_off, "on_off_control", "On-off control",
+     "The whole force or none, by a relay that looks ahead by the lag of the brakes.", ""},
+    {law_kind::coercive, "coercive_force_approximation", "Coercive force approximation",
+     "Each brake takes its own part of the wall's force, or none where it would have to drive.", ""}};
+
+/// The law of an id. Throws std::invalid_argument.
+law_kind law_of(const std::string& id);
+/// The id of a law.
+const char* id_of(law_kind kind);
+
+/// The parameters of all laws; those of the chosen one are shown.
+struct law_settings {
+  ph::direct_control direct;                        ///< Of direct_control.
+  ph::saturated_direct_control saturated;           ///< Of saturated_direct_control.
+  ph::velocity_direct_control_parameters velocity;  ///< Of velocity_direct_control.
+  ph::on_off_parameters on_off;                     ///< Of on_off_control.
+
+  /// Calls f(table) with that of a law, if it has one.
+  template <class F>
+  void visit(law_kind kind, F&& f) {
+    switch (kind) {
+      case law_kind::direct: return f(direct);
+      case law_kind::saturated: return f(saturated);
+      case law_kind::velocity: return f(velocity);
+      case law_kind::on_off: return f(on_off);
+      case law_kind::none:
+      case law_kind::coercive: return;
+    }
+  }
+};
+
+/// A controller of mechanism M whose law is known at run time only.
+template <class M>
+class any_control {
+ public:
+  using brakes = ph::switchable_brakes<M>;          ///< Its brakes.
+  using scene = explorer_scene<M::task_dimension>;  ///< Its scene.
+
+  virtual ~any_control() = default;
+  /// One control cycle.
+  virtual ph::step_result<M> decide(const ph::device_state<M>& state) = 0;
+};
+
+namespace detail {
+
+template <class M, class L>
+class control_of final : public any_control<M> {
+  using base = any_control<M>;
+
+ public:
+  control_of(const M& mechanism, const typename base::brakes& brakes, typename base::scene scene,
+             const L& law, const ph::step_options<double>& options)
+      : control_(mechanism, brakes, std::move(scene), law, options) {}
+  ph::step_result<M> decide(const ph::device_state<M>& state) override { return control_(state); }
+
+ private:
+  ph::controller<M, typename base::scene, L, typename base::brakes> control_;
+};
+
+}  // namespace detail
+
+/// The controller under a law. Throws std::invalid_argument if the law is not for this mechanism.
+template <class M>
+std::unique_ptr<any_control<M>> make_control(law_kind kind, const law_settings& law, const M& mechanism,
+                                             const typename any_control<M>::brakes& brakes,
+                                             typename any_control<M>::scene scene,
+                                             const ph::step_options<double>& options) {
+  const auto under = [&]<class L>(const L& chosen) -> std::unique_ptr<any_control<M>> {
+    return std::make_unique<detail::control_of<M, L>>(mechanism, brakes, std::move(scene), chosen, options);
+  };
+  switch (kind) {
+    case law_kind::none: return under(scaled_forces{false, {}});
+    case law_kind::direct: return under(scaled_forces{true, law.direct});
+    case law_kind::saturated: return under(law.saturated);
+    case law_kind::velocity: return under(ph::velocity_direct_control(law.velocity));
+    case law_kind::on_off: return under(ph::on_off_control{law.on_off});
+    case law_kind::coercive:
+      if constexpr (M::brake_count == M::dof) return under(ph::coercive_force_approximation());
+      break;
+  }
+  refuse("law", "coercive_force_approximation", "a law for devices with other than one brake a joint");
+}
+
+}  // namespace explorer

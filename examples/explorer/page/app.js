@@ -1,0 +1,120 @@
+// The state of the page: the device, the question that is looked at, and the numbers that are shown.
+
+import {bytes_of, load_engine} from './engine.js';
+import {short_number} from './format.js';
+import {by_id} from './messages.js';
+import {canvas_pen} from './pen.js';
+import {make_runner} from './runner.js';
+import {questions} from './story.js';
+import {read_theme} from './theme.js';
+
+const code = by_id('engine-code').textContent,
+  bytes = await bytes_of(by_id('engine-wasm').textContent);
+export const engine = await load_engine(code, bytes);
+
+// device: of the engine, with what the catalogue has of its mechanism in info; preset: of the catalogue, as
+// long as nothing was changed; laws: of the simulation; focus: the one whose device is drawn; shown(): is
+// called where the controls have to follow.
+export const app = {
+  question: questions[0],
+  preset: null,
+  device: null,
+  info: null,
+  law: '',
+  laws: [],
+  slots: [],
+  focus: 0,
+  layers: new Set(),
+  is_own: false,
+  theme: read_theme(),
+  yaw: 0.6,
+  pitch: 0.5,
+  pointer: null,
+  is_held: false,
+  is_paused: false,
+  is_by_itself: true,
+  is_dirty: true,
+  map: null,
+  map_figure: 0,
+  log: null,
+  lens_memory: {},
+  shown() {},
+};
+export const pen = canvas_pen(by_id('picture'));
+export const runner_events = {
+  started() {
+    app.is_dirty = true;
+  },
+};
+export const runner = make_runner(code, bytes, by_id('worker-code').textContent, runner_events);
+
+const least_shown = 1e-3; // of the torque limit; a torque below is written as 0 [1]
+
+// The rows that are shown: of the log that is played, or of the simulation.
+export const tracks = () => (app.log ? app.log.tracks : app.question.is_moving ? runner.tracks : null);
+export const is_simulated = () => app.question.is_moving && !app.log;
+export const is_moving = () => !!app.log || !!app.question.is_moving;
+export const is_space = () => app.info.dimension === 3;
+
+export const colors = () => app.slots.map(slot => app.theme.laws[slot]);
+export const form_value = name => app.device.form().find(entry => entry.name === name)?.value ?? '';
+export const law_label = law =>
+  engine.catalogue.laws.find(other => other.id === law)?.label || law.replaceAll('_', ' ');
+
+// The numbers of a value: of the last row, else of the device.
+export function value(id) {
+  const number = tracks()?.value(app.focus, id);
+  if (number) return number;
+  if (is_moving() && id === 'Fc_scaled')
+    return (
+      tracks()
+        ?.value(app.focus, 'Fc')
+        ?.map(c => c * tracks().value(app.focus, 'alpha')[0]) || [0, 0, 0]
+    );
+  return app.device.value(id);
+}
+
+export function word(id, k) {
+  return tracks()?.value(app.focus, id) ? tracks().word(app.focus, id, k) : app.device.word(id, k);
+}
+
+export function brake_states() {
+  const torques = tracks()?.value(app.focus, 'brake_torque') || app.device.value('torque'),
+    limits = app.device.value('torque_limit');
+  const unit = app.device.layout.find(entry => entry.id === 'torque').unit;
+  return torques.map((torque, k) => {
+    const state = word('brake_state', k) || 'released';
+    const share = Math.abs(torque) / limits[k],
+      shown = share < least_shown ? 0 : Math.abs(torque);
+    return {
+      state,
+      share,
+      text: state === 'released' ? state : state + ', ' + short_number(shown, 2) + ' ' + unit,
+    };
+  });
+}
+
+// The device takes the state of the last row.
+export function follow_tracks() {
+  const q = tracks()?.value(app.focus, 'q');
+  if (!q) return;
+  const state = app.device.state(app.info.joints);
+  state.q.set(q);
+  state.qd.set(tracks().value(app.focus, 'qd'));
+  state.Fh.set(tracks().value(app.focus, 'hand_force'));
+  app.device.evaluate();
+}
+
+// A colour for each law that runs. Those of the opening keep theirs.
+export function assign_colors() {
+  const slots = new Map(),
+    free = [0, 1, 2],
+    fixed = {no_direct_control: 0, velocity_direct_control: 1};
+  const take = (law, slot) => {
+    slots.set(law, slot);
+    free.splice(free.indexOf(slot), 1);
+  };
+  for (const law of app.laws) if (law in fixed) take(law, fixed[law]);
+  for (const law of app.laws) if (!slots.has(law)) take(law, free.at(-1));
+  app.slots = app.laws.map(law => slots.get(law));
+}

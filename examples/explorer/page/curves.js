@@ -1,0 +1,165 @@
+// The curves of the last seconds: depth as a cut through the wall, the rate of a brake, and alpha. One
+// colour for each law.
+
+import {line_path} from './pen.js';
+import {each_point} from './tracks.js';
+import {short_number} from './format.js';
+
+const longest_shown = 5; // [s]
+
+// tracks: with the histories; names and colors: of the laws; brakes: their number.
+// With is_short only the depth is drawn.
+// last: the tracks of the pass before, drawn pale where this pass has not come to yet.
+export function draw_curves(pen, tracks, last, theme, names, colors, brakes, is_short) {
+  const width = pen.width,
+    is_small = width < 520,
+    left = is_small ? 40 : 58,
+    right = width - 14,
+    gap = 30,
+    top = is_small ? 46 : 26;
+  const unit = is_short ? (pen.height - top - 18) / 2.6 : (pen.height - top - 16 - 2 * gap) / 5;
+  const panels = [
+    {key: 'depth', from: top, height: 2.6 * unit, title: 'depth in the wall [mm]', factor: 1e3, down: true},
+    {
+      key: 'rate',
+      from: top + 2.6 * unit + gap,
+      height: 1.2 * unit,
+      title: 'rate of brake ' + brakes + ', ω [rad/s]: 0 where it holds',
+      factor: 1,
+      even: true,
+    },
+    {
+      key: 'alpha',
+      from: top + 3.8 * unit + 2 * gap,
+      height: 1.2 * unit,
+      title: 'α, how much of F_{c} is commanded',
+      log: true,
+    },
+  ];
+  const [start, end] = times_of(tracks),
+    last_end = last ? times_of(last)[1] : 0;
+  const seconds = last && end < last_end ? Math.min(longest_shown, last_end) : longest_shown,
+    first = Math.max(start, end - seconds);
+  const x_of = t => left + ((right - left) * (t - first)) / seconds;
+  for (const panel of is_short ? panels.slice(0, 1) : panels)
+    draw_panel(
+      pen,
+      panel,
+      tracks,
+      last && end < last_end ? last : null,
+      end,
+      theme,
+      colors,
+      x_of,
+      left,
+      right,
+    );
+  const labels = names.map((name, law) => ({name, law}));
+  let at = right;
+  for (const {name, law} of labels.reverse()) {
+    const text = name.replaceAll('_', ' '),
+      size = is_small ? 12 : 13;
+    pen.label(text, at, 17, {size, align: 'end', color: colors[law], weight: 600});
+    at -= text.length * size * 0.56 + 18;
+    if (at < (is_small ? 0 : left + 150)) break;
+  }
+}
+
+// The first and the last time of the curves that are shown [s].
+function times_of(tracks) {
+  let start = Infinity,
+    end = 0;
+  for (const history of tracks.histories)
+    each_point(history, longest_shown, k => {
+      start = Math.min(start, history.time[k]);
+      end = Math.max(end, history.time[k]);
+    });
+  return [Math.min(start, end), end];
+}
+
+function draw_panel(pen, panel, tracks, last, now, theme, colors, x_of, left, right) {
+  const bottom = panel.from + panel.height;
+  let low = Infinity,
+    high = -Infinity;
+  for (const history of [...tracks.histories, ...(last ? last.histories : [])])
+    each_point(history, longest_shown, k => {
+      const value = history[panel.key][k] * (panel.factor || 1);
+      if (value === value) {
+        low = Math.min(low, value);
+        high = Math.max(high, value);
+      }
+    });
+  let y_of, ticks;
+  if (panel.log) {
+    const least = -6;
+    y_of = value =>
+      panel.from + panel.height * Math.min(1, Math.max(0, Math.log10(Math.max(value, 1e-12)) / least));
+    ticks = [
+      [1, '1'],
+      [1e-3, '1e−3'],
+      [1e-6, '1e−6'],
+    ];
+  } else {
+    const most = panel.even
+      ? round_up(Math.max(Math.abs(low), Math.abs(high), 0.5))
+      : round_up(Math.max(high, 2));
+    const least = panel.even ? -most : Math.max(-most, Math.min(-0.4 * most, -round_up(Math.max(0.1, -low))));
+    y_of = value => {
+      const part = (value - least) / (most - least);
+      return panel.down ? panel.from + panel.height * part : bottom - panel.height * part;
+    };
+    ticks = (panel.even ? [-most, 0, most] : [0, most / 2, most]).map(value => [value, short_number(value)]);
+  }
+  if (panel.down) {
+    const surface = y_of(0);
+    pen.path(`M${left} ${surface}H${right}V${bottom}H${left}Z`, {fill: theme.wall, alpha: 0.75});
+    pen.path(line_path([left, surface], [right, surface]), {stroke: theme.wall_line, width: 2});
+    pen.label('free', right - 6, surface - 6, {size: 12, align: 'end', color: theme.muted});
+    pen.label('in the wall', right - 6, bottom - 6, {size: 12, align: 'end', color: theme.muted});
+  }
+  for (const [value, text] of ticks) {
+    const y = y_of(value);
+    if (!panel.down || value)
+      pen.path(line_path([left, y], [right, y]), {stroke: theme.faint, width: 0.6, dash: [2, 4]});
+    pen.label(text, left - 8, y + 4, {size: 12, align: 'end', color: theme.muted});
+  }
+  pen.label(panel.title, left, panel.from - 8, {size: 12.5, color: theme.muted});
+  pen.clip(`M${left} ${panel.from - 3}H${right + 8}V${bottom + 3}H${left}Z`, () => {
+    const curve = (history, from) => {
+      const pieces = [];
+      let piece = null,
+        head = null;
+      each_point(history, longest_shown, k => {
+        const value = history[panel.key][k] * (panel.factor || 1);
+        if (value !== value || history.time[k] < from) {
+          piece = head = null;
+          return;
+        }
+        head = [x_of(history.time[k]), y_of(value)];
+        if (!piece) pieces.push((piece = []));
+        piece.push(...head);
+      });
+      return {pieces, head};
+    };
+    if (last)
+      last.histories.forEach((history, law) =>
+        pen.curve(curve(history, now).pieces, {stroke: colors[law], width: 1.4, alpha: 0.3}),
+      );
+    tracks.histories.forEach((history, law) => {
+      const {pieces, head} = curve(history, -1);
+      pen.curve(pieces, {stroke: colors[law], width: 1.8});
+      if (head)
+        pen.path(`M${head[0] - 3.5} ${head[1]}a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0 -7 0Z`, {
+          fill: colors[law],
+          stroke: theme.paper,
+          width: 1.2,
+        });
+    });
+  });
+}
+
+// The next of 1, 2, 5, 10, ...
+function round_up(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * [1, 2, 5, 10].find(step => step * power >= value * 0.999);
+}

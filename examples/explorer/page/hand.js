@@ -1,0 +1,198 @@
+// What the visitor moves in the picture: the handle, the heads of the arrows, the view of space.
+
+import {app, is_moving, is_simulated, is_space, pen, runner, value} from './app.js';
+import {short_number} from './format.js';
+import {make_grips} from './grips.js';
+import {keep_link} from './link.js';
+import {by_id} from './messages.js';
+import {arrow_style} from './forces.js';
+import {set_paused} from './transport.js';
+
+const grips = make_grips(by_id('handles'));
+const stub = {v: [0, 40], Fh: [32, -28], Fd: [-40, 0]}; // where a grip waits while its arrow is too short to be taken [pixels]
+
+export function add_grips() {
+  let from = null;
+  grips.add({
+    id: 'scene',
+    className: 'scene',
+    grabbed(pixel) {
+      from = pixel;
+      if (!is_space()) {
+        take_hand();
+        move_handle(app.picture.camera.back(pixel, app.picture.handle));
+      }
+    },
+    moved(pixel) {
+      if (!is_space()) return move_handle(app.picture.camera.back(pixel, app.picture.handle));
+      turn_view(0.008 * (pixel[0] - from[0]), 0.008 * (pixel[1] - from[1]));
+      from = pixel;
+    },
+    released: let_go,
+    keyed([x, y]) {
+      is_space() ? turn_view(-0.08 * x, -0.08 * y) : nudge_handle([x, y, 0]);
+    },
+  });
+  grips.add({
+    id: 'handle',
+    grabbed: take_hand,
+    moved: pixel => move_handle(app.picture.camera.back(pixel, app.picture.handle)),
+    released: let_go,
+    keyed: nudge_handle,
+  });
+  for (const id of ['v', 'Fh', 'Fd'])
+    grips.add({id, moved: pixel => turn_arrow(id, pixel), keyed: move => push_arrow(id, move)});
+}
+
+function turn_view(yaw, pitch) {
+  app.yaw -= yaw;
+  app.pitch = Math.min(1.5, Math.max(-0.2, app.pitch + pitch));
+  app.is_dirty = true;
+}
+
+export function place_grips() {
+  const {picture} = app,
+    at = picture.handle && picture.camera.point(picture.handle);
+  grips.place('handle', at);
+  for (const id of ['v', 'Fh', 'Fd']) {
+    const arrow = picture.arrows.find(other => other.id === id);
+    const is_free = at && !is_moving() && app.layers.has(id) && (id !== 'Fd' || app.question.id === 'wanted');
+    if (!is_free) {
+      grips.place(id, null);
+      continue;
+    }
+    const head =
+        arrow?.head && Math.hypot(arrow.head[0] - at[0], arrow.head[1] - at[1]) > 24 ? arrow.head : null,
+      place = head || [at[0] + stub[id][0], at[1] + stub[id][1]];
+    if (!head) {
+      const style = arrow_style(id, app.theme);
+      pen.path(`M${at[0]} ${at[1]}L${place[0]} ${place[1]}`, {
+        stroke: style.color,
+        width: 1.2,
+        dash: [2, 4],
+        alpha: 0.8,
+      });
+      pen.path(`M${place[0] - 5} ${place[1]}a5 5 0 1 0 10 0a5 5 0 1 0 -10 0Z`, {
+        fill: app.theme.paper,
+        stroke: style.color,
+        width: 2,
+      });
+      pen.label(id === 'v' ? 'v' : 'F_{' + id[1] + '}', place[0] + 9, place[1] + 5, {
+        size: 15,
+        math: true,
+        weight: 600,
+        color: style.color,
+        halo: app.theme.paper,
+      });
+    }
+    grips.place(
+      id,
+      place.map((c, i) => Math.min((i ? pen.height : pen.width) - 12, Math.max(12, c))),
+    );
+  }
+}
+
+export function name_grips() {
+  const text = (vector, factor, unit) =>
+    ['x', 'y', 'z']
+      .slice(0, app.info.dimension)
+      .map((axis, i) => axis + ' ' + short_number(vector[i] * factor, 3))
+      .join(', ') +
+    ' ' +
+    unit;
+  grips.name(
+    'scene',
+    is_space()
+      ? 'View in space, turned by the arrow keys'
+      : 'Picture of the device. The arrow keys move the handle',
+  );
+  grips.name('handle', 'Handle at ' + text(value('x'), 100, 'cm'));
+  grips.name('v', 'Velocity, ' + text(value('v'), 1, 'm/s'));
+  grips.name('Fh', 'Hand force, ' + text(app.device.value('Fh'), 1, 'N'));
+  grips.name('Fd', 'Wanted force, ' + text(app.device.value('Fd'), 1, 'N'));
+}
+
+// The visitor takes the handle: the hand by itself lets go.
+function take_hand() {
+  by_id('hint').hidden = true;
+  if (!is_simulated()) return;
+  app.is_held = true;
+  app.pointer = value('x');
+  if (app.is_by_itself) {
+    app.is_by_itself = false;
+    runner.send({kind: 'settings', text: 'hand=pointer'});
+    by_id('self').setAttribute('aria-pressed', 'false');
+  }
+  if (app.is_paused) set_paused(false);
+}
+
+export function let_go() {
+  if (!is_simulated()) return;
+  app.is_held = false;
+  send_pointer();
+}
+
+function send_pointer() {
+  runner.send({kind: 'pointer', point: app.pointer || value('x'), is_held: app.is_held});
+}
+
+function move_handle(point) {
+  if (app.log) return;
+  if (is_simulated()) {
+    app.pointer = point;
+    return send_pointer();
+  }
+  const v = app.device.value('v');
+  app.device.reach(point);
+  app.device.move(v);
+  evaluate();
+}
+
+function nudge_handle(move) {
+  const step = 0.008 * app.scales.reach;
+  if (is_simulated() && !app.is_held) take_hand();
+  const from = is_simulated() ? app.pointer : app.device.value('x');
+  move_handle(from.map((c, i) => c + step * move[i]));
+}
+
+function turn_arrow(id, pixel) {
+  const {camera, handle} = app.picture,
+    at = camera.point(handle),
+    scale = id === 'v' ? app.picture.motion_scale : app.picture.force_scale;
+  const old = app.device.value(id),
+    depth = old[0] * camera.towards[0] + old[1] * camera.towards[1] + old[2] * camera.towards[2];
+  let d = [pixel[0] - at[0], pixel[1] - at[1]];
+  if (Math.hypot(...d) < 14) d = [0, 0];
+  set_arrow(
+    id,
+    camera.back_vector(d.map(c => c / scale)).map((c, i) => c + depth * camera.towards[i]),
+  );
+}
+
+function push_arrow(id, move) {
+  const step = 8 / (id === 'v' ? app.picture.motion_scale : app.picture.force_scale),
+    old = app.device.value(id);
+  set_arrow(
+    id,
+    old.map((c, i) => c + step * move[i]),
+  );
+}
+
+function set_arrow(id, vector) {
+  if (id === 'v') app.device.move(vector);
+  else {
+    if (id === 'Fd') app.device.set('desired=given');
+    app.device.state(app.info.joints)[id].set(vector);
+  }
+  evaluate();
+}
+
+export function evaluate() {
+  app.device.evaluate();
+  app.is_dirty = true;
+  app.is_moved = true;
+  keep_link();
+  if (!app.preset) return;
+  app.preset = null; // it is no longer what the figure shows
+  app.shown();
+}

@@ -1,0 +1,18 @@
+// What the page says beside the picture: a note, a refusal in the words of the library, a word for a screen
+// reader.
+
+export const by_id = id => document.getElementById(id);
+
+export function say(text) {
+  by_id('note').hidden = !text;
+  by_id('note').textContent = text;
+}
+
+export function refuse(reason) {
+  by_id('refused').hidden = !reason;
+  by_id('refused').textContent = reason;
+}
+
+export function speak(text) {
+  by_id('spoken').textContent = text;
+}

@@ -1,0 +1,138 @@
+// Beginning: what a link, a question or a figure of the paper starts with.
+
+import {app, assign_colors, engine, form_value, runner} from './app.js';
+import {make_design_map} from './design.js';
+import {refuse} from './messages.js';
+import {box_of, scales_of} from './picture.js';
+import {format_settings, parse_link, parse_settings} from './settings.js';
+import {question_of, questions} from './story.js';
+import {set_paused, set_speed} from './transport.js';
+
+const design = make_design_map(() => {
+  paint_map();
+  app.is_dirty = true;
+});
+const preset_of = id => engine.catalogue.presets.find(preset => preset.id === id);
+const preset_laws = law => (law === 'no_direct_control' ? [law] : ['no_direct_control', law]);
+
+// Opens what a link names; without one, the hand along a wall.
+export function open_link() {
+  const {page, settings} = parse_link(location.hash);
+  if (settings) {
+    const question = questions.find(other => other.id === settings.get('page')) || questions[1];
+    settings.delete('page');
+    return begin(question, format_settings(settings), null, true);
+  }
+  const preset = preset_of(page);
+  if (preset) return begin(question_of(parse_settings(preset.settings)), preset.settings, preset, false);
+  return turn_to(questions.find(question => question.id === page) || questions[0]);
+}
+
+// Goes to a question, with the device that was chosen, or with that of the question.
+function turn_to(question) {
+  if (app.is_own && app.device) {
+    const settings = parse_settings(app.device.settings());
+    settings.set('desired', question.id === 'wanted' ? 'given' : 'scene');
+    settings.set('hand', question.is_moving ? 'along' : 'pointer');
+    return begin(question, format_settings(settings), null, true);
+  }
+  const settings = parse_settings(
+    preset_of(question.preset)?.settings ||
+      'mechanism=' + engine.catalogue.mechanisms[0].id + (question.is_moving ? '\nhand=along' : ''),
+  );
+  if (!question.is_moving) settings.set('hand', 'pointer');
+  begin(question, format_settings(settings), null, false);
+}
+
+export function begin(question, settings, preset, is_own) {
+  const device = engine.device(settings);
+  if (!device) {
+    refuse(engine.error());
+    if (app.device) return;
+    return turn_to(questions[0]);
+  }
+  refuse('');
+  const is_new_question = question !== app.question || !app.device;
+  app.device?.end();
+  app.log?.end();
+  Object.assign(app, {
+    device,
+    question,
+    preset,
+    is_own,
+    is_moved: false,
+    log: null,
+    pointer: null,
+    is_held: false,
+    lens_memory: {},
+  });
+  const lines = parse_settings(device.settings()),
+    mechanism = lines.get('mechanism') || engine.catalogue.mechanisms[0].id;
+  app.info = engine.catalogue.mechanisms.find(other => other.id === mechanism);
+  app.law = lines.get('law') || form_value('law');
+  if (is_new_question || preset) app.layers = new Set(question.layers);
+  if (app.info.dimension === 3) app.layers.delete('others');
+  if (question.id === 'wanted' && lines.has('Fh')) for (const layer of ['Fh', 'Fr']) app.layers.add(layer);
+  if (preset) app.laws = question.is_moving ? preset_laws(app.law) : [];
+  else if (is_new_question) app.laws = [...(question.laws || [])];
+  app.is_by_itself = question.is_moving && form_value('hand') === 'along';
+  if (question.is_moving && app.laws.length === 1) app.law = app.laws[0];
+  device.evaluate();
+  app.bounds = device.bounds();
+  app.box = box_of(device, app.info, question);
+  app.scales = scales_of(device, app.info);
+  if (!preset && (question.id === 'forces' || question.id === 'wanted')) start_still(question);
+  app.begun = (app.begun || 0) + 1;
+  app.is_hollow = form_value('scene').startsWith('hollow');
+  app.map = null;
+  design.end();
+  if (question.is_moving) {
+    if (is_new_question) set_speed(question.speed || '1');
+    set_paused(matchMedia('(prefers-reduced-motion: reduce)').matches);
+    start_runner();
+  } else runner.send({kind: 'pause', is_on: true});
+  if (question.id === 'mine') begin_map();
+  app.shown();
+  app.is_dirty = true;
+}
+
+// A motion and a wanted force to begin with where a still picture has none: the handle goes aside, and the
+// force is that of a wall in front.
+function start_still(question) {
+  const {device, info} = app,
+    state = device.state(info.joints);
+  if (!Math.hypot(...device.value('v'))) device.move([0.1 * app.scales.reach, 0, 0]);
+  device.evaluate();
+  app.scales = scales_of(device, info); // the cone of a device with more joints than needed depends on its motion
+  if (question.id !== 'wanted' || Math.hypot(...device.value('Fd'))) return;
+  device.set('law=no_direct_control');
+  app.law = 'no_direct_control';
+  state.Fd.set(info.dimension === 3 ? [0, 0, 0.2 / app.scales.force] : [0, -0.2 / app.scales.force, 0]);
+  device.set('desired=given');
+  device.evaluate();
+}
+
+export function start_runner() {
+  const text = app.device.settings(),
+    x = app.device.value('x');
+  assign_colors();
+  app.focus = Math.max(0, app.laws.length - 1);
+  runner.start(
+    app.laws.map(law => text + '\nlaw=' + law),
+    app.laws,
+    x,
+  );
+}
+
+function begin_map() {
+  if (!design.begin(app.device, app.bounds)) refuse(engine.error());
+  paint_map();
+}
+
+export function paint_map() {
+  app.map = design.picture(
+    app.map_figure,
+    engine.catalogue.figures[app.map_figure],
+    engine.catalogue.figures.findIndex(figure => figure.id === 'display'),
+  );
+}

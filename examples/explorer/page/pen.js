@@ -1,0 +1,230 @@
+// A pen: paths and labels in CSS pixels, on a canvas or into an SVG document. What is drawn by one can be
+// saved by the other, so a picture is described once.
+//
+// style: {stroke, width, fill, dash, alpha, cap, join}; a path is the text of an SVG path. label style:
+// {size, color, align: "start" | "middle" | "end", weight, halo, math}; in a label "_{...}" is a subscript,
+// and a letter of a formula stands in italics.
+
+const text_fonts =
+  "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', 'Noto Sans', Arial, sans-serif";
+const math_fonts =
+  "'STIX Two Text', 'Cambria', 'P052', 'Palatino Linotype', Palatino, 'Times New Roman', serif";
+
+// The parts of a label: [{text, sub}].
+export function label_parts(label) {
+  return label
+    .split(/(_\{[^}]*\})/)
+    .filter(part => part)
+    .map(part => (part.startsWith('_{') ? {text: part.slice(2, -1), sub: true} : {text: part, sub: false}));
+}
+
+export function canvas_pen(canvas) {
+  const context = canvas.getContext('2d');
+  let ratio = 1;
+  const font = (style, sub) => {
+    const size = (style.size || 13) * (sub ? 0.75 : 1);
+    return (
+      (style.math && !sub ? 'italic ' : '') +
+      (style.weight || 400) +
+      ' ' +
+      size +
+      'px ' +
+      (style.math ? math_fonts : text_fonts)
+    );
+  };
+  return {
+    width: 0,
+    height: 0,
+    // Clears the canvas, after its size has followed that of its box.
+    begin() {
+      ratio = Math.min(3, window.devicePixelRatio || 1);
+      const width = canvas.clientWidth,
+        height = canvas.clientHeight;
+      const columns = Math.round(width * ratio),
+        rows = Math.round(height * ratio);
+      if (canvas.width !== columns || canvas.height !== rows) {
+        canvas.width = columns;
+        canvas.height = rows;
+      }
+      this.width = width;
+      this.height = height;
+      context.setTransform(ratio, 0, 0, ratio, 0, 0);
+      context.clearRect(0, 0, width, height);
+    },
+    path(d, style) {
+      const path = new Path2D(d);
+      context.globalAlpha = style.alpha ?? 1;
+      if (style.fill) {
+        context.fillStyle = style.fill;
+        context.fill(path);
+      }
+      if (style.stroke) {
+        context.strokeStyle = style.stroke;
+        context.lineWidth = style.width ?? 1;
+        context.lineCap = style.cap || 'round';
+        context.lineJoin = style.join || 'round';
+        context.setLineDash(style.dash || []);
+        context.stroke(path);
+      }
+      context.globalAlpha = 1;
+    },
+    // A line through many points, pieces of it as flat lists [x, y, x, y, ...].
+    curve(pieces, style) {
+      context.beginPath();
+      for (const piece of pieces) {
+        context.moveTo(piece[0], piece[1]);
+        for (let k = 2; k < piece.length; k += 2) context.lineTo(piece[k], piece[k + 1]);
+      }
+      context.globalAlpha = style.alpha ?? 1;
+      context.strokeStyle = style.stroke;
+      context.lineWidth = style.width;
+      context.lineJoin = 'round';
+      context.setLineDash([]);
+      context.stroke();
+      context.globalAlpha = 1;
+    },
+    clip(d, draw) {
+      context.save();
+      context.clip(new Path2D(d));
+      draw();
+      context.restore();
+    },
+    label(text, x, y, style = {}) {
+      const parts = label_parts(text);
+      let width = 0;
+      for (const part of parts) {
+        context.font = font(style, part.sub);
+        part.width = context.measureText(part.text).width;
+        width += part.width;
+      }
+      let at = x - (style.align === 'middle' ? width / 2 : style.align === 'end' ? width : 0);
+      context.textBaseline = 'alphabetic';
+      context.textAlign = 'left';
+      context.lineJoin = 'round';
+      context.setLineDash([]);
+      for (const part of parts) {
+        context.font = font(style, part.sub);
+        const base = y + (part.sub ? (style.size || 13) * 0.22 : 0);
+        if (style.halo) {
+          context.strokeStyle = style.halo;
+          context.lineWidth = 4;
+          context.strokeText(part.text, at, base);
+        }
+        context.fillStyle = style.color;
+        context.fillText(part.text, at, base);
+        at += part.width;
+      }
+      return width;
+    },
+    // An image whose upper left corner, upper right and lower left one are at these pixels.
+    image(source, a, b, c, alpha) {
+      context.save();
+      context.globalAlpha = alpha;
+      context.imageSmoothingEnabled = false;
+      context.transform(
+        (b[0] - a[0]) / source.width,
+        (b[1] - a[1]) / source.width,
+        (c[0] - a[0]) / source.height,
+        (c[1] - a[1]) / source.height,
+        a[0],
+        a[1],
+      );
+      context.drawImage(source, 0, 0);
+      context.restore();
+    },
+  };
+}
+
+export function svg_pen(width, height, background) {
+  const body = [],
+    definitions = [];
+  const escape = text => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;');
+  const round = number => Math.round(number * 100) / 100;
+  return {
+    width,
+    height,
+    begin() {},
+    path(d, style) {
+      body.push(
+        `<path d="${d}" fill="${style.fill || 'none'}"` +
+          (style.stroke
+            ? ` stroke="${style.stroke}" stroke-width="${style.width ?? 1}" stroke-linecap="${style.cap || 'round'}" stroke-linejoin="${style.join || 'round'}"`
+            : '') +
+          (style.dash && style.dash.length ? ` stroke-dasharray="${style.dash.join(' ')}"` : '') +
+          (style.alpha !== undefined ? ` opacity="${style.alpha}"` : '') +
+          '/>',
+      );
+    },
+    curve(pieces, style) {
+      for (const piece of pieces) this.path('M' + piece.map(pixels).join(' '), style);
+    },
+    clip(d, draw) {
+      const name = 'clip' + definitions.length;
+      definitions.push(`<clipPath id="${name}"><path d="${d}"/></clipPath>`);
+      body.push(`<g clip-path="url(#${name})">`);
+      draw();
+      body.push('</g>');
+    },
+    label(text, x, y, style = {}) {
+      const size = style.size || 13;
+      let shifted = false;
+      const spans = label_parts(text)
+        .map(part => {
+          const shift = part.sub !== shifted ? ` dy="${round(size * (part.sub ? 0.22 : -0.22))}"` : '';
+          shifted = part.sub;
+          return `<tspan${shift}${part.sub ? ` font-size="${round(size * 0.75)}" font-style="normal"` : ''}>${escape(part.text)}</tspan>`;
+        })
+        .join('');
+      body.push(
+        `<text x="${round(x)}" y="${round(y)}" font-family="${style.math ? math_fonts : text_fonts}" font-size="${size}"` +
+          (style.math ? ' font-style="italic"' : '') +
+          (style.weight ? ` font-weight="${style.weight}"` : '') +
+          ` text-anchor="${style.align || 'start'}" fill="${style.color}"` +
+          (style.halo
+            ? ` stroke="${style.halo}" stroke-width="4" stroke-linejoin="round" paint-order="stroke"`
+            : '') +
+          `>${spans}</text>`,
+      );
+      return 0;
+    },
+    image(source, a, b, c, alpha) {
+      const matrix = [
+        (b[0] - a[0]) / source.width,
+        (b[1] - a[1]) / source.width,
+        (c[0] - a[0]) / source.height,
+        (c[1] - a[1]) / source.height,
+        a[0],
+        a[1],
+      ];
+      body.push(
+        `<image width="${source.width}" height="${source.height}" transform="matrix(${matrix.join(' ')})" opacity="${alpha}" style="image-rendering:pixelated" href="${source.toDataURL()}"/>`,
+      );
+    },
+    text() {
+      return (
+        `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">` +
+        `<defs>${definitions.join('')}</defs><rect width="100%" height="100%" fill="${background}"/>${body.join('\n')}</svg>\n`
+      );
+    },
+  };
+}
+
+// Texts of paths.
+const pixels = number => number.toFixed(2);
+export const line_path = (a, b) => `M${pixels(a[0])} ${pixels(a[1])}L${pixels(b[0])} ${pixels(b[1])}`;
+export function points_path(points, is_closed = false) {
+  let d = '';
+  for (let k = 0; k < points.length; ++k)
+    d += (k ? 'L' : 'M') + pixels(points[k][0]) + ' ' + pixels(points[k][1]);
+  return is_closed && d ? d + 'Z' : d;
+}
+export function circle_path([x, y], r) {
+  return `M${pixels(x - r)} ${pixels(y)}A${pixels(r)} ${pixels(r)} 0 1 1 ${pixels(x + r)} ${pixels(y)}A${pixels(r)} ${pixels(r)} 0 1 1 ${pixels(x - r)} ${pixels(y)}Z`;
+}
+// An arc from angle a to b [rad], clockwise on the screen if b > a; 0 is to the right.
+export function arc_path([x, y], r, a, b) {
+  if (Math.abs(b - a) >= 2 * Math.PI - 1e-6) return circle_path([x, y], r);
+  const large = Math.abs(b - a) > Math.PI ? 1 : 0,
+    sweep = b > a ? 1 : 0;
+  return `M${pixels(x + r * Math.cos(a))} ${pixels(y + r * Math.sin(a))}A${pixels(r)} ${pixels(r)} 0 ${large} ${sweep} ${pixels(x + r * Math.cos(b))} ${pixels(y + r * Math.sin(b))}`;
+}

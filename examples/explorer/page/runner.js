@@ -1,0 +1,55 @@
+// The simulation as the page sees it: a worker beside the page, made from a text, as a page from a file has
+// no other.
+
+import {make_tracks} from './tracks.js';
+
+const late_shown = 1500; // [ms]
+
+// code, bytes: the engine; worker_code: the text of the worker. events: {started(), refused(reason),
+// log(text, command), replayed()}.
+export function make_runner(code, bytes, worker_code, events) {
+  const worker = new Worker(URL.createObjectURL(new Blob([worker_code], {type: 'text/javascript'})));
+  let run = 0,
+    late_at = -Infinity;
+  const runner = {
+    tracks: null,
+    last: null,
+    // Whether the simulation fell behind real time a moment ago.
+    is_late: () => performance.now() - late_at < late_shown,
+    // Simulates devices of these settings, one for each law, from a place of the pointer [m] on.
+    start(settings, laws, point) {
+      runner.tracks = runner.last = null;
+      runner.laws = laws;
+      worker.postMessage({kind: 'start', settings, run: ++run, point});
+    },
+    // Begins the way of the hand again, and keeps what was.
+    again() {
+      runner.last = runner.tracks;
+      worker.postMessage({kind: 'restart', run: ++run});
+    },
+    // Begins the record of a motion, from the start of the devices on, or ends it.
+    record(is_on) {
+      worker.postMessage({kind: 'record', is_on, run: is_on ? ++run : run});
+    },
+    send(message) {
+      worker.postMessage(message.kind === 'replay' ? {...message, run: ++run} : message);
+    },
+  };
+
+  worker.onmessage = ({data}) => {
+    if (data.run !== undefined && data.run !== run) return;
+    if (data.kind === 'started') {
+      runner.tracks = make_tracks(data.layout, runner.laws);
+      events.started();
+    } else if (data.kind === 'rows') {
+      data.chunks.forEach((chunk, law) => {
+        runner.tracks.add(law, chunk.rows);
+        runner.tracks.figures[law] = chunk.figures;
+      });
+      if (data.is_late) late_at = performance.now();
+      runner.is_replay = data.is_replay;
+    } else events[data.kind]?.(data);
+  };
+  worker.postMessage({kind: 'load', code, bytes});
+  return runner;
+}

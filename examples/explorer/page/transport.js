@@ -1,0 +1,92 @@
+// Running and stopping: the simulation, its hand, its record, and a log that is played.
+
+import {app, assign_colors, engine, is_simulated, law_label, runner, runner_events, tracks} from './app.js';
+import {by_id, say} from './messages.js';
+import {make_player} from './player.js';
+import {save_text} from './save.js';
+
+runner_events.replayed = () => {
+  set_paused(true);
+  say('The recorded motion has ended.');
+};
+runner_events.log = ({text, command}) => {
+  save_text('explorer_log.csv', text, 'text/csv');
+  say('explorer_log.csv is a log of the library. ' + (command ? 'It replays with: ' + command : ''));
+};
+
+export function set_paused(is_on) {
+  app.is_paused = is_on;
+  by_id('pause').setAttribute('aria-pressed', String(is_on));
+  by_id('pause').textContent = is_on ? 'Play' : 'Pause';
+  if (!is_on && app.device) by_id('hint').hidden = true;
+  if (!app.log) runner.send({kind: 'pause', is_on});
+  else if (!is_on && app.log.is_ended) app.log.restart();
+  app.is_dirty = true;
+}
+
+export function set_speed(factor) {
+  by_id('speed').value = factor;
+  runner.send({kind: 'speed', factor: Number(factor)});
+}
+
+export function set_by_itself(is_on) {
+  app.is_by_itself = is_on;
+  by_id('self').setAttribute('aria-pressed', String(is_on));
+  runner.send({kind: 'settings', text: 'hand=' + (is_on ? 'along' : 'pointer')});
+}
+
+export function restart() {
+  app.lens_memory = {};
+  app.log ? app.log.restart() : runner.again();
+  if (app.is_paused) set_paused(false);
+}
+
+// Whether the hand by itself came to the end of its way, under all laws, or well beyond under one.
+export function is_way_done() {
+  const shares = app.laws.map((_, law) => tracks().value(law, 'progress')?.[0] ?? 0);
+  return Math.min(...shares) >= 1 || Math.max(...shares) >= 1.05;
+}
+
+export function toggle_record(button) {
+  const is_on = button.getAttribute('aria-pressed') !== 'true';
+  button.setAttribute('aria-pressed', String(is_on));
+  button.textContent = is_on ? 'Stop recording' : 'Record';
+  app.is_recording = is_on;
+  if (is_on && app.is_paused) set_paused(false);
+  runner.record(is_on);
+  if (!is_on) for (const id of ['replay', 'download']) by_id(id).disabled = false;
+}
+
+// Plays a log of the library through the law that is chosen.
+export function open_log(text, name) {
+  const log = engine.open_log(app.device.settings() + '\nlaw=' + (app.laws[app.focus] || app.law), text);
+  if (!log) return say(name + ': ' + engine.error());
+  const [equal, all] = log.agreement(),
+    law = app.laws[app.focus] || app.law;
+  app.log?.end();
+  app.log = make_player(log, law);
+  app.laws = [law];
+  app.focus = 0;
+  assign_colors();
+  runner.send({kind: 'pause', is_on: true});
+  say(
+    name +
+      ': ' +
+      log.count() +
+      ' lines' +
+      (all
+        ? '; ' + equal + ' of ' + all + ' capacities are those of ' + law_label(law) + ' to the last digit.'
+        : '.'),
+  );
+  set_paused(false);
+  app.shown();
+}
+
+let last_played = 0;
+
+export function play_log(now) {
+  const passed = Math.min(0.1, (now - last_played) / 1000);
+  last_played = now;
+  app.log.advance(passed * Number(by_id('speed').value));
+  if (app.log.is_ended) set_paused(true);
+}

@@ -1,0 +1,156 @@
+// The worker: the simulated devices, one for each law, at 1 kHz of real time. All get the pointer of one
+// hand. Messages in: start, settings, pointer, speed, pause, restart, record, log, replay. Messages out:
+// rows, refused, log, replayed.
+
+import {load_engine} from './engine.js';
+
+const period = 1; // of a control cycle [ms]
+const most_at_once = 60; // cycles computed before the page is served [1]
+
+let engine,
+  simulations = [],
+  sent = [],
+  speed = 1,
+  is_paused = true,
+  due = 0,
+  last = 0;
+let hand = 'pointer'; // who moves the handle
+let pointer = {point: [0, 0, 0], is_held: false},
+  recording = null,
+  is_recording = false,
+  replaying = null;
+
+const handlers = {
+  async load({code, bytes}) {
+    engine = await load_engine(code, bytes);
+    postMessage({kind: 'ready'});
+    last = performance.now();
+    setInterval(turn, 10);
+  },
+  start({settings, run, point}) {
+    for (const simulation of simulations) simulation?.end();
+    simulations = settings.map(text => engine.simulation(text));
+    hand = hand_of(settings[0]) || 'pointer';
+    const failed = simulations.findIndex(simulation => !simulation);
+    if (failed >= 0) {
+      postMessage({kind: 'refused', run, reason: engine.error()});
+      simulations.forEach(simulation => simulation?.end());
+      simulations = [];
+    }
+    begin_again(run, point);
+  },
+  settings({text, law_texts}) {
+    hand = hand_of(text) || hand;
+    simulations.forEach((simulation, k) => {
+      if (!simulation.set(law_texts ? text + '\n' + law_texts[k] : text))
+        postMessage({kind: 'refused', run: run_number, reason: engine.error()});
+    });
+  },
+  pointer({point, is_held}) {
+    pointer = {point, is_held};
+  },
+  speed({factor}) {
+    speed = factor;
+    due = 0;
+  },
+  pause({is_on}) {
+    is_paused = is_on;
+    last = performance.now();
+    due = 0;
+  },
+  restart({run}) {
+    simulations.forEach(simulation => simulation.restart());
+    begin_again(run);
+  },
+  // The hand's motion is recorded as what it gave to each step, from the start of the devices on.
+  record({is_on, run}) {
+    if (is_on) {
+      handlers.restart({run});
+      recording = [];
+    }
+    is_recording = is_on;
+    simulations.forEach(simulation => simulation.record(is_on));
+  },
+  log({law}) {
+    const simulation = simulations[law];
+    if (simulation)
+      postMessage({kind: 'log', law, text: simulation.log(), command: simulation.replay_command()});
+  },
+  replay({run}) {
+    if (!recording || !recording.length) return;
+    take_over(recording[0].hand);
+    simulations.forEach(simulation => simulation.restart());
+    begin_again(run);
+    replaying = {tape: recording, at: 0};
+  },
+};
+
+let run_number = 0;
+
+function begin_again(run, point) {
+  run_number = run;
+  sent = simulations.map(simulation => simulation.cycles());
+  if (point) pointer = {point, is_held: false};
+  due = 0;
+  replaying = null;
+  last = performance.now();
+  if (simulations.length) postMessage({kind: 'started', run, layout: simulations[0].layout});
+}
+
+const hand_of = text => /^hand=(\w+)$/m.exec(text)?.[1];
+
+function take_over(by) {
+  hand = by;
+  for (const simulation of simulations) simulation.set('hand=' + by);
+}
+
+function turn() {
+  const now = performance.now();
+  const passed = now - last;
+  last = now;
+  if (is_paused || !simulations.length) return;
+  due += (passed * speed) / period;
+  const cycles = Math.min(Math.floor(due), most_at_once);
+  if (cycles < 1) return;
+  due -= cycles;
+  run_cycles(cycles);
+  // What could not be made up for within a tenth of a second is given up, and the page says so.
+  const behind = due > 100 * speed;
+  if (behind) due = 0;
+  const chunks = simulations.map((simulation, k) => {
+    const chunk = simulation.rows_from(sent[k]);
+    sent[k] = simulation.cycles();
+    return {...chunk, figures: simulation.figures()};
+  });
+  postMessage(
+    {kind: 'rows', run: run_number, chunks, is_late: behind, is_replay: !!replaying},
+    chunks.map(chunk => chunk.rows.buffer),
+  );
+}
+
+function run_cycles(cycles) {
+  while (cycles > 0) {
+    let count = cycles,
+      point = pointer.point,
+      is_held = pointer.is_held;
+    if (replaying) {
+      const entry = replaying.tape[replaying.at++];
+      if (!entry) {
+        replaying = null;
+        is_paused = true;
+        postMessage({kind: 'replayed', run: run_number});
+        return;
+      }
+      [count, point, is_held] = [entry.count, entry.point, entry.is_held];
+      if (entry.hand !== hand) take_over(entry.hand);
+    } else if (is_recording) recording.push({count, point, is_held, hand});
+    for (const simulation of simulations) simulation.step(count, point, is_held);
+    cycles -= count;
+  }
+}
+
+// Each message waits for those before it, the first for the engine.
+let served = Promise.resolve();
+onmessage = event => {
+  served = served.then(() => handlers[event.data.kind](event.data));
+};

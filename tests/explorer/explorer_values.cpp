@@ -1,0 +1,84 @@
+// Prints what the engine computes: of each preset all values, "PRESET ID NUMBER ..." in hexadecimal; then of
+// each preset a closed loop of 21 000 cycles, "loop:PRESET ID NUMBER ..." of its last cycle and "loop:PRESET
+// hash H", of the bits of all numbers of all cycles. tests/explorer/engine.mjs does the same with
+// engine.wasm.
+#include <exports.hpp>
+
+#include <device.hpp>
+#include <presets.hpp>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <string>
+
+namespace {
+
+constexpr int cycles = 21'000, cycles_of_a_frame = 20, frames_of_a_side = 40;
+constexpr double reach = 0.01;  // of the pointer about the handle at the start [m]
+
+// From -1 to 1 and back: a triangle wave whose numbers are exact everywhere.
+double wave(int frame) {
+  const int place = frame % (2 * frames_of_a_side);
+  return 2.0 * (place < frames_of_a_side ? place : 2 * frames_of_a_side - place) / frames_of_a_side - 1;
+}
+
+void print(const std::string& name, const explorer::named_value& v, const double* numbers) {
+  std::printf("%s %s", name.c_str(), v.id);
+  for (int i = 0; i < v.size; ++i) std::printf(" %a", numbers[v.offset + i]);
+  std::printf("\n");
+}
+
+// FNV-1a over the two halves of each number, but for the angle, which another libm rounds otherwise.
+struct hash {
+  std::uint32_t value = 2166136261u;
+
+  void add(double x) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    if (x != x) bits = 0x7ff8000000000000u;
+    for (const std::uint32_t half : {std::uint32_t(bits), std::uint32_t(bits >> 32)})
+      value = (value ^ half) * 16777619u;
+  }
+};
+
+void print_loop(const explorer::preset& p) {
+  const std::string name = std::string("loop:") + p.id;
+  const auto device = explorer::make_device(explorer::settings(p.settings));
+  const auto simulation = device->simulate();
+  explorer::value_table& row = simulation->row();
+  device->evaluate();
+  const double* x = device->values().data();  // the handle stands first
+  const explorer::drawing::place start(x[0], x[1], x[2]);
+  hash all;
+  const std::clock_t began = std::clock();
+  for (int frame = 0; frame < cycles / cycles_of_a_frame; ++frame) {
+    const double way = reach * wave(frame);
+    simulation->step(cycles_of_a_frame,
+                     explorer::drawing::place(start[0] + way, start[1] + way / 2, start[2] - way),
+                     frame % 100 < 90);
+    for (int k = 0; k < cycles_of_a_frame; ++k) {
+      const int cycle = frame * cycles_of_a_frame + k;
+      const double* numbers = simulation->ring() + (cycle % explorer::simulation::ring_size) * row.size();
+      for (const explorer::named_value& v : row.names())
+        if (std::string(v.id) != "gamma")
+          for (int i = 0; i < v.size; ++i) all.add(numbers[v.offset + i]);
+    }
+  }
+  std::fprintf(stderr, "%s: %.2f us a cycle\n", name.c_str(),
+               double(std::clock() - began) / CLOCKS_PER_SEC / cycles * 1e6);
+  for (const explorer::named_value& v : row.names()) print(name, v, row.data());
+  std::printf("%s hash %u\n", name.c_str(), all.value);
+}
+
+}  // namespace
+
+int main() {
+  for (const explorer::preset& p : explorer::presets) {
+    const auto device = explorer::make_device(explorer::settings(p.settings));
+    device->evaluate();
+    for (const explorer::named_value& v : device->values().names()) print(p.id, v, device->values().data());
+  }
+  for (const explorer::preset& p : explorer::presets) print_loop(p);
+}
