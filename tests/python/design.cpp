@@ -12,7 +12,7 @@
 namespace reference {
 namespace {
 
-constexpr double push = 2;
+constexpr double push = 0.4;
 
 // At each state: the sink slope and the figures, where the handle moves as the hand pushes.
 template <class M>

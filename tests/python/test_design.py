@@ -13,7 +13,7 @@ from devices import DEVICES, Case
 
 REFERENCE = os.environ.get("PASSIVE_HAPTICS_PYTHON_REFERENCE")
 SEED = 46
-PUSH = 2
+PUSH = 0.4
 FIRST, SAMPLES, START = 70, 20, 100
 NAMES = ["tendon_two_link", "two_link", "xy_table", "delta", "planar_chain_3_with_inertia"]
 

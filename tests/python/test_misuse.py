@@ -131,7 +131,7 @@ MISUSES = [
     (lambda: chain.braked_wall_at([0] * 3, [1, 0], [0, 1], chain.brakes(), [0] * 3, [0] * 3, 1), TypeError,
      "braked_wall_at needs a mechanism with inertia"),
     (lambda: ph.simulated_device(chain, chain.brakes(), 1, [0, 0, 0]), TypeError, "needs a mechanism with inertia"),
-    (lambda: arm.sink_slope([1, 2], [1, 0], [0, 1], arm.brakes(), nan), ValueError, "push [N] = nan"),
+    (lambda: arm.design_map(rows, [1, 0], [0, 1], arm.brakes(), nan), ValueError, "push [N] = nan"),
     (lambda: arm.sink_slope([1, 2], [1, 0], [0, 1], motor_limit=[1]), ValueError, "length of motor_limit = 1, expected 2"),
     (lambda: arm.sink_slope([1, 2], [1, 0], [0, 1], motor_limit=[1, -1]), ValueError, "motor_limit[1] [N m] = -1.0"),
     (lambda: arm.sink_depth(rows[:1], [1, 0], [0, 1]), ValueError, "samples of a sink_depth = 1, expected 2 or more"),

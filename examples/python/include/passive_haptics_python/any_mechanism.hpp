@@ -52,7 +52,7 @@ class any_mechanism {
   /// End effector [m], base frame.
   task position(const pose_values& at) const { return at.x; }
   /// End effector in pose q.
-  task position(const joints& q) const { return held_->pose(q).x; }
+  task position(const joints& q) const { return held_->position(q); }
   /// J [m/rad or 1].
   d_by_n jacobian(const pose_values& at) const { return at.J; }
   /// J in pose q.
@@ -75,6 +75,7 @@ class any_mechanism {
   struct interface {
     virtual ~interface() = default;
     virtual pose_values pose(const joints& q) const = 0;
+    virtual task position(const joints& q) const = 0;
     virtual d_by_n inverse_transposed_jacobian(const joints& q) const = 0;
     virtual n_by_n mass_matrix(const joints& q) const = 0;
     virtual joints bias_torque(const joints& q, const joints& qd) const = 0;
@@ -88,6 +89,7 @@ class any_mechanism {
       const ph::mechanism_pose<M> at(mechanism, q);
       return {at.position(), at.jacobian()};
     }
+    task position(const joints& q) const override { return mechanism.position(q); }
     d_by_n inverse_transposed_jacobian([[maybe_unused]] const joints& q) const override {
       if constexpr (ph::detail::has_inverse_transposed_jacobian<M>)
         return mechanism.inverse_transposed_jacobian(q);
