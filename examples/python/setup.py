@@ -70,7 +70,8 @@ class build_precompiled(build_ext):
         if is_out_of_date(precompiled, "source/precompiled.hpp"):
             folders = [f"-I{folder}" for folder in [*extension.include_dirs, *compiler.include_dirs]]
             options = [*extension.extra_compile_args, "-O1", "-x", "c++-header", "-o", precompiled]
-            compiler.spawn([*compiler.compiler_so, *folders, "source/precompiled.hpp", *options, "-MF", precompiled[:-4] + ".d"])
+            listed = ["-MF", precompiled[:-4] + ".d"]
+            compiler.spawn([*compiler.compiler_so, *folders, "source/precompiled.hpp", *options, *listed])
         compile_one = compiler._compile
 
         def compile_by_folder(object_file, source, extension_of_source, flags_of_all, last_flags, others):

@@ -60,7 +60,8 @@ std::vector<run_time_brake> brake_models_from(py::handle given) {
 
 void bind_brake_models(py::module_& module) {
   py::class_<brake_model>(module, "brake_model", "What one brake of a simulated device makes of a command.");
-  bind_model<ph::coulomb_brake<double>>(module, "coulomb_brake", "Friction that follows its command with a lag.");
+  bind_model<ph::coulomb_brake<double>>(module, "coulomb_brake",
+                                        "Friction that follows its command with a lag.");
   bind_model<ph::stribeck_brake<double>>(module, "stribeck_brake",
                                          "A coulomb_brake whose friction is larger at rest.");
   bind_model<ph::eddy_current_brake<double>>(module, "eddy_current_brake",

@@ -68,7 +68,8 @@ class rows_of_places {
       return one.transpose();
     }
     if (!py::isinstance<py::array>(x))
-      refuse_type(std::string(name) + " = " + shown(x) + ", expected a numpy.ndarray of float64, a row for "
+      refuse_type(std::string(name) + " = " + shown(x) +
+                  ", expected a numpy.ndarray of float64, a row for "
                   "each place");
     const py::array array = plain_array(x, name);
     if (array.dtype().kind() != 'f' || array.dtype().itemsize() != py::ssize_t(sizeof(double)))
@@ -198,13 +199,14 @@ void bind_design(py::class_<mechanism>& bound) {
            "[N]. Ctrl-C ends it.")
       .def(
           "braked_wall_at",
-          [](const mechanism& m, py::handle q, py::handle velocity, py::handle normal, const py::object& given,
-             py::handle residual_torque, py::handle resolution, double hand_mass) {
+          [](const mechanism& m, py::handle q, py::handle velocity, py::handle normal,
+             const py::object& given, py::handle residual_torque, py::handle resolution, double hand_mass) {
             const path_values place{any_numbers(q, "q"), any_numbers(velocity, "velocity"),
                                     any_numbers(normal, "normal")};
-            return braked_wall_value(m.device().braked_wall_at(
-                place, design_brakes_of(m, given, py::none()), any_numbers(residual_torque, "residual_torque"),
-                any_numbers(resolution, "resolution"), hand_mass));
+            return braked_wall_value(
+                m.device().braked_wall_at(place, design_brakes_of(m, given, py::none()),
+                                          any_numbers(residual_torque, "residual_torque"),
+                                          any_numbers(resolution, "resolution"), hand_mass));
           },
           py::arg("q"), py::arg("velocity"), py::arg("normal"), py::arg("brakes"), py::arg("residual_torque"),
           py::arg("resolution"), py::arg("hand_mass"),

@@ -11,7 +11,9 @@ brake_numbers brakes_for(const mechanism& of, const py::object& given);
 
 /// Lets other threads of Python run, and throws KeyboardInterrupt after Ctrl-C.
 inline void let_others_run() {
-  { const py::gil_scoped_release unlocked; }
+  {
+    const py::gil_scoped_release unlocked;
+  }
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 

@@ -81,7 +81,8 @@ void bind_kinematics(py::class_<mechanism>& bound) {
           "or m/s].")
       .def(
           "brake_signs",
-          [](const mechanism& m, py::handle q, py::handle qd, py::handle hand_force, const py::object& given) {
+          [](const mechanism& m, py::handle q, py::handle qd, py::handle hand_force,
+             const py::object& given) {
             std::optional<numbers> force;
             if (!hand_force.is_none()) force = any_numbers(hand_force, "hand_force");
             return m.device().brake_signs(any_numbers(q, "q"), any_numbers(qd, "qd"), force,
@@ -110,7 +111,8 @@ void bind_forces(py::class_<mechanism>& bound) {
             return py::make_tuple(set.G, enumerated("status", set.outcome));
           },
           py::arg("q"),
-          "reference_forces(self, q: Numbers) -> tuple[Array, status]\n\nThe forces of unit torques, a column "
+          "reference_forces(self, q: Numbers) -> tuple[Array, status]\n\nThe forces of unit torques, a "
+          "column "
           "for each brake [N per N m] (6); NaN unless the status is ok. Of a device with as many brakes and "
           "joints as task dimensions; TypeError for others.")
       .def(

@@ -3,11 +3,9 @@
 
 #include "devices.hpp"
 #include "module.hpp"
+#include "recorder.hpp"
 
 #include <pybind11/eigen.h>
-
-#include <bit>
-#include <cstdint>
 
 namespace passive_haptics_python {
 namespace {
@@ -20,8 +18,7 @@ py::dict without(const py::dict& given, std::initializer_list<const char*> names
   return others;
 }
 py::object part_of(const py::dict& given, const char* part, const std::string& name, const char* all) {
-  if (!given.contains(part))
-    refuse_type(name + " needs " + all + ", but no " + part + " was given");
+  if (!given.contains(part)) refuse_type(name + " needs " + all + ", but no " + part + " was given");
   return given[part];
 }
 py::list list_of(const numbers& x) { return py::cast(x).attr("tolist")(); }
@@ -101,58 +98,6 @@ struct following_hand : hand_values {
 struct following_base {};
 using following_value = table_value<following_base, ph::wall_following_parameters>;
 
-// Time steps as rows of 8-byte numbers: doubles, and whole numbers in the same width.
-class recorder final : public following_observer {
- public:
-  recorder(const device_sizes& sizes, bool wanted) : sizes_(sizes), wanted_(wanted) {}
-
-  void see(const following_sample& now) override {
-    constexpr int steps_between_signals = 1 << 10;
-    if (++steps_ % steps_between_signals == 0) let_others_run();
-    if (!wanted_) return;
-    const int d = sizes_.task_dimension, m = sizes_.brake_count;
-    const result_values& c = *now.control;
-    add(&now.time, 1);
-    add(&now.depth, 1);
-    for (const auto& [first, count] : {std::pair{now.position, d}, {now.velocity, d}, {now.rates, m},
-                                       {now.torque, m}, {now.power, m}, {now.hand_force, d},
-                                       {now.brake_force, d}, {c.capacity.data(), m}})
-      add(first, count);
-    add(&c.alpha, 1);
-    for (const int whole : {int(c.outcome), int(c.power), int(c.display), int(c.saturated), c.wall_number})
-      numbers_.push_back(std::bit_cast<double>(std::int64_t(whole)));
-  }
-
-  // One row for each time step.
-  py::array rows() const {
-    py::list fields;
-    const auto add_field = [&](const char* name, const char* kind, int width) {
-      if (width == 1) fields.append(py::make_tuple(name, kind));
-      else fields.append(py::make_tuple(name, kind, py::make_tuple(width)));
-    };
-    const int d = sizes_.task_dimension, m = sizes_.brake_count;
-    for (const char* name : {"time", "depth"}) add_field(name, "f8", 1);
-    for (const auto& [name, width] : {std::pair{"position", d}, {"velocity", d}, {"rates", m},
-                                      {"brake_torque", m}, {"brake_power", m}, {"hand_force", d},
-                                      {"brake_force", d}, {"capacity", m}})
-      add_field(name, "f8", width);
-    add_field("alpha", "f8", 1);
-    for (const char* name : {"outcome", "power", "display", "saturated", "wall_number"})
-      add_field(name, "i8", 1);
-    const py::dtype type = py::dtype::from_args(fields);
-    const auto count = py::ssize_t(numbers_.size() * sizeof(double)) / type.itemsize();
-    return py::array(type, std::vector<py::ssize_t>{count}, numbers_.data());
-  }
-
- private:
-  void add(const double* first, int count) { numbers_.insert(numbers_.end(), first, first + count); }
-
-  device_sizes sizes_;
-  bool wanted_;
-  long steps_ = 0;
-  std::vector<double> numbers_;
-};
-
 py::object metrics_of(const ph::contact_metrics& f) {
   const py::module_ results = py::module_::import("passive_haptics.results");
   return results.attr("contact_metrics")(
@@ -206,7 +151,8 @@ void bind_device(py::module_& module) {
                             any_numbers(muscle_force, "muscle_force"));
           },
           py::arg("dt"), py::arg("capacity"), py::arg("muscle_force"),
-          "advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None\n\nOne time step dt [s] "
+          "advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None\n\nOne time step dt "
+          "[s] "
           "under commanded capacities [N m] and the force that the hand's muscles exert [N]. No time passes "
           "where dt is not a finite number > 0.")
       .def(
@@ -246,11 +192,11 @@ void bind_device(py::module_& module) {
 
 void bind_simulations(py::module_& module) {
   bind_device(module);
-  const std::string of_hand = "(direction: Numbers, start: Numbers, " +
-                              stub_arguments<following_hand::table_type>() +
-                              ")\n\nA hand that moves along a wall in a direction and presses on it, at start "
-                              "[m] at time 0.\n\n" +
-                              parameter_lines<following_hand::table_type>();
+  const std::string of_hand =
+      "(direction: Numbers, start: Numbers, " + stub_arguments<following_hand::table_type>() +
+      ")\n\nA hand that moves along a wall in a direction and presses on it, at start "
+      "[m] at time 0.\n\n" +
+      parameter_lines<following_hand::table_type>();
   py::class_<following_hand> hand(module, "following_hand", of_hand.c_str());
   add_value_protocol(hand, "following_hand");
   const std::string of_parameters = "(" + stub_arguments<ph::wall_following_parameters>() +
@@ -263,7 +209,8 @@ void bind_simulations(py::module_& module) {
       py::arg("parameters") = py::none(), py::kw_only(), py::arg("record") = false,
       "follow_wall(device: simulated_device, controller: controller, shape: shape, hand: following_hand, "
       "parameters: wall_following_parameters | None = ..., *, record: bool = ...) -> tuple[contact_metrics, "
-      "Records]\n\nThe wall-following experiment: a hand moves the device along a shape, the wall whose depth "
+      "Records]\n\nThe wall-following experiment: a hand moves the device along a shape, the wall whose "
+      "depth "
       "is measured, under a controller. Returns its figures and, if record is true, an array with a row for "
       "each time step (else none): time [s], depth [m], position [m], velocity [m/s], rates of the brakes, "
       "brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control cycle "

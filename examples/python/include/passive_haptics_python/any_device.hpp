@@ -42,8 +42,8 @@ struct reference_force_values {
 
 /// A passive FME of two brakes in the plane.
 struct outlined_fme {
-  std::array<int, 2> signs;              ///< Of the torques.
-  std::vector<ph::point<2>> outline;     ///< Closed [N].
+  std::array<int, 2> signs;           ///< Of the torques.
+  std::vector<ph::point<2>> outline;  ///< Closed [N].
 };
 
 /// displayable_force of any device.
@@ -72,7 +72,8 @@ struct any_device {
   virtual device_sizes sizes() const = 0;
   /// The controller; at_wall: batches that are compiled for this wall, or nullptr.
   virtual std::unique_ptr<any_controller> make_controller(const brake_numbers& brakes, const scene& walls,
-                                                          const law& of, const ph::step_options<double>& options,
+                                                          const law& of,
+                                                          const ph::step_options<double>& options,
                                                           std::unique_ptr<any_batch> at_wall) const = 0;
 
   /// x [m]

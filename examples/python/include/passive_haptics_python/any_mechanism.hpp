@@ -21,13 +21,13 @@ namespace ph = passive_haptics;
 template <int N, int D, bool HasInverse = false>
 class any_mechanism {
  public:
-  using scalar = double;                                            ///< Scalar of all lengths and angles.
+  using scalar = double;                                              ///< Scalar of all lengths and angles.
   static constexpr int dof = N, task_dimension = D, brake_count = N;  ///< n, d and m.
 
-  using joints = ph::vector<double, N>;       ///< [rad or m] or rates of them.
-  using task = ph::vector<double, D>;         ///< [m], [m/s] or [m/s^2].
-  using d_by_n = ph::matrix<double, D, N>;    ///< J or J^-T.
-  using n_by_n = ph::matrix<double, N, N>;    ///< M
+  using joints = ph::vector<double, N>;     ///< [rad or m] or rates of them.
+  using task = ph::vector<double, D>;       ///< [m], [m/s] or [m/s^2].
+  using d_by_n = ph::matrix<double, D, N>;  ///< J or J^-T.
+  using n_by_n = ph::matrix<double, N, N>;  ///< M
 
   /// What is known of one pose.
   struct pose_values {
@@ -41,8 +41,9 @@ class any_mechanism {
   explicit any_mechanism(M mechanism) : held_(std::make_shared<model<M>>(std::move(mechanism))) {
     static_assert(M::dof == N && M::task_dimension == D && M::brake_count == N);
     static_assert(!ph::detail::names_transmission<M> && !ph::detail::names_self_motion<M>);
-    static_assert(ph::ExactMatrix<decltype(std::declval<const ph::mechanism_pose<M>&>().jacobian()), double, D, N>,
-                  "a diagonal J has bits of its own");
+    static_assert(
+        ph::ExactMatrix<decltype(std::declval<const ph::mechanism_pose<M>&>().jacobian()), double, D, N>,
+        "a diagonal J has bits of its own");
     static_assert(HasInverse == (ph::detail::has_inverse_transposed_jacobian<M> ||
                                  (N == D && ph::detail::has_inverse_jacobian<M>)));
   }

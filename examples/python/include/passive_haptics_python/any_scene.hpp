@@ -17,8 +17,8 @@ namespace ph = passive_haptics;
 template <int D>
 class any_scene {
  public:
-  static constexpr int dimension = D;                 ///< d
-  using contacts_type = ph::contacts<D, D + 1>;       ///< As of a world.
+  static constexpr int dimension = D;            ///< d
+  using contacts_type = ph::contacts<D, D + 1>;  ///< As of a world.
 
   /// A scene behind virtual functions.
   struct interface {

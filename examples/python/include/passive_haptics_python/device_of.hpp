@@ -45,15 +45,16 @@ class device_of<M, law_list<Laws...>> final : public any_device {
     const auto try_law = [&]<class L>(std::type_identity<L>) {
       const auto* chosen = dynamic_cast<const law_value<L>*>(&of);
       if (made || chosen == nullptr) return;
-      made = passive_haptics_python::make_controller<M, L>(model_, parameters(brakes), walls,
-                                                           made_law<L>(chosen->table), options,
-                                                           std::move(at_wall));
+      made = passive_haptics_python::make_controller<M, L>(
+          model_, parameters(brakes), walls, made_law<L>(chosen->table), options, std::move(at_wall));
     };
     (try_law(std::type_identity<Laws>()), ...);
     return made;
   }
 
-  numbers position(const numbers& q) const override { return ph::mechanism_pose<M>(model_, at(q)).position(); }
+  numbers position(const numbers& q) const override {
+    return ph::mechanism_pose<M>(model_, at(q)).position();
+  }
   Eigen::MatrixXd jacobian(const numbers& q) const override {
     return ph::jacobian_matrix<M>(ph::jacobian(model_, at(q)));
   }
@@ -100,8 +101,7 @@ class device_of<M, law_list<Laws...>> final : public any_device {
   displayable_values displayable(const path_values& place, const design_brakes& brakes) const override {
     const ph::path_point<M> p = point(place, "velocity");
     const auto found = ph::displayable(model_, p.q, p.direction, p.normal, switchable(brakes));
-    return {found.outcome,   found.display,           found.angle,
-            found.strongest, found.strongest_nearest, found.signs};
+    return {found.outcome, found.display, found.angle, found.strongest, found.strongest_nearest, found.signs};
   }
   ph::sink_slope_result<double> sink_slope(const path_values& place, const design_brakes& brakes,
                                            double push) const override {
@@ -126,9 +126,10 @@ class device_of<M, law_list<Laws...>> final : public any_device {
     require_inertia("braked_wall_at");
     if constexpr (ph::Dynamics<M>) {
       const ph::path_point<M> p = point(place, "velocity");
-      return ph::braked_wall_at(
-          model_, p.q, p.direction, p.normal, switchable(brakes), of_brakes(residual_torque, "residual_torque"),
-          sized<ph::encoder_axes<M>::count>(resolution, "resolution", "encoders"), hand_mass);
+      return ph::braked_wall_at(model_, p.q, p.direction, p.normal, switchable(brakes),
+                                of_brakes(residual_torque, "residual_torque"),
+                                sized<ph::encoder_axes<M>::count>(resolution, "resolution", "encoders"),
+                                hand_mass);
     } else refuse("braked_wall_at", "inertia");
   }
 
@@ -137,7 +138,8 @@ class device_of<M, law_list<Laws...>> final : public any_device {
                                              [[maybe_unused]] const numbers& q) const override {
     require_inertia("simulated_device");
     std::vector<run_time_brake> models;
-    for (const auto& brake : ph::ideal_brakes(ph::require_valid(parameters(brakes)))) models.emplace_back(brake);
+    for (const auto& brake : ph::ideal_brakes(ph::require_valid(parameters(brakes))))
+      models.emplace_back(brake);
     return simulation(models, hand_mass, q);
   }
   std::unique_ptr<any_simulation> simulation([[maybe_unused]] const std::vector<run_time_brake>& brakes,
@@ -151,7 +153,9 @@ class device_of<M, law_list<Laws...>> final : public any_device {
 
  private:
   static ph::joint_vector<M> at(const numbers& q) { return joints(q, "q"); }
-  static ph::joint_vector<M> joints(const numbers& q, const char* name) { return sized<n>(q, name, "joints"); }
+  static ph::joint_vector<M> joints(const numbers& q, const char* name) {
+    return sized<n>(q, name, "joints");
+  }
   static ph::task_vector<M> task(const numbers& x, const char* name) {
     return sized<d>(x, name, "task dimensions");
   }

@@ -92,7 +92,8 @@ class mechanism_value<M, P, law_list<Laws...>, Model, DeviceLaws> : public mecha
       std::unique_ptr<any_batch> at_wall;
       const auto all = walls.geometry<M::task_dimension>();
       if (all.size() == 1)
-        at_wall = batch_at_wall<M, L>(model_, brakes_from(brakes), all[0], made_law<L>(chosen.table), options);
+        at_wall =
+            batch_at_wall<M, L>(model_, brakes_from(brakes), all[0], made_law<L>(chosen.table), options);
       made = device_.make_controller(brakes, walls, chosen, options, std::move(at_wall));
     };
     (try_law(std::type_identity<Laws>()), ...);

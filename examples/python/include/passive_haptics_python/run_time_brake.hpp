@@ -24,7 +24,7 @@ class run_time_brake {
   /// A place for what the model remembers.
   struct state {
     alignas(std::max_align_t) std::array<std::byte, largest_state> of_model = {};  ///< Its state, once begun.
-    bool has_begun = false;                                                       ///< Whether there is one.
+    bool has_begun = false;                                                        ///< Whether there is one.
   };
 
   ph::brake_resistance<double> residual;  ///< That of the model.
@@ -34,7 +34,8 @@ class run_time_brake {
   template <ph::BrakeModel Model>
     requires(!std::same_as<Model, run_time_brake>)
   explicit run_time_brake(const Model& brake)
-      : residual(ph::residual_of(brake)), compliance(ph::compliance_of(brake)),
+      : residual(ph::residual_of(brake)),
+        compliance(ph::compliance_of(brake)),
         held_(std::make_shared<model<Model>>(brake)) {}
 
   /// See BrakeModel.
@@ -61,7 +62,8 @@ class run_time_brake {
                                          state& now) const noexcept override {
       if (!now.has_begun) new (now.of_model.data()) own_state();
       now.has_begun = true;
-      return brake.advance(dt, command, rate, *std::launder(reinterpret_cast<own_state*>(now.of_model.data())));
+      return brake.advance(dt, command, rate,
+                           *std::launder(reinterpret_cast<own_state*>(now.of_model.data())));
     }
     double torque_limit_at(double rate) const noexcept override { return brake.torque_limit_at(rate); }
     Model brake;

@@ -15,9 +15,9 @@ PASSIVE_HAPTICS_PYTHON_BATCHES_ELSEWHERE(ph::two_link<double>);
 PASSIVE_HAPTICS_PYTHON_BATCHES_ELSEWHERE(five_bar);
 
 void bind_planar_pairs(py::module_& module) {
-  auto arm = bind_mechanism<ph::two_link<double>, ph::two_link_parameters<double>,
-                            usual_laws<ph::two_link<double>>, any_pair>(
-      module, "two_link", "Two links in a plane, a brake on each joint.");
+  auto arm =
+      bind_mechanism<ph::two_link<double>, ph::two_link_parameters<double>, usual_laws<ph::two_link<double>>,
+                     any_pair>(module, "two_link", "Two links in a plane, a brake on each joint.");
   bind_two_link_inverse(arm);
   auto legs = bind_mechanism<five_bar, ph::five_bar_parameters<double, 2>, usual_laws<five_bar>, any_pair>(
       module, "five_bar", "Two legs that meet at the handle (pantograph).");
