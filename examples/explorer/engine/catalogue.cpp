@@ -77,6 +77,7 @@ std::string catalogue() {
       json.put("joints", e.joints);
       json.put("dimension", e.dimension);
       json.put("brakes", e.brakes);
+      json.put("has_branches", e.has_branches);
     });
     list("laws", laws, [&](const law_description& l) {
       json.put("id", l.id);

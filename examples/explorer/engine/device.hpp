@@ -108,6 +108,7 @@ struct mechanism_entry {
   int joints;                         ///< n
   int dimension;                      ///< d
   int brakes;                         ///< m
+  bool has_branches;                  ///< Another pose puts the handle where it is, as of an elbow.
   std::unique_ptr<device> (*make)();  ///< One with all default settings.
 };
 

@@ -8,7 +8,7 @@
 ///   - `start()`: joint positions at first;
 ///   - `inverse(model, x, q)`: joint positions that put the handle at x, on the branch of q, with their
 ///   status;
-///   - `flipped(model, q)`: those of the other branch, if there is one;
+///   - `flipped(model, q)`, of a mechanism that has two branches: the joint positions of the other one;
 ///   - `draw(model, q, drawing)`, and `reach(model)`: half the size of the box about the base [m].
 #pragma once
 
@@ -28,12 +28,12 @@ struct described {
   [[noreturn]] static void refuse_hand() {
     refuse("hand", "along", "pointer, where there is no wall: scene=none");
   }
-  /// There is one branch only.
-  template <class M>
-  static std::optional<ph::joint_vector<M>> no_other_branch() {
-    return std::nullopt;
-  }
 };
+
+/// Whether a mechanism has another branch at the same handle position.
+template <class E>
+concept HasBranches = requires(const typename E::mechanism& model,
+                               const ph::joint_vector<typename E::mechanism>& q) { E::flipped(model, q); };
 
 /// The device.
 template <class E>
@@ -98,12 +98,15 @@ class device_of final : public device {
   }
 
   bool flip() override {
-    read_state();
-    const auto other = E::flipped(model_, c_.top.q);
-    if (!other || !other->allFinite()) return false;
-    c_.top.q = *other;
-    write_state();
-    return true;
+    if constexpr (HasBranches<E>) {
+      read_state();
+      const ph::joint_vector<M> other = E::flipped(model_, c_.top.q);
+      if (!other.allFinite()) return false;
+      c_.top.q = other;
+      write_state();
+      return true;
+    }
+    return false;
   }
 
   void evaluate() override {
@@ -209,9 +212,13 @@ class device_of final : public device {
 template <class E>
 mechanism_entry entry_of() {
   using M = typename E::mechanism;
-  return {E::id,          E::label,
-          M::dof,         M::task_dimension,
-          M::brake_count, []() -> std::unique_ptr<device> { return std::make_unique<device_of<E>>(); }};
+  return {E::id,
+          E::label,
+          M::dof,
+          M::task_dimension,
+          M::brake_count,
+          HasBranches<E>,
+          []() -> std::unique_ptr<device> { return std::make_unique<device_of<E>>(); }};
 }
 
 }  // namespace explorer

@@ -42,7 +42,7 @@ extern "C" {
 /// The catalogue, JSON:
 ///
 ///     {"version": 1, "library": "x.y.z",
-///      "mechanisms": [{"id", "label", "joints", "dimension", "brakes"}],
+///      "mechanisms": [{"id", "label", "joints", "dimension", "brakes", "has_branches"}],
 ///      "laws": [{"id", "label", "look": one sentence, "equation": "12" or ""}],
 ///      "scenes": [{"id", "label", "dimensions": [2, 3]}],
 ///      "figures": [{"id", "label", "symbol", "unit", "look"}]                      of a design map

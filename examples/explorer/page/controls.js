@@ -2,7 +2,7 @@
 
 import {app, engine, form_value, is_moving, runner} from './app.js';
 import {make_form} from './form.js';
-import {element, set_sentence} from './format.js';
+import {element, ended, set_sentence} from './format.js';
 import {keep_link} from './link.js';
 import {by_id, refuse} from './messages.js';
 import {begin, start_runner} from './open.js';
@@ -23,7 +23,7 @@ const form = make_form(by_id('form'), change_setting);
 
 export function show_controls() {
   const {question} = app;
-  set_sentence(by_id('lead'), app.preset ? app.preset.title + '. ' + app.preset.look : question.lead);
+  set_sentence(by_id('lead'), app.preset ? ended(app.preset.title) + ' ' + app.preset.look : question.lead);
   for (const link of by_id('questions').children) mark_current(link, link.dataset.id === question.id);
   show_current(by_id('questions'));
   for (const link of by_id('presets').querySelectorAll('a'))
@@ -45,7 +45,7 @@ export function show_controls() {
   document.body.classList.toggle('moving', is_moving());
   by_id('results').hidden = app.laws.length < 2 || !question.is_moving;
   by_id('map_choice').hidden = question.id !== 'mine';
-  by_id('flip').hidden = question.is_moving;
+  by_id('flip').hidden = question.is_moving || !app.info.has_branches;
   by_id('form_details').open = by_id('form_details').open || !!question.opens_form;
   by_id('self').setAttribute('aria-pressed', String(app.is_by_itself));
   by_id('hint').hidden = !(question.is_moving && (question.id === 'watch' || !app.is_by_itself)) || !!app.log;

@@ -53,3 +53,6 @@ export function set_sentence(target, sentence) {
       ),
   );
 }
+
+// A title as a sentence.
+export const ended = title => (/[.?!]$/.test(title) ? title : title + '.');

@@ -207,6 +207,13 @@ function list(parts, is_start = false) {
   return is_start ? text.charAt(0).toUpperCase() + text.slice(1) : text;
 }
 
+// "1,-0" with numbers as a reader sees them.
+const vector_text = text =>
+  text
+    .split(',')
+    .map(x => short_number(Number(x)))
+    .join(', ');
+
 // What a design map says. known: the numbers of all places in reach, from the least on; classes: how each
 // place displays the wall, with its words; task: {direction, normal} in text.
 export function design_sentence(figure, known, classes, words, task) {
@@ -221,9 +228,9 @@ export function design_sentence(figure, known, classes, words, task) {
       'At ' +
       share(word => word === 'exact' || word === 'approximate') +
       ' of all places the brakes can make a force against a wall with the normal (' +
-      task.normal.replaceAll(',', ', ') +
+      vector_text(task.normal) +
       ') while the hand moves along (' +
-      task.direction.replaceAll(',', ', ') +
+      vector_text(task.direction) +
       '): yellow is straight against it, dark is hardly. At the others they can make none.'
     );
   return (

@@ -19,9 +19,6 @@ struct description : described {
   static ph::joint_solution<double, 3> inverse(const mechanism& model, const place& x, const joints&) {
     return model.inverse(x);
   }
-  static std::optional<joints> flipped(const mechanism&, const joints&) {
-    return no_other_branch<mechanism>();
-  }
   static void draw(const mechanism& model, const joints& q, drawing& to) {
     const auto& p = model.parameters();
     const place middle = model.position(q), up(0, 0, 1);

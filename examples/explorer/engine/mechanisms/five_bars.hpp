@@ -26,10 +26,6 @@ struct five_bars : described {
   static ph::joint_solution<double, 2> inverse(const mechanism& model, const joints& x, const joints&) {
     return model.inverse(x);
   }
-  /// One branch.
-  static std::optional<joints> flipped(const mechanism&, const joints&) {
-    return no_other_branch<mechanism>();
-  }
   /// Both legs.
   static void draw(const mechanism& model, const joints& q, drawing& to) {
     const auto& p = model.parameters();

@@ -24,9 +24,6 @@ struct description : described {
                                                const joints& q) {
     return numeric_inverse(model, x, q, reach(model));
   }
-  static std::optional<joints> flipped(const mechanism&, const joints&) {
-    return no_other_branch<mechanism>();
-  }
   static void draw(const mechanism& model, const joints& q, drawing& to) {
     const auto pose = model.pose(q);
     const drawing::place points[] = {drawing::in_plane(pose.point[0]), drawing::in_plane(pose.point[1]),

@@ -28,9 +28,6 @@ struct description : described {
   static ph::joint_solution<double, 3> inverse(const mechanism& model, const place& x, const joints& q) {
     return numeric_inverse(model, x, q, reach(model));
   }
-  static std::optional<joints> flipped(const mechanism&, const joints&) {
-    return no_other_branch<mechanism>();
-  }
   static void draw(const mechanism& model, const joints& q, drawing& to) {
     const auto pose = model.pose(q);
     const place points[] = {pose.point[0], pose.point[1], pose.point[2], pose.handle};

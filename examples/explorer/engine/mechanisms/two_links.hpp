@@ -29,7 +29,7 @@ struct two_links : described {
     return model.inverse(x, branch_of(q));
   }
   /// With the elbow on the other side.
-  static std::optional<joints> flipped(const ph::two_link<double>& model, const joints& q) {
+  static joints flipped(const ph::two_link<double>& model, const joints& q) {
     const auto other = branch_of(q) == ph::elbow::left ? ph::elbow::right : ph::elbow::left;
     return model.inverse(model.position(q), other).q;
   }

@@ -20,9 +20,6 @@ struct description : described {
   static ph::joint_solution<double, 2> inverse(const mechanism& model, const joints& x, const joints&) {
     return model.inverse(x);
   }
-  static std::optional<joints> flipped(const mechanism&, const joints&) {
-    return no_other_branch<mechanism>();
-  }
   static void draw(const mechanism&, const joints& q, drawing& to) {
     const double size = brake_share * half;
     const drawing::place along_x(1, 0, 0), along_y(0, 1, 0);
