@@ -155,6 +155,17 @@ def test_maps_take_one_vector_for_all():
         assert len(device.design_map(q[:0], t, n)) == 0
 
 
+@pytest.mark.parametrize("name", [name for name in DEVICES if "chain" in name] + ["delta", "five_bar", "two_link"])
+def test_isotropy_is_that_of_the_singular_values(name):
+    case = Case(name, 500, SEED)
+    d = case.device.task_dimension
+    found = case.device.design_map(case.q, np.eye(d)[0], np.eye(d)[1])
+    good = found["outcome"] == ph.status.ok
+    values = np.array([np.linalg.svd(case.device.jacobian(q))[1] for q in case.q[good]])
+    assert np.abs(found["isotropy"][good] - values[:, -1] / values[:, 0]).max() < 1e-14
+    assert good.mean() > 0.5
+
+
 @pytest.mark.parametrize("call", ["ph.follow_wall(device, control, plane, hand, parameters)",
                                   "arm.design_map(np.tile(case.q, (1000, 1)), [1.0, 0.0], [0.0, -1.0])"])  # fmt: skip
 def test_long_calls_can_be_interrupted(call):
