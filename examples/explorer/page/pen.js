@@ -10,6 +10,16 @@ const text_fonts =
 const math_fonts =
   "'STIX Two Text', 'Cambria', 'P052', 'Palatino Linotype', Palatino, 'Times New Roman', serif";
 
+// The matrix that puts an image's upper left corner, upper right and lower left one at these pixels.
+const image_matrix = (source, a, b, c) => [
+  (b[0] - a[0]) / source.width,
+  (b[1] - a[1]) / source.width,
+  (c[0] - a[0]) / source.height,
+  (c[1] - a[1]) / source.height,
+  a[0],
+  a[1],
+];
+
 // The parts of a label: [{text, sub}].
 export function label_parts(label) {
   return label
@@ -121,14 +131,7 @@ export function canvas_pen(canvas) {
       context.save();
       context.globalAlpha = alpha;
       context.imageSmoothingEnabled = false;
-      context.transform(
-        (b[0] - a[0]) / source.width,
-        (b[1] - a[1]) / source.width,
-        (c[0] - a[0]) / source.height,
-        (c[1] - a[1]) / source.height,
-        a[0],
-        a[1],
-      );
+      context.transform(...image_matrix(source, a, b, c));
       context.drawImage(source, 0, 0);
       context.restore();
     },
@@ -188,14 +191,7 @@ export function svg_pen(width, height, background) {
       return 0;
     },
     image(source, a, b, c, alpha) {
-      const matrix = [
-        (b[0] - a[0]) / source.width,
-        (b[1] - a[1]) / source.width,
-        (c[0] - a[0]) / source.height,
-        (c[1] - a[1]) / source.height,
-        a[0],
-        a[1],
-      ];
+      const matrix = image_matrix(source, a, b, c);
       body.push(
         `<image width="${source.width}" height="${source.height}" transform="matrix(${matrix.join(' ')})" opacity="${alpha}" style="image-rendering:pixelated" href="${source.toDataURL()}"/>`,
       );

@@ -27,6 +27,17 @@ struct brake_numbers {
   numbers time_constant;     ///< [s]
 };
 
+/// The brakes of a mechanism; of as many numbers as it has brakes.
+template <class M>
+ph::brakes_of<M> brakes_from(const brake_numbers& b) {
+  ph::brakes_of<M> brakes;
+  brakes.torque_limit = b.torque_limit;
+  brakes.rate_dead_band = b.rate_dead_band;
+  brakes.torque_dead_band = b.torque_dead_band;
+  brakes.time_constant = b.time_constant;
+  return brakes;
+}
+
 /// Brakes for questions of design: limits that may be infinite, and motors beside them.
 struct design_brakes {
   numbers torque_limit;   ///< [N m]

@@ -46,7 +46,7 @@ class device_of<M, law_list<Laws...>> final : public any_device {
       const auto* chosen = dynamic_cast<const law_value<L>*>(&of);
       if (made || chosen == nullptr) return;
       made = passive_haptics_python::make_controller<M, L>(
-          model_, parameters(brakes), walls, made_law<L>(chosen->table), options, std::move(at_wall));
+          model_, brakes_from<M>(brakes), walls, made_law<L>(chosen->table), options, std::move(at_wall));
     };
     (try_law(std::type_identity<Laws>()), ...);
     return made;
@@ -71,7 +71,7 @@ class device_of<M, law_list<Laws...>> final : public any_device {
     if (hand_force) Fh = task(*hand_force, "hand_force");
     const auto E = ph::brake_jacobian(model_, here);
     const ph::brake_vector<M> th = ph::brake_torque(E, Fh);
-    return ph::brake_signs(ph::brake_rates(model_, here, rates), th, parameters(brakes));
+    return ph::brake_signs(ph::brake_rates(model_, here, rates), th, brakes_from<M>(brakes));
   }
 
   reference_force_values reference_forces([[maybe_unused]] const numbers& q) const override {
@@ -138,7 +138,7 @@ class device_of<M, law_list<Laws...>> final : public any_device {
                                              [[maybe_unused]] const numbers& q) const override {
     require_inertia("simulated_device");
     std::vector<run_time_brake> models;
-    for (const auto& brake : ph::ideal_brakes(ph::require_valid(parameters(brakes))))
+    for (const auto& brake : ph::ideal_brakes(ph::require_valid(brakes_from<M>(brakes))))
       models.emplace_back(brake);
     return simulation(models, hand_mass, q);
   }
@@ -164,14 +164,6 @@ class device_of<M, law_list<Laws...>> final : public any_device {
   }
   static ph::path_point<M> point(const path_values& p, const char* direction) {
     return {at(p.q), task(p.direction, direction), task(p.normal, "normal")};
-  }
-  static ph::brakes_of<M> parameters(const brake_numbers& b) {
-    ph::brakes_of<M> of;
-    of.torque_limit = b.torque_limit;
-    of.rate_dead_band = b.rate_dead_band;
-    of.torque_dead_band = b.torque_dead_band;
-    of.time_constant = b.time_constant;
-    return of;
   }
   static ph::switchable_brakes<M> switchable(const design_brakes& b) {
     ph::switchable_brakes<M> of;

@@ -93,7 +93,7 @@ class mechanism_value<M, P, law_list<Laws...>, Model, DeviceLaws> : public mecha
       const auto all = walls.geometry<M::task_dimension>();
       if (all.size() == 1)
         at_wall =
-            batch_at_wall<M, L>(model_, brakes_from(brakes), all[0], made_law<L>(chosen.table), options);
+            batch_at_wall<M, L>(model_, brakes_from<M>(brakes), all[0], made_law<L>(chosen.table), options);
       made = device_.make_controller(brakes, walls, chosen, options, std::move(at_wall));
     };
     (try_law(std::type_identity<Laws>()), ...);
@@ -105,7 +105,7 @@ class mechanism_value<M, P, law_list<Laws...>, Model, DeviceLaws> : public mecha
   /// What recommended_law returns.
   py::object recommended_law(const brake_numbers& brakes) const override {
     using L = recommended_law_of<M>;
-    const L chosen = ph::recommended_law(model_, brakes_from(brakes));
+    const L chosen = ph::recommended_law(model_, brakes_from<M>(brakes));
     if constexpr (requires { chosen.parameters(); }) return py::cast(law_value<L>(chosen.parameters()));
     else return py::cast(law_value<L>(chosen.parameters));
   }
@@ -128,14 +128,6 @@ class mechanism_value<M, P, law_list<Laws...>, Model, DeviceLaws> : public mecha
     if constexpr (std::is_same_v<P, no_parameters>) return M();
     else if constexpr (requires { p.mechanism(); }) return p.mechanism();
     else return M(p);
-  }
-  static ph::brakes_of<M> brakes_from(const brake_numbers& b) {
-    ph::brakes_of<M> of;
-    of.torque_limit = b.torque_limit;
-    of.rate_dead_band = b.rate_dead_band;
-    of.torque_dead_band = b.torque_dead_band;
-    of.time_constant = b.time_constant;
-    return of;
   }
 
   P table_;
