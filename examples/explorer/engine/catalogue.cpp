@@ -81,7 +81,6 @@ std::string catalogue() {
     });
     list("laws", laws, [&](const law_description& l) {
       json.put("id", l.id);
-      json.put("label", l.label);
       json.put("look", l.look);
       json.put("equation", l.equation);
     });

@@ -132,7 +132,7 @@ struct configuration {
   typename E::parameters mechanism = {};                          ///< Lengths and masses.
   ph::brakes_of<M> brakes = {};                                   ///< Limits, dead bands and lags.
   presence on = {};                                               ///< Which brakes there are.
-  law_kind law = law_kind::direct;                                ///< The law.
+  law_kind law = law_kind::direct_control;                        ///< The law.
   law_settings law_tables = {};                                   ///< Its parameters.
   ph::approximation_parameters<double> options = {};              ///< Of the approximation.
   wall_settings wall = {};                                        ///< Beside the shape.

@@ -43,7 +43,7 @@ extern "C" {
 ///
 ///     {"version": 1, "library": "x.y.z",
 ///      "mechanisms": [{"id", "label", "joints", "dimension", "brakes", "has_branches"}],
-///      "laws": [{"id", "label", "look": one sentence, "equation": "12" or ""}],
+///      "laws": [{"id", "look": one sentence, "equation": "12" or ""}],
 ///      "scenes": [{"id", "label", "dimensions": [2, 3]}],
 ///      "figures": [{"id", "label", "symbol", "unit", "look"}]                      of a design map
 ///      "presets": [{"id": "fig2", "title", "look": one sentence, "settings"}]}

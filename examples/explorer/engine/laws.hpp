@@ -33,37 +33,43 @@ struct scaled_forces {
 };
 
 /// The laws, in the order of the catalogue.
-enum class law_kind { none, direct, saturated, velocity, on_off, coercive };
+enum class law_kind {
+  no_direct_control,
+  direct_control,
+  saturated_direct_control,
+  velocity_direct_control,
+  on_off_control,
+  coercive_force_approximation
+};
 
 /// What the catalogue has of a law.
 struct law_description {
   law_kind kind;         ///< Which.
-  const char* id;        ///< As in the library.
-  const char* label;     ///< In words.
+  const char* id;        ///< Its name in the library.
   const char* look;      ///< One sentence: what it does.
   const char* equation;  ///< Of the paper.
 };
 
 /// All laws.
 inline constexpr law_description laws[] = {
-    {law_kind::none, "no_direct_control", "Without direct control",
+    {law_kind::no_direct_control, "no_direct_control",
      "The brakes make the force nearest to the wall's, as hard as they can: the hand bounces.", ""},
-    {law_kind::direct, "direct_control", "Direct control, as printed",
+    {law_kind::direct_control, "direct_control",
      "Where the handle moves out, alpha scales the force so that nothing of the resultant is left normal to "
      "the "
      "wall.",
      "12"},
-    {law_kind::saturated, "saturated_direct_control", "Direct control, limit first",
+    {law_kind::saturated_direct_control, "saturated_direct_control",
      "Alpha scales what the brakes can make, as the paper's experiments read it: the brakes let go while the "
      "handle "
      "moves out.",
      "12"},
-    {law_kind::velocity, "velocity_direct_control", "Velocity direct control",
+    {law_kind::velocity_direct_control, "velocity_direct_control",
      "The brakes keep the handle at a small depth by the inertia of the device and their own lag: it glides.",
      ""},
-    {law_kind::on_off, "on_off_control", "On-off control",
+    {law_kind::on_off_control, "on_off_control",
      "The whole force or none, by a relay that looks ahead by the lag of the brakes.", ""},
-    {law_kind::coercive, "coercive_force_approximation", "Coercive force approximation",
+    {law_kind::coercive_force_approximation, "coercive_force_approximation",
      "Each brake takes its own part of the wall's force, or none where it would have to drive.", ""}};
 
 /// The law of an id. Throws std::invalid_argument.
@@ -82,12 +88,12 @@ struct law_settings {
   template <class F>
   void visit(law_kind kind, F&& f) {
     switch (kind) {
-      case law_kind::direct: return f(direct);
-      case law_kind::saturated: return f(saturated);
-      case law_kind::velocity: return f(velocity);
-      case law_kind::on_off: return f(on_off);
-      case law_kind::none:
-      case law_kind::coercive: return;
+      case law_kind::direct_control: return f(direct);
+      case law_kind::saturated_direct_control: return f(saturated);
+      case law_kind::velocity_direct_control: return f(velocity);
+      case law_kind::on_off_control: return f(on_off);
+      case law_kind::no_direct_control:
+      case law_kind::coercive_force_approximation: return;
     }
   }
 };
@@ -132,12 +138,12 @@ std::unique_ptr<any_control<M>> make_control(law_kind kind, const law_settings& 
     return std::make_unique<detail::control_of<M, L>>(mechanism, brakes, std::move(scene), chosen, options);
   };
   switch (kind) {
-    case law_kind::none: return under(scaled_forces{false, {}});
-    case law_kind::direct: return under(scaled_forces{true, law.direct});
-    case law_kind::saturated: return under(law.saturated);
-    case law_kind::velocity: return under(ph::velocity_direct_control(law.velocity));
-    case law_kind::on_off: return under(ph::on_off_control{law.on_off});
-    case law_kind::coercive:
+    case law_kind::no_direct_control: return under(scaled_forces{false, {}});
+    case law_kind::direct_control: return under(scaled_forces{true, law.direct});
+    case law_kind::saturated_direct_control: return under(law.saturated);
+    case law_kind::velocity_direct_control: return under(ph::velocity_direct_control(law.velocity));
+    case law_kind::on_off_control: return under(ph::on_off_control{law.on_off});
+    case law_kind::coercive_force_approximation:
       if constexpr (M::brake_count == M::dof) return under(ph::coercive_force_approximation());
       break;
   }

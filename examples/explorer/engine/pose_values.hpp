@@ -143,7 +143,7 @@ class pose_values {
     table_.put(depth_, touched.empty() ? 0.0 : touched[0].depth);
 
     const ph::device_state<M> state{0, q, qd, c.top.Fh};
-    const auto whole = c.control(model, law_kind::none, scene)->decide(state);  // before any law
+    const auto whole = c.control(model, law_kind::no_direct_control, scene)->decide(state);  // before any law
     const auto r = c.control(model, c.law, scene)->decide(state);
     const ph::task_vector<M> Fc = whole.control_force;
     const ph::task_vector<M> Fc_scaled = r.alpha * Fc;

@@ -58,8 +58,6 @@ export const is_space = () => app.info.dimension === 3;
 
 export const colors = () => app.slots.map(slot => app.theme.laws[slot]);
 export const form_value = name => app.device.form().find(entry => entry.name === name)?.value ?? '';
-export const law_label = law =>
-  engine.catalogue.laws.find(other => other.id === law)?.label || law.replaceAll('_', ' ');
 
 // The numbers of a value: of the last row, else of the device.
 export function value(id) {

@@ -135,7 +135,7 @@ function show_laws() {
           class: 'swatch',
           style: at >= 0 && app.slots ? 'background:var(--law-' + (app.slots[at] + 1) + ')' : '',
         }),
-        law.label,
+        law.id,
       );
     }),
   );

@@ -14,10 +14,10 @@ export function short_number(value, digits = 3) {
 
 export const degrees = angle => (angle * 180) / Math.PI;
 
-// "F_d" with its subscript for the page.
+// "F_d" with its subscript for the page. A name of more letters, such as direct_control, has none.
 export function symbol_nodes(symbol) {
   return symbol
-    .split(/(_\{[^}]*\}|_[A-Za-z0-9]+)/)
+    .split(/(_\{[^}]*\}|(?<=(?:^|[^A-Za-z_])[A-Za-zα-ω])_[A-Za-z0-9]+)/)
     .filter(part => part)
     .map(part => {
       if (!part.startsWith('_')) return document.createTextNode(part);

@@ -49,7 +49,7 @@ function wire() {
     ),
   );
   by_id('law').append(
-    ...engine.catalogue.laws.map(law => element('option', {value: law.id, text: law.label})),
+    ...engine.catalogue.laws.map(law => element('option', {value: law.id, text: law.id})),
   );
   by_id('map_figure').append(
     ...engine.catalogue.figures.map((figure, k) => element('option', {value: k, text: figure.label})),

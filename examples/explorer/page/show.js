@@ -10,7 +10,6 @@ import {
   form_value,
   is_moving,
   is_simulated,
-  law_label,
   pen,
   runner,
   tracks,
@@ -92,7 +91,7 @@ function draw() {
       tracks(),
       app.log ? null : runner.last,
       app.theme,
-      tracks().laws.map(law_label),
+      tracks().laws,
       colors(),
       app.info.brakes,
       app.question.id === 'watch',
@@ -134,7 +133,7 @@ function show_texts() {
       by_id('answer'),
       tracks().laws.length < 2
         ? moment_sentence(tracks(), app.focus, brakes)
-        : laws_sentence(tracks(), new Map(app.laws.map(law => [law, law_label(law)])), runner.last?.figures),
+        : laws_sentence(tracks(), runner.last?.figures),
     );
     show_numbers(
       tracks().layout.values,
@@ -198,7 +197,7 @@ function show_results() {
                       app.is_dirty = true;
                     },
                   },
-                  law_label(law),
+                  law,
                 ),
               ),
               ...result_columns.map(() => element('td')),

@@ -182,11 +182,11 @@ function leaving(tracks, law) {
 }
 
 // last: the figures of the pass before, which count until this pass has gone on for a while.
-export function laws_sentence(tracks, labels, last) {
+export function laws_sentence(tracks, last) {
   const is_early = last && !(tracks.figures[0]?.[7] > 1),
     figures = is_early ? last : tracks.figures;
   const known = tracks.laws
-    .map((law, k) => ({label: labels.get(law) || law, figures: figures[k]}))
+    .map((law, k) => ({law, figures: figures[k]}))
     .filter(entry => entry.figures && entry.figures[7] > 0.2);
   if (known.length < 2) return 'The hand comes to the wall.';
   const counts = [...new Set(known.map(entry => entry.figures[0]))].sort((a, b) => a - b);
@@ -195,7 +195,7 @@ export function laws_sentence(tracks, labels, last) {
       '*' +
       times(count) +
       '* under ' +
-      list(known.filter(entry => entry.figures[0] === count).map(entry => '*' + entry.label + '*')),
+      list(known.filter(entry => entry.figures[0] === count).map(entry => '*' + entry.law + '*')),
   );
   return (is_early ? 'On the last way' : 'So far') + ' the hand left the wall ' + list(parts) + '.';
 }

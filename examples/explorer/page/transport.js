@@ -1,6 +1,6 @@
 // Running and stopping: the simulation, its hand, its record, and a log that is played.
 
-import {app, assign_colors, engine, is_simulated, law_label, runner, runner_events, tracks} from './app.js';
+import {app, assign_colors, engine, is_simulated, runner, runner_events, tracks} from './app.js';
 import {by_id, say} from './messages.js';
 import {make_player} from './player.js';
 import {save_text} from './save.js';
@@ -75,7 +75,7 @@ export function open_log(text, name) {
       log.count() +
       ' lines' +
       (all
-        ? '; ' + equal + ' of ' + all + ' capacities are those of ' + law_label(law) + ' to the last digit.'
+        ? '; ' + equal + ' of ' + all + ' capacities are those of ' + law + ' to the last digit.'
         : '.'),
   );
   set_paused(false);
