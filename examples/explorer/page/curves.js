@@ -57,10 +57,9 @@ export function draw_curves(pen, tracks, last, theme, names, colors, brakes, is_
   const labels = names.map((name, law) => ({name, law}));
   let at = right;
   for (const {name, law} of labels.reverse()) {
-    const text = name.replaceAll('_', ' '),
-      size = is_small ? 12 : 13;
-    pen.label(text, at, 17, {size, align: 'end', color: colors[law], weight: 600});
-    at -= text.length * size * 0.56 + 18;
+    const size = is_small ? 12 : 13;
+    pen.label(name, at, 17, {size, align: 'end', color: colors[law], weight: 600});
+    at -= name.length * size * 0.6 + 18;
     if (at < (is_small ? 0 : left + 150)) break;
   }
 }
