@@ -59,7 +59,7 @@ TEST(momentum_observer, knows_what_slipping_brakes_make_and_what_stuck_ones_migh
   EXPECT_NEAR(hand.half_width(Eigen::Vector2d(1, 1).normalized()), std::sqrt(2.0), 1e-9);
 }
 
-// What brakes were told before the first state may be there.
+// What brakes were commanded before the first state may be there.
 TEST(momentum_observer, knows_of_no_brake_what_it_makes_at_first) {
   ph::brakes_of<table> brakes;
   brakes.torque_limit.setConstant(10);
@@ -142,7 +142,7 @@ TEST(momentum_observer, starts_anew_in_the_cycle_after_a_fault_or_a_reset) {
   EXPECT_GT(push(0.006, 0.11), 0);
 }
 
-// At rest and told 1 N m, or 0 after that, over periods in which the lagged strength changes by some
+// At rest and commanded 1 N m, or 0 after that, over periods in which the lagged strength changes by some
 // roundings.
 TEST(momentum_observer, takes_no_strength_for_negative_or_over_its_limit) {
   constexpr double at_once = 1e20;
@@ -227,7 +227,7 @@ struct errors {
   double worst = 0, size = 0, over_bound = 0, stuck_share = 0;
 };
 
-// A hand that pushes about on a device whose brakes are told `capacity`.
+// A hand that pushes about on a device whose brakes are commanded `capacity`.
 template <class M, class Capacity>
 errors push_about(const M& arm, const ph::joint_vector<M>& q, double force, unsigned seed,
                   Capacity&& capacity) {
@@ -242,11 +242,11 @@ errors push_about(const M& arm, const ph::joint_vector<M>& q, double force, unsi
   const double turn = random.uniform(5.0, 15.0), phase = random.uniform(0.0, 6.0);
   lagged<M> truth;
   errors found;
-  ph::brake_vector<M> told = ph::brake_vector<M>::Zero();
+  ph::brake_vector<M> commanded = ph::brake_vector<M>::Zero();
   int samples = 0;
   for (int k = 0; k < 10000; ++k) {
     if (k % 10 == 0) {
-      const auto& hand = observer.update(sensorless<M>{k * plant_step, device.q(), device.qd()}, told);
+      const auto& hand = observer.update(sensorless<M>{k * plant_step, device.q(), device.qd()}, commanded);
       EXPECT_EQ(hand.outcome, ph::status::ok);
       // r + T^T t = the lagged torque, so t = T^-T (lagged - r)
       ph::matrix<double, M::brake_count, M::dof> A = ph::matrix<double, M::brake_count, M::dof>::Identity();
@@ -259,12 +259,12 @@ errors push_about(const M& arm, const ph::joint_vector<M>& q, double force, unsi
       found.over_bound = std::max(found.over_bound, (missing.cwiseAbs() - hand.unknown_torque).maxCoeff());
       found.stuck_share += (hand.unknown_torque.array() > 1e-3).any() ? 1 : 0;
       ++samples;
-      told = capacity(k * plant_step);
+      commanded = capacity(k * plant_step);
     }
     const ph::vector<double, d> wish =
         force * std::sin(turn * k * plant_step + phase) * direction - 3.0 * device.velocity();
     const ph::matrix<double, d, M::dof> J(ph::jacobian(arm, device.q()));
-    device.advance(plant_step, told, wish);
+    device.advance(plant_step, commanded, wish);
     truth.add(J.transpose() * device.sensed_force(), p.gain);
   }
   found.stuck_share /= samples;
@@ -296,10 +296,10 @@ TEST(momentum_observer_simulated, bounds_what_slipping_and_sticking_brakes_hide)
   for (unsigned seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);
     for (const double strength : {0.02, 0.1, 0.4}) {
-      const auto told = [&](double time) -> Eigen::Vector2d {
+      const auto commanded = [&](double time) -> Eigen::Vector2d {
         return strength * Eigen::Vector2d(1 + std::sin(20 * time), 1 + std::cos(13 * time));
       };
-      const errors e = push_about(tendon(), {1.0, 1.2}, 3, seed, told);
+      const errors e = push_about(tendon(), {1.0, 1.2}, 3, seed, commanded);
       EXPECT_LE(e.over_bound, 0.02 * e.size) << "strength " << strength;
       least = std::min(least, e.stuck_share);
       most = std::max(most, e.stuck_share);
@@ -316,25 +316,25 @@ TEST(momentum_observer_simulated, knows_a_hand_that_drags_slipping_brakes) {
   ph::simulated_device<tendon> device(arm, brakes, 0.5, {0.2, 1.2});
   ph::momentum_observer<tendon> observer(arm, brakes);
   lagged<tendon> truth;
-  Eigen::Vector2d told(0, 0);
+  Eigen::Vector2d commanded(0, 0);
   double worst = 0, worst_force = 0;
   for (int k = 0; k < 10000; ++k) {
     const double time = k * plant_step;
     if (k % 10 == 0) {
-      const auto& hand = observer.update(sensorless<tendon>{time, device.q(), device.qd()}, told);
+      const auto& hand = observer.update(sensorless<tendon>{time, device.q(), device.qd()}, commanded);
       if (k > 3000) {
         worst = std::max(worst, (truth.torque - observer.joint_torques()).norm() / truth.torque.norm());
         EXPECT_LE(hand.unknown_torque.norm(), 1e-3) << time;
         const Eigen::Vector2d F = ph::jacobian(arm, device.q()).transpose().inverse() * truth.torque;
         worst_force = std::max(worst_force, (F - hand.force).norm() / F.norm());
       }
-      told = {0.05 + 0.03 * std::sin(30 * time), 0.1};
+      commanded = {0.05 + 0.03 * std::sin(30 * time), 0.1};
     }
     // towards growing q1 and q2, at constant rates
     const Eigen::Vector2d rate(0.5, 0.5);
     const auto J = ph::jacobian(arm, device.q());
     const Eigen::Vector2d wish = J.transpose().inverse() * Eigen::Vector2d(2 * (rate - device.qd()));
-    device.advance(plant_step, told, wish);
+    device.advance(plant_step, commanded, wish);
     truth.add(J.transpose() * device.sensed_force(), 100);
   }
   EXPECT_LE(worst, 0.02);
