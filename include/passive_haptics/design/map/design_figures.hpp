@@ -39,9 +39,9 @@ struct design_figures {
 namespace detail {
 
 // Least over largest singular value; 0 of 0, and where a number is not finite. By one-sided Jacobi: rows are
-// turned in pairs until they are orthogonal, and their lengths are then the singular values. Eigen's JacobiSVD
-// would be a quarter of what the functions of a device cost the compiler. Reference: J. Demmel, K. Veselic,
-// Jacobi's method is more accurate than QR, SIAM J. Matrix Analysis 13 (4), 1992.
+// turned in pairs until they are orthogonal, and their lengths are then the singular values. Eigen's
+// JacobiSVD would be a quarter of what the functions of a device cost the compiler. Reference: J. Demmel, K.
+// Veselic, Jacobi's method is more accurate than QR, SIAM J. Matrix Analysis 13 (4), 1992.
 template <class T, int D, int Brakes>
 T isotropy_of(matrix<T, D, Brakes> E) {
   constexpr int most_sweeps = 30;
