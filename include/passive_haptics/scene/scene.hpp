@@ -2,23 +2,12 @@
 /// A scene of walls known at compile time.
 #pragma once
 
+#include <passive_haptics/core/for_each.hpp>
 #include <passive_haptics/scene/wall.hpp>
 
-#include <boost/hana/basic_tuple.hpp>
 #include <utility>
 
 namespace passive_haptics {
-
-namespace detail {
-
-// f(x) for each x of a hana::basic_tuple, in their order. As hana::for_each, whose header would bring most of
-// Hana with it: a twentieth of what compiling Eigen costs.
-template <class Tuple, class F>
-constexpr void for_each(Tuple& xs, F&& f) {
-  boost::hana::unpack_impl<boost::hana::basic_tuple_tag>::apply(xs, [&](auto&... x) { (f(x), ...); });
-}
-
-}  // namespace detail
 
 /// Fixed walls of any shapes and one dimension, made by scene(). Only the code for the shapes it names
 /// exists.

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <passive_haptics/control/step_result.hpp>
+#include <passive_haptics/core/for_each.hpp>
 #include <passive_haptics/force/effect.hpp>
 
-#include <boost/hana/basic_tuple.hpp>
 #include <type_traits>
 #include <utility>
 
