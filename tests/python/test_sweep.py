@@ -148,6 +148,7 @@ def test_a_sweep_that_was_killed_goes_on(tmp_path, serial, monkeypatch):
     child.kill()
     child.wait()
     workers = {int(line.split()[0]) for line in log.read_text().splitlines()}
+    until(lambda: not any(map(is_running, workers)))  # they end soon after the sweep that was killed
     with open(file, "ab") as torn:
         torn.write(FRAME.pack(1000, 1) + b"the process died here")
     with record_file(file) as of_first:
@@ -157,7 +158,6 @@ def test_a_sweep_that_was_killed_goes_on(tmp_path, serial, monkeypatch):
     monkeypatch.setenv("SWEEP_LOG", str(log))
     assert digest(sweep(counted, range(300), file=file)) == digest(serial)
     assert sorted(seeds_in(log)) == sorted([min(known)] + [seed for seed in range(300) if seed not in known])
-    until(lambda: not any(map(is_running, workers)))  # they end soon after the sweep that was killed
 
 
 def test_ctrl_c_ends_a_sweep_and_keeps_what_was_finished(tmp_path, serial):
