@@ -24,6 +24,8 @@ SHAPES = [
     ph.convex_polygon(np.array([[0, 0], [1, 0], [1, 1], [0.5, 1.5], [0, 1]])),
     ph.offset(ph.box([0, 0], [0.1, 0.2]), 0.01),
     ph.complement(ph.capsule([0, 0, 0], [0.1, 0, 0], 0.02)),
+    ph.mesh_solid(ph.mesh([[0, 0], [0.1, 0], [0, 0.1]], [[0, 1], [1, 2], [2, 0]])),
+    ph.mesh_solid(ph.mesh(np.vstack([np.zeros(3), np.eye(3)]), [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])),
 ]
 
 BRAKES = [
@@ -52,6 +54,14 @@ def values():
     yield ph.wall(SHAPES[0])
     yield ph.wall(SHAPES[0], 500)
     yield ph.scene(ph.wall(SHAPES[0]), ph.wall(SHAPES[2], 1e3))
+    yield ph.mesh([[0, 0.5], [1, 0]], [[0, 1]])
+    yield ph.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    yield ph.mesh_surface(ph.mesh([[0, 0.5], [1, 0]], [[0, 1]]))
+    yield ph.mesh_surface(ph.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), skin=1e-6, crease_angle=0.1)
+    yield ph.wall(ph.mesh_surface(ph.mesh([[0, 0.5], [1, 0]], [[0, 1]])), 1e4)
+    yield ph.world([ph.wall(SHAPES[0]), ph.wall(SHAPES[2], 1e3)])
+    yield ph.held_scene(ph.scene(ph.wall(SHAPES[0])), 0.05)
+    yield ph.held_scene(ph.world([ph.wall(SHAPES[0])]), 0.05)
     yield ph.braked_wall(force=12)
     case = Case("planar_chain_3_with_inertia", 100, 1)
     control = case.controller("direct_control")

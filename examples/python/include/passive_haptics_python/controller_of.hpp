@@ -117,19 +117,9 @@ std::unique_ptr<any_controller> make_controller(const M& mechanism, const ph::br
   if (walls.dimension() != D)
     refuse_value("scene has dimension " + std::to_string(walls.dimension()) + ", expected " +
                  std::to_string(D) + ", the task dimension of the mechanism");
-  if constexpr (ph::saturates_before_scaling<L>) {
-    const auto all = walls.geometry<D>();
-    if (all.size() != 1)
-      refuse_value("scene has " + std::to_string(all.size()) +
-                   " walls, expected one: a law that saturates before scaling takes one wall at a time; take "
-                   "direct_control");
-    using S = ph::static_scene<any_shape<D>>;
-    return std::make_unique<controller_of<M, L, S>>(mechanism, brakes, S(all[0]), law, options,
-                                                    std::move(at_wall));
-  } else {
-    return std::make_unique<controller_of<M, L, any_scene<D>>>(mechanism, brakes, scene_of<D>(walls), law,
-                                                               options, std::move(at_wall));
-  }
+  using S = any_scene<D, ph::saturates_before_scaling<L> ? 1 : D + 1>;
+  return std::make_unique<controller_of<M, L, S>>(mechanism, brakes, walls.made(std::type_identity<S>()), law,
+                                                  options, std::move(at_wall));
 }
 
 }  // namespace passive_haptics_python
