@@ -74,6 +74,15 @@ in_room = ph.controller(robot, robot.brakes(), room, ph.direct_control())
 seen = ph.held_scene(ph.scene(ph.wall(plane, 1e4)), period=0.05)  # 20 Hz
 slow = ph.controller(arm, brakes, seen, arm.recommended_law(brakes))
 
+# Effects
+handle = ph.with_effects(
+    ph.scene(ph.wall(plane, 1e4)),
+    ph.rough_walls(coefficient=0.3),  # friction on the wall
+    ph.detents(origin=[0, 0.2], direction=[1, 0], spacing=0.02, strength=1),
+    ph.end_stops(lower=[-1, 0.2], upper=[2, 2.5], stiffness=[5, 5]),
+)
+felt = ph.controller(arm, brakes, handle, ph.direct_control())
+
 # Values
 assert pickle.loads(pickle.dumps(control)) == control
 try:

@@ -1,6 +1,12 @@
-// Meshes, worlds and held scenes.
+// Meshes, worlds, held scenes and effects.
 #include "reference.hpp"
 
+#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/force/effects/detents.hpp>
+#include <passive_haptics/force/effects/end_stops.hpp>
+#include <passive_haptics/force/effects/guide.hpp>
+#include <passive_haptics/force/effects/rough_walls.hpp>
+#include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
@@ -48,6 +54,33 @@ ph::world<D> world_of(const shapes<D>& all, const ph::half_space<D>& plane, doub
   return ph::world<D>(walls);
 }
 
+// A scene with each effect of the library.
+template <int D, class S>
+auto beside_effects(const S& scene, const ph::point<D>& point) {
+  const ph::point<D> diagonal = ph::point<D>::Ones();
+  ph::viscous_field_parameters<double, D> field;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) field.viscosity(i, j) = i == j ? 3 - i : i < j ? 1 : -1;
+  ph::guide_parameters<double, D> rail;
+  rail.point = point;
+  rail.direction = diagonal;
+  rail.stiffness = 200;
+  rail.tolerance = 0.002;
+  rail.viscosity = 1;
+  ph::detents_parameters<double, D> clicks;
+  clicks.origin = point;
+  clicks.direction = diagonal;
+  clicks.spacing = 0.01;
+  clicks.strength = 1.5;
+  ph::end_stops_parameters<double, D> stops;
+  stops.lower.setConstant(0.3);
+  stops.upper.setConstant(0.6);
+  stops.stiffness.setConstant(5);
+  return ph::with_effects(scene, ph::viscous_field<double, D>(field), ph::rough_walls<double, D>({0.3, 1}),
+                          ph::guide<double, D>(rail), ph::end_stops<double, D>(stops),
+                          ph::detents<double, D>(clicks));
+}
+
 template <class M, class S, class L>
 bool run_in(const M& mechanism, const task<M>& given, const S& scene, const L& law, const std::string& to) {
   ph::controller control(mechanism, given.brakes, scene, law);
@@ -75,6 +108,11 @@ bool run_mode(const M& mechanism, const std::string& law, const std::string& mod
     }
     return false;
   };
+  if (law == "direct_control in scenes" && mode == "effects")
+    return run_in(mechanism, given, beside_effects<d>(given.scene(), given.point), ph::direct_control(), to);
+  if (law == "direct_control in scenes" && mode == "effects_in_world")
+    return run_in(mechanism, given, beside_effects<d>(world_of(of, plane, given.stiffness), given.point),
+                  ph::direct_control(), to);
   if (law == "direct_control in scenes") return under(ph::direct_control());
   if (law == "saturated_direct_control in scenes") return under(ph::saturated_direct_control());
   if (law == "recommended in scenes") return under(ph::recommended_law(mechanism, given.brakes));

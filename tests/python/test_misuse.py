@@ -23,6 +23,7 @@ legs = ph.five_bar_with_four_brakes()
 chain = ph.planar_arm([0.1, 0.1, 0.1])
 simulated = ph.simulated_device(arm, arm.brakes(), 0.5, [0.7, 0.8])
 hand = ph.following_hand([1, 0], simulated.position)
+rough = ph.rough_walls()
 corners = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]])
 faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 
@@ -160,6 +161,29 @@ MISUSES = [
      "scene has 2 walls, expected one wall with an inside"),
     (lambda: ph.controller(arm, arm.brakes(), ph.held_scene(ph.world([wall]), 0), ph.saturated_direct_control()), ValueError,
      "scene is a world, expected one wall with an inside"),
+    # Effects
+    (lambda: ph.viscous_field(), TypeError, "viscous_field needs a vector of 2 or 3 numbers among viscosity"),
+    (lambda: ph.viscous_field(3), TypeError, "viscous_field needs a vector of 2 or 3 numbers among viscosity"),
+    (lambda: ph.viscous_field([[1, 0], [0, -1]]), ValueError, "viscosity of a viscous_field would drive some motion"),
+    (lambda: ph.viscous_field([[1, 0], [0, 1, 2]]), ValueError, "length of viscosity[1] = 3, expected 2"),
+    (lambda: ph.viscous_field([1, 0, 0, 0]), ValueError, "length of viscosity of viscous_field = 4, expected 2 or 3"),
+    (lambda: ph.guide("circle", [0, 0], [1, 0]), ValueError, "along = 'circle' (str), expected 'line' or 'plane'"),
+    (lambda: ph.guide("line", [0, 0], [0, 0]), ValueError, "|direction| of a guide = 0, expected"),
+    (lambda: ph.detents([0, 0], [1, 0]), ValueError, "spacing of detents [m] = 0, expected a finite number > 0"),
+    (lambda: ph.rough_walls(-1), ValueError, "coefficient of wall_friction = -1, expected a finite number >= 0"),
+    (lambda: ph.end_stops([1, 1], [0, 0]), ValueError, "lower[0] of end_stops [rad] = 1, expected less than upper[0]"),
+    (lambda: ph.with_effects(), TypeError, "with_effects needs a scene"),
+    (lambda: ph.with_effects(scene), TypeError, "with_effects needs an effect"),
+    (lambda: ph.with_effects(wall, rough), TypeError, "expected a scene: with_effects(scene(wall("),
+    (lambda: ph.with_effects(scene, rough, wall), TypeError, "effect 1 of a scene = wall("),
+    (lambda: ph.with_effects(ph.with_effects(scene, rough), rough), TypeError, "has effects itself, expected all effects"),
+    (lambda: ph.held_scene(ph.with_effects(scene, rough), 0.1), TypeError, "expected with_effects(held_scene(...), ...)"),
+    (lambda: ph.controller(arm, arm.brakes(), ph.with_effects(scene, rough), ph.no_direct_control()), ValueError,
+     "scene has effects, expected none: they need direct_control and a mechanism with as many joints"),
+    (lambda: ph.controller(legs, legs.brakes(), ph.with_effects(scene, rough), ph.direct_control()), ValueError,
+     "scene has effects, expected none: they need direct_control and a mechanism with as many joints"),
+    (lambda: ph.controller(arm, arm.brakes(), ph.with_effects(scene, ph.detents([0] * 3, [1] * 3, 0.1)), ph.direct_control()),
+     ValueError, "effect 0 of the scene = detents("),
     # Controllers
     (lambda: ph.controller(arm, arm.brakes(), scene), TypeError, "no law was given"),
     (lambda: ph.controller(arm, scene, arm.brakes(), ph.direct_control()), TypeError, "expected a scene"),

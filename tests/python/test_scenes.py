@@ -1,4 +1,4 @@
-"""Meshes, worlds and held scenes: cycles are those of C++, bit for bit; files, arrays and what they refuse."""
+"""Meshes, worlds, held scenes and effects: cycles are those of C++, bit for bit; files, arrays and what they refuse."""
 
 import os
 import pickle
@@ -85,7 +85,22 @@ class Scenes(Case):
             return ph.held_scene(self.scene(), PERIOD)
         if mode == "mesh_solid":
             return ph.scene(ph.wall(self.solid(), self.stiffness))
+        if mode == "effects":
+            return ph.with_effects(self.scene(), *self.effects())
+        if mode == "effects_in_world":
+            return ph.with_effects(self.world(), *self.effects())
         return ph.held_scene(self.world(), PERIOD) if mode == "held_world" else self.world()
+
+    def effects(self):
+        d = len(self.point)
+        viscosity = [[3 - i if i == j else 1 if i < j else -1 for j in range(d)] for i in range(d)]
+        return (
+            ph.viscous_field(viscosity),
+            ph.rough_walls(0.3, 1),
+            ph.guide("line", self.point, [1] * d, stiffness=200, tolerance=0.002, viscosity=1),
+            ph.end_stops([0.3] * d, [0.6] * d, [5] * d),
+            ph.detents(self.point, [1] * d, spacing=0.01, strength=1.5),
+        )
 
 
 def cycles(case, scene, law):
@@ -96,6 +111,7 @@ def cycles(case, scene, law):
 
 PAIRS = [(mode, law) for mode in ("held", "mesh_solid") for law in ("direct_control", "saturated_direct_control", "recommended")]
 PAIRS += [(mode, law) for mode in ("world", "held_world") for law in ("direct_control", "recommended")]
+PAIRS += [(mode, "direct_control") for mode in ("effects", "effects_in_world")]
 
 
 @needs_reference
@@ -148,9 +164,33 @@ def test_a_held_scene_is_sampled_once_a_period():
     assert whenever(ph.device_state(0, [0, 2e-3], [0, 0.01], [0, 0])).desired_force[1] == -2
 
 
+def test_effects():
+    """Each at a table, in free space: what the brakes resist."""
+    table = ph.xy_table()
+    free = ph.scene(ph.wall(ph.half_space([0, 1], [0, -1])))
+    def torque(*effects, q=(0, 0), qd=(0, 0), hand_force=(0, 0)):
+        control = ph.controller(table, table.brakes([10, 10]), ph.with_effects(free, *effects), ph.direct_control())
+        return control(ph.device_state(0, q, qd, hand_force)).torque
+    assert torque(ph.viscous_field([[10, 0], [0, 20]]), qd=(0.1, -0.2)) == pytest.approx([-1, 4])
+    rail = ph.guide("line", [0, 0], [1, 0], stiffness=100)
+    assert torque(rail, q=(0.3, 0.02), qd=(0.1, 0.1)) == pytest.approx([0, -2])
+    assert torque(rail, q=(0.3, 0.02), qd=(0.1, -0.1)) == pytest.approx([0, 0])
+    clicks = ph.detents([0, 0], [1, 0], spacing=0.04, strength=3)
+    assert torque(clicks, q=(0.01, 0), qd=(0.1, 0.1)) == pytest.approx([-3, 0])
+    stops = ph.end_stops(lower=[-0.1, -0.1], upper=[0.1, 0.1], stiffness=[50, 50])
+    assert torque(stops, q=(0.12, -0.05), qd=(0.1, -0.1)) == pytest.approx([-1, 0])
+    both = torque(stops, ph.viscous_field([[10, 0], [0, 20]]), q=(0.12, -0.05), qd=(0.1, -0.1))
+    assert both == pytest.approx([-2, 2])
+    at_wall = ph.with_effects(ph.scene(ph.wall(ph.half_space([0, 0], [0, -1]), 1e4)), ph.rough_walls(coefficient=0.5))
+    control = ph.controller(table, table.brakes([10, 10]), at_wall, ph.direct_control())
+    result = control(ph.device_state(0, [0, 1e-3], [0.1, 0.01], [0, 4]))
+    assert result.torque == pytest.approx([-2, -4]) and at_wall.effects == (ph.rough_walls(coefficient=0.5),)
+
+
 def test_scenes_of_different_kinds_are_not_equal():
     walls = [ph.wall(ph.half_space([0, 0], [0, -1])), ph.wall(ph.ball([0, 0], 1))]
     scenes = [ph.scene(*walls), ph.world(walls), ph.held_scene(ph.scene(*walls), 0.1), ph.held_scene(ph.world(walls), 0.1)]
+    scenes += [ph.with_effects(ph.world(walls), ph.rough_walls()), ph.with_effects(ph.world(walls), ph.rough_walls(0.1))]
     for i, a in enumerate(scenes):
         assert [a == b for b in scenes] == [i == j for j in range(len(scenes))]
         assert a.walls == tuple(walls) and a.dimension == 2 and isinstance(a, ph.scene)

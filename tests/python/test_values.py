@@ -62,6 +62,18 @@ def values():
     yield ph.world([ph.wall(SHAPES[0]), ph.wall(SHAPES[2], 1e3)])
     yield ph.held_scene(ph.scene(ph.wall(SHAPES[0])), 0.05)
     yield ph.held_scene(ph.world([ph.wall(SHAPES[0])]), 0.05)
+    effects = [
+        ph.viscous_field([[1, 0], [0, 2]]),
+        ph.viscous_field(viscosity=np.eye(3)),
+        ph.guide("plane", [0, 0, 0], [0, 0, 1], stiffness=10),
+        ph.guide(point=[0, 0]),
+        ph.detents([0, 0], [1, 0], 0.01),
+        ph.end_stops(lower=[0, 0, 0]),
+        ph.rough_walls(),
+        ph.rough_walls(0.3),
+    ]
+    yield from effects
+    yield ph.with_effects(ph.scene(ph.wall(SHAPES[0])), effects[0], effects[-1])
     yield ph.braked_wall(force=12)
     case = Case("planar_chain_3_with_inertia", 100, 1)
     control = case.controller("direct_control")
@@ -120,7 +132,7 @@ def test_repr_makes_an_equal_value(value):
 
 
 def test_every_class_is_among_them():
-    bases = {ph.shape, ph.law, ph.mechanism, ph.brake_parameters, ph.brake_model}
+    bases = {ph.shape, ph.effect, ph.law, ph.mechanism, ph.brake_parameters, ph.brake_model}
     classes = {thing for thing in vars(_native).values() if inspect.isclass(thing)}
     assert classes - bases == {type(value) for value in ALL}
 

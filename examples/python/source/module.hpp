@@ -23,6 +23,8 @@ void bind_walls_of_brakes(pybind11::module_& module);
 void bind_meshes(pybind11::module_& module);
 void bind_walls(pybind11::module_& module);
 void bind_scenes(pybind11::module_& module);
+void bind_effects(pybind11::module_& module);
+void bind_with_effects(pybind11::module_& module);
 
 // Binds the functions of design/ to the class of all mechanisms.
 void bind_design(pybind11::class_<mechanism>& bound);

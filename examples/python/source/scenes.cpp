@@ -1,6 +1,7 @@
 // Scenes of walls.
 #include <precompiled.hpp>
 
+#include "kind_of_scene.hpp"
 #include "module.hpp"
 #include "walls.hpp"
 
@@ -100,22 +101,6 @@ any_scene<D, Capacity> world_of(const scene& of) {
   }
 }
 
-// A scene whose class has a template in<D, Capacity>().
-template <class Scene>
-struct kind_of_scene : scene {
-  using scene::scene;
-  any_scene<2> made(std::type_identity<any_scene<2>>) const override { return in<2, 3>(); }
-  any_scene<2, 1> made(std::type_identity<any_scene<2, 1>>) const override { return in<2, 1>(); }
-  any_scene<3> made(std::type_identity<any_scene<3>>) const override { return in<3, 4>(); }
-  any_scene<3, 1> made(std::type_identity<any_scene<3, 1>>) const override { return in<3, 1>(); }
-
- private:
-  template <int D, int Capacity>
-  any_scene<D, Capacity> in() const {
-    return static_cast<const Scene&>(*this).template scene_in<D, Capacity>();
-  }
-};
-
 struct scene_value final : kind_of_scene<scene_value> {
   explicit scene_value(const py::tuple& given) : kind_of_scene(given, "scene") {}
   bool is_one_wall() const override { return walls.size() == 1 && py::isinstance<shape>(wall_at(0).of); }
@@ -173,6 +158,8 @@ struct held_scene_value final : kind_of_scene<held_scene_value> {
     expect<scene>(of, "scene", "a scene: held_scene(scene(wall(shape, stiffness)), period)");
     if (py::isinstance<held_scene_value>(of))
       refuse_type("scene of a held_scene is a held_scene itself, expected one that is not held");
+    if (!py::cast<const scene&>(of).effects().empty())
+      refuse_type("scene of a held_scene has effects, expected with_effects(held_scene(...), ...)");
     if (!given.contains("period")) refuse_type("a held_scene needs a period [s]: held_scene(scene, period)");
     const py::dict others = given.attr("copy")();
     others.attr("pop")("scene");

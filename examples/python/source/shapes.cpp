@@ -66,6 +66,8 @@ void bind_shapes(py::module_& module) {
   bind_meshes(module);
   bind_walls(module);
   bind_scenes(module);
+  bind_effects(module);
+  bind_with_effects(module);
 }
 
 }  // namespace passive_haptics_python

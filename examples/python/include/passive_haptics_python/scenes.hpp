@@ -58,6 +58,9 @@ struct scene {
   /// Whether the first cycle of a motion sees one wall alone, as of a static_scene.
   virtual bool is_one_wall() const = 0;
 
+  /// The effects beside the walls.
+  virtual py::tuple effects() const { return py::tuple(); }
+
   /// d
   int dimension() const { return wall_at(0).dimension; }
   /// Wall i.

@@ -208,6 +208,92 @@ class held_scene(scene):
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
+class effect(metaclass=_class):
+    """A force beside that of the walls, which resists motion."""
+    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
+class viscous_field(effect):
+    """A resistance to all motion, F = -B v. viscosity: a d x d matrix; no motion may be driven by it. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        viscosity [N s/m]: a finite number; default [[0.0, 0.0], [0.0, 0.0]]
+    """
+    def __init__(self, viscosity: Rows = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class guide(effect):
+    """A resistance to what leaves a line or a plane; motion along it and back is free. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        along: line, plane; default 'line'
+        point [m]: a finite number; default [0.0, 0.0]
+        direction [1]: a direction; default [1.0, 0.0]
+        stiffness [N/m]: a finite number >= 0; default 0.0
+        tolerance [m]: a finite number >= 0; default 0.0
+        viscosity [N s/m]: a finite number >= 0; default 0.0
+        velocity_dead_band [m/s]: a finite number > 0; default 0.003
+    """
+    def __init__(self, along: Literal["line", "plane"] = ..., point: Numbers = ..., direction: Numbers = ..., stiffness: float = ..., tolerance: float = ..., viscosity: float = ..., velocity_dead_band: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class detents(effect):
+    """Periodic positions along a direction that resist being left. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        origin [m]: a finite number; default [0.0, 0.0]
+        direction [1]: a direction; default [1.0, 0.0]
+        spacing [m]: a finite number > 0; default 0.0
+        strength [N]: a finite number >= 0; default 0.0
+        velocity_dead_band [m/s]: a finite number > 0; default 0.003
+    """
+    def __init__(self, origin: Numbers = ..., direction: Numbers = ..., spacing: float = ..., strength: float = ..., velocity_dead_band: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class rough_walls(effect):
+    """Friction on all walls that are touched, under the load with which the hand presses.
+
+    Parameters:
+        coefficient: a finite number >= 0; default 0.0
+        viscosity [N s/m]: a finite number >= 0; default 0.0
+        velocity_dead_band [m/s]: a finite number > 0; default 0.003
+    """
+    def __init__(self, coefficient: float = ..., viscosity: float = ..., velocity_dead_band: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class end_stops(effect):
+    """Limits of the joints, which resist motion further out. Of vectors of as many numbers as there are joints, 2 or 3. For a sliding joint read N for N m and m for rad.
+
+    Parameters:
+        lower [rad]: anything; default [-inf, -inf]
+        upper [rad]: anything; default [inf, inf]
+        stiffness [N m/rad]: a finite number >= 0; default [0.0, 0.0]
+        rate_dead_band [rad/s]: a finite number > 0; default [0.02, 0.02]
+    """
+    def __init__(self, lower: Numbers = ..., upper: Numbers = ..., stiffness: Numbers = ..., rate_dead_band: Numbers = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class with_effects(scene):
+    """A scene with effects beside its walls. Walls come first: what a cycle displays of them does not depend on the effects, but for the drag along them. Effects get what the brakes can do besides. For direct_control, and mechanisms with as many joints and brakes as task dimensions."""
+    def __init__(self, scene: scene, *effects: effect) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None
+    @property
+    def effects(self) -> tuple[effect, ...]:
+        """The effects."""
 class law(metaclass=_class):
     """A control law."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
