@@ -1,10 +1,13 @@
 """The pieces of code of the page python.md."""
 
+import os
 import pickle
 
 import numpy as np
 
 import passive_haptics as ph
+
+stl_file = os.path.join(os.path.dirname(__file__), "mesh_file.stl")
 
 # One cycle
 arm = ph.tendon_two_link(reduction_2=0.4)
@@ -51,6 +54,34 @@ gentle = ph.controller(arm, brakes, ph.scene(ph.wall(plane, 1e4)), arm.recommend
 metrics, samples = ph.follow_wall(device, gentle, plane, hand, ph.wall_following_parameters(longest=2), record=True)
 print(f"{metrics.separations} separations, {1e3 * metrics.depth_mean:.1f} mm deep; {metrics.end.text}")
 deepest = samples["time"][np.argmax(samples["depth"])]
+
+# Meshes
+mesh, remarks = ph.read_stl(stl_file, metres_per_unit=1e-3)  # also read_obj and read_ply
+print(remarks, mesh.plausibility(reach=0.4))  # nothing, if all is well
+roof = ph.mesh(
+    np.array([[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.1, 0.1, 0.05]]),  # vertices [m]
+    np.array([[0, 1, 2], [1, 3, 2]]),  # triangles, counterclockwise from the free side
+)
+room = ph.world([
+    ph.wall(ph.mesh_solid(mesh), 1e5),
+    ph.wall(ph.mesh_surface(roof), 1e5),
+    *(ph.wall(ph.ball([0.02 * i, 0.02 * j, -0.1], 0.005), 1e5) for i in range(10) for j in range(10)),
+])
+robot = ph.delta()
+in_room = ph.controller(robot, robot.brakes(), room, ph.direct_control())
+
+# A slow virtual environment
+seen = ph.held_scene(ph.scene(ph.wall(plane, 1e4)), period=0.05)  # 20 Hz
+slow = ph.controller(arm, brakes, seen, arm.recommended_law(brakes))
+
+# Effects
+handle = ph.with_effects(
+    ph.scene(ph.wall(plane, 1e4)),
+    ph.rough_walls(coefficient=0.3),  # friction on the wall
+    ph.detents(origin=[0, 0.2], direction=[1, 0], spacing=0.02, strength=1),
+    ph.end_stops(lower=[-1, 0.2], upper=[2, 2.5], stiffness=[5, 5]),
+)
+felt = ph.controller(arm, brakes, handle, ph.direct_control())
 
 # Values
 assert pickle.loads(pickle.dumps(control)) == control

@@ -9,7 +9,7 @@ HEAD = '''"""Made by examples/python/stubs.py. Do not edit."""
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, NoReturn
 
-from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Records, Rows
+from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Path, Records, Rows
 from passive_haptics.results import (
     contact_metrics,
     contact_report,
@@ -78,7 +78,8 @@ def of_class(name, thing):
         elif member == "__eq__":
             lines.append(f"{INDENT}def __eq__(self, other: object) -> bool: ...")
         elif member == "__hash__" and value is None:
-            lines.append(f"{INDENT}__hash__: None  # type: ignore[assignment]")
+            is_hashed = any(base.__hash__ is not None for base in thing.__bases__)
+            lines.append(f"{INDENT}__hash__: None" + ("  # type: ignore[assignment]" if is_hashed else ""))
         elif not member.startswith("__") or member in ("__call__", "__len__"):
             lines.append(of_function(value, INDENT))
     return "\n".join(lines)

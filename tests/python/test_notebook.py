@@ -19,7 +19,7 @@ ends = {
     figure_7: [(0.1, 2), (0.1, 2)],
     figure_8: [(1, 2.5)],
     figure_9: [(1, 50)],
-    figure_10: [("hollow", "solid")],
+    figure_10: [("hollow", "solid"), (1, 50)],
 }
 import itertools
 for figure, values in ends.items():
@@ -38,6 +38,9 @@ bounces, rows = follow(PAPERS_WALL, ph.no_direct_control())
 glides, _ = follow(PAPERS_WALL, ph.saturated_direct_control())
 assert bounces.separations >= 4 and glides.separations <= 1 and glides.depth_std < bounces.depth_std
 assert rows["depth"].max() == bounces.depth_max
+bounces, _ = follow(PAPERS_WALL, ph.no_direct_control(), period=0.05)
+glides, _ = follow(PAPERS_WALL, ph.saturated_direct_control(), period=0.05)
+assert bounces.separations >= 3 and glides.separations <= 1 and glides.depth_std < bounces.depth_std
 print("all sliders")
 """
 

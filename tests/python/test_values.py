@@ -24,6 +24,8 @@ SHAPES = [
     ph.convex_polygon(np.array([[0, 0], [1, 0], [1, 1], [0.5, 1.5], [0, 1]])),
     ph.offset(ph.box([0, 0], [0.1, 0.2]), 0.01),
     ph.complement(ph.capsule([0, 0, 0], [0.1, 0, 0], 0.02)),
+    ph.mesh_solid(ph.mesh([[0, 0], [0.1, 0], [0, 0.1]], [[0, 1], [1, 2], [2, 0]])),
+    ph.mesh_solid(ph.mesh(np.vstack([np.zeros(3), np.eye(3)]), [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])),
 ]
 
 BRAKES = [
@@ -52,6 +54,26 @@ def values():
     yield ph.wall(SHAPES[0])
     yield ph.wall(SHAPES[0], 500)
     yield ph.scene(ph.wall(SHAPES[0]), ph.wall(SHAPES[2], 1e3))
+    yield ph.mesh([[0, 0.5], [1, 0]], [[0, 1]])
+    yield ph.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    yield ph.mesh_surface(ph.mesh([[0, 0.5], [1, 0]], [[0, 1]]))
+    yield ph.mesh_surface(ph.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), skin=1e-6, crease_angle=0.1)
+    yield ph.wall(ph.mesh_surface(ph.mesh([[0, 0.5], [1, 0]], [[0, 1]])), 1e4)
+    yield ph.world([ph.wall(SHAPES[0]), ph.wall(SHAPES[2], 1e3)])
+    yield ph.held_scene(ph.scene(ph.wall(SHAPES[0])), 0.05)
+    yield ph.held_scene(ph.world([ph.wall(SHAPES[0])]), 0.05)
+    effects = [
+        ph.viscous_field([[1, 0], [0, 2]]),
+        ph.viscous_field(viscosity=np.eye(3)),
+        ph.guide("plane", [0, 0, 0], [0, 0, 1], stiffness=10),
+        ph.guide(point=[0, 0]),
+        ph.detents([0, 0], [1, 0], 0.01),
+        ph.end_stops(lower=[0, 0, 0]),
+        ph.rough_walls(),
+        ph.rough_walls(0.3),
+    ]
+    yield from effects
+    yield ph.with_effects(ph.scene(ph.wall(SHAPES[0])), effects[0], effects[-1])
     yield ph.braked_wall(force=12)
     case = Case("planar_chain_3_with_inertia", 100, 1)
     control = case.controller("direct_control")
@@ -110,7 +132,7 @@ def test_repr_makes_an_equal_value(value):
 
 
 def test_every_class_is_among_them():
-    bases = {ph.shape, ph.law, ph.mechanism, ph.brake_parameters, ph.brake_model}
+    bases = {ph.shape, ph.effect, ph.law, ph.mechanism, ph.brake_parameters, ph.brake_model}
     classes = {thing for thing in vars(_native).values() if inspect.isclass(thing)}
     assert classes - bases == {type(value) for value in ALL}
 

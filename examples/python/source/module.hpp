@@ -19,6 +19,13 @@ void bind_batches(pybind11::module_& module);
 void bind_controllers(pybind11::module_& module);
 void bind_walls_of_brakes(pybind11::module_& module);
 
+// Each binds what walls are made of, or into.
+void bind_meshes(pybind11::module_& module);
+void bind_walls(pybind11::module_& module);
+void bind_scenes(pybind11::module_& module);
+void bind_effects(pybind11::module_& module);
+void bind_with_effects(pybind11::module_& module);
+
 // Binds the functions of design/ to the class of all mechanisms.
 void bind_design(pybind11::class_<mechanism>& bound);
 

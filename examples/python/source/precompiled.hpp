@@ -15,6 +15,7 @@
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/map/design_figures.hpp>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics_python/any_controller.hpp>
+#include <passive_haptics_python/effects.hpp>
 #include <passive_haptics_python/laws.hpp>
 #include <passive_haptics_python/scenes.hpp>
 
@@ -105,6 +106,26 @@ class controller_of final : public any_controller {
   std::unique_ptr<any_batch> at_wall_;
 };
 
+/// The controller of a scene with effects; a ValueError if an effect does not fit, or the mechanism and the
+/// law take none.
+template <class M, class L>
+std::unique_ptr<any_controller> controller_with_effects(
+    [[maybe_unused]] const M& mechanism, [[maybe_unused]] const ph::brakes_of<M>& brakes,
+    [[maybe_unused]] const scene& walls, [[maybe_unused]] const py::tuple& effects,
+    [[maybe_unused]] const L& law, [[maybe_unused]] const ph::step_options<double>& options) {
+  if constexpr (takes_effects<M, L>) {
+    constexpr int D = M::task_dimension;
+    using S = scene_with_effects<D, D>;
+    S of(walls.made(std::type_identity<any_scene<D>>()));
+    add_effects(of, effects);
+    return std::make_unique<controller_of<M, L, S>>(mechanism, brakes, of, law, options, nullptr);
+  } else {
+    refuse_value(
+        "scene has effects, expected none: they need direct_control and a mechanism with as many "
+        "joints and brakes as task dimensions, such as two_link or delta");
+  }
+}
+
 /// The controller of a mechanism, one of its laws and a scene; a ValueError if the scene is of another
 /// dimension, or of several walls where the law takes one. at_wall: batches that are compiled for its wall,
 /// or nullptr.
@@ -117,19 +138,11 @@ std::unique_ptr<any_controller> make_controller(const M& mechanism, const ph::br
   if (walls.dimension() != D)
     refuse_value("scene has dimension " + std::to_string(walls.dimension()) + ", expected " +
                  std::to_string(D) + ", the task dimension of the mechanism");
-  if constexpr (ph::saturates_before_scaling<L>) {
-    const auto all = walls.geometry<D>();
-    if (all.size() != 1)
-      refuse_value("scene has " + std::to_string(all.size()) +
-                   " walls, expected one: a law that saturates before scaling takes one wall at a time; take "
-                   "direct_control");
-    using S = ph::static_scene<any_shape<D>>;
-    return std::make_unique<controller_of<M, L, S>>(mechanism, brakes, S(all[0]), law, options,
-                                                    std::move(at_wall));
-  } else {
-    return std::make_unique<controller_of<M, L, any_scene<D>>>(mechanism, brakes, scene_of<D>(walls), law,
-                                                               options, std::move(at_wall));
-  }
+  if (const py::tuple effects = walls.effects(); !effects.empty())
+    return controller_with_effects<M, L>(mechanism, brakes, walls, effects, law, options);
+  using S = any_scene<D, ph::saturates_before_scaling<L> ? 1 : D + 1>;
+  return std::make_unique<controller_of<M, L, S>>(mechanism, brakes, walls.made(std::type_identity<S>()), law,
+                                                  options, std::move(at_wall));
 }
 
 }  // namespace passive_haptics_python

@@ -90,10 +90,9 @@ class mechanism_value<M, P, law_list<Laws...>, Model, DeviceLaws> : public mecha
       if (made || !py::isinstance<law_value<L>>(of_law)) return;
       const auto& chosen = py::cast<const law_value<L>&>(of_law);
       std::unique_ptr<any_batch> at_wall;
-      const auto all = walls.geometry<M::task_dimension>();
-      if (all.size() == 1)
+      if (const auto only = walls.only_wall<M::task_dimension>())
         at_wall =
-            batch_at_wall<M, L>(model_, brakes_from<M>(brakes), all[0], made_law<L>(chosen.table), options);
+            batch_at_wall<M, L>(model_, brakes_from<M>(brakes), *only, made_law<L>(chosen.table), options);
       made = device_.make_controller(brakes, walls, chosen, options, std::move(at_wall));
     };
     (try_law(std::type_identity<Laws>()), ...);

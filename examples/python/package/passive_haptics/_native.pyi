@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, NoReturn
 
-from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Records, Rows
+from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Path, Records, Rows
 from passive_haptics.results import (
     contact_metrics,
     contact_report,
@@ -113,16 +113,76 @@ class complement(shape):
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
+class mesh(metaclass=_class):
+    """A surface that never changes: triangles in space, or segments in the plane.
+
+    vertices: N x d [m], of float64. facets: M x d indices of vertices, whole numbers. The corners of a triangle run counterclockwise seen from the free side; of a segment the free side is on its right. Both may be lists of rows. A ValueError names the first facet that is wrong.
+    """
+    def __init__(self, vertices: Rows, facets: Rows) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def __len__(self) -> int:
+        """The number of facets."""
+    @property
+    def closed(self) -> bool:
+        """Whether the facets enclose their wall or their free space without a hole."""
+    @property
+    def content(self) -> float:
+        """The enclosed area [m^2] or volume [m^3] of a closed mesh; < 0 if the outside is solid."""
+    @property
+    def dimension(self) -> int:
+        """2 in the plane, 3 in space."""
+    @property
+    def facets(self) -> Integers:
+        """A copy of the indices of vertices, M x d."""
+    @property
+    def hole(self) -> str:
+        """Why it is not closed, by vertices and facets; "" if it is."""
+    def plausibility(self, reach: float) -> str:
+        """A line for each thing that looks odd beside a device of this reach [m]; "" if there is none."""
+    @property
+    def turned_edges(self) -> int:
+        """Edges (in the plane: vertices) of two facets of which one faces the wrong side."""
+    @property
+    def vertices(self) -> Array:
+        """A copy of the vertices, N x d [m]."""
+def read_stl(path: Path, metres_per_unit: float = ...) -> tuple[mesh, str]:
+    """The mesh of an STL file, in text or binary, and what of the file is not in it, in words; "" where all is. metres_per_unit: the unit of the file [m], 1e-3 for millimetres; 1 where none is given. A ValueError names the file, the line or byte, and what was expected there."""
+def read_obj(path: Path, metres_per_unit: float = ...) -> tuple[mesh, str]:
+    """The mesh of an OBJ file: all objects and groups as one, and what of the file is not in it, in words; "" where all is. metres_per_unit: the unit of the file [m], 1e-3 for millimetres; 1 where none is given. A ValueError names the file, the line or byte, and what was expected there."""
+def read_ply(path: Path, metres_per_unit: float = ...) -> tuple[mesh, str]:
+    """The mesh of a PLY file, in text or binary, and what of the file is not in it, in words; "" where all is. metres_per_unit: the unit of the file [m], 1e-3 for millimetres; 1 where none is given. A ValueError names the file, the line or byte, and what was expected there."""
+class mesh_solid(shape):
+    """The solid within a closed mesh whose normals point outward. In a scene of one wall it has one contact; what is pushed more than half through a thin wall comes out at the other side."""
+    def __init__(self, surface: mesh) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class mesh_surface(metaclass=_class):
+    """A closed or an open mesh that stops what comes from its front, at any depth. A scene that has one is a world.
+
+    Parameters:
+        skin [m]: from the surface to the point that stands for the handle on it; default 1e-07
+        crease_angle [rad]: facets whose normals differ by less are one smooth surface; default 0.5235987755982988
+    """
+    def __init__(self, surface: mesh, skin: float = ..., crease_angle: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
 class wall(metaclass=_class):
     """A shape that resists with stiffness [N/m] times depth; 1e7 where none is given."""
-    def __init__(self, shape: shape, stiffness: float = ...) -> None: ...
+    def __init__(self, shape: shape | mesh_surface, stiffness: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 class scene(metaclass=_class):
-    """Walls, numbered from 0 in their order."""
+    """Walls, numbered from 0 in their order. Several walls, or a mesh_surface, are a world."""
     def __init__(self, *walls: wall) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
@@ -132,6 +192,108 @@ class scene(metaclass=_class):
     @property
     def walls(self) -> tuple[wall, ...]:
         """The walls."""
+class world(scene):
+    """Many walls, numbered from 0 in their order, of which a cycle looks at those that the handle can have reached since it last looked. At most d + 1 contacts, those of the largest forces. With a mesh among them all walls are felt as one surface. For a law that takes several walls."""
+    def __init__(self, walls: Sequence[wall]) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class held_scene(scene):
+    """A scene that is sampled once a period [s] and held between: a virtual environment that is slower than the loop of the brakes. 0 samples every time."""
+    def __init__(self, scene: scene, period: float) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class effect(metaclass=_class):
+    """A force beside that of the walls, which resists motion."""
+    def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
+class viscous_field(effect):
+    """A resistance to all motion, F = -B v. viscosity: a d x d matrix; no motion may be driven by it. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        viscosity [N s/m]: a finite number; default [[0.0, 0.0], [0.0, 0.0]]
+    """
+    def __init__(self, viscosity: Rows = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class guide(effect):
+    """A resistance to what leaves a line or a plane; motion along it and back is free. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        along: line, plane; default 'line'
+        point [m]: a finite number; default [0.0, 0.0]
+        direction [1]: a direction; default [1.0, 0.0]
+        stiffness [N/m]: a finite number >= 0; default 0.0
+        tolerance [m]: a finite number >= 0; default 0.0
+        viscosity [N s/m]: a finite number >= 0; default 0.0
+        velocity_dead_band [m/s]: a finite number > 0; default 0.003
+    """
+    def __init__(self, along: Literal["line", "plane"] = ..., point: Numbers = ..., direction: Numbers = ..., stiffness: float = ..., tolerance: float = ..., viscosity: float = ..., velocity_dead_band: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class detents(effect):
+    """Periodic positions along a direction that resist being left. Of vectors of 2 numbers in the plane, of 3 in space.
+
+    Parameters:
+        origin [m]: a finite number; default [0.0, 0.0]
+        direction [1]: a direction; default [1.0, 0.0]
+        spacing [m]: a finite number > 0; default 0.0
+        strength [N]: a finite number >= 0; default 0.0
+        velocity_dead_band [m/s]: a finite number > 0; default 0.003
+    """
+    def __init__(self, origin: Numbers = ..., direction: Numbers = ..., spacing: float = ..., strength: float = ..., velocity_dead_band: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class rough_walls(effect):
+    """Friction on all walls that are touched, under the load with which the hand presses.
+
+    Parameters:
+        coefficient: a finite number >= 0; default 0.0
+        viscosity [N s/m]: a finite number >= 0; default 0.0
+        velocity_dead_band [m/s]: a finite number > 0; default 0.003
+    """
+    def __init__(self, coefficient: float = ..., viscosity: float = ..., velocity_dead_band: float = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class end_stops(effect):
+    """Limits of the joints, which resist motion further out. Of vectors of as many numbers as there are joints, 2 or 3. For a sliding joint read N for N m and m for rad.
+
+    Parameters:
+        lower [rad]: anything; default [-inf, -inf]
+        upper [rad]: anything; default [inf, inf]
+        stiffness [N m/rad]: a finite number >= 0; default [0.0, 0.0]
+        rate_dead_band [rad/s]: a finite number > 0; default [0.02, 0.02]
+    """
+    def __init__(self, lower: Numbers = ..., upper: Numbers = ..., stiffness: Numbers = ..., rate_dead_band: Numbers = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class with_effects(scene):
+    """A scene with effects beside its walls. Walls come first: what a cycle displays of them does not depend on the effects, but for the drag along them. Effects get what the brakes can do besides. For direct_control, and mechanisms with as many joints and brakes as task dimensions."""
+    def __init__(self, scene: scene, *effects: effect) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None
+    @property
+    def effects(self) -> tuple[effect, ...]:
+        """The effects."""
 class law(metaclass=_class):
     """A control law."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...

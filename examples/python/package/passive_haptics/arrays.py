@@ -1,6 +1,7 @@
 """Types of arrays, for annotations."""
 
 import collections.abc
+import os
 from typing import Any, Union
 
 import numpy
@@ -18,3 +19,5 @@ Rows = Union[collections.abc.Sequence[collections.abc.Sequence[float]], collecti
 """Vectors that are passed."""
 Records = NDArray[numpy.void]
 """A row for each place or time step, with named fields."""
+Path = Union[str, "os.PathLike[str]"]
+"""The name of a file."""
