@@ -1,10 +1,13 @@
 """The pieces of code of the page python.md."""
 
+import os
 import pickle
+import tempfile
 
 import numpy as np
 
 import passive_haptics as ph
+from passive_haptics.arrays import Array
 
 # One cycle
 arm = ph.tendon_two_link(reduction_2=0.4)
@@ -43,6 +46,14 @@ figures = arm.design_map(places, direction=[1.0, 0.0], normal=[0.0, -1.0], brake
 print(f"sink slope: {np.median(figures['sink_slope']):.2f} m for each metre along the wall")
 depth = arm.sink_depth(places[:21], [1.0, 0.0], [0.0, -1.0], brakes, push=2)
 
+# From a data sheet
+brake = {"torque_limit": 7.5, "residual_torque": 0.09, "time_constant": 0.22, "fall_time_constant": 0.22, "rotor_inertia": 0.00055}
+parts = ph.data_sheet(brakes=[brake, brake], encoders=[{"counts_per_turn": 4096}] * 2)
+bought = arm.expected_rendering(parts, q, velocity=[0.1, 0.1], normal=[0, -1])
+print(bought.text)
+drag = bought.free_drag
+print(f"{drag.name}: {drag.value:.2f} {drag.unit}, between {drag.low:.2f} and {drag.high:.2f}")
+
 # Along a wall
 device = ph.simulated_device(arm, brakes, hand_mass=0.5, q=arm.inverse([0.0, 0.22])[0])
 hand = ph.following_hand(direction=[1, 0], start=device.position, push=2)
@@ -51,6 +62,29 @@ gentle = ph.controller(arm, brakes, ph.scene(ph.wall(plane, 1e4)), arm.recommend
 metrics, samples = ph.follow_wall(device, gentle, plane, hand, ph.wall_following_parameters(longest=2), record=True)
 print(f"{metrics.separations} separations, {1e3 * metrics.depth_mean:.1f} mm deep; {metrics.end.text}")
 deepest = samples["time"][np.argmax(samples["depth"])]
+
+# Logs
+path = os.path.join(tempfile.mkdtemp(), "motion.csv")
+ph.write_log(path, {"t": 1e-3 * np.arange(len(positions)), "q": positions, "qd": rates, "Fh": pushes})
+motion = ph.read_log(path)
+print(motion, motion["Fh_x"].max())
+again = control.batch(motion.rows("q"), motion.rows("qd"), motion.rows("Fh"), motion["t"], out=results)
+
+# A mechanism in Python
+def boom(q: Array) -> Array:
+    """The end of a boom that turns by q[0] [rad] and slides by q[1] [m]."""
+    return q[1] * np.array([np.cos(q[0]), np.sin(q[0])])
+
+
+def boom_jacobian(q: Array) -> Array:
+    """J, 2 x 2: the turn [m/rad] and the slide [1]."""
+    x, y = np.cos(q[0]), np.sin(q[0])
+    return np.array([[-q[1] * y, x], [q[1] * x, y]])
+
+
+crane = ph.python_mechanism(dof=2, task_dimension=2, position=boom, jacobian=boom_jacobian)
+relay = ph.controller(crane, crane.brakes(), ph.scene(wall), crane.recommended_law())
+result = relay(ph.device_state(time=0, q=[1.2, 0.25], qd=[0.1, 0.1], hand_force=[0.5, 2]))
 
 # Values
 assert pickle.loads(pickle.dumps(control)) == control

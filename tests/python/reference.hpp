@@ -195,6 +195,8 @@ bool run_long_chain(const std::string& device, const std::string& law, const std
                     const std::string& in, const std::string& to);
 bool run_design(const std::string& device, const std::string& law, const std::string& mode,
                 const std::string& in, const std::string& to);
+bool run_log(const std::string& device, const std::string& law, const std::string& mode,
+             const std::string& in, const std::string& to);
 bool run_rival(const std::string& device, const std::string& law, const std::string& mode,
                const std::string& in, const std::string& to);
 

@@ -3,6 +3,7 @@
 
 #include "devices.hpp"
 #include "module.hpp"
+#include "progress.hpp"
 
 #include <pybind11/eigen.h>
 
@@ -105,11 +106,14 @@ py::array map_of(const mechanism& of, py::handle q, py::handle direction, py::ha
   const design_brakes brakes_there = design_brakes_of(of, given, motors);
   push_of(push);
   std::vector<figures_row> rows;
+  progress shown(places.size(), "places");
   for (py::ssize_t k = 0; k < places.size(); ++k) {
     const auto f = of.device().design_figures(places[k], brakes_there, push);
     rows.push_back({std::int32_t(f.outcome), std::int32_t(f.display), f.cosine, f.drag, f.strongest,
                     f.sink_slope, f.isotropy});
-    if (k % points_between_signals == 0) let_others_run();
+    if (k % points_between_signals != 0) continue;
+    let_others_run();
+    shown.show(k);
   }
   py::list fields;
   for (const char* name : {"outcome", "display"}) fields.append(py::make_tuple(name, "i4"));

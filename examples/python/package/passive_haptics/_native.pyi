@@ -1,6 +1,6 @@
 """Made by examples/python/stubs.py. Do not edit."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Literal, NoReturn
 
 from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Records, Rows
@@ -9,6 +9,7 @@ from passive_haptics.results import (
     contact_report,
     display_class,
     power_class,
+    rendering,
     run_end,
     status,
     wall_limits,
@@ -39,7 +40,7 @@ class half_space(shape):
 
     Parameters:
         surface_point [m]: a finite number; default [0.0, 0.0]
-        normal [1]: a direction; default [0.0, 0.0]
+        normal [1]: a direction
     """
     def __init__(self, surface_point: Numbers = ..., normal: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
@@ -52,7 +53,7 @@ class ball(shape):
 
     Parameters:
         centre [m]: a finite number; default [0.0, 0.0]
-        radius [m]: a finite number > 0; default 0.0
+        radius [m]: a finite number > 0
         inside: solid, hollow; default 'solid'
     """
     def __init__(self, centre: Numbers = ..., radius: float = ..., inside: Literal["solid", "hollow"] = ...) -> None: ...
@@ -278,6 +279,8 @@ class mechanism(metaclass=_class):
     @property
     def dof(self) -> int:
         """n, the joints."""
+    def expected_rendering(self, parts: data_sheet, q: Numbers, velocity: Numbers, normal: Numbers) -> rendering:
+        """What a device of this mechanism, built of these parts, renders at joint positions q on a wall of this normal, which the handle touches with a velocity [m/s]: each figure with the band in which nine of ten simulated devices lie. Of a mechanism with inertia; TypeError for others. ValueError at a singular pose."""
     def jacobian(self, q: Numbers) -> Array:
         """J in v = J qd, d x n [m/rad or 1]."""
     def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
@@ -911,7 +914,7 @@ class planar_chain_3(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0]
             point [m]: anything; default [0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan]
+        handle [m]: a finite number
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
@@ -939,10 +942,10 @@ class planar_chain_3_with_inertia(mechanism):
                 kind: revolute, prismatic; default 'revolute'
                 axis [1]: anything; default [0.0, 0.0]
                 point [m]: anything; default [0.0, 0.0]
-            handle [m]: a finite number; default [nan, nan]
+            handle [m]: a finite number
         inertia: a dict
             links: anything, a list of 3 dicts
-                mass [kg]: a finite number > 0; default 0.0
+                mass [kg]: a finite number > 0
                 centre [m]: a finite number; default [0.0, 0.0]
                 about_centre [kg m^2]: anything; default [0.0]
             rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
@@ -974,7 +977,7 @@ class planar_chain_4(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0]
             point [m]: anything; default [0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan]
+        handle [m]: a finite number
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
@@ -1002,10 +1005,10 @@ class planar_chain_4_with_inertia(mechanism):
                 kind: revolute, prismatic; default 'revolute'
                 axis [1]: anything; default [0.0, 0.0]
                 point [m]: anything; default [0.0, 0.0]
-            handle [m]: a finite number; default [nan, nan]
+            handle [m]: a finite number
         inertia: a dict
             links: anything, a list of 4 dicts
-                mass [kg]: a finite number > 0; default 0.0
+                mass [kg]: a finite number > 0
                 centre [m]: a finite number; default [0.0, 0.0]
                 about_centre [kg m^2]: anything; default [0.0]
             rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05, 5e-05]
@@ -1037,7 +1040,7 @@ class spatial_chain_3(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0, 0.0]
             point [m]: anything; default [0.0, 0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan, nan]
+        handle [m]: a finite number
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
@@ -1065,10 +1068,10 @@ class spatial_chain_3_with_inertia(mechanism):
                 kind: revolute, prismatic; default 'revolute'
                 axis [1]: anything; default [0.0, 0.0, 0.0]
                 point [m]: anything; default [0.0, 0.0, 0.0]
-            handle [m]: a finite number; default [nan, nan, nan]
+            handle [m]: a finite number
         inertia: a dict
             links: anything, a list of 3 dicts
-                mass [kg]: a finite number > 0; default 0.0
+                mass [kg]: a finite number > 0
                 centre [m]: a finite number; default [0.0, 0.0, 0.0]
                 about_centre [kg m^2]: anything; default [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
             rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
@@ -1115,7 +1118,7 @@ class spatial_chain_6(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0, 0.0]
             point [m]: anything; default [0.0, 0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan, nan]
+        handle [m]: a finite number
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
@@ -1157,7 +1160,7 @@ class spatial_chain_7(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0, 0.0]
             point [m]: anything; default [0.0, 0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan, nan]
+        handle [m]: a finite number
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
@@ -1171,6 +1174,58 @@ class spatial_chain_7(mechanism):
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
         """
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class data_sheet(metaclass=_class):
+    """The parts that a device is to be built of, as their makers describe them, and the hand that is to use it. brakes and encoders: one for each of the device's; none stands for as many defaults. inf counts_per_turn: an ideal encoder.
+
+    Parameters:
+        brakes: anything, a list of dicts
+            torque_limit [N m]: a finite number >= 0; default 1.0
+            residual_torque [N m]: a finite number >= 0; default 0.0
+            time_constant [s]: a finite number >= 0; default 0.02
+            fall_time_constant [s]: a finite number >= 0; default 0.02
+            rotor_inertia [kg m^2]: a finite number >= 0; default 0.0
+            gear_ratio [1 or 1/m]: a finite number > 0; default 1.0
+        encoders: anything, a list of dicts
+            counts_per_turn [1]: a number > 0, or inf for an ideal encoder; a controller needs one on each axis; default 8192.0
+            gear_ratio [1 or 1/m]: a finite number > 0; default 1.0
+        control_rate [Hz]: a finite number > 0; default 1000.0
+        scene_rate [Hz]: a finite number > 0; default 1000.0
+        rate_corner [Hz]: a finite number > 0; default 50.0
+        hand: a dict
+            mass [kg]: a finite number >= 0; default 0.5
+            push [N]: a finite number; default 2.0
+            stiffness [N/m]: a finite number >= 0; default 0.0
+            damping [N s/m]: a finite number >= 0; default 20.0
+    """
+    def __init__(self, brakes: Sequence[Mapping[str, object]] = ..., encoders: Sequence[Mapping[str, object]] = ..., control_rate: float = ..., scene_rate: float = ..., rate_corner: float = ..., hand: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+def _read_log(path: bytes, name: str) -> tuple[list[str], list[str], list[Any]]:
+    """Names, units and columns of a log, arrays of numbers or lists of words. name: of the file, in errors."""
+def _log_text(names: list[str], units: list[str], values: list[Any], with_header: bool) -> bytes:
+    """The lines of a log."""
+def _check_log(path: bytes, name: str, names: list[str], units: list[str], values: list[Any]) -> None:
+    """Throws ValueError if a log is not the one that was to be written."""
+def _unit_of_column(name: str) -> str | None:
+    """The unit of a column of the library's logs, empty of words, or None."""
+def _is_along_axes(name: str) -> bool:
+    """Whether the parts of these columns are _x, _y and _z."""
+class python_mechanism(mechanism):
+    """A mechanism whose functions are written in Python, a brake on each of its joints. It does all that a compiled one does, some hundred times slower.
+
+    dof and task_dimension: 2 and 2, 3 and 2, 4 and 2, 3 and 3, 6 and 3, or 7 and 3. position(q) returns the end effector [m], base frame, of joint positions q [rad or m], an array of dof numbers. jacobian(q) returns J in v = J qd, task_dimension x dof [m/rad or 1]; without it J is found by central differences, to about ten digits. With inertia, up to 4 joints: mass_matrix(q) returns M, dof x dof [kg m^2, kg m or kg], bias_torque(q, qd) returns c in M qdd + c [N m or N], bias_acceleration(q, qd) returns Jd qd [m/s^2]; all three or none. An exception of a function comes out of the call as it is. NaN ends a cycle with status.state_not_finite or another status. The mechanism pickles if its functions do. Equal mechanisms have equal functions.
+    """
+    def __init__(self, dof: int, task_dimension: int, position: Callable[[Array], Numbers], jacobian: Callable[[Array], Rows] | None = ..., mass_matrix: Callable[[Array], Rows] | None = ..., bias_torque: Callable[[Array, Array], Numbers] | None = ..., bias_acceleration: Callable[[Array, Array], Numbers] | None = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brake_parameters:
+        """The brakes of this device: torque_limit [N m], rate_dead_band [rad/s], torque_dead_band [N m] and time_constant [s], a number for each joint."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
