@@ -64,7 +64,8 @@ print(f"{metrics.separations} separations, {1e3 * metrics.depth_mean:.1f} mm dee
 deepest = samples["time"][np.argmax(samples["depth"])]
 
 # Logs
-path = os.path.join(tempfile.mkdtemp(), "motion.csv")
+folder = tempfile.TemporaryDirectory()
+path = os.path.join(folder.name, "motion.csv")
 ph.write_log(path, {"t": 1e-3 * np.arange(len(positions)), "q": positions, "qd": rates, "Fh": pushes})
 motion = ph.read_log(path)
 print(motion, motion["Fh_x"].max())
@@ -73,7 +74,7 @@ again = control.batch(motion.rows("q"), motion.rows("qd"), motion.rows("Fh"), mo
 # A mechanism in Python
 def boom(q: Array) -> Array:
     """The end of a boom that turns by q[0] [rad] and slides by q[1] [m]."""
-    return q[1] * np.array([np.cos(q[0]), np.sin(q[0])])
+    return np.array([q[1] * np.cos(q[0]), q[1] * np.sin(q[0])])
 
 
 def boom_jacobian(q: Array) -> Array:

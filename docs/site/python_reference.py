@@ -126,7 +126,7 @@ def anchor(module: str, name: str) -> str:
 def entry(module: str, owner: str, name: str, text: str) -> str:
     """A line of search_index.js: address, page, title and text."""
     address = f"guide_python_reference.html#{anchor(module, owner)}"
-    return json.dumps([address, "Python reference", name, " ".join(text.split())], ensure_ascii=False) + ","
+    return json.dumps([address, "Python reference", f"{module}.{name}", " ".join(text.split())], ensure_ascii=False) + ","
 
 
 def index() -> str:

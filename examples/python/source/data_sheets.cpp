@@ -36,20 +36,18 @@ void bind_rendering(py::class_<mechanism>& bound) {
       "expected_rendering", &expected_rendering, py::arg("parts"), py::arg("q"), py::arg("velocity"),
       py::arg("normal"),
       "expected_rendering(self, parts: data_sheet, q: Numbers, velocity: Numbers, normal: Numbers) -> "
-      "rendering\n\nWhat a device of this mechanism, built of these parts, renders at joint positions q on a "
-      "wall of this normal, which the handle touches with a velocity [m/s]: each figure with the band in "
+      "rendering\n\nWhat a device of this mechanism, built of these parts, renders at joint positions q on "
+      "a wall of this normal, which the handle touches with a velocity [m/s]: each figure with the band in "
       "which nine of ten simulated devices lie. Of a mechanism with inertia; TypeError for others. "
-      "ValueError "
-      "at a singular pose.");
+      "ValueError at a singular pose.");
 }
 
 void bind_data_sheets(py::module_& module) {
   const std::string text = "(" + stub_arguments<data_sheet_values>() +
                            ")\n\nThe parts that a device is to be built of, as their makers describe them, "
-                           "and the hand that is to "
-                           "use it. brakes and encoders: one for each of the device's; none stands for as "
-                           "many defaults. inf counts_per_turn: "
-                           "an ideal encoder.\n\n" +
+                           "and the hand that is to use it. brakes and encoders: one for each of the "
+                           "device's; none stands for as many defaults. inf counts_per_turn: an ideal "
+                           "encoder.\n\n" +
                            parameter_lines<data_sheet_values>();
   py::class_<data_sheet_value> bound(module, "data_sheet", text.c_str());
   add_value_protocol(bound, "data_sheet");

@@ -111,8 +111,8 @@ void bind_logs(py::module_& module) {
              "_check_log(path: bytes, name: str, names: list[str], units: list[str], values: list[Any]) -> "
              "None\n\nThrows ValueError if a log is not the one that was to be written.");
   module.def("_unit_of_column", &unit_of, py::arg("name"),
-             "_unit_of_column(name: str) -> str | None\n\nThe unit of a column of the library's logs, empty "
-             "of words, or None.");
+             "_unit_of_column(name: str) -> str | None\n\nThe unit of a column of the library's logs, "
+             "empty of words, or None.");
   module.def("_is_along_axes", &is_along_axes, py::arg("name"),
              "_is_along_axes(name: str) -> bool\n\nWhether the parts of these columns are _x, _y and _z.");
 }

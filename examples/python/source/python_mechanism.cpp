@@ -112,15 +112,15 @@ class python_mechanism final : public mechanism {
     m.find_inertia();
     const int n = int(whole_number_from(m.given_["dof"], "dof"));
     const int d = int(whole_number_from(m.given_["task_dimension"], "task_dimension"));
-    m.device_ = device_of_size(n, d,
-                               {m.part("position"), m.part("jacobian"), m.part("mass_matrix"),
-                                m.part("bias_torque"), m.part("bias_acceleration")},
-                               m.has_inertia_);
     for (const auto& size : sizes)
       if (m.has_inertia_ && size.dof == n && size.task_dimension == d && !size.has_inertia)
         refuse_type("mass_matrix of a mechanism with " + std::to_string(n) +
                     " joints, expected none: simulations are for 2 to 4 joints; bind this one in C++, with "
                     "bind_mechanism");
+    m.device_ = device_of_size(n, d,
+                               {m.part("position"), m.part("jacobian"), m.part("mass_matrix"),
+                                m.part("bias_torque"), m.part("bias_acceleration")},
+                               m.has_inertia_);
     return m;
   }
   py::dict parameters() const { return py::dict(given_.attr("copy")()); }
@@ -174,34 +174,26 @@ void bind_python_mechanism(py::module_& module) {
   py::class_<X, mechanism> bound(
       module, "python_mechanism",
       "(dof: int, task_dimension: int, position: Callable[[Array], Numbers], jacobian: Callable[[Array], "
-      "Rows] | None "
-      "= ..., mass_matrix: Callable[[Array], Rows] | None = ..., bias_torque: Callable[[Array, Array], "
-      "Numbers] | None "
-      "= ..., bias_acceleration: Callable[[Array, Array], Numbers] | None = ...)\n\nA mechanism whose "
-      "functions are "
-      "written in Python, a brake on each of its joints. It does all that a compiled one does, some hundred "
-      "times "
-      "slower.\n\ndof and task_dimension: 2 and 2, 3 and 2, 4 and 2, 3 and 3, 6 and 3, or 7 and 3. "
-      "position(q) "
-      "returns the end effector [m], base frame, of joint positions q [rad or m], an array of dof numbers. "
-      "jacobian(q) returns J in v = J qd, task_dimension x dof [m/rad or 1]; without it J is found by "
-      "central "
-      "differences, to about ten digits. With inertia, up to 4 joints: mass_matrix(q) returns M, dof x dof "
-      "[kg m^2, kg "
-      "m or kg], bias_torque(q, qd) returns c in M qdd + c [N m or N], bias_acceleration(q, qd) returns Jd "
-      "qd [m/s^2]; "
-      "all three or none. An exception of a function comes out of the call as it is. NaN ends a cycle with "
-      "status.state_not_finite or another status. The mechanism pickles if its functions do. Equal "
-      "mechanisms have "
-      "equal functions.");
+      "Rows] | None = ..., mass_matrix: Callable[[Array], Rows] | None = ..., bias_torque: "
+      "Callable[[Array, Array], Numbers] | None = ..., bias_acceleration: Callable[[Array, Array], "
+      "Numbers] | None = ...)\n\nA mechanism whose functions are written in Python, a brake on each of its "
+      "joints. It does all that a compiled one does, slower: each call of a function takes "
+      "microseconds.\n\ndof and task_dimension: 2 and 2, 3 and 2, 4 and 2, 3 and 3, 6 and 3, or 7 and 3. "
+      "position(q) returns the end effector [m], base frame, of joint positions q [rad or m], an array of "
+      "dof numbers. jacobian(q) returns J in v = J qd, task_dimension x dof [m/rad or 1]; without it J is "
+      "found by central differences, to about ten digits. With inertia, up to 4 joints: mass_matrix(q) "
+      "returns M, dof x dof [kg m^2, kg m or kg], bias_torque(q, qd) returns c in M qdd + c [N m or N], "
+      "bias_acceleration(q, qd) returns Jd qd [m/s^2]; all three or none. An exception of a function comes "
+      "out of the call as it is. NaN ends a cycle with status.state_not_finite or another status. The "
+      "mechanism pickles if its functions do. Equal mechanisms have equal functions.");
   add_value_protocol(bound, "python_mechanism");
   bound.attr("__repr__") = py::cpp_function(&shown_call, py::name("__repr__"), py::is_method(bound));
   bound.def(
       "brakes", &X::brakes,
-      "brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = "
-      "..., "
-      "time_constant: Numbers = ...) -> brake_parameters\n\nThe brakes of this device: torque_limit [N m], "
-      "rate_dead_band [rad/s], torque_dead_band [N m] and time_constant [s], a number for each joint.");
+      "brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers "
+      "= ..., time_constant: Numbers = ...) -> brake_parameters\n\nThe brakes of this device: torque_limit "
+      "[N m], rate_dead_band [rad/s], torque_dead_band [N m] and time_constant [s], a number for each "
+      "joint.");
 }
 
 }  // namespace passive_haptics_python

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import collections.abc
 import os
 import shutil
 import stat
-from collections.abc import Iterator, Mapping
 from typing import Any, Union
 
 import numpy as np
@@ -20,7 +20,7 @@ LINES_AT_ONCE = 1 << 14  # so that Ctrl-C ends a long call
 LARGEST_WHOLE = 1 << 53  # all whole numbers up to it are numbers of float64
 
 
-class motion_log(Mapping[str, NDArray[Any]]):
+class motion_log(collections.abc.Mapping[str, NDArray[Any]]):
     """The columns of a log by their names, such as "t", "q1", "Fh_x" and "status", with their units.
 
     columns: arrays of N numbers, NaN for what is not known, or of N words. An array of N rows under the name "q"
@@ -29,7 +29,9 @@ class motion_log(Mapping[str, NDArray[Any]]):
     and words have "". Throws TypeError and ValueError.
     """
 
-    def __init__(self, columns: Mapping[str, Any], units: Mapping[str, str] = {}) -> None:
+    def __init__(
+        self, columns: collections.abc.Mapping[str, Any], units: collections.abc.Mapping[str, str] = {}
+    ) -> None:
         _require_dict("columns", columns, "arrays")
         _require_dict("units", units, "texts")
         self._columns: dict[str, NDArray[Any]] = {}
@@ -71,7 +73,7 @@ class motion_log(Mapping[str, NDArray[Any]]):
             raise KeyError(f"passive_haptics: no column {name!r}, expected one among {', '.join(self)}")
         return self._columns[name]
 
-    def __iter__(self) -> Iterator[str]:
+    def __iter__(self) -> collections.abc.Iterator[str]:
         return iter(self._columns)
 
     def __len__(self) -> int:
@@ -126,7 +128,9 @@ def read_log(path: Path) -> motion_log:
     return motion_log(dict(zip(names, values)), dict(zip(names, units)))
 
 
-def write_log(path: Path, columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> None:
+def write_log(
+    path: Path, columns: collections.abc.Mapping[str, Any], units: collections.abc.Mapping[str, str] | None = None
+) -> None:
     """Writes a log that every program of this library reads. After an exception the file is what it was before.
 
     columns, units: a motion_log, or what makes one. The log is read again before it takes the place of the file, so
@@ -208,7 +212,7 @@ def _same_bits(a: NDArray[Any], b: NDArray[Any]) -> bool:
 
 
 def _require_dict(name: str, given: object, of: str) -> None:
-    if not isinstance(given, Mapping):
+    if not isinstance(given, collections.abc.Mapping):
         raise _type_error(f"{name} = {_shown(given)}, expected a dict of {of}")
 
 
