@@ -71,6 +71,9 @@ motion = ph.read_log(path)
 print(motion, motion["Fh_x"].max())
 again = control.batch(motion.rows("q"), motion.rows("qd"), motion.rows("Fh"), motion["t"], out=results)
 
+# Brakes that are off
+control.set_brakes(arm.brakes(torque_limit=[1, 1], torque_lower=[0, -np.inf], torque_upper=[0, np.inf]))
+
 # A mechanism in Python
 def boom(q: Array) -> Array:
     """The end of a boom that turns by q[0] [rad] and slides by q[1] [m]."""

@@ -174,6 +174,23 @@ def test_threads_share_one():
     assert len(results) == 3 and all(result == expected for result in results)
 
 
+def test_a_function_cannot_call_its_controller():
+    case = Case("two_link", 300, 10)
+    state, calls = states_of(case)[150], []
+
+    def again(q):
+        calls.append(q)
+        control.reset() if len(calls) == 1 else control(state)
+        return position(q)
+
+    mine = arm(position=again)
+    control = ph.controller(mine, case.brakes(), case.scene(), ph.direct_control())
+    for _ in range(2):
+        with pytest.raises(ValueError, match="called while a function of its mechanism runs, expected one call"):
+            control(state)
+    assert len(calls) == 2
+
+
 def test_it_pickles_if_its_functions_do():
     mine = arm()
     assert pickle.loads(pickle.dumps(mine)) == mine and mine != arm(jacobian=None)

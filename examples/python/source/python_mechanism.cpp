@@ -10,11 +10,13 @@
 namespace passive_haptics_python {
 namespace {
 
-// Lets exceptions of the mechanism's functions out of a control cycle.
+// Lets exceptions of the mechanism's functions out of a control cycle. Such a function, and another thread
+// while it runs, may call the controller again, which no cycle expects.
 class python_controller final : public any_controller {
  public:
   explicit python_controller(std::unique_ptr<any_controller> held) : held_(std::move(held)) {}
   result_values step(const state_values& state) override {
+    const only_call alone(*this);
     deferred_error errors;
     const result_values result = held_->step(state);
     errors.rethrow();
@@ -26,10 +28,36 @@ class python_controller final : public any_controller {
     held_->run(columns);
     errors.rethrow();
   }
-  void reset() override { held_->reset(); }
+  void reset() override {
+    const only_call alone(*this);
+    held_->reset();
+  }
+  void set_brakes(const brake_numbers& brakes) override {
+    const only_call alone(*this);
+    held_->set_brakes(brakes);
+  }
 
  private:
+  // Under Python's lock, as all calls but batches, which have a controller of their own.
+  class only_call {
+   public:
+    explicit only_call(python_controller& of) : of_(of) {
+      if (of.is_called_)
+        refuse_value(
+            "the controller is called while a function of its mechanism runs, expected one call at a "
+            "time: make a controller for each thread, and call none from such a function");
+      of.is_called_ = true;
+    }
+    only_call(const only_call&) = delete;
+    only_call& operator=(const only_call&) = delete;
+    ~only_call() { of_.is_called_ = false; }
+
+   private:
+    python_controller& of_;
+  };
+
   std::unique_ptr<any_controller> held_;
+  bool is_called_ = false;
 };
 
 // The mechanism that recommended_law sees: brakes and no inertia.
@@ -191,9 +219,10 @@ void bind_python_mechanism(py::module_& module) {
   bound.def(
       "brakes", &X::brakes,
       "brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers "
-      "= ..., time_constant: Numbers = ...) -> brake_parameters\n\nThe brakes of this device: torque_limit "
-      "[N m], rate_dead_band [rad/s], torque_dead_band [N m] and time_constant [s], a number for each "
-      "joint.");
+      "= ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> "
+      "brake_parameters\n\nThe brakes of this device: torque_limit "
+      "[N m], rate_dead_band [rad/s], torque_dead_band [N m], time_constant [s], torque_lower and "
+      "torque_upper [N m], a number for each joint.");
 }
 
 }  // namespace passive_haptics_python

@@ -8,6 +8,7 @@
 #include <passive_haptics_python/scenes.hpp>
 #include <passive_haptics_python/states.hpp>
 
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/cycle_inputs.hpp>
 #include <passive_haptics/design/data_sheet.hpp>
 #include <passive_haptics/design/map/design_figures.hpp>
@@ -15,6 +16,7 @@
 #include <passive_haptics/design/wall_limits.hpp>
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,15 +24,23 @@
 
 namespace passive_haptics_python {
 
-/// brake_parameters of any number of brakes.
+/// switchable_brake_parameters of any number of brakes.
 struct brake_numbers {
   numbers torque_limit;      ///< [N m]
   numbers rate_dead_band;    ///< [rad/s]
   numbers torque_dead_band;  ///< [N m]
   numbers time_constant;     ///< [s]
+  numbers torque_lower;      ///< <= 0, -inf where there is no bound [N m]
+  numbers torque_upper;      ///< >= 0, inf where there is no bound [N m]
+
+  /// Whether all are on and work both ways.
+  bool has_no_bounds() const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return (torque_lower.array() == -infinity).all() && (torque_upper.array() == infinity).all();
+  }
 };
 
-/// The brakes of a mechanism; of as many numbers as it has brakes.
+/// The brakes of a mechanism, without bounds; of as many numbers as it has brakes.
 template <class M>
 ph::brakes_of<M> brakes_from(const brake_numbers& b) {
   ph::brakes_of<M> brakes;
@@ -40,11 +50,21 @@ ph::brakes_of<M> brakes_from(const brake_numbers& b) {
   brakes.time_constant = b.time_constant;
   return brakes;
 }
+/// The brakes of a mechanism with their bounds.
+template <class M>
+ph::switchable_brakes<M> switchable_from(const brake_numbers& b) {
+  ph::switchable_brakes<M> brakes(brakes_from<M>(b));
+  brakes.torque_lower = b.torque_lower;
+  brakes.torque_upper = b.torque_upper;
+  return brakes;
+}
 
 /// Brakes for questions of design: limits that may be infinite, and motors beside them.
 struct design_brakes {
   numbers torque_limit;   ///< [N m]
   numbers time_constant;  ///< [s]
+  numbers torque_lower;   ///< [N m]
+  numbers torque_upper;   ///< [N m]
   numbers motor_limit;    ///< [N m]
 };
 

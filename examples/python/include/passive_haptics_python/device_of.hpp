@@ -48,7 +48,7 @@ class device_of<M, law_list<Laws...>> final : public any_device {
       const auto* chosen = dynamic_cast<const law_value<L>*>(&of);
       if (made || chosen == nullptr) return;
       made = passive_haptics_python::make_controller<M, L>(
-          model_, brakes_from<M>(brakes), walls, made_law<L>(chosen->table), options, std::move(at_wall));
+          model_, switchable_from<M>(brakes), walls, made_law<L>(chosen->table), options, std::move(at_wall));
     };
     (try_law(std::type_identity<Laws>()), ...);
     return made;
@@ -153,6 +153,10 @@ class device_of<M, law_list<Laws...>> final : public any_device {
                                              [[maybe_unused]] double hand_mass,
                                              [[maybe_unused]] const numbers& q) const override {
     require_inertia("simulated_device");
+    if (!brakes.has_no_bounds())
+      refuse_value(
+          "brakes of a simulated_device have a torque_lower or torque_upper, expected brakes that "
+          "work both ways, or a list of brake models; a controller commands those that are off nothing");
     std::vector<run_time_brake> models;
     for (const auto& brake : ph::ideal_brakes(ph::require_valid(brakes_from<M>(brakes))))
       models.emplace_back(brake);
@@ -185,6 +189,8 @@ class device_of<M, law_list<Laws...>> final : public any_device {
     ph::switchable_brakes<M> of;
     of.torque_limit = b.torque_limit;
     of.time_constant = b.time_constant;
+    of.torque_lower = b.torque_lower;
+    of.torque_upper = b.torque_upper;
     return of;
   }
   static ph::hybrid_brakes<M> hybrid(const design_brakes& b) {

@@ -49,10 +49,10 @@ std::string expected_value(const ph::member_description& about) {
   else return ph::to_text(about.hard, std::is_integral_v<V>);
 }
 
-// "; default 0.15", or nothing of a parameter that must be given, as its default is not valid.
+// "; default 0.15", or "; no default" where that of C++ is not valid, so that one must be given.
 template <class V>
 std::string default_text(const ph::member_description& about, const V& value) {
-  if (!ph::check_value(about.name, value, about.unit, about.hard).empty()) return "";
+  if (!ph::check_value(about.name, value, about.unit, about.hard).empty()) return "; no default";
   return "; default " + std::string(py::repr(to_python(value, about)));
 }
 

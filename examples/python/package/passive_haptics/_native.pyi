@@ -40,7 +40,7 @@ class half_space(shape):
 
     Parameters:
         surface_point [m]: a finite number; default [0.0, 0.0]
-        normal [1]: a direction
+        normal [1]: a direction; no default
     """
     def __init__(self, surface_point: Numbers = ..., normal: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
@@ -53,7 +53,7 @@ class ball(shape):
 
     Parameters:
         centre [m]: a finite number; default [0.0, 0.0]
-        radius [m]: a finite number > 0
+        radius [m]: a finite number > 0; no default
         inside: solid, hollow; default 'solid'
     """
     def __init__(self, centre: Numbers = ..., radius: float = ..., inside: Literal["solid", "hollow"] = ...) -> None: ...
@@ -455,6 +455,8 @@ class controller(metaclass=_class):
         """A copy of all parameters, by their names."""
     def reset(self) -> None:
         """Forgets the motion so far, and the scene the handle."""
+    def set_brakes(self, brakes: brake_parameters) -> None:
+        """Other brakes of the device from the next cycle on, such as some that are off (torque_lower = torque_upper = 0). What the law remembers stays."""
 class braked_wall(metaclass=_class):
     """A wall at one place of a device, the hand that comes, and the control, along the wall's normal.
 
@@ -666,15 +668,17 @@ class wall_following_parameters(metaclass=_class):
 def follow_wall(device: simulated_device, controller: controller, shape: shape, hand: following_hand, parameters: wall_following_parameters | None = ..., *, record: bool = ...) -> tuple[contact_metrics, Records]:
     """The wall-following experiment: a hand moves the device along a shape, the wall whose depth is measured, under a controller. Returns its figures and, if record is true, an array with a row for each time step (else none): time [s], depth [m], position [m], velocity [m/s], rates of the brakes, brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control cycle capacity [N m], alpha, outcome, power, display, saturated and wall_number. The device and the controller go on from where they are. Ctrl-C ends it."""
 class brakes_2(brake_parameters):
-    """The brakes of a device with 2 of them.
+    """The brakes of a device with 2 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -699,7 +703,7 @@ class tendon_two_link(mechanism):
     def __init__(self, arm: Mapping[str, object] = ..., reduction_2: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
         Parameters:
@@ -707,6 +711,8 @@ class tendon_two_link(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
         """
     def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]:
         """Joint positions that put the handle at x [m], and whether it is in reach."""
@@ -730,7 +736,7 @@ class two_link(mechanism):
     def __init__(self, length_1: float = ..., length_2: float = ..., mass_1: float = ..., mass_2: float = ..., handle_mass: float = ..., rotor_inertia_1: float = ..., rotor_inertia_2: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
         Parameters:
@@ -738,6 +744,8 @@ class two_link(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
         """
     def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]:
         """Joint positions that put the handle at x [m], and whether it is in reach."""
@@ -765,7 +773,7 @@ class five_bar(mechanism):
     def __init__(self, base_distance: float = ..., proximal_1: float = ..., proximal_2: float = ..., distal_1: float = ..., distal_2: float = ..., assembly: Literal["left", "right"] = ..., proximal_mass: float = ..., distal_mass: float = ..., handle_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
         Parameters:
@@ -773,6 +781,8 @@ class five_bar(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
         """
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Base angles that put the handle at x [m], elbows outward, and whether it is in reach."""
@@ -791,7 +801,7 @@ class xy_table(mechanism):
     def __init__(self, mass_x: float = ..., mass_y: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
         Parameters:
@@ -799,6 +809,8 @@ class xy_table(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
         """
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Joint positions that put the handle at x [m], and whether it is in reach."""
@@ -806,15 +818,17 @@ class xy_table(mechanism):
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 class brakes_4(brake_parameters):
-    """The brakes of a device with 4 of them.
+    """The brakes of a device with 4 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -841,7 +855,7 @@ class five_bar_with_four_brakes(mechanism):
     def __init__(self, base_distance: float = ..., proximal_1: float = ..., proximal_2: float = ..., distal_1: float = ..., distal_2: float = ..., assembly: Literal["left", "right"] = ..., proximal_mass: float = ..., distal_mass: float = ..., handle_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_4:
         """The brakes of this device.
 
         Parameters:
@@ -849,6 +863,8 @@ class five_bar_with_four_brakes(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf]
         """
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Base angles that put the handle at x [m], elbows outward, and whether it is in reach."""
@@ -856,15 +872,17 @@ class five_bar_with_four_brakes(mechanism):
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 class brakes_3(brake_parameters):
-    """The brakes of a device with 3 of them.
+    """The brakes of a device with 3 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -890,7 +908,7 @@ class delta(mechanism):
     def __init__(self, base_radius: float = ..., platform_radius: float = ..., upper_arm: float = ..., forearm: float = ..., assembly: Literal["lower", "upper"] = ..., upper_arm_mass: float = ..., forearm_mass: float = ..., platform_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -898,6 +916,8 @@ class delta(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Base angles that put the platform at x [m], elbows outward, and whether it is in reach."""
@@ -914,12 +934,12 @@ class planar_chain_3(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0]
             point [m]: anything; default [0.0, 0.0]
-        handle [m]: a finite number
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -927,6 +947,8 @@ class planar_chain_3(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -942,10 +964,10 @@ class planar_chain_3_with_inertia(mechanism):
                 kind: revolute, prismatic; default 'revolute'
                 axis [1]: anything; default [0.0, 0.0]
                 point [m]: anything; default [0.0, 0.0]
-            handle [m]: a finite number
+            handle [m]: a finite number; no default
         inertia: a dict
             links: anything, a list of 3 dicts
-                mass [kg]: a finite number > 0
+                mass [kg]: a finite number > 0; no default
                 centre [m]: a finite number; default [0.0, 0.0]
                 about_centre [kg m^2]: anything; default [0.0]
             rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
@@ -955,7 +977,7 @@ class planar_chain_3_with_inertia(mechanism):
     def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -963,6 +985,8 @@ class planar_chain_3_with_inertia(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -977,12 +1001,12 @@ class planar_chain_4(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0]
             point [m]: anything; default [0.0, 0.0]
-        handle [m]: a finite number
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_4:
         """The brakes of this device.
 
         Parameters:
@@ -990,6 +1014,8 @@ class planar_chain_4(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -1005,10 +1031,10 @@ class planar_chain_4_with_inertia(mechanism):
                 kind: revolute, prismatic; default 'revolute'
                 axis [1]: anything; default [0.0, 0.0]
                 point [m]: anything; default [0.0, 0.0]
-            handle [m]: a finite number
+            handle [m]: a finite number; no default
         inertia: a dict
             links: anything, a list of 4 dicts
-                mass [kg]: a finite number > 0
+                mass [kg]: a finite number > 0; no default
                 centre [m]: a finite number; default [0.0, 0.0]
                 about_centre [kg m^2]: anything; default [0.0]
             rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05, 5e-05]
@@ -1018,7 +1044,7 @@ class planar_chain_4_with_inertia(mechanism):
     def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_4:
         """The brakes of this device.
 
         Parameters:
@@ -1026,6 +1052,8 @@ class planar_chain_4_with_inertia(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -1040,12 +1068,12 @@ class spatial_chain_3(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0, 0.0]
             point [m]: anything; default [0.0, 0.0, 0.0]
-        handle [m]: a finite number
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -1053,6 +1081,8 @@ class spatial_chain_3(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -1068,10 +1098,10 @@ class spatial_chain_3_with_inertia(mechanism):
                 kind: revolute, prismatic; default 'revolute'
                 axis [1]: anything; default [0.0, 0.0, 0.0]
                 point [m]: anything; default [0.0, 0.0, 0.0]
-            handle [m]: a finite number
+            handle [m]: a finite number; no default
         inertia: a dict
             links: anything, a list of 3 dicts
-                mass [kg]: a finite number > 0
+                mass [kg]: a finite number > 0; no default
                 centre [m]: a finite number; default [0.0, 0.0, 0.0]
                 about_centre [kg m^2]: anything; default [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
             rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
@@ -1081,7 +1111,7 @@ class spatial_chain_3_with_inertia(mechanism):
     def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -1089,20 +1119,24 @@ class spatial_chain_3_with_inertia(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 class brakes_6(brake_parameters):
-    """The brakes of a device with 6 of them.
+    """The brakes of a device with 6 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf, -inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf, inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -1118,12 +1152,12 @@ class spatial_chain_6(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0, 0.0]
             point [m]: anything; default [0.0, 0.0, 0.0]
-        handle [m]: a finite number
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_6:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_6:
         """The brakes of this device.
 
         Parameters:
@@ -1131,20 +1165,24 @@ class spatial_chain_6(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 class brakes_7(brake_parameters):
-    """The brakes of a device with 7 of them.
+    """The brakes of a device with 7 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf, -inf, -inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf, inf, inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -1160,12 +1198,12 @@ class spatial_chain_7(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0, 0.0]
             point [m]: anything; default [0.0, 0.0, 0.0]
-        handle [m]: a finite number
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_7:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_7:
         """The brakes of this device.
 
         Parameters:
@@ -1173,6 +1211,8 @@ class spatial_chain_7(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf, inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -1224,8 +1264,8 @@ class python_mechanism(mechanism):
     def __init__(self, dof: int, task_dimension: int, position: Callable[[Array], Numbers], jacobian: Callable[[Array], Rows] | None = ..., mass_matrix: Callable[[Array], Rows] | None = ..., bias_torque: Callable[[Array, Array], Numbers] | None = ..., bias_acceleration: Callable[[Array, Array], Numbers] | None = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brake_parameters:
-        """The brakes of this device: torque_limit [N m], rate_dead_band [rad/s], torque_dead_band [N m] and time_constant [s], a number for each joint."""
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brake_parameters:
+        """The brakes of this device: torque_limit [N m], rate_dead_band [rad/s], torque_dead_band [N m], time_constant [s], torque_lower and torque_upper [N m], a number for each joint."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
