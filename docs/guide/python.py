@@ -2,10 +2,12 @@
 
 import os
 import pickle
+import tempfile
 
 import numpy as np
 
 import passive_haptics as ph
+from passive_haptics.arrays import Array
 
 stl_file = os.path.join(os.path.dirname(__file__), "mesh_file.stl")
 
@@ -46,6 +48,14 @@ figures = arm.design_map(places, direction=[1.0, 0.0], normal=[0.0, -1.0], brake
 print(f"sink slope: {np.median(figures['sink_slope']):.2f} m for each metre along the wall")
 depth = arm.sink_depth(places[:21], [1.0, 0.0], [0.0, -1.0], brakes, push=2)
 
+# From a data sheet
+brake = {"torque_limit": 7.5, "residual_torque": 0.09, "time_constant": 0.22, "fall_time_constant": 0.22, "rotor_inertia": 0.00055}
+parts = ph.data_sheet(brakes=[brake, brake], encoders=[{"counts_per_turn": 4096}] * 2)
+bought = arm.expected_rendering(parts, q, velocity=[0.1, 0.1], normal=[0, -1])
+print(bought.text)
+drag = bought.free_drag
+print(f"{drag.name}: {drag.value:.2f} {drag.unit}, between {drag.low:.2f} and {drag.high:.2f}")
+
 # Along a wall
 device = ph.simulated_device(arm, brakes, hand_mass=0.5, q=arm.inverse([0.0, 0.22])[0])
 hand = ph.following_hand(direction=[1, 0], start=device.position, push=2)
@@ -82,6 +92,33 @@ handle = ph.with_effects(
     ph.end_stops(lower=[-1, 0.2], upper=[2, 2.5], stiffness=[5, 5]),
 )
 felt = ph.controller(arm, brakes, handle, ph.direct_control())
+
+# Logs
+folder = tempfile.TemporaryDirectory()
+path = os.path.join(folder.name, "motion.csv")
+ph.write_log(path, {"t": 1e-3 * np.arange(len(positions)), "q": positions, "qd": rates, "Fh": pushes})
+motion = ph.read_log(path)
+print(motion, motion["Fh_x"].max())
+again = control.batch(motion.rows("q"), motion.rows("qd"), motion.rows("Fh"), motion["t"], out=results)
+
+# Brakes that are off
+control.set_brakes(arm.brakes(torque_limit=[1, 1], torque_lower=[0, -np.inf], torque_upper=[0, np.inf]))
+
+# A mechanism in Python
+def boom(q: Array) -> Array:
+    """The end of a boom that turns by q[0] [rad] and slides by q[1] [m]."""
+    return np.array([q[1] * np.cos(q[0]), q[1] * np.sin(q[0])])
+
+
+def boom_jacobian(q: Array) -> Array:
+    """J, 2 x 2: the turn [m/rad] and the slide [1]."""
+    x, y = np.cos(q[0]), np.sin(q[0])
+    return np.array([[-q[1] * y, x], [q[1] * x, y]])
+
+
+crane = ph.python_mechanism(dof=2, task_dimension=2, position=boom, jacobian=boom_jacobian)
+relay = ph.controller(crane, crane.brakes(), ph.scene(wall), crane.recommended_law())
+result = relay(ph.device_state(time=0, q=[1.2, 0.25], qd=[0.1, 0.1], hand_force=[0.5, 2]))
 
 # Values
 assert pickle.loads(pickle.dumps(control)) == control

@@ -24,10 +24,12 @@ done
 for page in $html/*.html; do
   grep -q 'name="nested-classes"' "$page" || sed -i 's|<a href="#nested-classes">[^<]*</a> &#124;||' "$page"
 done
-# What is searched: pages by section, then the classes and concepts that Doxygen lists for its own search
+# What is searched: pages by section, then the classes and concepts that Doxygen lists for its own search, then what
+# there is for Python
 {
   awk -f docs/site/search_index.awk docs/*.md docs/guide/*.md | sed '$d'
   sed -nE "s/^  \['[^']*',\['([^']*)',\['\.\.\/([^']*)'.*/[\"\2\",\"Reference\",\"\1\",\"\"],/p" $html/search/{classes,concepts}_*.js
+  python3 docs/site/python_reference.py --index
   echo '];'
 } >$html/search_index.js
 (cd $html && awk -f ../../../docs/site/links.awk *.html) ||

@@ -1,11 +1,13 @@
 """Prints the reference of the package for Python as Markdown, from the stub of its module and its sources.
 
-python3 docs/site/python_reference.py: needs neither the package nor a compiler.
+python3 docs/site/python_reference.py: needs neither the package nor a compiler. With --index it prints what the
+site's search finds in it, a line for each class, function and method.
 """
 
 from __future__ import annotations
 
 import ast
+import json
 import pathlib
 import re
 import sys
@@ -15,7 +17,7 @@ WIDTH = 100  # of a line of code on the site [letters]
 SPECIAL = re.compile(r"([\\`*_<>#@|&~\[\]])")
 # A module as users import it, and the files whose names it has
 MODULES = {
-    "passive_haptics": ("_native.pyi", "chains.py", "results.py", "__init__.py"),
+    "passive_haptics": ("_native.pyi", "chains.py", "logs.py", "results.py", "__init__.py"),
     "passive_haptics.producible_forces": ("producible_forces.py",),
     "passive_haptics.plots": ("plots.py",),
     "passive_haptics.map_plots": ("map_plots.py",),
@@ -116,6 +118,34 @@ def of_function(node: ast.FunctionDef, file: str) -> str:
     return block(call(node, node.name)) + "\n\n" + paragraphs(text_of(node, file))
 
 
+def anchor(module: str, name: str) -> str:
+    """Where a definition stands on its page."""
+    return f"guide_python_reference_{module.replace('.', '_')}_{name}"
+
+
+def entry(module: str, owner: str, name: str, text: str) -> str:
+    """A line of search_index.js: address, page, title and text."""
+    address = f"guide_python_reference.html#{anchor(module, owner)}"
+    return json.dumps([address, "Python reference", f"{module}.{name}", " ".join(text.split())], ensure_ascii=False) + ","
+
+
+def index() -> str:
+    """What the site's search finds of all modules."""
+    lines = []
+    for module, files in MODULES.items():
+        for file in files:
+            for node in filter(is_public, ast.parse((PACKAGE / file).read_text(encoding="utf-8")).body):
+                text = text_of(node, file)
+                methods = node.body if isinstance(node, ast.ClassDef) else []
+                for method in filter(is_public, methods):
+                    if method.decorator_list:  # a property: one word of its class
+                        text += f" {method.name} {text_of(method, file)}"
+                    else:
+                        lines.append(entry(module, node.name, f"{node.name}.{method.name}", text_of(method, file)))
+                lines.append(entry(module, node.name, node.name, text))
+    return "\n".join(lines) + "\n"
+
+
 def reference() -> str:
     """All modules."""
     parts = []
@@ -124,14 +154,14 @@ def reference() -> str:
         for file in files:
             tree = ast.parse((PACKAGE / file).read_text(encoding="utf-8"))
             text = ast.get_docstring(tree)
-            if text and file not in ("_native.pyi", "chains.py", "results.py"):
+            if text and (module != "passive_haptics" or file == "__init__.py"):
                 parts.append(paragraphs(text))
             for node in filter(is_public, tree.body):
                 of = of_class if isinstance(node, ast.ClassDef) else of_function
-                parts.append(f"### {node.name} {{#guide_python_reference_{module.replace('.', '_')}_{node.name}}}")
+                parts.append(f"### {node.name} {{#{anchor(module, node.name)}}}")
                 parts.append(of(node, file))
     return "\n\n".join(parts) + "\n"
 
 
 if __name__ == "__main__":
-    sys.stdout.write(reference())
+    sys.stdout.write(index() if sys.argv[1:] == ["--index"] else reference())

@@ -156,6 +156,13 @@ double log_reader::number(std::size_t column) const {
   return value;
 }
 
+// A quote within a cell in quotes stands twice.
+std::string log_reader::text(std::size_t column) const {
+  std::string text(fields_[column]);
+  for (std::size_t at = 0; (at = text.find("\"\"", at)) != text.npos; ++at) text.erase(at, 1);
+  return text;
+}
+
 void log_reader::fail(std::size_t column, const std::string& found, const std::string& expected) const {
   std::string where = file_;
   where.append(", line ").append(std::to_string(row_is_read_ ? header_number_ : number_));

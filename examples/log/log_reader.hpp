@@ -28,6 +28,10 @@ class log_reader {
   /// Reads the header. name: of the file, for the messages.
   log_reader(std::istream& in, std::string name);
 
+  /// The names of all columns, in their order.
+  const std::vector<std::string>& names() const { return names_; }
+  /// Whether the log names units.
+  bool has_units() const { return !units_.empty(); }
   /// Where a column stands, if it is there.
   std::optional<std::size_t> find(std::string_view name) const;
   /// Where a column stands whose unit is one of these.
@@ -39,11 +43,14 @@ class log_reader {
   bool next();
   /// The number in a column of this line, NaN in an empty cell.
   double number(std::size_t column) const;
+  /// The text in a column of this line, empty in an empty cell.
+  std::string text(std::size_t column) const;
+  /// Throws the log_error of this line; column: from 1, or 0 for the whole line.
+  [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected) const;
   /// Number of the line that was read last, from 1.
   std::size_t line_number() const { return number_; }
 
  private:
-  [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected) const;
   bool next_line();
   void split(std::string_view line, std::vector<std::string_view>& fields) const;
   void read_header();

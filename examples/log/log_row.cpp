@@ -6,6 +6,11 @@
 namespace example {
 namespace {
 
+// Whether a reader of CSV would take an unquoted cell for another text.
+bool needs_quotes(std::string_view text) {
+  return text.find_first_of(",\"") != text.npos || text.starts_with(' ') || text.ends_with(' ');
+}
+
 void append_quoted(std::string& line, std::string_view text, std::string_view marked, char mark) {
   line += '"';
   for (const char c : text) {
@@ -64,8 +69,8 @@ const std::string& log_row::csv() {
   line_.clear();
   for (std::size_t i = 0; i < used_; ++i) {
     const std::string& text = cells_[i].text;
-    if (text.find_first_of(",\"") == text.npos) line_ += text;
-    else append_quoted(line_, text, "\"", '"');
+    if (needs_quotes(text)) append_quoted(line_, text, "\"", '"');
+    else line_ += text;
     line_ += ',';
   }
   line_.back() = '\n';

@@ -14,6 +14,8 @@ root = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 build = os.path.join(root, "build", "python")
 headers = os.path.join(root, "include", "passive_haptics")
 
+LOG_SOURCES = ("known_columns", "log_columns", "log_reader", "log_row")  # of examples/log
+
 
 def version():
     """The version of the library."""
@@ -101,10 +103,10 @@ setup(
     ext_modules=[
         Pybind11Extension(
             "passive_haptics._native",
-            files("source/**/*.cpp"),
-            depends=files("source/**/*.hpp", "include/**/*.hpp", os.path.join(headers, "**", "*.hpp"), "setup.py"),
+            [*files("source/**/*.cpp"), *(f"../log/{name}.cpp" for name in LOG_SOURCES)],
+            depends=files("source/**/*.hpp", "include/**/*.hpp", "../log/*.hpp", os.path.join(headers, "**", "*.hpp"), "setup.py"),
             cxx_std=20,
-            include_dirs=["source", "include", os.path.join(root, "include"), eigen()],
+            include_dirs=["source", "include", os.path.join(root, "include"), os.path.join(root, "examples"), eigen()],
             extra_compile_args=flags,
             extra_link_args=["-s"],  # without the names of functions
         )

@@ -6,7 +6,7 @@ import sys
 
 HEAD = '''"""Made by examples/python/stubs.py. Do not edit."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Literal, NoReturn
 
 from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Path, Records, Rows
@@ -15,6 +15,7 @@ from passive_haptics.results import (
     contact_report,
     display_class,
     power_class,
+    rendering,
     run_end,
     status,
     wall_limits,
@@ -89,7 +90,7 @@ def stub(module):
     """The text of the stub of a module."""
     parts = []
     for name, thing in vars(module).items():
-        if name.startswith("_") and name != "__version__":
+        if name.startswith("__") and name != "__version__":
             continue
         if inspect.isclass(thing):
             parts.append(of_class(name, thing))

@@ -197,6 +197,8 @@ bool run_design(const std::string& device, const std::string& law, const std::st
                 const std::string& in, const std::string& to);
 bool run_scene(const std::string& device, const std::string& law, const std::string& mode,
                const std::string& in, const std::string& to);
+bool run_log(const std::string& device, const std::string& law, const std::string& mode,
+             const std::string& in, const std::string& to);
 bool run_rival(const std::string& device, const std::string& law, const std::string& mode,
                const std::string& in, const std::string& to);
 

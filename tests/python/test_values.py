@@ -38,6 +38,10 @@ BRAKES = [
 ]
 
 
+def boom(q):
+    return q[1] * np.array([np.cos(q[0]), np.sin(q[0])])
+
+
 def values():
     """One value at least of each class that can be made or is returned."""
     yield from SHAPES
@@ -94,6 +98,10 @@ def values():
     yield ph.following_hand([1, 0], [0.1, 0.2])
     yield ph.following_hand([0, 0, 1], [0.1, 0.2, 0.3], push=3)
     yield ph.wall_following_parameters(longest=2, noise_seed=7)
+    yield ph.data_sheet()
+    yield ph.data_sheet(brakes=[{"gear_ratio": 3}, {}], encoders=[{"counts_per_turn": float("inf")}], hand={"push": 3})
+    yield ph.python_mechanism(2, 2, boom)
+    yield ph.python_mechanism(dof=2, task_dimension=2, position=boom, jacobian=boom)
 
 
 ALL = list(values())
@@ -127,7 +135,7 @@ def test_repr_makes_an_equal_value(value):
     if isinstance(value, (ph.step_result, ph.batch_result, ph.displayable_force)):
         assert type(value).__name__ in text
         return
-    names = {**vars(ph), "nan": float("nan"), "inf": float("inf")}
+    names = {**vars(ph), "nan": float("nan"), "inf": float("inf"), "boom": boom}
     assert eval(text, names) == value
 
 

@@ -11,6 +11,9 @@ const expected = {
   "which law": "guide_which_law.html",
   "equation 12": "equations.html",
   "controller": "classpassive__haptics_1_1controller.html",
+  "python half_space": "guide_python_reference.html",
+  "read_log": "guide_python_reference.html",
+  "mechanism.design_map": "guide_python_reference.html",
 };
 let missed = 0;
 for (const [typed, page] of Object.entries(expected)) {

@@ -31,6 +31,7 @@ struct controller {
   option_values options;
   device_sizes sizes;
   std::unique_ptr<any_controller> held;
+  mutable int batches = 0;  // that run now, in other threads
   static std::vector<std::string> names() {
     return {"mechanism", "brakes", "scene", "law", "max_approximation_angle", "limits"};
   }
@@ -55,6 +56,21 @@ struct controller {
     c.sizes = device.device().sizes();
     c.held = device.make_controller(known, walls, c.of_law, c.options.options());
     return c;
+  }
+  batch_values batch(py::handle q, py::handle qd, py::handle hand_force, py::handle time,
+                     const py::object& fields, const py::object& out) const {
+    struct counted {
+      explicit counted(int& of) : count(of) { ++count; }
+      ~counted() { --count; }
+      int& count;
+    } const now(batches);
+    return run_batch(*held, sizes, q, qd, hand_force, time, fields, out);
+  }
+  void set_brakes(const py::object& given) {
+    if (batches > 0)
+      refuse_value("set_brakes() while a batch of this controller runs, expected none: let it end first");
+    held->set_brakes(brakes_for(py::cast<const mechanism&>(of_mechanism), given));
+    of_brakes = given;
   }
   py::dict with(const py::dict& of_options) const {
     py::dict all;
@@ -101,12 +117,9 @@ void bind_controllers(py::module_& module) {
       },
       py::arg("state"), "__call__(self, state: device_state) -> step_result\n\nOne control cycle.");
   bound.def(
-      "batch",
-      [](const controller& c, py::handle q, py::handle qd, py::handle hand_force, py::handle time,
-         const py::object& fields,
-         const py::object& out) { return run_batch(*c.held, c.sizes, q, qd, hand_force, time, fields, out); },
-      py::arg("q"), py::arg("qd"), py::arg("hand_force") = py::none(), py::arg("time") = py::none(),
-      py::kw_only(), py::arg("fields") = py::none(), py::arg("out") = py::none(),
+      "batch", &controller::batch, py::arg("q"), py::arg("qd"), py::arg("hand_force") = py::none(),
+      py::arg("time") = py::none(), py::kw_only(), py::arg("fields") = py::none(),
+      py::arg("out") = py::none(),
       "batch(self, q: Array, qd: Array, hand_force: Array | None = ..., time: Array | None = ..., *, fields: "
       "Iterable[str] | None = ..., out: batch_result | None = ...) -> batch_result\n\nThe cycle of N states, "
       "each the "
@@ -117,6 +130,10 @@ void bind_controllers(py::module_& module) {
       "outcome; None: all. out: an earlier result of as many states, whose arrays are written again. "
       "Python's lock "
       "is released.");
+  bound.def(
+      "set_brakes", &controller::set_brakes, py::arg("brakes"),
+      "set_brakes(self, brakes: brake_parameters) -> None\n\nOther brakes of the device from the next cycle "
+      "on, such as some that are off (torque_lower = torque_upper = 0). What the law remembers stays.");
   bound.def(
       "reset", [](controller& c) { c.held->reset(); },
       "reset(self) -> None\n\nForgets the motion so far, and the scene the handle.");

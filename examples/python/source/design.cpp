@@ -3,6 +3,7 @@
 
 #include "devices.hpp"
 #include "module.hpp"
+#include "progress.hpp"
 
 #include <pybind11/eigen.h>
 
@@ -18,14 +19,18 @@ using braked_wall_value = table_value<braked_wall_base, ph::braked_wall>;
 // Brakes that are all on, without limits where none are given, nor motors.
 design_brakes design_brakes_of(const mechanism& of, const py::object& given, const py::object& motors) {
   const int m = of.device().sizes().brake_count;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   design_brakes all;
   if (given.is_none()) {
-    all.torque_limit = numbers::Constant(m, std::numeric_limits<double>::infinity());
+    all.torque_limit = all.torque_upper = numbers::Constant(m, infinity);
+    all.torque_lower = numbers::Constant(m, -infinity);
     all.time_constant = numbers::Constant(m, ph::brake_parameters<double, 1>().time_constant[0]);
   } else {
     const brake_numbers known = brakes_for(of, given);
     all.torque_limit = known.torque_limit;
     all.time_constant = known.time_constant;
+    all.torque_lower = known.torque_lower;
+    all.torque_upper = known.torque_upper;
   }
   all.motor_limit = motors.is_none() ? numbers(numbers::Zero(m)) : any_numbers(motors, "motor_limit");
   for (int i = 0; i < all.motor_limit.size(); ++i)
@@ -105,11 +110,14 @@ py::array map_of(const mechanism& of, py::handle q, py::handle direction, py::ha
   const design_brakes brakes_there = design_brakes_of(of, given, motors);
   push_of(push);
   std::vector<figures_row> rows;
+  progress shown(places.size(), "places");
   for (py::ssize_t k = 0; k < places.size(); ++k) {
     const auto f = of.device().design_figures(places[k], brakes_there, push);
     rows.push_back({std::int32_t(f.outcome), std::int32_t(f.display), f.cosine, f.drag, f.strongest,
                     f.sink_slope, f.isotropy});
-    if (k % points_between_signals == 0) let_others_run();
+    if (k % points_between_signals != 0) continue;
+    let_others_run();
+    shown.show(k);
   }
   py::list fields;
   for (const char* name : {"outcome", "display"}) fields.append(py::make_tuple(name, "i4"));

@@ -21,13 +21,14 @@ brake_numbers brakes_for(const mechanism& of, const py::object& given) {
 
 namespace {
 
-// The defaults of brake_parameters, for as many brakes as the device has.
+// The defaults of switchable_brake_parameters, for as many brakes as the device has.
 brake_numbers usual_brakes(const mechanism& of) {
-  const ph::brake_parameters<double, 1> one;
+  const ph::switchable_brake_parameters<double, 1> one;
   const auto all = [&](const ph::vector<double, 1>& x) -> numbers {
     return numbers::Constant(of.device().sizes().brake_count, x[0]);
   };
-  return {all(one.torque_limit), all(one.rate_dead_band), all(one.torque_dead_band), all(one.time_constant)};
+  return {all(one.torque_limit),  all(one.rate_dead_band), all(one.torque_dead_band),
+          all(one.time_constant), all(one.torque_lower),   all(one.torque_upper)};
 }
 brake_numbers brakes_or_usual(const mechanism& of, const py::object& given) {
   return given.is_none() ? usual_brakes(of) : brakes_for(of, given);
@@ -139,6 +140,7 @@ void bind_mechanisms(py::module_& module) {
   bind_kinematics(bound);
   bind_forces(bound);
   bind_design(bound);
+  bind_rendering(bound);
 }
 
 }  // namespace passive_haptics_python

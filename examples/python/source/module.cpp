@@ -33,10 +33,27 @@ PYBIND11_MODULE(_native, module) {
   module.def(
       "run_end_text", [](int value) { return std::string(ph::to_string(ph::run_end(value))); },
       py::arg("value"), "run_end_text(value: int) -> str\n\nThe end of a run in words.");
-  for (const auto bind :
-       {bind_shapes, bind_laws, bind_mechanisms, bind_states, bind_batches, bind_controllers,
-        bind_walls_of_brakes, bind_brake_models, bind_simulations, bind_tendon_two_link, bind_planar_pairs,
-        bind_xy_table, bind_five_bar_with_four_brakes, bind_delta, bind_planar_chains_3, bind_planar_chains_4,
-        bind_spatial_chains_3, bind_spatial_chain_6, bind_spatial_chain_7})
+  for (const auto bind : {bind_shapes,
+                          bind_laws,
+                          bind_mechanisms,
+                          bind_states,
+                          bind_batches,
+                          bind_controllers,
+                          bind_walls_of_brakes,
+                          bind_brake_models,
+                          bind_simulations,
+                          bind_tendon_two_link,
+                          bind_planar_pairs,
+                          bind_xy_table,
+                          bind_five_bar_with_four_brakes,
+                          bind_delta,
+                          bind_planar_chains_3,
+                          bind_planar_chains_4,
+                          bind_spatial_chains_3,
+                          bind_spatial_chain_6,
+                          bind_spatial_chain_7,
+                          bind_data_sheets,
+                          bind_logs,
+                          bind_python_mechanism})
     bind(module);
 }

@@ -8,6 +8,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/batch/batch_controller.hpp>
 #include <passive_haptics/control/laws/recommended_law.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
@@ -17,6 +18,7 @@
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/design/braked_wall_at.hpp>
+#include <passive_haptics/design/expected_rendering.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/map/design_figures.hpp>
 #include <passive_haptics/design/sink_depth.hpp>

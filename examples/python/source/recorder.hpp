@@ -3,10 +3,12 @@
 #pragma once
 
 #include "devices.hpp"
+#include "progress.hpp"
 
 #include <pybind11/numpy.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -17,12 +19,16 @@ namespace passive_haptics_python {
 class recorder final : public following_observer {
  public:
   /// Of a device of these sizes. wanted: whether rows are kept.
-  recorder(const device_sizes& sizes, bool wanted) : sizes_(sizes), wanted_(wanted) {}
+  recorder(const device_sizes& sizes, bool wanted, const ph::wall_following_parameters& parameters)
+      : sizes_(sizes), wanted_(wanted), progress_(milliseconds(parameters.longest), "ms at most") {}
 
   /// Keeps a row, and lets Ctrl-C end the experiment.
   void see(const following_sample& now) override {
     constexpr int steps_between_signals = 1 << 10;
-    if (++steps_ % steps_between_signals == 0) let_others_run();
+    if (++steps_ % steps_between_signals == 0) {
+      let_others_run();
+      progress_.show(milliseconds(now.time));
+    }
     if (!wanted_) return;
     const int d = sizes_.task_dimension, m = sizes_.brake_count;
     const result_values& c = *now.control;
@@ -69,10 +75,12 @@ class recorder final : public following_observer {
   }
 
  private:
+  static long milliseconds(double time) { return std::lround(1e3 * time); }
   void add(const double* first, int count) { numbers_.insert(numbers_.end(), first, first + count); }
 
   device_sizes sizes_;
   bool wanted_;
+  progress progress_;
   long steps_ = 0;
   std::vector<double> numbers_;
 };

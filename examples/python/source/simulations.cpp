@@ -115,7 +115,7 @@ py::tuple follow(py::handle device, py::handle controller, py::handle of_shape, 
   ph::wall_following_parameters p;
   if (!parameters.is_none())
     p = expect<following_value>(parameters, "parameters", "wall_following_parameters(...)").table;
-  recorder seen(simulated.sizes(), record);
+  recorder seen(simulated.sizes(), record, p);
   const ph::contact_metrics found = simulated.held->follow_wall(control, wall.geometry, of_hand, p, seen);
   return py::make_tuple(metrics_of(found), seen.rows());
 }

@@ -1,5 +1,7 @@
 // The format of a log: what is written reads back, what is wrong is named with file, line and column.
+#include <log/known_columns.hpp>
 #include <log/live_stream.hpp>
+#include <log/log_columns.hpp>
 #include <log/log_reader.hpp>
 #include <log/log_row.hpp>
 
@@ -285,4 +287,67 @@ TEST(paced_stream, sends_all_that_it_was_given_before_it_ends) {
     EXPECT_EQ(there.next(), expected);
   example::paced_stream off(0);
   off.send(1000, row);
+}
+
+namespace {
+
+std::vector<example::log_column> columns_in(const std::string& log) {
+  std::istringstream in(log);
+  log_reader reader(in, "a.csv");
+  return example::columns_of(reader);
+}
+
+// What require_equal finds wrong with a log of these columns, once it is written.
+std::string refusal_of(const std::vector<example::log_column>& columns) {
+  std::istringstream in(example::log_text(columns, true));
+  try {
+    log_reader reader(in, "a.csv");
+    example::require_equal(reader, columns);
+  } catch (const example::log_error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+const example::log_column times{"t", "s", {0, 0.5}, {}};
+
+}  // namespace
+
+TEST(log_columns, are_numbers_or_words_by_their_units) {
+  const auto all = columns_in("# units: s,,1\nt,note,n\n0,\"a \"\"b\"\", c\",\n1,2,3\n");
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[1].words, (std::vector<std::string>{"a \"b\", c", "2"}));
+  EXPECT_TRUE(std::isnan(all[2].numbers[0]));
+  EXPECT_EQ(all[2].numbers[1], 3);
+  EXPECT_TRUE(all[2].words.empty());
+}
+
+TEST(log_columns, of_a_log_without_units_are_those_of_the_library_or_what_their_cells_are) {
+  const auto all = columns_in("t,q1,status,mine,yours\n0,,1,2,3\n1,5,ok,4,x\n");
+  const std::vector<std::string> units{"s", "rad", "", "1", ""};
+  for (std::size_t i = 0; i < units.size(); ++i) EXPECT_EQ(all[i].unit, units[i]) << all[i].name;
+  EXPECT_EQ(all[3].numbers, (std::vector<double>{2, 4}));
+  EXPECT_EQ(all[4].words, (std::vector<std::string>{"3", "x"}));
+  EXPECT_THROW(columns_in("t,q1\n0,x\n"), example::log_error);
+  EXPECT_THROW(columns_in("# units: s,deg\nt,q1\n0,1\n"), example::log_error);
+}
+
+TEST(log_columns, are_known_by_names_with_their_parts) {
+  for (const char* name : {"t", "q1", "qd12", "Fh_z", "true_Fh_x", "brake_torque2", "held_over"})
+    EXPECT_NE(example::find_known(name), nullptr) << name;
+  for (const char* name : {"", "t1", "q", "q0", "q01", "qd_x", "Fh_w", "Fh1", "mine"})
+    EXPECT_EQ(example::find_known(name), nullptr) << name;
+}
+
+TEST(log_columns, that_no_log_can_hold_are_found) {
+  EXPECT_EQ(refusal_of({times, {"word", "", {}, {" , \" ", "\xff"}}, {"x y", "1", {-0.0, NAN}, {}}}), "none");
+  EXPECT_EQ(refusal_of({times, {"x", "1", {0, HUGE_VAL}, {}}}),
+            "a.csv, line 5, column 2: inf for 'x', expected a finite number, or NaN for what is not known");
+  EXPECT_TRUE(refusal_of({times, {"x", "", {}, {"a\nb", ""}}}).starts_with("a.csv, line 4"));
+  EXPECT_TRUE(refusal_of({times, {"x", "", {}, {"", "a\r"}}}).find("'a") != std::string::npos);
+  EXPECT_TRUE(refusal_of({times, {"x,y", "1", {0, 0}, {}}}).find("expected") != std::string::npos);
+  EXPECT_TRUE(refusal_of({times, {" x", "1", {0, 0}, {}}}).find("column ' x' in '1'") != std::string::npos);
+  EXPECT_TRUE(refusal_of({times, {"x", "a,b", {0, 0}, {}}}).find("expected") != std::string::npos);
+  EXPECT_TRUE(refusal_of({{"t", "s", {0.5, 0}, {}}}).find("no time before that") != std::string::npos);
+  EXPECT_TRUE(refusal_of({{"x", "1", {0}, {}}}).find("no column 't'") != std::string::npos);
 }

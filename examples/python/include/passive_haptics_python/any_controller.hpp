@@ -18,12 +18,16 @@ struct any_batch {
   virtual void run(const batch_columns& columns) const = 0;
 };
 
+struct brake_numbers;
+
 /// A controller and its batches.
 struct any_controller : any_batch {
   /// One control cycle.
   virtual result_values step(const state_values& state) = 0;
   /// Forgets the motion so far.
   virtual void reset() = 0;
+  /// Other brakes of the device from the next cycle on.
+  virtual void set_brakes(const brake_numbers& brakes) = 0;
 };
 
 /// n, d and m of a device.

@@ -8,26 +8,39 @@
 #include <passive_haptics_python/scenes.hpp>
 #include <passive_haptics_python/states.hpp>
 
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/cycle_inputs.hpp>
+#include <passive_haptics/design/data_sheet.hpp>
 #include <passive_haptics/design/map/design_figures.hpp>
+#include <passive_haptics/design/rendering.hpp>
 #include <passive_haptics/design/wall_limits.hpp>
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace passive_haptics_python {
 
-/// brake_parameters of any number of brakes.
+/// switchable_brake_parameters of any number of brakes.
 struct brake_numbers {
   numbers torque_limit;      ///< [N m]
   numbers rate_dead_band;    ///< [rad/s]
   numbers torque_dead_band;  ///< [N m]
   numbers time_constant;     ///< [s]
+  numbers torque_lower;      ///< <= 0, -inf where there is no bound [N m]
+  numbers torque_upper;      ///< >= 0, inf where there is no bound [N m]
+
+  /// Whether all are on and work both ways.
+  bool has_no_bounds() const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return (torque_lower.array() == -infinity).all() && (torque_upper.array() == infinity).all();
+  }
 };
 
-/// The brakes of a mechanism; of as many numbers as it has brakes.
+/// The brakes of a mechanism, without bounds; of as many numbers as it has brakes.
 template <class M>
 ph::brakes_of<M> brakes_from(const brake_numbers& b) {
   ph::brakes_of<M> brakes;
@@ -37,11 +50,21 @@ ph::brakes_of<M> brakes_from(const brake_numbers& b) {
   brakes.time_constant = b.time_constant;
   return brakes;
 }
+/// The brakes of a mechanism with their bounds.
+template <class M>
+ph::switchable_brakes<M> switchable_from(const brake_numbers& b) {
+  ph::switchable_brakes<M> brakes(brakes_from<M>(b));
+  brakes.torque_lower = b.torque_lower;
+  brakes.torque_upper = b.torque_upper;
+  return brakes;
+}
 
 /// Brakes for questions of design: limits that may be infinite, and motors beside them.
 struct design_brakes {
   numbers torque_limit;   ///< [N m]
   numbers time_constant;  ///< [s]
+  numbers torque_lower;   ///< [N m]
+  numbers torque_upper;   ///< [N m]
   numbers motor_limit;    ///< [N m]
 };
 
@@ -72,6 +95,39 @@ struct path_values {
   numbers q;          ///< [rad or m]
   numbers direction;  ///< In which the end effector moves.
   numbers normal;     ///< Of the wall, out of it.
+};
+
+/// data_sheet of any device. Without brakes or encoders: as many of the defaults as it has.
+struct data_sheet_values {
+  std::vector<ph::brake_data> brakes;      ///< On the brakes' axes.
+  std::vector<ph::encoder_data> encoders;  ///< On the encoder_axes.
+  double control_rate = 1000;              ///< [Hz]
+  double scene_rate = 1000;                ///< [Hz]
+  double rate_corner = 50;                 ///< [Hz]
+  ph::hand_data hand;                      ///< Who holds the handle.
+
+  static constexpr const char* type_name = "a data sheet";  ///< In errors.
+  /// The table.
+  static constexpr auto members() {
+    using p = data_sheet_values;
+    return ph::member_table(ph::member("brakes", &p::brakes), ph::member("encoders", &p::encoders),
+                            ph::member("control_rate", &p::control_rate, "Hz", ph::range::positive),
+                            ph::member("scene_rate", &p::scene_rate, "Hz", ph::range::positive),
+                            ph::member("rate_corner", &p::rate_corner, "Hz", ph::range::positive),
+                            ph::member("hand", &p::hand));
+  }
+};
+
+/// rendering of any device: its figures as for_each_figure has them, and its table.
+struct rendering_values {
+  /// A figure.
+  struct figure {
+    std::string name, unit;
+    ph::banded value;
+  };
+  std::vector<figure> figures;  ///< In their order.
+  bool holds_push = false;      ///< As in rendering.
+  std::string text;             ///< What to_text() returns.
 };
 
 /// The functions of a device. Each throws Python's ValueError where a vector has not the device's length, and
@@ -121,6 +177,10 @@ struct any_device {
   virtual ph::braked_wall braked_wall_at(const path_values& at, const design_brakes& brakes,
                                          const numbers& residual_torque, const numbers& resolution,
                                          double hand_mass) const = 0;
+
+  /// What a device of these parts renders; direction: the velocity [m/s].
+  virtual rendering_values expected_rendering(const data_sheet_values& parts,
+                                              const path_values& at) const = 0;
 
   /// The device with a hand's mass [kg] on its handle, at rest at q: brakes that are what a controller
   /// believes.

@@ -17,8 +17,9 @@ namespace ph = passive_haptics;
 
 /// Holds a mechanism of N joints and D task dimensions without a transmission. Copies share it. What is
 /// compiled for this class serves all such mechanisms, with the bits that each has by itself, at the cost of
-/// a virtual call for a pose. HasInverse: whether J^-T is a formula of the mechanism's own.
-template <int N, int D, bool HasInverse = false>
+/// a virtual call for a pose. HasInverse: whether J^-T is a formula of the mechanism's own. HasInertia:
+/// whether mechanisms with inertia are among them.
+template <int N, int D, bool HasInverse = false, bool HasInertia = true>
 class any_mechanism {
  public:
   using scalar = double;                                              ///< Scalar of all lengths and angles.
@@ -66,11 +67,23 @@ class any_mechanism {
   }
 
   /// M; throws std::logic_error for a mechanism without inertia, as both functions below do.
-  n_by_n mass_matrix(const joints& q) const { return held_->mass_matrix(q); }
+  n_by_n mass_matrix(const joints& q) const
+    requires HasInertia
+  {
+    return held_->mass_matrix(q);
+  }
   /// c [N m or N].
-  joints bias_torque(const joints& q, const joints& qd) const { return held_->bias_torque(q, qd); }
+  joints bias_torque(const joints& q, const joints& qd) const
+    requires HasInertia
+  {
+    return held_->bias_torque(q, qd);
+  }
   /// Jd qd [m/s^2].
-  task bias_acceleration(const joints& q, const joints& qd) const { return held_->bias_acceleration(q, qd); }
+  task bias_acceleration(const joints& q, const joints& qd) const
+    requires HasInertia
+  {
+    return held_->bias_acceleration(q, qd);
+  }
 
  private:
   struct interface {

@@ -20,9 +20,11 @@ void bind_brakes(py::module_& module) {
   using X = brakes_value<Brakes>;
   if (py::detail::get_type_info(typeid(X)) != nullptr) return;
   const std::string name = "brakes_" + std::to_string(Brakes);
-  const std::string text = "(" + stub_arguments<ph::brake_parameters<double, Brakes>>() +
-                           ")\n\nThe brakes of a device with " + std::to_string(Brakes) + " of them.\n\n" +
-                           parameter_lines<ph::brake_parameters<double, Brakes>>();
+  const std::string text = "(" + stub_arguments<brake_table<Brakes>>() + ")\n\nThe brakes of a device with " +
+                           std::to_string(Brakes) +
+                           " of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it "
+                           "works one way.\n\n" +
+                           parameter_lines<brake_table<Brakes>>();
   py::class_<X, brakes> bound(module, name.c_str(), text.c_str());
   add_value_protocol(bound, name);
 }
@@ -59,9 +61,9 @@ auto bind_mechanism(py::module_& module, const char* name, const char* about = "
   add_value_protocol(bound, name);
 
   const std::string brakes_name = "brakes_" + std::to_string(M::brake_count);
-  const std::string brakes_text = "brakes(self, " + stub_arguments<ph::brakes_of<M>>() + ") -> " +
+  const std::string brakes_text = "brakes(self, " + stub_arguments<brake_table<M::brake_count>>() + ") -> " +
                                   brakes_name + "\n\nThe brakes of this device.\n\n" +
-                                  parameter_lines<ph::brakes_of<M>>();
+                                  parameter_lines<brake_table<M::brake_count>>();
   bound.def(
       "brakes",
       [brakes_name](const X&, const py::args& args, const py::kwargs& kwargs) {

@@ -4,9 +4,11 @@
 
 #include <passive_haptics_python/any_controller.hpp>
 #include <passive_haptics_python/effects.hpp>
+#include <passive_haptics_python/any_device.hpp>
 #include <passive_haptics_python/laws.hpp>
 #include <passive_haptics_python/scenes.hpp>
 
+#include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
@@ -60,9 +62,11 @@ std::unique_ptr<any_batch> batch_at_wall(const M& mechanism, const ph::brakes_of
 /// Cycles of a scene S, one by one or each the first of a motion.
 template <class M, class L, class S>
 class controller_of final : public any_controller {
+  using controller_type = ph::controller<M, S, L, ph::switchable_brakes<M>>;
+
  public:
   /// at_wall: batches of this set-up that are compiled for its wall, or nullptr.
-  controller_of(const M& mechanism, const ph::brakes_of<M>& brakes, const S& scene, const L& law,
+  controller_of(const M& mechanism, const ph::switchable_brakes<M>& brakes, const S& scene, const L& law,
                 const ph::step_options<double>& options, std::unique_ptr<any_batch> at_wall)
       : control_(mechanism, brakes, scene, law, options), at_wall_(std::move(at_wall)) {}
 
@@ -86,7 +90,7 @@ class controller_of final : public any_controller {
     const auto states = states_of<M>(columns);
     const auto results = results_of<M>(columns);
     if constexpr (ph::needs_hand_force<L>) ph::require_no_error(ph::check_hand_force(states));
-    ph::controller<M, S, L> control = control_;
+    controller_type control = control_;
     for (std::size_t k = 0; k < columns.count; ++k) {
       reset(control);
       ph::detail::store<ph::step_result_for<M, typename S::contacts_type>>(results, k, control(states[k]));
@@ -96,13 +100,19 @@ class controller_of final : public any_controller {
   /// Forgets the motion so far, and the scene the handle.
   void reset() override { reset(control_); }
 
+  /// Other brakes from the next cycle on; batches are those of the scene, not of the wall, from here on.
+  void set_brakes(const brake_numbers& brakes) override {
+    control_.set_brakes(switchable_from<M>(brakes));
+    at_wall_ = nullptr;
+  }
+
  private:
-  static void reset(ph::controller<M, S, L>& control) {
+  static void reset(controller_type& control) {
     control.reset();
     if constexpr (requires(S& scene) { scene.reset(); }) control.scene().reset();
   }
 
-  ph::controller<M, S, L> control_;
+  controller_type control_;
   std::unique_ptr<any_batch> at_wall_;
 };
 
@@ -130,7 +140,7 @@ std::unique_ptr<any_controller> controller_with_effects(
 /// dimension, or of several walls where the law takes one. at_wall: batches that are compiled for its wall,
 /// or nullptr.
 template <class M, class L>
-std::unique_ptr<any_controller> make_controller(const M& mechanism, const ph::brakes_of<M>& brakes,
+std::unique_ptr<any_controller> make_controller(const M& mechanism, const ph::switchable_brakes<M>& brakes,
                                                 const scene& walls, const L& law,
                                                 const ph::step_options<double>& options,
                                                 std::unique_ptr<any_batch> at_wall) {

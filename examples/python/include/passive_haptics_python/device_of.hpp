@@ -14,10 +14,12 @@
 #include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/design/braked_wall_at.hpp>
+#include <passive_haptics/design/expected_rendering.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/sink_depth.hpp>
 #include <passive_haptics/force/nearest_force.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace passive_haptics_python {
@@ -46,7 +48,7 @@ class device_of<M, law_list<Laws...>> final : public any_device {
       const auto* chosen = dynamic_cast<const law_value<L>*>(&of);
       if (made || chosen == nullptr) return;
       made = passive_haptics_python::make_controller<M, L>(
-          model_, brakes_from<M>(brakes), walls, made_law<L>(chosen->table), options, std::move(at_wall));
+          model_, switchable_from<M>(brakes), walls, made_law<L>(chosen->table), options, std::move(at_wall));
     };
     (try_law(std::type_identity<Laws>()), ...);
     return made;
@@ -133,10 +135,28 @@ class device_of<M, law_list<Laws...>> final : public any_device {
     } else refuse("braked_wall_at", "inertia");
   }
 
+  rendering_values expected_rendering([[maybe_unused]] const data_sheet_values& parts,
+                                      [[maybe_unused]] const path_values& place) const override {
+    require_inertia("expected_rendering");
+    if constexpr (ph::Dynamics<M>) {
+      const ph::path_point<M> p = point(place, "velocity");
+      const auto found = ph::expected_rendering(model_, sheet_of(parts), p.q, p.direction, p.normal);
+      rendering_values all{{}, found.holds_push, to_text(found)};
+      for_each_figure(found, [&](const std::string& name, const char* unit, const ph::banded& value) {
+        all.figures.push_back({name, unit, value});
+      });
+      return all;
+    } else refuse("expected_rendering", "inertia");
+  }
+
   std::unique_ptr<any_simulation> simulation([[maybe_unused]] const brake_numbers& brakes,
                                              [[maybe_unused]] double hand_mass,
                                              [[maybe_unused]] const numbers& q) const override {
     require_inertia("simulated_device");
+    if (!brakes.has_no_bounds())
+      refuse_value(
+          "brakes of a simulated_device have a torque_lower or torque_upper, expected brakes that "
+          "work both ways, or a list of brake models; a controller commands those that are off nothing");
     std::vector<run_time_brake> models;
     for (const auto& brake : ph::ideal_brakes(ph::require_valid(brakes_from<M>(brakes))))
       models.emplace_back(brake);
@@ -169,10 +189,29 @@ class device_of<M, law_list<Laws...>> final : public any_device {
     ph::switchable_brakes<M> of;
     of.torque_limit = b.torque_limit;
     of.time_constant = b.time_constant;
+    of.torque_lower = b.torque_lower;
+    of.torque_upper = b.torque_upper;
     return of;
   }
   static ph::hybrid_brakes<M> hybrid(const design_brakes& b) {
     return {switchable(b), of_brakes(b.motor_limit, "motor_limit")};
+  }
+  static ph::data_sheet<M> sheet_of(const data_sheet_values& parts) {
+    ph::data_sheet<M> sheet;
+    take(sheet.brakes, parts.brakes, "brakes");
+    take(sheet.encoders, parts.encoders, "encoders");
+    sheet.control_rate = parts.control_rate;
+    sheet.scene_rate = parts.scene_rate;
+    sheet.rate_corner = parts.rate_corner;
+    sheet.hand = parts.hand;
+    return sheet;
+  }
+  template <class Parts, class Part>
+  static void take(Parts& of_device, const std::vector<Part>& given, const char* name) {
+    if (!given.empty() && given.size() != of_device.size())
+      refuse_value("length of " + std::string(name) + " of a data sheet = " + std::to_string(given.size()) +
+                   ", expected " + std::to_string(of_device.size()) + ", as the device has, or none");
+    std::copy(given.begin(), given.end(), of_device.begin());
   }
 
   [[noreturn]] static void refuse(const char* function, const char* needs) {

@@ -14,16 +14,33 @@ struct brakes {
   virtual brake_numbers values() const = 0;
 };
 
+/// switchable_brake_parameters with the bounds, which few brakes have, behind the others.
+template <int Brakes>
+struct brake_table : ph::switchable_brake_parameters<double, Brakes> {
+  /// The table.
+  static constexpr auto members() {
+    using p = brake_table;
+    constexpr ph::range size = ph::range::not_negative;
+    return ph::member_table(ph::member("torque_limit", &p::torque_limit, "N m", size),
+                            ph::member("rate_dead_band", &p::rate_dead_band, "rad/s", size),
+                            ph::member("torque_dead_band", &p::torque_dead_band, "N m", size),
+                            ph::member("time_constant", &p::time_constant, "s", size),
+                            ph::member("torque_lower", &p::torque_lower, "N m", ph::lower_torques),
+                            ph::member("torque_upper", &p::torque_upper, "N m", ph::upper_torques));
+  }
+};
+
 /// The brakes of a device that has this number of them.
 template <int Brakes>
 struct brakes_value : brakes {
-  using table_type = ph::brake_parameters<double, Brakes>;  ///< The struct of the table.
+  using table_type = brake_table<Brakes>;  ///< The struct of the table.
 
   table_type table = {};  ///< The parameters.
 
   /// The parameters, of any number of brakes.
   brake_numbers values() const override {
-    return {table.torque_limit, table.rate_dead_band, table.torque_dead_band, table.time_constant};
+    return {table.torque_limit,  table.rate_dead_band, table.torque_dead_band,
+            table.time_constant, table.torque_lower,   table.torque_upper};
   }
   /// The names of the parameters.
   static std::vector<std::string> names() { return member_names<table_type>(); }
@@ -90,7 +107,7 @@ class mechanism_value<M, P, law_list<Laws...>, Model, DeviceLaws> : public mecha
       if (made || !py::isinstance<law_value<L>>(of_law)) return;
       const auto& chosen = py::cast<const law_value<L>&>(of_law);
       std::unique_ptr<any_batch> at_wall;
-      if (const auto only = walls.only_wall<M::task_dimension>())
+      if (const auto only = walls.only_wall<M::task_dimension>(); only && brakes.has_no_bounds())
         at_wall =
             batch_at_wall<M, L>(model_, brakes_from<M>(brakes), *only, made_law<L>(chosen.table), options);
       made = device_.make_controller(brakes, walls, chosen, options, std::move(at_wall));

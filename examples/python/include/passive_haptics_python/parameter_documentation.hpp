@@ -49,6 +49,13 @@ std::string expected_value(const ph::member_description& about) {
   else return ph::to_text(about.hard, std::is_integral_v<V>);
 }
 
+// "; default 0.15", or "; no default" where that of C++ is not valid, so that one must be given.
+template <class V>
+std::string default_text(const ph::member_description& about, const V& value) {
+  if (!ph::check_value(about.name, value, about.unit, about.hard).empty()) return "; no default";
+  return "; default " + std::string(py::repr(to_python(value, about)));
+}
+
 // A line for each member, that of a struct within another one indented.
 template <ph::Parameters P>
 void append_members(std::string& text, const P& p, const std::string& indent) {
@@ -59,11 +66,11 @@ void append_members(std::string& text, const P& p, const std::string& indent) {
     text += ": " + expected_value<V>(about);
     if constexpr (!ph::Parameters<V>) {
       if constexpr (requires { value.begin()->members(); }) {
-        text += ", a list of " + std::to_string(value.size()) + " dicts\n";
-        append_members(text, value[0], indent + "    ");
+        text += ", a list of " + (Growing<V> ? "" : std::to_string(value.size()) + " ") + "dicts\n";
+        append_members(text, std::remove_cvref_t<decltype(*value.begin())>(), indent + "    ");
         return;
       } else {
-        text += "; default " + std::string(py::repr(to_python(value, about)));
+        text += default_text(about, value);
       }
     }
     text += "\n";

@@ -1,6 +1,6 @@
 """Made by examples/python/stubs.py. Do not edit."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Literal, NoReturn
 
 from passive_haptics.arrays import Array, Booleans, Integers, Numbers, Path, Records, Rows
@@ -9,6 +9,7 @@ from passive_haptics.results import (
     contact_report,
     display_class,
     power_class,
+    rendering,
     run_end,
     status,
     wall_limits,
@@ -39,7 +40,7 @@ class half_space(shape):
 
     Parameters:
         surface_point [m]: a finite number; default [0.0, 0.0]
-        normal [1]: a direction; default [0.0, 0.0]
+        normal [1]: a direction; no default
     """
     def __init__(self, surface_point: Numbers = ..., normal: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
@@ -52,7 +53,7 @@ class ball(shape):
 
     Parameters:
         centre [m]: a finite number; default [0.0, 0.0]
-        radius [m]: a finite number > 0; default 0.0
+        radius [m]: a finite number > 0; no default
         inside: solid, hollow; default 'solid'
     """
     def __init__(self, centre: Numbers = ..., radius: float = ..., inside: Literal["solid", "hollow"] = ...) -> None: ...
@@ -440,6 +441,8 @@ class mechanism(metaclass=_class):
     @property
     def dof(self) -> int:
         """n, the joints."""
+    def expected_rendering(self, parts: data_sheet, q: Numbers, velocity: Numbers, normal: Numbers) -> rendering:
+        """What a device of this mechanism, built of these parts, renders at joint positions q on a wall of this normal, which the handle touches with a velocity [m/s]: each figure with the band in which nine of ten simulated devices lie. Of a mechanism with inertia; TypeError for others. ValueError at a singular pose."""
     def jacobian(self, q: Numbers) -> Array:
         """J in v = J qd, d x n [m/rad or 1]."""
     def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
@@ -614,6 +617,8 @@ class controller(metaclass=_class):
         """A copy of all parameters, by their names."""
     def reset(self) -> None:
         """Forgets the motion so far, and the scene the handle."""
+    def set_brakes(self, brakes: brake_parameters) -> None:
+        """Other brakes of the device from the next cycle on, such as some that are off (torque_lower = torque_upper = 0). What the law remembers stays."""
 class braked_wall(metaclass=_class):
     """A wall at one place of a device, the hand that comes, and the control, along the wall's normal.
 
@@ -825,15 +830,17 @@ class wall_following_parameters(metaclass=_class):
 def follow_wall(device: simulated_device, controller: controller, shape: shape, hand: following_hand, parameters: wall_following_parameters | None = ..., *, record: bool = ...) -> tuple[contact_metrics, Records]:
     """The wall-following experiment: a hand moves the device along a shape, the wall whose depth is measured, under a controller. Returns its figures and, if record is true, an array with a row for each time step (else none): time [s], depth [m], position [m], velocity [m/s], rates of the brakes, brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control cycle capacity [N m], alpha, outcome, power, display, saturated and wall_number. The device and the controller go on from where they are. Ctrl-C ends it."""
 class brakes_2(brake_parameters):
-    """The brakes of a device with 2 of them.
+    """The brakes of a device with 2 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -858,7 +865,7 @@ class tendon_two_link(mechanism):
     def __init__(self, arm: Mapping[str, object] = ..., reduction_2: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
         Parameters:
@@ -866,6 +873,8 @@ class tendon_two_link(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
         """
     def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]:
         """Joint positions that put the handle at x [m], and whether it is in reach."""
@@ -889,7 +898,7 @@ class two_link(mechanism):
     def __init__(self, length_1: float = ..., length_2: float = ..., mass_1: float = ..., mass_2: float = ..., handle_mass: float = ..., rotor_inertia_1: float = ..., rotor_inertia_2: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
         Parameters:
@@ -897,6 +906,8 @@ class two_link(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
         """
     def inverse(self, x: Numbers, branch: Literal["left", "right"] = ...) -> tuple[Array, status]:
         """Joint positions that put the handle at x [m], and whether it is in reach."""
@@ -924,7 +935,7 @@ class five_bar(mechanism):
     def __init__(self, base_distance: float = ..., proximal_1: float = ..., proximal_2: float = ..., distal_1: float = ..., distal_2: float = ..., assembly: Literal["left", "right"] = ..., proximal_mass: float = ..., distal_mass: float = ..., handle_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
         Parameters:
@@ -932,6 +943,8 @@ class five_bar(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
         """
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Base angles that put the handle at x [m], elbows outward, and whether it is in reach."""
@@ -950,7 +963,7 @@ class xy_table(mechanism):
     def __init__(self, mass_x: float = ..., mass_y: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_2:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_2:
         """The brakes of this device.
 
         Parameters:
@@ -958,6 +971,8 @@ class xy_table(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf]
         """
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Joint positions that put the handle at x [m], and whether it is in reach."""
@@ -965,15 +980,17 @@ class xy_table(mechanism):
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 class brakes_4(brake_parameters):
-    """The brakes of a device with 4 of them.
+    """The brakes of a device with 4 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -1000,7 +1017,7 @@ class five_bar_with_four_brakes(mechanism):
     def __init__(self, base_distance: float = ..., proximal_1: float = ..., proximal_2: float = ..., distal_1: float = ..., distal_2: float = ..., assembly: Literal["left", "right"] = ..., proximal_mass: float = ..., distal_mass: float = ..., handle_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_4:
         """The brakes of this device.
 
         Parameters:
@@ -1008,6 +1025,8 @@ class five_bar_with_four_brakes(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf]
         """
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Base angles that put the handle at x [m], elbows outward, and whether it is in reach."""
@@ -1015,15 +1034,17 @@ class five_bar_with_four_brakes(mechanism):
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 class brakes_3(brake_parameters):
-    """The brakes of a device with 3 of them.
+    """The brakes of a device with 3 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -1049,7 +1070,7 @@ class delta(mechanism):
     def __init__(self, base_radius: float = ..., platform_radius: float = ..., upper_arm: float = ..., forearm: float = ..., assembly: Literal["lower", "upper"] = ..., upper_arm_mass: float = ..., forearm_mass: float = ..., platform_mass: float = ..., rotor_inertia: Numbers = ..., gravity: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -1057,6 +1078,8 @@ class delta(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     def inverse(self, x: Numbers) -> tuple[Array, status]:
         """Base angles that put the platform at x [m], elbows outward, and whether it is in reach."""
@@ -1073,12 +1096,12 @@ class planar_chain_3(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0]
             point [m]: anything; default [0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan]
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -1086,6 +1109,8 @@ class planar_chain_3(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -1101,10 +1126,10 @@ class planar_chain_3_with_inertia(mechanism):
                 kind: revolute, prismatic; default 'revolute'
                 axis [1]: anything; default [0.0, 0.0]
                 point [m]: anything; default [0.0, 0.0]
-            handle [m]: a finite number; default [nan, nan]
+            handle [m]: a finite number; no default
         inertia: a dict
             links: anything, a list of 3 dicts
-                mass [kg]: a finite number > 0; default 0.0
+                mass [kg]: a finite number > 0; no default
                 centre [m]: a finite number; default [0.0, 0.0]
                 about_centre [kg m^2]: anything; default [0.0]
             rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
@@ -1114,7 +1139,7 @@ class planar_chain_3_with_inertia(mechanism):
     def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -1122,6 +1147,8 @@ class planar_chain_3_with_inertia(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -1136,12 +1163,12 @@ class planar_chain_4(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0]
             point [m]: anything; default [0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan]
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_4:
         """The brakes of this device.
 
         Parameters:
@@ -1149,6 +1176,8 @@ class planar_chain_4(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -1164,10 +1193,10 @@ class planar_chain_4_with_inertia(mechanism):
                 kind: revolute, prismatic; default 'revolute'
                 axis [1]: anything; default [0.0, 0.0]
                 point [m]: anything; default [0.0, 0.0]
-            handle [m]: a finite number; default [nan, nan]
+            handle [m]: a finite number; no default
         inertia: a dict
             links: anything, a list of 4 dicts
-                mass [kg]: a finite number > 0; default 0.0
+                mass [kg]: a finite number > 0; no default
                 centre [m]: a finite number; default [0.0, 0.0]
                 about_centre [kg m^2]: anything; default [0.0]
             rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05, 5e-05]
@@ -1177,7 +1206,7 @@ class planar_chain_4_with_inertia(mechanism):
     def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_4:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_4:
         """The brakes of this device.
 
         Parameters:
@@ -1185,6 +1214,8 @@ class planar_chain_4_with_inertia(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -1199,12 +1230,12 @@ class spatial_chain_3(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0, 0.0]
             point [m]: anything; default [0.0, 0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan, nan]
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -1212,6 +1243,8 @@ class spatial_chain_3(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
@@ -1227,10 +1260,10 @@ class spatial_chain_3_with_inertia(mechanism):
                 kind: revolute, prismatic; default 'revolute'
                 axis [1]: anything; default [0.0, 0.0, 0.0]
                 point [m]: anything; default [0.0, 0.0, 0.0]
-            handle [m]: a finite number; default [nan, nan, nan]
+            handle [m]: a finite number; no default
         inertia: a dict
             links: anything, a list of 3 dicts
-                mass [kg]: a finite number > 0; default 0.0
+                mass [kg]: a finite number > 0; no default
                 centre [m]: a finite number; default [0.0, 0.0, 0.0]
                 about_centre [kg m^2]: anything; default [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
             rotor_inertia [kg m^2 or kg]: a finite number >= 0; default [5e-05, 5e-05, 5e-05]
@@ -1240,7 +1273,7 @@ class spatial_chain_3_with_inertia(mechanism):
     def __init__(self, geometry: Mapping[str, object] = ..., inertia: Mapping[str, object] = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_3:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_3:
         """The brakes of this device.
 
         Parameters:
@@ -1248,20 +1281,24 @@ class spatial_chain_3_with_inertia(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 class brakes_6(brake_parameters):
-    """The brakes of a device with 6 of them.
+    """The brakes of a device with 6 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf, -inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf, inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -1277,12 +1314,12 @@ class spatial_chain_6(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0, 0.0]
             point [m]: anything; default [0.0, 0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan, nan]
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_6:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_6:
         """The brakes of this device.
 
         Parameters:
@@ -1290,20 +1327,24 @@ class spatial_chain_6(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf, inf, inf]
         """
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 class brakes_7(brake_parameters):
-    """The brakes of a device with 7 of them.
+    """The brakes of a device with 7 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 
     Parameters:
         torque_limit [N m]: a finite number >= 0; default [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0]
         rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
         torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
         time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+        torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf, -inf, -inf, -inf]
+        torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf, inf, inf, inf]
     """
-    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> None: ...
+    def __init__(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property
@@ -1319,12 +1360,12 @@ class spatial_chain_7(mechanism):
             kind: revolute, prismatic; default 'revolute'
             axis [1]: anything; default [0.0, 0.0, 0.0]
             point [m]: anything; default [0.0, 0.0, 0.0]
-        handle [m]: a finite number; default [nan, nan, nan]
+        handle [m]: a finite number; no default
     """
     def __init__(self, joints: Sequence[Mapping[str, object]] = ..., handle: Numbers = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
-    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ...) -> brakes_7:
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_7:
         """The brakes of this device.
 
         Parameters:
@@ -1332,7 +1373,61 @@ class spatial_chain_7(mechanism):
             rate_dead_band [rad/s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
             torque_dead_band [N m]: a finite number >= 0; default [1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09, 1e-09]
             time_constant [s]: a finite number >= 0; default [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02]
+            torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf, -inf, -inf, -inf]
+            torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf, inf, inf, inf]
         """
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+class data_sheet(metaclass=_class):
+    """The parts that a device is to be built of, as their makers describe them, and the hand that is to use it. brakes and encoders: one for each of the device's; none stands for as many defaults. inf counts_per_turn: an ideal encoder.
+
+    Parameters:
+        brakes: anything, a list of dicts
+            torque_limit [N m]: a finite number >= 0; default 1.0
+            residual_torque [N m]: a finite number >= 0; default 0.0
+            time_constant [s]: a finite number >= 0; default 0.02
+            fall_time_constant [s]: a finite number >= 0; default 0.02
+            rotor_inertia [kg m^2]: a finite number >= 0; default 0.0
+            gear_ratio [1 or 1/m]: a finite number > 0; default 1.0
+        encoders: anything, a list of dicts
+            counts_per_turn [1]: a number > 0, or inf for an ideal encoder; a controller needs one on each axis; default 8192.0
+            gear_ratio [1 or 1/m]: a finite number > 0; default 1.0
+        control_rate [Hz]: a finite number > 0; default 1000.0
+        scene_rate [Hz]: a finite number > 0; default 1000.0
+        rate_corner [Hz]: a finite number > 0; default 50.0
+        hand: a dict
+            mass [kg]: a finite number >= 0; default 0.5
+            push [N]: a finite number; default 2.0
+            stiffness [N/m]: a finite number >= 0; default 0.0
+            damping [N s/m]: a finite number >= 0; default 20.0
+    """
+    def __init__(self, brakes: Sequence[Mapping[str, object]] = ..., encoders: Sequence[Mapping[str, object]] = ..., control_rate: float = ..., scene_rate: float = ..., rate_corner: float = ..., hand: Mapping[str, object] = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """A copy of all parameters, by their names."""
+def _read_log(path: bytes, name: str) -> tuple[list[str], list[str], list[Any]]:
+    """Names, units and columns of a log, arrays of numbers or lists of words. name: of the file, in errors."""
+def _log_text(names: list[str], units: list[str], values: list[Any], with_header: bool) -> bytes:
+    """The lines of a log."""
+def _check_log(path: bytes, name: str, names: list[str], units: list[str], values: list[Any]) -> None:
+    """Throws ValueError if a log is not the one that was to be written."""
+def _unit_of_column(name: str) -> str | None:
+    """The unit of a column of the library's logs, empty of words, or None."""
+def _is_along_axes(name: str) -> bool:
+    """Whether the parts of these columns are _x, _y and _z."""
+class python_mechanism(mechanism):
+    """A mechanism whose functions are written in Python, a brake on each of its joints. It does all that a compiled one does, slower: each call of a function takes microseconds.
+
+    dof and task_dimension: 2 and 2, 3 and 2, 4 and 2, 3 and 3, 6 and 3, or 7 and 3. position(q) returns the end effector [m], base frame, of joint positions q [rad or m], an array of dof numbers. jacobian(q) returns J in v = J qd, task_dimension x dof [m/rad or 1]; without it J is found by central differences, to about ten digits. With inertia, up to 4 joints: mass_matrix(q) returns M, dof x dof [kg m^2, kg m or kg], bias_torque(q, qd) returns c in M qdd + c [N m or N], bias_acceleration(q, qd) returns Jd qd [m/s^2]; all three or none. An exception of a function comes out of the call as it is. NaN ends a cycle with status.state_not_finite or another status. The mechanism pickles if its functions do. Equal mechanisms have equal functions.
+    """
+    def __init__(self, dof: int, task_dimension: int, position: Callable[[Array], Numbers], jacobian: Callable[[Array], Rows] | None = ..., mass_matrix: Callable[[Array], Rows] | None = ..., bias_torque: Callable[[Array, Array], Numbers] | None = ..., bias_acceleration: Callable[[Array, Array], Numbers] | None = ...) -> None: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brake_parameters:
+        """The brakes of this device: torque_limit [N m], rate_dead_band [rad/s], torque_dead_band [N m], time_constant [s], torque_lower and torque_upper [N m], a number for each joint."""
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""

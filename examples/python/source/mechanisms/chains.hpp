@@ -2,9 +2,8 @@
 /// Serial chains in Python, with and without inertia: what is compiled for their size serves both.
 #pragma once
 
+#include "any_devices.hpp"
 #include "inverse.hpp"
-
-#include <passive_haptics_python/any_mechanism.hpp>
 
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 
@@ -31,12 +30,11 @@ void bind_chains(py::module_& module, const std::string& name, const std::string
   using chain = ph::serial_chain<double, N, D>;
   using heavy_chain = ph::serial_chain_with_inertia<double, N, D>;
   using any_chain = any_mechanism<N, D>;
-  using laws = law_list<ph::direct_control, ph::saturated_direct_control, ph::on_off_control,
-                        ph::velocity_direct_control>;
-  bind_mechanism<chain, ph::serial_chain_parameters<double, N, D>, usual_laws<chain>, any_chain, laws>(
-      module, name.c_str(), (about + ", a brake on each.").c_str());
-  bind_mechanism<heavy_chain, chain_with_inertia_parameters<N, D>, usual_laws<heavy_chain>, any_chain, laws>(
-      module, (name + "_with_inertia").c_str(), (about + ", a brake on each, with inertia.").c_str());
+  bind_mechanism<chain, ph::serial_chain_parameters<double, N, D>, usual_laws<chain>, any_chain,
+                 any_device_laws>(module, name.c_str(), (about + ", a brake on each.").c_str());
+  bind_mechanism<heavy_chain, chain_with_inertia_parameters<N, D>, usual_laws<heavy_chain>, any_chain,
+                 any_device_laws>(module, (name + "_with_inertia").c_str(),
+                                  (about + ", a brake on each, with inertia.").c_str());
 }
 
 }  // namespace passive_haptics_python

@@ -1,0 +1,63 @@
+// Logs by the library's own writer and reader, for those of Python.
+#include "reference.hpp"
+
+#include <log/replay.hpp>
+
+#include <fstream>
+
+namespace reference {
+namespace {
+
+using arm = ph::tendon_two_link<double>;
+
+// The law that test_logs.py replays its log with.
+auto control_at_wall() {
+  const ph::half_space<2> plane({0, 0.225}, {0, -1});
+  return ph::controller(arm(), ph::brakes_of<arm>(), ph::scene(ph::wall(plane, 1e5)), ph::direct_control());
+}
+
+// A log that Python wrote, as the program replay takes it.
+void replay_log(const std::string& in, const std::string& to) {
+  std::ifstream log(in);
+  std::ofstream out(to);
+  example::log_reader reader(log, in);
+  auto control = control_at_wall();
+  example::replay(reader, out, control);
+}
+
+// The cycles of a file of states as a log like that of brake_driver, and its numbers beside it.
+void write_log(const std::string& in, const std::string& to) {
+  const task<arm> given(in);
+  std::ofstream log(to);
+  doubles_out numbers(to + ".numbers");
+  auto control = control_at_wall();
+  example::log_row row;
+  std::int64_t cycle = 0;
+  for (auto state : given.states) {
+    if (!std::isfinite(state.time)) continue;
+    const auto decision = control(state);
+    row.start();
+    example::put_motion(row, {}, state);
+    example::put_decision(row, {}, decision, decision.outcome == ph::status::ok);
+    row.put("cycle", "1", ++cycle);
+    row.put("reason", cycle % 3 == 0 ? "late, \"twice\"" : "");
+    if (cycle == 1) log << row.header();
+    log << row.csv();
+    numbers.add(state.time);
+    numbers.add(state.q);
+    numbers.add(state.qd);
+    numbers.add(state.hand_force);
+  }
+}
+
+}  // namespace
+}  // namespace reference
+
+bool reference::run_log(const std::string& device, const std::string& law, const std::string& mode,
+                        const std::string& in, const std::string& to) {
+  if (device != "tendon_two_link" || law != "log") return false;
+  if (mode == "replay") replay_log(in, to);
+  else if (mode == "write") write_log(in, to);
+  else return false;
+  return true;
+}
