@@ -40,7 +40,7 @@ def test_cycles(tmp_path):
     assert control.parameters["brakes"] == one_off and pickle.loads(pickle.dumps(control)) == control
 
 
-@pytest.mark.parametrize("name", ["tendon_two_link", "two_link", "planar_chain_3", "delta"])
+@pytest.mark.parametrize("name", ["tendon_two_link", "two_link", "xy_table", "delta"])
 def test_batches_are_the_cycles(name):
     """Also where the batch of that wall was compiled for brakes that work both ways."""
     case = Case(name, 500, SEED)
@@ -94,11 +94,14 @@ def test_brakes_stay_while_a_batch_runs():
 
 def test_misuses():
     arm = ph.tendon_two_link()
-    control = ph.controller(arm, arm.brakes(), ph.scene(ph.wall(ph.half_space([0, 0.2], [0, -1]))), ph.direct_control())
+    chain, scene = ph.planar_arm([0.1, 0.1, 0.1]), ph.scene(ph.wall(ph.half_space([0, 0.2], [0, -1])))
+    control = ph.controller(arm, arm.brakes(), scene, ph.direct_control())
     for call, error, text in (
         (lambda: arm.brakes(torque_lower=[0.1, 0]), ValueError, "torque_lower[0] [N m] = 0.1, expected a number <= 0"),
         (lambda: arm.brakes(torque_upper=[0, -1]), ValueError, "torque_upper[1] [N m] = -1, expected a number >= 0"),
         (lambda: arm.brakes(torque_upper=[0]), ValueError, "length of torque_upper = 1, expected 2"),
+        (lambda: ph.controller(chain, chain.brakes(torque_upper=[0, 0, 0]), scene, ph.direct_control()), TypeError,
+         "a controller of a mechanism with more joints than task dimensions takes such brakes in C++ alone"),
         (lambda: control.set_brakes(3), TypeError, "brakes = 3 (int), expected what brakes() of the mechanism returns"),
         (lambda: control.set_brakes(DEVICES["delta"]().brakes()), TypeError, "for its number of brakes"),
         (lambda: ph.simulated_device(arm, arm.brakes(torque_upper=[0, 0]), 0.5, [0.7, 0.8]), ValueError,

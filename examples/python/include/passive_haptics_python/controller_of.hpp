@@ -13,6 +13,8 @@
 #include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
+#include <type_traits>
+
 namespace passive_haptics_python {
 
 /// Batches of a batch_controller.
@@ -59,14 +61,33 @@ std::unique_ptr<any_batch> batch_at_wall(const M& mechanism, const ph::brakes_of
   return found ? std::move(found) : of(std::type_identity<ph::ball<D>>());
 }
 
+/// The brakes that a controller of M takes: with bounds, unless M has self-motion. There the cycles of all
+/// would take a sixth (three joints) to a quarter (seven) longer.
+template <class M>
+using controller_brakes =
+    std::conditional_t<(M::dof > M::task_dimension), ph::brakes_of<M>, ph::switchable_brakes<M>>;
+
+/// Of these numbers; a TypeError where they have bounds and M has self-motion.
+template <class M>
+controller_brakes<M> controller_brakes_from(const brake_numbers& b) {
+  if constexpr (M::dof == M::task_dimension) return switchable_from<M>(b);
+  else {
+    if (!b.has_no_bounds())
+      refuse_type(
+          "brakes have a torque_lower or torque_upper, expected none: a controller of a mechanism with "
+          "more joints than task dimensions takes such brakes in C++ alone");
+    return brakes_from<M>(b);
+  }
+}
+
 /// Cycles of a scene S, one by one or each the first of a motion.
 template <class M, class L, class S>
 class controller_of final : public any_controller {
-  using controller_type = ph::controller<M, S, L, ph::switchable_brakes<M>>;
+  using controller_type = ph::controller<M, S, L, controller_brakes<M>>;
 
  public:
   /// at_wall: batches of this set-up that are compiled for its wall, or nullptr.
-  controller_of(const M& mechanism, const ph::switchable_brakes<M>& brakes, const S& scene, const L& law,
+  controller_of(const M& mechanism, const controller_brakes<M>& brakes, const S& scene, const L& law,
                 const ph::step_options<double>& options, std::unique_ptr<any_batch> at_wall)
       : control_(mechanism, brakes, scene, law, options), at_wall_(std::move(at_wall)) {}
 
@@ -102,7 +123,7 @@ class controller_of final : public any_controller {
 
   /// Other brakes from the next cycle on; batches are those of the scene, not of the wall, from here on.
   void set_brakes(const brake_numbers& brakes) override {
-    control_.set_brakes(switchable_from<M>(brakes));
+    control_.set_brakes(controller_brakes_from<M>(brakes));
     at_wall_ = nullptr;
   }
 
@@ -140,7 +161,7 @@ std::unique_ptr<any_controller> controller_with_effects(
 /// dimension, or of several walls where the law takes one. at_wall: batches that are compiled for its wall,
 /// or nullptr.
 template <class M, class L>
-std::unique_ptr<any_controller> make_controller(const M& mechanism, const ph::switchable_brakes<M>& brakes,
+std::unique_ptr<any_controller> make_controller(const M& mechanism, const controller_brakes<M>& brakes,
                                                 const scene& walls, const L& law,
                                                 const ph::step_options<double>& options,
                                                 std::unique_ptr<any_batch> at_wall) {

@@ -47,8 +47,9 @@ class device_of<M, law_list<Laws...>> final : public any_device {
     const auto try_law = [&]<class L>(std::type_identity<L>) {
       const auto* chosen = dynamic_cast<const law_value<L>*>(&of);
       if (made || chosen == nullptr) return;
-      made = passive_haptics_python::make_controller<M, L>(
-          model_, switchable_from<M>(brakes), walls, made_law<L>(chosen->table), options, std::move(at_wall));
+      made = passive_haptics_python::make_controller<M, L>(model_, controller_brakes_from<M>(brakes), walls,
+                                                           made_law<L>(chosen->table), options,
+                                                           std::move(at_wall));
     };
     (try_law(std::type_identity<Laws>()), ...);
     return made;
