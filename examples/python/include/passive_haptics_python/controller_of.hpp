@@ -141,7 +141,7 @@ class controller_of final : public any_controller {
 /// law take none.
 template <class M, class L>
 std::unique_ptr<any_controller> controller_with_effects(
-    [[maybe_unused]] const M& mechanism, [[maybe_unused]] const ph::switchable_brakes<M>& brakes,
+    [[maybe_unused]] const M& mechanism, [[maybe_unused]] const controller_brakes<M>& brakes,
     [[maybe_unused]] const scene& walls, [[maybe_unused]] const py::tuple& effects,
     [[maybe_unused]] const L& law, [[maybe_unused]] const ph::step_options<double>& options) {
   if constexpr (takes_effects<M, L>) {

@@ -248,7 +248,7 @@ class detents(effect):
     Parameters:
         origin [m]: a finite number; default [0.0, 0.0]
         direction [1]: a direction; default [1.0, 0.0]
-        spacing [m]: a finite number > 0; default 0.0
+        spacing [m]: a finite number > 0; no default
         strength [N]: a finite number >= 0; default 0.0
         velocity_dead_band [m/s]: a finite number > 0; default 0.003
     """
