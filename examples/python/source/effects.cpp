@@ -113,15 +113,7 @@ struct effect_of_vectors final : effect {
     return made;
   }
   static int size_of(const py::dict& given, const std::string& name) {
-    for (const auto& [key, value] : given) {
-      if (!PySequence_Check(value.ptr()) || PyUnicode_Check(value.ptr())) continue;
-      const py::ssize_t size = PySequence_Size(value.ptr());
-      if (size < 0) throw py::error_already_set();
-      if (size != 2 && size != 3)
-        refuse_value("length of " + std::string(py::str(key)) + " of " + name + " = " + std::to_string(size) +
-                     ", expected 2 or 3");
-      return int(size);
-    }
+    if (const int found = first_length(given, name, "2 or 3")) return found;
     refuse_type(name + " needs a vector of 2 or 3 numbers among " + joined(names()));
   }
 };

@@ -88,4 +88,19 @@ ph::vector<double, N> vector_from(py::handle x, const std::string& name) {
   return v;
 }
 
+/// The length, 2 or 3, of the first sequence among these parameters of `name`; 0 if there is none. A
+/// ValueError says what was expected of another length.
+inline int first_length(const py::dict& given, const std::string& name, const std::string& expected) {
+  for (const auto& [key, value] : given) {
+    if (!PySequence_Check(value.ptr()) || PyUnicode_Check(value.ptr())) continue;
+    const py::ssize_t size = PySequence_Size(value.ptr());
+    if (size < 0) throw py::error_already_set();
+    if (size != 2 && size != 3)
+      refuse_value("length of " + std::string(py::str(key)) + " of " + name + " = " + std::to_string(size) +
+                   ", expected " + expected);
+    return int(size);
+  }
+  return 0;
+}
+
 }  // namespace passive_haptics_python

@@ -57,15 +57,7 @@ struct shape_value : shape {
     return shape_value(p, std::integral_constant<int, D>());
   }
   static int dimension_of(const py::dict& given, const std::string& name) {
-    for (const auto& [key, value] : given) {
-      if (!PySequence_Check(value.ptr()) || PyUnicode_Check(value.ptr())) continue;
-      const py::ssize_t size = PySequence_Size(value.ptr());
-      if (size < 0) throw py::error_already_set();
-      if (size != 2 && size != 3)
-        refuse_value("length of " + std::string(py::str(key)) + " of " + name + " = " + std::to_string(size) +
-                     ", expected 2 (in the plane) or 3 (in space)");
-      return int(size);
-    }
+    if (const int found = first_length(given, name, "2 (in the plane) or 3 (in space)")) return found;
     refuse_type(name + " needs " + joined(names()) + ": vectors of 2 numbers in the plane, of 3 in space");
   }
 };
