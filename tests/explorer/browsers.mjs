@@ -19,6 +19,7 @@ export const program_of = name => programs[name].find(path => existsSync(path));
 // A browser {name, open(file, options), close()}. open() gives {page, messages}, in which all that the
 // console got is collected.
 export async function open_browser(folder, name) {
+  if (!program_of(name)) throw new Error(`no ${name} here, expected one of ${programs[name]}`);
   const playwright = load_package(folder, 'playwright-core');
   const browser =
     name === 'chromium'

@@ -1,6 +1,6 @@
-// Tests of the explorer's page in the browsers of this machine, from file://.
+// Tests of the explorer's page in a browser of this machine, from file://.
 //
-// usage: node page.mjs PAGE.html FOLDER_OF_NODE_MODULES [VALUES]
+// usage: node page.mjs chromium|firefox PAGE.html FOLDER_OF_NODE_MODULES [VALUES]
 //
 // EXPLORER_TEST=WORDS runs the tests whose names have these words.
 // VALUES: what the native engine prints of each preset, to compare with what the page shows.
@@ -8,10 +8,10 @@ import {readFileSync, statSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
-import {open_browser, program_of} from './browsers.mjs';
+import {open_browser} from './browsers.mjs';
 import {native_values, same_value} from './values.mjs';
 
-const [file, folder, values_file] = process.argv.slice(2),
+const [browser_name, file, folder, values_file] = process.argv.slice(2),
   only = process.env.EXPLORER_TEST;
 const path_of = name => createRequire(resolve(folder) + '/').resolve(name);
 const address = pathToFileURL(file).href,
@@ -349,6 +349,16 @@ async function in_browser(browser) {
       );
     }));
 
+  await test('the link follows a device into another question', () =>
+    with_page('#v1/forces', {}, async page => {
+      await page.selectOption('#mechanism', 'xy_table');
+      await page.evaluate(() => {
+        location.hash = '#v1/wanted';
+      });
+      await page.waitForFunction(() => /page=wanted&.*mechanism=xy_table/.test(location.hash));
+      expect((await page.evaluate(() => document.body.dataset.question)) === 'wanted', 'the question');
+    }));
+
   await test('every mechanism opens in every question', () =>
     with_page('#v1/forces', {}, async page => {
       const mechanisms = await page
@@ -421,22 +431,11 @@ async function in_browser(browser) {
 
 await test('the page is one file of less than 1.5 MB', async () =>
   expect(statSync(file).size < 1.5e6, 'size', statSync(file).size));
-for (const name of ['chromium', 'firefox']) {
-  if (!program_of(name)) {
-    console.log(
-      name +
-        ': skipped, as it is not installed (apt-get install ' +
-        (name === 'firefox' ? 'firefox-esr' : name) +
-        ')',
-    );
-    continue;
-  }
-  const browser = await open_browser(folder, name);
-  try {
-    await in_browser(browser);
-  } finally {
-    await browser.close();
-  }
+const browser = await open_browser(folder, browser_name);
+try {
+  await in_browser(browser);
+} finally {
+  await browser.close();
 }
-console.log(`${passes} checks passed, ${failures} failed`);
+console.log(`${browser_name}: ${passes} checks passed, ${failures} failed`);
 process.exit(failures ? 1 : 0);

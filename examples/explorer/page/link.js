@@ -3,11 +3,12 @@
 import {app} from './app.js';
 import {page_link, parse_settings, settings_link} from './settings.js';
 
-// The link follows what is shown, without an entry in the history.
+// The link follows what is shown, without an entry in the history, unless another one was followed meanwhile.
 let link_timer = 0;
 export function keep_link() {
+  const {hash} = location;
   clearTimeout(link_timer);
-  link_timer = setTimeout(() => history.replaceState(null, '', own_link()), 300);
+  link_timer = setTimeout(() => location.hash === hash && history.replaceState(null, '', own_link()), 300);
 }
 
 export function own_link() {

@@ -124,7 +124,10 @@ function wire() {
     app.is_dirty = true;
   });
   watch_files(document.body, by_id('open_log'), open_log);
-  addEventListener('hashchange', open_link);
+  addEventListener('hashchange', () => {
+    open_link();
+    keep_link();
+  });
   addEventListener('keydown', shortcut);
   new ResizeObserver(() => {
     app.is_dirty = true;
