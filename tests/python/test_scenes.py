@@ -12,7 +12,8 @@ from devices import Case, middle
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 REFERENCE = os.environ.get("PASSIVE_HAPTICS_PYTHON_REFERENCE")
-STATES, SEED, PERIOD = 20_000, 47, 0.02
+STATES = min(20_000, int(os.environ.get("PASSIVE_HAPTICS_PYTHON_STATES", "20000")))
+SEED, PERIOD = 47, 0.02
 EDGES = 70  # rows of a Case that are no motion
 TETRAHEDRON = os.path.join(ROOT, "docs", "guide", "mesh_file.stl")
 CORNERS = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]])
