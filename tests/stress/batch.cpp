@@ -4,6 +4,6 @@
 #include "effort.hpp"
 
 namespace {
-const auto rounds = static_cast<unsigned>(stress::effort(5, 50));
+const auto rounds = static_cast<unsigned>(stress::effort(25, 250));
 }
 #include "../unit/control/batch_suite.hpp"

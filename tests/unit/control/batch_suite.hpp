@@ -10,7 +10,7 @@ namespace ph = passive_haptics;
 
 namespace {
 
-constexpr std::size_t count = 20001;
+constexpr std::size_t count = 4001;
 
 // q anywhere: half of the walls pass through the handle, within a rounding or some millimetres
 template <class M>
