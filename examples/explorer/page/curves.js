@@ -16,7 +16,7 @@ export function draw_curves(pen, tracks, last, theme, names, colors, brakes, is_
     left = is_small ? 40 : 58,
     right = width - 14,
     gap = 30,
-    top = is_small ? 46 : 26;
+    top = is_small ? 30 + 16 * names.length : 26;
   const unit = is_short ? (pen.height - top - 18) / 2.6 : (pen.height - top - 16 - 2 * gap) / 5;
   const panels = [
     {key: 'depth', from: top, height: 2.6 * unit, title: 'depth in the wall [mm]', factor: 1e3, down: true},
@@ -54,13 +54,13 @@ export function draw_curves(pen, tracks, last, theme, names, colors, brakes, is_
       left,
       right,
     );
-  const labels = names.map((name, law) => ({name, law}));
-  let at = right;
-  for (const {name, law} of labels.reverse()) {
-    const size = is_small ? 12 : 13;
-    pen.label(name, at, 17, {size, align: 'end', color: colors[law], weight: 600});
-    at -= name.length * size * 0.6 + 18;
-    if (at < (is_small ? 0 : left + 150)) break;
+  // Beside each other, on a phone below each other
+  let [at, line] = [right, 17];
+  for (let law = names.length - 1; law >= 0; --law) {
+    pen.label(names[law], at, line, {size: is_small ? 12 : 13, align: 'end', color: colors[law], weight: 600});
+    if (is_small) line += 16;
+    else at -= names[law].length * 13 * 0.6 + 18;
+    if (at < left + 150) break;
   }
 }
 

@@ -79,7 +79,7 @@ export function begin(question, settings, preset, is_own) {
   if (question.is_moving && app.laws.length === 1) app.law = app.laws[0];
   device.evaluate();
   app.bounds = device.bounds();
-  app.box = box_of(device, app.info, question);
+  app.box = box_of(device, app.info, question, way_of_hand());
   app.scales = scales_of(device, app.info);
   if (!preset && (question.id === 'forces' || question.id === 'wanted')) start_still(question);
   app.begun = (app.begun || 0) + 1;
@@ -94,6 +94,14 @@ export function begin(question, settings, preset, is_own) {
   if (question.id === 'mine') begin_map();
   app.shown();
   app.is_dirty = true;
+}
+
+// How far a hand by itself goes [m].
+function way_of_hand() {
+  if (!app.is_by_itself) return [0, 0, 0];
+  const direction = form_value('hand.path.direction').split(',').map(Number),
+    length = Number(form_value('hand.path.length'));
+  return [0, 1, 2].map(i => (length * (direction[i] || 0)) / Math.hypot(...direction));
 }
 
 // A motion and a wanted force to begin with where a still picture has none: the handle goes aside, and the

@@ -36,15 +36,16 @@ export function scales_of(device, info) {
   };
 }
 
-// The box that the picture shows of a device [m]: in the plane what is drawn now and some room, in space
-// all that it reaches.
-export function box_of(device, info, question) {
+// The box that the picture shows of a device [m]: what is drawn now, where the handle ends whose hand goes
+// this way, and some room; with a map all that the device reaches.
+export function box_of(device, info, question, way) {
   const bounds = device.bounds();
   if (question.layers.includes('map')) return bounds;
   const drawing = device.drawing(),
-    points = drawing_rows(drawing.numbers, drawing.count).flatMap(row =>
-      is_line_row(row) ? [row.point, row.other] : [row.point],
-    );
+    rows = drawing_rows(drawing.numbers, drawing.count),
+    points = rows.flatMap(row => (is_line_row(row) ? [row.point, row.other] : [row.point])),
+    handle = handle_of(rows);
+  if (handle) points.push(way.map((w, i) => handle[i] + w));
   const room =
     view_share[info.dimension === 3 ? 'space' : question.is_moving ? 'moving' : 'still'] *
     Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]);
