@@ -54,7 +54,7 @@ export function draw_curves(pen, tracks, last, theme, names, colors, brakes, is_
       left,
       right,
     );
-  // Beside each other, on a phone below each other
+  // The names beside each other, on a phone below each other
   let [at, line] = [right, 17];
   for (let law = names.length - 1; law >= 0; --law) {
     pen.label(names[law], at, line, {size: is_small ? 12 : 13, align: 'end', color: colors[law], weight: 600});
