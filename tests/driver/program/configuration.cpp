@@ -214,6 +214,9 @@ TEST_F(a_configuration, that_is_no_file_is_named) {
   EXPECT_EQ(run({"--config", "none.toml"}).err, "error: none.toml: no such file\n");
   EXPECT_EQ(run({"--config", "folder"}).err, "error: folder: is a directory, expected a regular file\n");
   EXPECT_EQ(run({"--config", "none.toml"}).status, 2);
+  EXPECT_EQ(
+      check("version https://git-lfs.github.com/spec/v1\n").err,
+      "error: c.toml: a Git LFS pointer, not the file, expected what it points to; run `git lfs pull`\n");
 }
 
 TEST_F(a_configuration, that_is_no_regular_file_is_not_read) {
