@@ -7,23 +7,18 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <clocale>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <istream>
 #include <limits>
+#include <locale>  // strtod_l of macOS
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <type_traits>
 #include <utility>
-
-#ifndef _WIN32
-#include <locale.h>
-#include <stdlib.h>
-#if __has_include(<xlocale.h>)
-#include <xlocale.h>  // strtod_l of macOS
-#endif
-#endif
 
 namespace passive_haptics::detail {
 
