@@ -71,6 +71,7 @@ void log_reader::read_header() {
 void log_reader::read_remark() {
   std::string_view text = lines_.line();
   if (take(text, "# passive_haptics log ")) {
+    has_version_ = true;
     if (text != std::to_string(log_version))
       fail(0, std::string("version ").append(text), "version " + std::to_string(log_version));
   } else if (take(text, "# units:")) {
@@ -125,6 +126,9 @@ bool log_reader::next() {
       if (!lines_.line().empty()) fail(0, "a blank line before this one", "numbers in each line");
     return false;
   }
+  if (has_version_ && lines_.is_last())
+    fail(0, "the line has no end",
+         "each line of this version to have one; the log was cut off: remove this line, or end it");
   split(lines_.line(), fields_);
   if (fields_.size() > names_.size())
     fail(names_.size() + 1, in_quotes(fields_[names_.size()]), std::to_string(names_.size()) + " cells");

@@ -68,6 +68,7 @@ class log_reader {
   double time_ = 0;
   char separator_ = ',';
   bool row_is_read_ = false;  // as it was no line of names
+  bool has_version_ = false;  // so that each line has an end
 };
 
 }  // namespace example

@@ -328,7 +328,7 @@ TEST_F(a_configuration, has_values_of_no_device_only_if_its_user_says_so) {
         {"[encoders]\nlargest_rate = 5e-324", "largest_rate"},
         {"[mechanism]\nreduction_2 = 1e9", "reduction_2"},
         {"[mechanism]\nlength_1 = 150\n[homing]\npose = [0, 0]\n[[wall]]\npoint = [0, 99]", "length_1"},
-        {"[brakes]\ntime_constant = 9.2e18", "time_constant"},
+        {"[brakes]\ntime_constant = 20", "time_constant"},
         {"[brakes]\ntime_constant = [0.02, 1e-300]", "time_constant"},
         {"[[wall]]\npoint = [0, 1e9]", "point"},
         {"[[wall]]\nstiffness = 1e300", "stiffness"}}) {

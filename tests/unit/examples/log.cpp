@@ -209,6 +209,10 @@ TEST(log_reader, names_file_line_column_and_expectation_of_what_is_wrong) {
       {"no number, as Windows writes it", header + "0,-1.#IND,2\n", "line 2, column 2: '-1.#IND'" + number},
       {"a number that was cut off", "t,q1\n0,1\n1,1.5e",
        "line 3, column 2: '1.5e'" + number + "; the file was cut off"},
+      {"a last line that may be cut off", "# passive_haptics log 1\nt,q1\n0,1\n1,1.5",
+       "line 4: the line has no end, expected each line of this version to have one; the log was cut off: "
+       "remove "
+       "this line, or end it"},
       {"a zero byte", header + std::string("0,1,2\0,3", 8), "line 2: " + zero},
       {"a block of zero bytes at the end", header + good + std::string(100'000, '\0'), "line 3: " + zero},
       {"UTF-16", std::string("\xff\xfet\0,\0q\0", 8),

@@ -5,10 +5,9 @@
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/files/file_bytes.hpp>
 #include <passive_haptics/scene/files/polygons.hpp>
+#include <passive_haptics/scene/files/text_lines.hpp>
 
-#include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
