@@ -41,10 +41,8 @@ class mesh_source {
 
   // ---- text
 
-  /// More zero bytes at the end are an error, for a text that has no end of its own.
-  void limit_zeros(std::ptrdiff_t most) { lines_.limit_zeros(most); }
-  /// How many bytes filled up the end of the text, once all words are read.
-  std::size_t padding_size() const { return lines_.padding_size(); }
+  /// The lines that words are taken from.
+  text_lines& lines() { return lines_; }
   /// The next word of this line; empty at its end.
   std::string_view word_in_line() {
     do {
@@ -70,8 +68,6 @@ class mesh_source {
     in_line_ = lines_.is_last();
     return std::exchange(goes_on_, false);
   }
-  /// Whether the text ends with this line.
-  bool is_last_line() const { return lines_.is_last(); }
   /// A word that stands for a number: the whole of it.
   template <class T>
   T number(std::string_view text, const char* expected) const {

@@ -148,7 +148,7 @@ inline void read_ply(const std::filesystem::path& path, polygons& to) {
   if (header.is_text) {
     if (const auto word = from.word(); !word.empty())
       from.fail(word, "the end of the file, as the header says");
-    to.skipped_bytes = from.padding_size();
+    to.skipped_bytes = from.lines().padding_size();
   } else if (from.only_padding_is_left()) {
     to.skipped_bytes = from.left();
   } else {

@@ -128,7 +128,7 @@ inline ply_header read_ply_header(mesh_source& from, polygons& to) {
   constexpr std::string_view end = "end_header";
   const auto end_line = [&] {
     if (const auto word = from.word_in_line(); !word.empty()) from.fail(word, "the end of the line");
-    if (from.is_last_line()) from.fail({}, "'end_header' and the data; the file was cut off");
+    if (from.lines().is_last()) from.fail({}, "'end_header' and the data; the file was cut off");
     from.next_line();
   };
   const auto next = [&] {  // the first word of the next line that says something

@@ -115,7 +115,7 @@ inline void read_ascii_stl(mesh_source& from, polygons& to) {
     word = next();
     if (!word.empty() && !is_keyword(word, "solid")) from.fail(word, "'solid', or the end of the file");
   }
-  to.skipped_bytes = from.padding_size();
+  to.skipped_bytes = from.lines().padding_size();
 }
 
 inline void read_stl(const std::filesystem::path& path, polygons& to) {
