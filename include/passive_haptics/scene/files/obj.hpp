@@ -87,8 +87,7 @@ inline void pass_over_obj_line(mesh_source& from, std::string_view word, polygon
 
 inline void read_obj(const std::filesystem::path& path, polygons& to) {
   mesh_source from(path, true);
-  from.begin_text();
-  to.skipped_bytes = from.cut_padding(1);  // the zero that ends a text in C
+  from.lines().limit_zeros(1);  // the one that ends a text in C
   to.place_name = "line ";
   std::vector<int> corners;
   for (std::string_view word = from.word(); !word.empty(); word = from.word()) {
@@ -104,6 +103,7 @@ inline void read_obj(const std::filesystem::path& path, polygons& to) {
       pass_over_obj_line(from, word, to);
     }
   }
+  to.skipped_bytes = from.lines().padding_size();
 }
 
 }  // namespace detail

@@ -126,11 +126,9 @@ inline void read_ply_format(mesh_source& from, ply_header& header) {
 inline ply_header read_ply_header(mesh_source& from, polygons& to) {
   ply_header header;
   constexpr std::string_view end = "end_header";
-  const std::size_t found = from.bytes().find(end);
-  from.begin_text(found == std::string_view::npos ? 0 : found + end.size() + 1);  // not the data behind it
   const auto end_line = [&] {
     if (const auto word = from.word_in_line(); !word.empty()) from.fail(word, "the end of the line");
-    if (from.left() == 0) from.fail({}, "'end_header' and the data; the file was cut off");
+    if (from.lines().is_last()) from.fail({}, "'end_header' and the data; the file was cut off");
     from.next_line();
   };
   const auto next = [&] {  // the first word of the next line that says something
