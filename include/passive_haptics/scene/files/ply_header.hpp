@@ -37,7 +37,7 @@ inline std::size_t size_of(ply_type t) {
 /// The first of this name, or null.
 template <class Named>
 const Named* find_named(const std::vector<Named>& all, std::string_view name) {
-  const auto found = std::ranges::find(all, name, &Named::name);
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& x) { return x.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 
@@ -79,7 +79,8 @@ struct ply_header {
 inline std::string ply_name(std::string_view word) {
   constexpr std::array<std::string_view, 9> known{"vertex", "face", "edge",           "tristrips",   "x",
                                                   "y",      "z",    "vertex_indices", "vertex_index"};
-  const auto found = std::ranges::find_if(known, [&](std::string_view k) { return is_keyword(word, k); });
+  const auto found =
+      std::find_if(known.begin(), known.end(), [&](std::string_view k) { return is_keyword(word, k); });
   return std::string(found == known.end() ? word : *found);
 }
 
