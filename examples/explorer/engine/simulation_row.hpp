@@ -41,7 +41,7 @@ struct row_columns {
     brake_torque = add("brake_torque", "torque of the brakes", "τ", torque, m);
     brake_force = add("brake_force", "force of the brakes at the handle", "", "N", 3);
     Fd = add("Fd", "desired force", "F_d", "N", 3);
-    Fc = add("Fc", "control force", "F_c", "N", 3);
+    Fc = add("Fc", "control force, before α and the torque limits", "F_c", "N", 3);
     gamma = add("gamma", "approximation angle", "γ", "rad", 1);
     alpha = add("alpha", "scale factor", "α", "1", 1);
     display = add("display", "how it is displayed", "", "", 1, display_words());
