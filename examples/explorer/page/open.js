@@ -125,7 +125,7 @@ function start_still(question) {
   if (!Math.hypot(...device.value('v'))) device.move([0.1 * app.scales.reach, 0, 0]);
   device.evaluate();
   app.scales = scales_of(device, info); // the cone of a device with more joints than needed depends on its motion
-  if (question.id !== 'wanted' || Math.hypot(...device.value('Fd'))) return;
+  if (question.id !== 'wanted' || device.word('status') !== 'ok' || Math.hypot(...device.value('Fd'))) return;
   device.set('law=no_direct_control');
   app.law = 'no_direct_control';
   state.Fd.set(info.dimension === 3 ? [0, 0, 0.2 / app.scales.force] : [0, -0.2 / app.scales.force, 0]);

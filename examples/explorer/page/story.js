@@ -97,7 +97,7 @@ export function still_sentence(question, value, word, brakes, max_angle) {
   const moving = length_of(value('v')) > 0,
     states = brakes.map((brake, k) => 'brake ' + (k + 1) + ' ' + brake.state);
   if (question === 'forces') {
-    if (has_no_brake(value)) return no_brake_text;
+    if (has_no_brake(value, brakes)) return no_brake_text;
     if (!moving && length_of(value('Fh')) === 0)
       return 'Nothing moves and nobody pushes: a brake at rest then makes no force. Drag the head of *v*, or of the hand force *F_h*.';
     return (
@@ -115,9 +115,10 @@ function displayed_sentence(value, word, brakes, max_angle) {
     F = value('displayed'),
     desired = length_of(Fd),
     displayed = length_of(F);
+  if (word('status') !== 'ok') return 'The brakes are released: ' + word('status') + '.';
   if (desired === 0)
     return 'No force is wanted here. Drag the black arrowhead, or move the handle into a wall.';
-  if (displayed === 0) return released_sentence(value, word, max_angle);
+  if (displayed === 0) return released_sentence(value, brakes, max_angle);
   const off = angle_between(Fd, F),
     is_nearest = Math.abs(off - value('gamma')[0]) < same_direction,
     limit = limit_text(value, word),
@@ -161,9 +162,8 @@ function angle_between(a, b) {
 }
 
 // Why nothing is displayed.
-function released_sentence(value, word, max_angle) {
-  if (word('status') !== 'ok') return 'The brakes are released: ' + word('status') + '.';
-  if (has_no_brake(value)) return no_brake_text;
+function released_sentence(value, brakes, max_angle) {
+  if (has_no_brake(value, brakes)) return no_brake_text;
   if (length_of(value('displayed_without_law')) > 0)
     return 'The law releases the brakes here: nothing is felt.';
   return (
@@ -173,8 +173,9 @@ function released_sentence(value, word, max_angle) {
   );
 }
 
-const no_brake_text = 'The torque limits of all brakes are 0: they are off, and nothing is felt.';
-const has_no_brake = value => value('torque_limit').every(limit => limit === 0);
+const no_brake_text = 'No brake has a torque limit above 0: nothing is felt.';
+const has_no_brake = (value, brakes) =>
+  value('torque_limit').every((limit, k) => limit === 0 || brakes[k].state === 'no brake');
 
 // "both brakes are at their limit"; empty if none is.
 function limit_text(value, word) {
@@ -191,10 +192,11 @@ function limit_text(value, word) {
 // A brake at rest only balances the hand.
 function holding_text(value, brakes) {
   const capacity = value('capacity'),
-    torque = value('torque');
+    torque = value('torque'),
+    is_commanded = value('torque_share').map(share => share > same_size);
   return brakes
     .map((brake, k) =>
-      brake.state === 'holds' && Math.abs(torque[k]) < capacity[k]
+      brake.state === 'holds' && is_commanded[k] && Math.abs(torque[k]) < capacity[k]
         ? ` Brake ${k + 1} holds: it gives only as much as the hand pushes, now *${brake.made}*.`
         : '',
     )
@@ -236,7 +238,9 @@ export function moment_sentence(tracks, law, brakes) {
     millimetres +
     ' deep in the wall and moves ' +
     (out ? 'out' : 'in') +
-    '. The brakes slip: they resist, and nothing is stuck.'
+    (brakes.some(brake => brake.state === 'slips')
+      ? '. The brakes slip: they resist, and nothing is stuck.'
+      : '. The brakes are released.')
   );
 }
 
