@@ -138,8 +138,7 @@ TEST(explorer, figures_are_those_of_the_paper) {
   EXPECT_LT(value_of(*direct, "alpha")[0], 1);
 }
 
-// The displayed force is that of the commanded capacities, each against the motion of its brake: J^T F = T^T
-// t.
+// The displayed force is that of the commanded capacities, each against its brake's motion: J^T F = T^T t.
 TEST(explorer, the_displayed_force_is_that_of_the_capacities) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> number(-1, 1);
@@ -154,7 +153,8 @@ TEST(explorer, the_displayed_force_is_that_of_the_capacities) {
     const auto& law =
         explorer::laws[std::size_t(k) / explorer::mechanisms().size() % std::size(explorer::laws)];
     const int n = entry.joints, d = entry.dimension, m = entry.brakes;
-    settings text(std::string("desired=given\nscene=none\nmechanism=") + entry.id);
+    settings text(std::string("mechanism=") + entry.id);
+    text.set("desired", k % 4 == 3 ? "scene" : "given");
     text.set("brakes.torque_limit", numbers(m, [&] { return std::pow(10, number(random)); }));
     text.set("brakes.present", numbers(m, [&] { return number(random) > -0.9 ? 1 : 0; }));
     text.set("Fh", numbers(d, [&] { return number(random); }));
@@ -168,6 +168,7 @@ TEST(explorer, the_displayed_force_is_that_of_the_capacities) {
     const auto F = value_of(*made, "displayed"), J = value_of(*made, "J"), E = value_of(*made, "E");
     const auto capacity = value_of(*made, "capacity"), signs = value_of(*made, "signs");
     ASSERT_EQ(value_of(*made, "status")[0], 0) << text.text();
+    cut += value_of(*made, "saturated")[0] != 0 ? 1 : 0;
     const auto joint_torque = [&](int j) {  // of F
       double t = 0;
       for (int i = 0; i < d; ++i) t += J[std::size_t(i * n + j)] * F[std::size_t(i)];
@@ -194,10 +195,9 @@ TEST(explorer, the_displayed_force_is_that_of_the_capacities) {
       }
     }
     displayed += F[0] != 0 || F[1] != 0 || F[2] != 0 ? 1 : 0;
-    cut += value_of(*made, "saturated")[0] != 0 ? 1 : 0;
   }
-  EXPECT_GT(displayed, 400);
-  EXPECT_GT(cut, 200);
+  EXPECT_GT(displayed, 300);
+  EXPECT_GT(cut, 100);
 }
 
 TEST(explorer, inverse_kinematics_reach_where_the_handle_was) {

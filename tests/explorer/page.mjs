@@ -343,7 +343,7 @@ async function in_browser(browser) {
       '#v1/?page=wanted&mechanism=two_link&mechanism.length_1=1&mechanism.length_2=1&scene=none&desired=given' +
       '&law=no_direct_control&q=0.785398163397,1.570796326795&qd=-0.07,0.14';
     for (const [link, sentence] of [
-      [arm + '&Fd=-0.25,0.75', /exactly it, 0\.791 N\.$/],
+      [arm + '&Fd=-0.25,0.75', /displays Fd exactly, 0\.791 N: it lies in the green area\.$/],
       [arm + '&Fd=-25,75', /^Direction exact, 2\.24 N of the 79\.1 N: both brakes are at their limit\.$/],
       [arm + '&Fd=-25,75&brakes.torque_limit=0,0', /^No brake has a torque limit above 0/],
       ['#v1/fig4', /^Direction exact, up to 5 N of the 2000 N: brake 2 is .* the hand pushes, now 1\.5 N\.$/],

@@ -95,7 +95,7 @@ class pose_values {
     Fd_ = vector_of("Fd", "desired force", "F_d", "", "N", "forces");
     depth_ = number("depth", "depth in the wall", "", "", "m", "forces");
     normal_ = vector_of("normal", "normal of the wall", "n", "", "1", "forces");
-    Fp_ = vector_of("Fp", "nearest force", "F_p", "", "N", "forces");
+    Fp_ = vector_of("Fp", "nearest force, before the torque limits", "F_p", "", "N", "forces");
     Fc_ = vector_of("Fc", "control force, before α and the torque limits", "F_c", "7", "N", "forces");
     Fc_scaled_ =
         vector_of("Fc_scaled", "scaled control force, before the torque limits", "αF_c", "12", "N", "forces");
@@ -113,7 +113,8 @@ class pose_values {
     share_ = of_brakes("torque_share", "share of the limit", "", "", "1");
     doing_ = of_brakes("brake_state", "state of the brake", "", "3", "", brake_words());
     power_ = number("power", "region of the desired force", "", "1", "", "decision", power_words());
-    display_ = number("display", "how it is displayed", "", "", "", "decision", display_words());
+    display_ = number("display", "how it is displayed, before the torque limits", "", "", "", "decision",
+                      display_words());
     saturated_ = number("saturated", "a torque limit is reached", "", "", "", "decision", {"no", "yes"});
     region_ = number("region", "passive FME of the present signs", "", "", "1", "decision");
     strongest_ = number("strongest", "largest force along the desired one", "", "", "N", "decision");

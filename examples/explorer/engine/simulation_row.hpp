@@ -44,7 +44,7 @@ struct row_columns {
     Fc = add("Fc", "control force, before α and the torque limits", "F_c", "N", 3);
     gamma = add("gamma", "approximation angle", "γ", "rad", 1);
     alpha = add("alpha", "scale factor", "α", "1", 1);
-    display = add("display", "how it is displayed", "", "", 1, display_words());
+    display = add("display", "how it is displayed, before the torque limits", "", "", 1, display_words());
     power = add("power", "region of the desired force", "", "", 1, power_words());
     status = add("status", "status", "", "", 1, status_words());
     brake_state = add("brake_state", "state of the brakes", "", "", m, brake_words());

@@ -129,7 +129,12 @@ function displayed_sentence(value, word, brakes, max_angle) {
       : ' The brakes are released: the links themselves hold this force.';
   const rest = (limit && ': ' + limit) + '.' + scale_text(value('alpha')[0]) + holding + links;
   if (off < same_direction && Math.abs(displayed - desired) < same_size * desired)
-    return 'F_d lies in the green area: the device displays *exactly* it, ' + size + rest;
+    return (
+      'The device displays F_d *exactly*, ' +
+      size +
+      (limit || links ? '' : ': it lies in the green area') +
+      rest
+    );
   if (off < same_direction)
     return (
       'Direction *exact*, ' +
