@@ -42,6 +42,8 @@ constexpr std::array tests{
                      "safe_port.cpp"},
     fault,
     fault,
+    test_of_a_hazard{"a_control_loop", "of_a_machine_that_was_suspended_releases_before_the_next_cycle",
+                     "control_loop.cpp"},
     test_of_a_hazard{"a_control_loop", "may_overrun_so_often_from_its_first_cycle_on", "control_loop.cpp"},
     test_of_a_hazard{"a_supervised_loop", "whose_law_throws_leaves_no_current", "supervisor.cpp"},
     test_of_a_hazard{"a_request", "to_stop_releases_first_and_ends_the_loop", "supervisor.cpp"},

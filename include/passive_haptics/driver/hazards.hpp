@@ -60,6 +60,8 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
        homing},
       {"A command is NaN, infinite or negative", "safe_port", cycle + by_loop, rearm},
       {"The clock goes back or is NaN", "control_loop, safe_port", cycle + by_loop, rearm},
+      {"The machine goes on after a suspend, in which only the device's watchdog can act",
+       "control_loop: CLOCK_BOOTTIME", cycle + by_loop, homing},
       {"More than `max_overruns` cycles in a row end late", "control_loop",
        (p.loop.max_overruns + 1) * supervised + by_loop, rearm},
       {"The law throws", "control_loop", cycle + by_supervisor, ends},
