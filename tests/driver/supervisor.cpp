@@ -501,6 +501,22 @@ TEST_F(a_supervised_loop, that_does_not_know_what_flows_gives_no_heartbeat) {
   EXPECT_TRUE(eventually([&] { return device->current == 0; }));
 }
 
+// hold_time begins anew with each beat, also after a silence that the loop survived.
+TEST_F(a_supervised_loop, that_fell_silent_once_is_held_for_the_whole_time_when_it_dies_later) {
+  ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.05},
+                                     {.policy = ph::release_policy::hold, .hold_time = 0.5});
+  ASSERT_EQ(guard.start(), "");
+  device->supervisor = guard.pid();
+  guard.beat(1, {0.5});
+  ASSERT_TRUE(eventually([&] { return guard.released(); }));
+  for (const double start = ph::monotonic_seconds(); ph::monotonic_seconds() < start + 0.6; usleep(1000))
+    guard.beat(1, {0.5});
+  const std::size_t before = by_supervisor().size();
+  ASSERT_TRUE(eventually([&] { return by_supervisor().size() > before; })) << "silent again";
+  EXPECT_EQ(by_supervisor()[before].current, 0.5);
+  kill(guard.pid(), SIGKILL);  // it would hold on, and be waited for
+}
+
 // Stopped, held to the end by the supervisor, continued: nothing may flow, whoever dies then.
 TEST_F(a_supervised_loop, whose_hold_is_over_stays_without_current) {
   at_release = {.policy = ph::release_policy::hold, .hold_time = 0.3};
