@@ -27,7 +27,7 @@ namespace {
 
 std::string ready() { return {}; }
 void until_parent_is_gone(ph::parent_link parent) {
-  while (!parent.gone(1000)) {
+  while (!parent.gone_within(1)) {
   }
 }
 void for_ever(ph::parent_link) {
@@ -287,7 +287,7 @@ TEST(a_parent_link, that_cannot_be_watched_counts_the_parent_as_gone) {
     std::array<int, 2> ends{};
     const rlimit none{0, 0};  // poll(2) fails
     if (pipe(ends.data()) != 0 || setrlimit(RLIMIT_NOFILE, &none) != 0) return std::string("no pipe");
-    return std::string(ph::parent_link(ends[0], getppid()).gone(0) ? "gone" : "there");
+    return std::string(ph::parent_link(ends[0], getppid()).gone_within(0) ? "gone" : "there");
   };
   EXPECT_EQ(processes::said_by_a_process(look), "gone");
 }
@@ -298,7 +298,7 @@ TEST(a_parent_link, is_not_gone_for_a_signal) {
     const itimerval soon{{0, 0}, {0, 10'000}};
     std::signal(SIGALRM, [](int) {});
     if (pipe(ends.data()) != 0 || setitimer(ITIMER_REAL, &soon, nullptr) != 0) return std::string("no pipe");
-    return std::string(ph::parent_link(ends[0], getppid()).gone(5000) ? "gone" : "there");
+    return std::string(ph::parent_link(ends[0], getppid()).gone_within(5) ? "gone" : "there");
   };
   EXPECT_EQ(processes::said_by_a_process(look), "there");
 }

@@ -587,9 +587,9 @@ TEST(a_supervisor, that_finds_no_device_says_so) {
 TEST(a_supervisor, checks_its_parameters) {
   EXPECT_EQ(validate(ph::supervisor_parameters{}), "");
   EXPECT_DOUBLE_EQ(ph::supervisor_parameters{.timeout = 0.2}.latest(), 0.25);
-  EXPECT_EQ(ph::supervisor_parameters{.timeout = 0.2}.look(), 50);
-  EXPECT_EQ(ph::supervisor_parameters{.timeout = 0.004}.look(), 1) << "the least";
-  EXPECT_EQ(ph::supervisor_parameters{.timeout = 10}.look(), 2500);
+  EXPECT_DOUBLE_EQ(ph::supervisor_parameters{.timeout = 0.2}.latest(1e-4), 0.2505);
+  EXPECT_EQ(ph::supervisor_parameters{.timeout = 0.2}.look(), 0.05);
+  EXPECT_EQ(ph::supervisor_parameters{.timeout = 0.009}.look(), 0.00225) << "no whole number of ms";
   EXPECT_EQ(validate(ph::supervisor_parameters{.timeout = 0.001}),
             "timeout of the supervisor [s] = 0.001, expected 0.004 to 10");
   EXPECT_EQ(validate(ph::supervisor_parameters{.priority = 100}),
