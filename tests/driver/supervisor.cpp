@@ -474,8 +474,8 @@ TEST_F(a_supervised_loop, whose_port_does_not_come_back_is_released) {
   blocks = true;
   const double blocked = ph::monotonic_seconds();
   EXPECT_TRUE(eventually([&] { return cycle(), device->current == 0; }));
-  std::printf("0 A %.0f ms after the read began to block; stated: %.0f ms\n",
-              1e3 * (1e-9 * static_cast<double>(device->released_at) - blocked), 1e3 * (0.05 + 0.125));
+  std::printf("0 A %.0f ms after the read began to block\n",
+              1e3 * (1e-9 * static_cast<double>(device->released_at) - blocked));
   EXPECT_EQ(port.state(), ph::port_state::released);
   for (int k = 0; k < 50; ++k) {
     cycle();
