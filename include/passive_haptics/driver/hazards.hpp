@@ -24,8 +24,8 @@ struct driver_timing {
   double bench_hold_over = 0.1;                               ///< Of record_on_bench() [s],
   double bench_overtime = 1;                                  ///< and how long it waits for the end [s].
   double watchdog = 0;                                        ///< Of the device [s]; 0 for none.
-  /// How late the kernel wakes a process that sleeps [s]: 0.05 ms of timer slack (timerslack(2const)), and
-  /// 0.1 ms to leave an idle state.
+  /// How late the kernel wakes a process that sleeps for at most 50 ms [s]: 0.05 ms of timer slack, prctl(2),
+  /// and 0.1 ms to leave an idle state.
   double wake_up = 1.5e-4;
   /// How long the kernel takes to end a killed process [s]: it frees the memory before it closes the pipe,
   /// about 0.07 ms for each MiB.
@@ -51,10 +51,11 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
   const double supervised = p.supervisor.latest(p.wake_up);  // from the last heartbeat
   // A release whose currents last is over with the next of them
   const double lasts = p.at_release.longest();
-  const double ends = lasts > 0 ? lasts + std::max(cycle, p.supervisor.release_interval + p.wake_up) : 0;
-  // By the loop, and by a supervisor that the loop does not come back to
-  const double by_loop = p.at_release.policy == release_policy::hold ? never : ends, by_supervisor = ends;
-  constexpr std::string_view rearm = "rearm", homing = "start again, with homing", ends_itself = "it ends";
+  const double next = std::max(cycle, p.supervisor.release_interval + p.wake_up);
+  // By a supervisor that the loop does not come back to, and by the loop
+  const double by_supervisor = lasts > 0 ? lasts + next : 0;
+  const double by_loop = p.at_release.policy == release_policy::hold ? never : by_supervisor;
+  constexpr std::string_view rearm = "rearm", homing = "start again, with homing", ends = "it ends";
   return {
       {"An encoder's count is NaN, infinite, beyond its counter or a jump, the device calls it invalid, or "
        "samples are out of order",
@@ -80,18 +81,15 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
       // Each takes less than what the supervisor accepts
       {"More than `max_overruns` cycles in a row end late", "control_loop",
        cycle + (p.loop.max_overruns + 1) * supervised + by_loop, rearm},
-      {"The law throws", "control_loop", cycle + by_supervisor, ends_itself},
-      {"SIGINT, SIGTERM, SIGHUP, the end of `--seconds`", "the loop", cycle + by_supervisor, ends_itself},
+      {"The law throws", "control_loop", cycle + by_supervisor, ends},
+      {"SIGINT, SIGTERM, SIGHUP, the end of `--seconds`", "the loop", cycle + by_supervisor, ends},
       {"The program destroys its ports while the brakes hold: a return, an exception", "the port's thread",
-       p.thread.pause + p.wake_up, ends_itself},
+       p.thread.pause + p.wake_up, ends},
       // If the kernel takes long to end it, the heartbeat is missing first
-      {"The loop's process dies: SIGKILL, SIGSEGV, SIGABRT, SIGBUS, SIGQUIT or another signal that it does "
-       "not "
-       "handle",
-       "supervisor: its pipe closes", std::min(p.process_end + p.wake_up, supervised) + by_supervisor,
-       ends_itself},
+      {"The loop's process dies: SIGKILL, SIGSEGV, SIGABRT, SIGBUS, SIGQUIT or another signal that ends it",
+       "supervisor: its pipe closes", std::min(p.process_end + p.wake_up, supervised) + by_supervisor, ends},
       {"It dies where the system refuses `close_range`", "supervisor: its pipe closes",
-       std::min(p.process_end + p.wake_up, supervised) + by_supervisor, ends_itself},
+       std::min(p.process_end + p.wake_up, supervised) + by_supervisor, ends},
       {"The loop is stopped (SIGSTOP), a cycle hangs, or the kernel writes the core of a loop that died",
        "supervisor: no heartbeat", supervised + by_supervisor, "rearm, if it goes on"},
       {"The loop is stopped, and a rearm request (SIGUSR1) waits for it", "supervisor: no heartbeat",

@@ -26,11 +26,11 @@
 namespace passive_haptics {
 
 /// A forked process. Start it before the loop's real-time set-up and before any thread. It leaves the
-/// terminal's process group, so that Ctrl-C, Ctrl-Z and Ctrl-\ do not reach it, and ignores every signal but
-/// SIGKILL, SIGSTOP, SIGCONT, SIGCHLD and those that report a fault of the program itself (SIGABRT, SIGBUS,
-/// SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP): it ends after its parent. A write to a pipe that nobody reads,
-/// or beyond the limit of a file's size, therefore fails instead of ending it. If it is stopped, the end of
-/// its parent wakes it. It keeps no file open except the standard ones. Its parent never waits for it
+/// terminal's process group, so that Ctrl-C, Ctrl-Z and Ctrl-\ do not reach it, and ends after its parent. It
+/// ignores every signal except SIGKILL, SIGSTOP, SIGCONT, SIGCHLD and those that report a fault of the
+/// program itself (SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP). A write to a pipe that nobody
+/// reads, or beyond the limit of a file's size, therefore fails instead of ending it. If it is stopped, the
+/// end of its parent wakes it. It keeps no file open except the standard ones. Its parent never waits for it
 /// indefinitely.
 class child_process {
  public:
