@@ -195,7 +195,7 @@ class safe_port {
   void fail(const fault_record& why) noexcept { fail(why, now_); }
   void fail(const fault_record& why, double since) noexcept {
     if (why.what == fault::device_lost && why.source != fault_source::force_sensor) lost_ = true;
-    if (lost_) homed_ = false;
+    if (lost_ || (why.source == fault_source::loop && invalidates_position(why.what))) homed_ = false;
     if (state_ != port_state::released) {
       reason_ = why;
       release_.begin({since, applied_});
