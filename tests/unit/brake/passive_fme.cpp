@@ -134,6 +134,7 @@ TYPED_TEST(passive_fme, brakes_produce_torques_against_their_motion) {
 
 TYPED_TEST(passive_fme, outline_has_32_chords_unless_told) {
   EXPECT_EQ(ph::passive_fme_outline(this->G, two[0]).size(), 35u);
+  EXPECT_THROW(ph::passive_fme_outline(this->G, two[0], 0), std::invalid_argument);
 }
 
 // x_i = q_i^2 / 2: singular where a joint is at 0.
