@@ -113,9 +113,9 @@ class python_functions {
     });
   }
   /// Compares the functions with each other at finite q. Throws ValueError with the entry of J that is not
-  /// the central difference of the position, or of M that is not symmetric, and for an M that is not positive
-  /// definite or a function of inertia that is not finite. What is not finite of x or J is left to the
-  /// cycle's status.
+  /// the central difference of the position, or the entry of M that is not symmetric. Throws it also for an M
+  /// that is not positive definite, and for inertia that is not finite. If x or J is not finite, the cycle's
+  /// status reports it.
   void check(const joints& q) const {
     if (!q.allFinite()) return;
     of_->is_checked = true;  // its own calls below need no check
