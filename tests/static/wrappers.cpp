@@ -19,7 +19,7 @@ namespace {
 
 // ---- mechanisms
 
-// All but the one of both inverses that it does not need, and the transmission of T
+// Every member that the library reads
 template <int N>
 struct complete_mechanism {
   using scalar = double;
@@ -111,7 +111,7 @@ struct complete_scene {
   void reset();
   void remember(const complete_scene&);
   void extrapolate(double);
-  friend ph::status scene_status(const complete_scene&) { return ph::status::ok; }
+  [[maybe_unused]] friend ph::status scene_status(const complete_scene&) { return ph::status::ok; }
 };
 
 template <class S>
