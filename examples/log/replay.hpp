@@ -25,27 +25,6 @@ struct replay_summary {
   std::size_t same = 0;      ///< and has the same to the last digit.
 };
 
-/// A shape that is chosen at run time.
-template <int D>
-class any_shape {
- public:
-  static constexpr int dimension = D;
-
-  /// Takes on the shape of s.
-  template <ph::Shape S>
-    requires(!std::same_as<S, any_shape>)
-  explicit any_shape(const S& s)
-      : distance_([s](const ph::point<D>& x) { return s.distance(x); }),
-        gradient_([s](const ph::point<D>& x) { return s.gradient(x); }) {}
-
-  double distance(const ph::point<D>& x) const { return distance_(x); }
-  ph::point<D> gradient(const ph::point<D>& x) const { return gradient_(x); }
-
- private:
-  std::function<double(const ph::point<D>&)> distance_;
-  std::function<ph::point<D>(const ph::point<D>&)> gradient_;
-};
-
 /// Runs each line of a log through a controller and writes it with the decision to `out`, a log itself. A
 /// line in which a number is missing is written without a decision; where no force is needed, a missing one
 /// is 0, as of a device without a force sensor. Throws log_error on the first malformed line. Memory does not

@@ -4,6 +4,8 @@
 
 #include <log/replay.hpp>
 
+#include <python/include/passive_haptics_python/any_shape.hpp>
+
 #include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/design/plausibility.hpp>
 
@@ -20,6 +22,8 @@
 #include <vector>
 
 namespace example {
+
+using passive_haptics_python::any_shape;
 
 /// Options of a replay.
 struct replay_options {

@@ -254,6 +254,7 @@ TEST(explorer, refuses_with_the_words_of_the_library) {
             "mechanism.length_1 = 'abc', expected a number");
   EXPECT_EQ(refusal("mechanism=two_link\nq=1"), "q = '1', expected 2 numbers with commas between");
   EXPECT_EQ(refusal("mechanism=two_link\nq=nan,1").substr(0, 23), "passive_haptics: q[0] [");
+  EXPECT_EQ(refusal("mechanism=two_link\nq=1e300,1").substr(0, 23), "passive_haptics: q[0] [");
   EXPECT_EQ(refusal("mechanism=two_link\nlenght=1"),
             "setting = 'lenght', expected a name of the device's form");
   EXPECT_EQ(refusal("mechanism=two_link\nscene=plane:1,2"),

@@ -142,7 +142,7 @@ def test_exceptions_come_out_as_they_are():
     ):  # fmt: skip
         with pytest.raises(surprise, match="here"):
             call(arm(position=failing(0), jacobian=failing(0)))
-    ours = arm(position=failing(10))
+    ours = arm(position=failing(10), check=False)
     assert [ours.position([0, 1]).shape for _ in range(10)] == [(2,)] * 10
 
 
@@ -157,6 +157,28 @@ def test_nan_ends_a_cycle_with_a_status():
         control = ph.controller(arm(jacobian=lambda q: np.full((2, 2), bad)), case.brakes(), deep, ph.direct_control())
         result = control(state)
         assert result.outcome != ph.status.ok and result.capacity.tolist() == [0, 0]
+
+
+def test_a_jacobian_that_is_no_derivative_is_an_error_wherever_it_is_first_used():
+    case = Case("two_link", 300, 12)
+    free = ph.scene(ph.wall(ph.half_space(case.point - 9 * case.normal, case.normal)))
+    state = states_of(case)[150]
+
+    def control(device, scene):
+        return ph.controller(device, case.brakes(), scene, ph.direct_control())
+
+    for call in (
+        lambda m: control(m, free)(state), lambda m: control(m, free).batch(case.q, case.qd, case.hand_force),
+        lambda m: m.jacobian(state.q), lambda m: m.displayable(state.q, [1, 0], [0, 1]),
+    ):  # fmt: skip
+        wrong = {"jacobian": lambda q: np.transpose(jacobian(q))}
+        mine = arm(**wrong)
+        for _ in range(2):
+            with pytest.raises(ValueError, match=r"jacobian\(q\)\[1\]\[0\] = .*, the slope of position\(q\)\[1\] over q\[0\]"):
+                call(mine)
+        call(arm(**wrong, check=False))
+    slightly = [[1, 1], [1, 1 + 9e-5]]
+    control(arm(jacobian=lambda q: np.multiply(jacobian(q), slightly)), free)(state)
 
 
 def test_threads_share_one():
@@ -203,6 +225,13 @@ def test_it_pickles_if_its_functions_do():
         pickle.dumps(arm(position=lambda q: q))
 
 
+def heavy(**functions):
+    """Two slides of 1 kg."""
+    inertia = {"mass_matrix": np.eye(2), "bias_torque": [0, 0], "bias_acceleration": [0, 0], **functions}
+    constants = {name: lambda *q, value=value: value for name, value in inertia.items()}
+    return ph.python_mechanism(2, 2, lambda q: q, **constants)
+
+
 INERTIA = {"mass_matrix": position, "bias_torque": position, "bias_acceleration": position}
 case = Case("two_link", 100, 1)
 MISUSES = [
@@ -231,6 +260,14 @@ MISUSES = [
     (lambda: ph.simulated_device(arm(), case.brakes(), 0.5, [0, 1]), TypeError, "simulated_device needs a mechanism with inertia"),
     (lambda: ph.simulated_device(arm(**{**INERTIA, "mass_matrix": lambda q: np.eye(3)}), case.brakes(), 0.5, [0, 1]),
      ValueError, "shape of mass_matrix(q) = (3, 3), expected an array of 2 x 2"),
+    (lambda: heavy().jacobian([0, 1]), None, ""),
+    (lambda: heavy(mass_matrix=[[2, 0.1], [0.2, 2]]).jacobian([0, 1]), ValueError,
+     "mass_matrix(q)[0][1] = 0.1, expected 0.2, as the matrix is symmetric"),
+    (lambda: heavy(mass_matrix=[[1, 2], [2, 1]]).jacobian([0, 1]), ValueError, "expected a positive definite matrix"),
+    (lambda: heavy(mass_matrix=[[1, 0], [0, np.inf]]).jacobian([0, 1]), ValueError, "mass_matrix(q)[1][1] = inf, expected a finite"),
+    (lambda: heavy(bias_torque=[0, np.nan]).jacobian([0, 1]), ValueError, "bias_torque(q, qd)[1] = nan, expected a finite"),
+    (lambda: heavy(bias_torque=[0]).jacobian([0, 1]), ValueError, "length of bias_torque(q, qd) = 1, expected 2"),
+    (lambda: arm(check=3), TypeError, "check = 3 (int), expected True or False"),
     (lambda: arm().brakes(torque_limit=[1, 1, 1]), ValueError, "length of torque_limit = 3, expected 2"),
     (lambda: ph.controller(arm(position=lambda q: [1]), case.brakes(), case.scene(), ph.direct_control())(states_of(case)[80]),
      ValueError, "length of position(q) = 1, expected 2"),

@@ -123,7 +123,7 @@ struct configuration {
       return ph::member_table(
           ph::member("scene", &p::scene), ph::choice("desired", &p::desired, "scene, given"),
           ph::choice("hand", &p::hand, "pointer, along"),
-          ph::member("q", &p::q, "rad or m", ph::range::finite),
+          ph::member("q", &p::q, "rad or m", ph::range::between(-1e6, 1e6)),  // whose sine has a meaning
           ph::member("qd", &p::qd, "rad/s or m/s", ph::range::finite),
           ph::member("Fh", &p::Fh, "N", ph::range::finite), ph::member("Fd", &p::Fd, "N", ph::range::finite));
     }

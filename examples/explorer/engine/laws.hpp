@@ -21,9 +21,12 @@ namespace explorer {
 struct scaled_forces {
   static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
   static constexpr bool nulls_normal_force =
-      true;                        ///< As direct_control; with alpha = 1 it makes no difference.
+      true;                        ///< As direct_control; at one wall, alpha = 1 makes no difference.
   bool is_direct = true;           ///< Direct control; else alpha = 1.
   ph::direct_control direct = {};  ///< The law.
+
+  /// The table of core/parameters.hpp: that of the law.
+  static constexpr auto members() { return ph::member_table(ph::member("direct", &scaled_forces::direct)); }
 
   /// alpha
   template <class T, int D>

@@ -5,6 +5,8 @@
 #include "module.hpp"
 #include "progress.hpp"
 
+#include <passive_haptics/design/map/task_points.hpp>
+
 #include <pybind11/eigen.h>
 
 #include <limits>
@@ -86,6 +88,10 @@ class rows_of_places {
     if (states >= 0 && array.shape(0) != states)
       refuse_value("number of rows of " + std::string(name) + " = " + std::to_string(array.shape(0)) +
                    ", expected " + std::to_string(states) + ", as q has");
+    if (array.shape(0) > py::ssize_t(ph::max_task_points))
+      refuse_value("number of rows of " + std::string(name) + " = " + std::to_string(array.shape(0)) +
+                   ", expected at most " + std::to_string(ph::max_task_points) +
+                   "; pass the places in parts");
     const py::array_t<double, py::array::forcecast> numbers_in(array);
     const auto at = numbers_in.unchecked<2>();
     rows all(array.shape(0), width);
@@ -109,22 +115,27 @@ py::array map_of(const mechanism& of, py::handle q, py::handle direction, py::ha
   const rows_of_places places(of, q, direction, normal);
   const design_brakes brakes_there = design_brakes_of(of, given, motors);
   push_of(push);
-  std::vector<figures_row> rows;
-  progress shown(places.size(), "places");
-  for (py::ssize_t k = 0; k < places.size(); ++k) {
-    const auto f = of.device().design_figures(places[k], brakes_there, push);
-    rows.push_back({std::int32_t(f.outcome), std::int32_t(f.display), f.cosine, f.drag, f.strongest,
-                    f.sink_slope, f.isotropy});
-    if (k % points_between_signals != 0) continue;
-    let_others_run();
-    shown.show(k);
-  }
   py::list fields;
   for (const char* name : {"outcome", "display"}) fields.append(py::make_tuple(name, "i4"));
   for (const char* name : {"cosine", "drag", "strongest", "sink_slope", "isotropy"})
     fields.append(py::make_tuple(name, "f8"));
-  const py::dtype type = py::dtype::from_args(fields);
-  return py::array(type, std::vector<py::ssize_t>{py::ssize_t(rows.size())}, rows.data());
+  py::array rows(py::dtype::from_args(fields), std::vector<py::ssize_t>{places.size()});
+  auto* const row = static_cast<figures_row*>(rows.mutable_data());
+  progress shown(places.size(), "places");
+  for (py::ssize_t k = 0; k < places.size(); ++k) {
+    const auto f = of.device().design_figures(places[k], brakes_there, push);
+    row[k] = {std::int32_t(f.outcome),
+              std::int32_t(f.display),
+              f.cosine,
+              f.drag,
+              f.strongest,
+              f.sink_slope,
+              f.isotropy};
+    if (k % points_between_signals != 0) continue;
+    let_others_run();
+    shown.show(k);
+  }
+  return rows;
 }
 
 double depth_of(const mechanism& of, py::handle q, py::handle direction, py::handle normal,
@@ -204,7 +215,7 @@ void bind_design(py::class_<mechanism>& bound) {
            "(status), display (display_class), cosine of gamma [1], drag for each newton that is displayed "
            "[1], strongest force along the normal [N], sink_slope [1] and isotropy of E [1]. q: N x n joint "
            "positions; direction of the motion and normal of the wall: N x d, or one vector for all. push "
-           "[N]. Ctrl-C ends it.")
+           "[N]. N is at most 100 million. Ctrl-C ends it.")
       .def(
           "braked_wall_at",
           [](const mechanism& m, py::handle q, py::handle velocity, py::handle normal,

@@ -35,7 +35,6 @@ brake_numbers brakes_or_usual(const mechanism& of, const py::object& given) {
 }
 
 py::list fmes_of(const mechanism& of, py::handle q, int segments) {
-  if (segments < 1) refuse_value("segments = " + std::to_string(segments) + ", expected 1 or more");
   py::list all;
   for (const outlined_fme& fme : of.device().passive_fmes(any_numbers(q, "q"), segments)) {
     py::array_t<double> points({py::ssize_t(fme.outline.size()), py::ssize_t(2)});

@@ -9,6 +9,7 @@
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 
 #include <pybind11/eigen.h>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,7 @@ struct callables {
   py::object mass_matrix;        ///< q -> M
   py::object bias_torque;        ///< q, qd -> c
   py::object bias_acceleration;  ///< q, qd -> Jd qd
+  bool is_checked = false;       ///< Or they are still to be compared with each other.
 };
 
 /// x, an array or a list of rows of real numbers, as a matrix.
@@ -67,9 +69,10 @@ class python_functions {
   using joints = ph::vector<double, N>;                               ///< [rad or m] or rates of them.
   using task = ph::vector<double, D>;                                 ///< [m] or [m/s^2].
   using d_by_n = ph::matrix<double, D, N>;                            ///< J or J^-T.
+  using n_by_n = ph::matrix<double, N, N>;                            ///< M
 
   /// Of these functions.
-  explicit python_functions(callables of) : of_(std::make_shared<const callables>(std::move(of))) {}
+  explicit python_functions(callables of) : of_(std::make_shared<callables>(std::move(of))) {}
 
   /// End effector [m], base frame.
   task position(const joints& q) const {
@@ -78,6 +81,7 @@ class python_functions {
   /// J [m/rad or 1], by central differences where there is no function.
   d_by_n jacobian(const joints& q) const {
     return guarded<d_by_n>([&] {
+      check_once(q);
       return of_->jacobian.is_none() ? differences(q)
                                      : matrix_from<D, N>(of_->jacobian(array(q)), "jacobian(q)");
     });
@@ -91,9 +95,11 @@ class python_functions {
     return d_by_n::Constant(std::numeric_limits<double>::quiet_NaN());
   }
   /// M [kg m^2, kg m or kg].
-  ph::matrix<double, N, N> mass_matrix(const joints& q) const {
-    return guarded<ph::matrix<double, N, N>>(
-        [&] { return matrix_from<N, N>(of_->mass_matrix(array(q)), "mass_matrix(q)"); });
+  n_by_n mass_matrix(const joints& q) const {
+    return guarded<n_by_n>([&] {
+      check_once(q);
+      return matrix_from<N, N>(of_->mass_matrix(array(q)), "mass_matrix(q)");
+    });
   }
   /// c [N m or N].
   joints bias_torque(const joints& q, const joints& qd) const {
@@ -106,8 +112,72 @@ class python_functions {
       return vector_from<D>(of_->bias_acceleration(array(q), array(qd)), "bias_acceleration(q, qd)");
     });
   }
+  /// Compares the functions with each other at finite q. Throws ValueError with the entry of J that is not
+  /// the central difference of the position, or the entry of M that is not symmetric. Throws it also for an M
+  /// that is not positive definite, and for inertia that is not finite. If x or J is not finite, the cycle's
+  /// status reports it.
+  void check(const joints& q) const {
+    if (!q.allFinite()) return;
+    of_->is_checked = true;  // its own calls below need no check
+    try {
+      check_jacobian(q);
+      if (!of_->mass_matrix.is_none()) check_inertia(q);
+    } catch (...) {
+      of_->is_checked = false;
+      throw;
+    }
+  }
 
  private:
+  static constexpr double tolerance = 1e-4;  // relative
+
+  void check_once(const joints& q) const {
+    if (!of_->is_checked) check(q);
+  }
+  void check_jacobian(const joints& q) const {
+    const d_by_n expected = differences(q);
+    if (of_->jacobian.is_none() || !expected.allFinite()) return;
+    const d_by_n J = jacobian(q);
+    if (!J.allFinite()) return;
+    const double largest = expected.cwiseAbs().maxCoeff();
+    for (int j = 0; j < N; ++j) {  // a column has a unit of its own
+      const double size = std::max(expected.col(j).cwiseAbs().maxCoeff(), 0.01 * largest);
+      for (int i = 0; i < D; ++i)
+        if (!(std::abs(J(i, j) - expected(i, j)) <= tolerance * size))
+          refuse_value(entry("jacobian(q)", i, j, J(i, j)) + ", expected " + shown_number(expected(i, j)) +
+                       ", the slope of position(q)[" + std::to_string(i) + "] over q[" + std::to_string(j) +
+                       "] at q = " + std::string(py::str(array(q))) +
+                       "; correct the function (a transposed matrix?), or pass check=False");
+    }
+  }
+  void check_inertia(const joints& q) const {
+    const n_by_n M = mass_matrix(q);
+    const auto expect_finite = [](const auto& x, const char* name) {
+      for (int i = 0; i < x.size(); ++i)
+        if (!std::isfinite(x[i]))
+          refuse_value(std::string(name) + "[" + std::to_string(i) + "] = " + shown_number(x[i]) +
+                       ", expected a finite number");
+    };
+    for (int i = 0; i < N; ++i) {
+      for (int j = 0; j < N; ++j) {
+        if (!std::isfinite(M(i, j)))
+          refuse_value(entry("mass_matrix(q)", i, j, M(i, j)) + ", expected a finite number");
+        if (!(std::abs(M(i, j) - M(j, i)) <= tolerance * std::sqrt(std::abs(M(i, i) * M(j, j)))))
+          refuse_value(entry("mass_matrix(q)", i, j, M(i, j)) + ", expected " + shown_number(M(j, i)) +
+                       ", as the matrix is symmetric; correct the function, or pass check=False");
+      }
+    }
+    if (Eigen::LLT<n_by_n>(M).info() != Eigen::Success)
+      refuse_value("mass_matrix(q) = " + shown(py::cast(M)) +
+                   ", expected a positive definite matrix; correct the function, or pass check=False");
+    expect_finite(bias_torque(q, joints::Zero()), "bias_torque(q, qd)");
+    expect_finite(bias_acceleration(q, joints::Zero()), "bias_acceleration(q, qd)");
+  }
+  static std::string shown_number(double x) { return py::str(py::float_(x)); }
+  static std::string entry(const char* name, int i, int j, double x) {
+    return std::string(name) + "[" + std::to_string(i) + "][" + std::to_string(j) + "] = " + shown_number(x);
+  }
+
   static py::object array(const joints& x) { return py::cast(x); }
 
   template <class Value, class F>
@@ -123,11 +193,12 @@ class python_functions {
     return Value::Constant(std::numeric_limits<double>::quiet_NaN());
   }
 
-  // With the steps that leave about as much rounding as they cut off.
+  // With the step that leaves about as much rounding as it cuts off. Not finite at a q so large that the step
+  // is lost in its rounding.
   d_by_n differences(const joints& q) const {
+    const double step = std::cbrt(std::numeric_limits<double>::epsilon());
     d_by_n J;
     for (int i = 0; i < N; ++i) {
-      const double step = std::cbrt(std::numeric_limits<double>::epsilon()) * std::max(1.0, std::abs(q[i]));
       joints above = q, below = q;
       above[i] += step;
       below[i] -= step;
@@ -136,7 +207,7 @@ class python_functions {
     return J;
   }
 
-  std::shared_ptr<const callables> of_;
+  std::shared_ptr<callables> of_;
 };
 
 }  // namespace passive_haptics_python

@@ -7,16 +7,23 @@
 
 #include <passive_haptics_python/mechanisms.hpp>
 
+#include <functional>
+
 namespace passive_haptics_python {
 namespace {
 
+using check_at = std::function<void(const numbers& q)>;
+
 // Lets exceptions of the mechanism's functions out of a control cycle. Such a function, and another thread
-// while it runs, may call the controller again, which no cycle expects.
+// while it runs, may call the controller again, which no cycle expects. The functions are checked at the
+// first finite q.
 class python_controller final : public any_controller {
  public:
-  explicit python_controller(std::unique_ptr<any_controller> held) : held_(std::move(held)) {}
+  python_controller(std::unique_ptr<any_controller> held, check_at check)
+      : held_(std::move(held)), check_(std::move(check)) {}
   result_values step(const state_values& state) override {
     const only_call alone(*this);
+    check_first(state.q);
     deferred_error errors;
     const result_values result = held_->step(state);
     errors.rethrow();
@@ -24,6 +31,11 @@ class python_controller final : public any_controller {
   }
   void run(const batch_columns& columns) const override {
     const py::gil_scoped_acquire locked;
+    numbers q(static_cast<Eigen::Index>(columns.q.size()));
+    for (std::size_t k = 0; check_ && k < columns.count; ++k) {
+      for (std::size_t i = 0; i < columns.q.size(); ++i) q[static_cast<Eigen::Index>(i)] = columns.q[i][k];
+      check_first(q);
+    }
     deferred_error errors;
     held_->run(columns);
     errors.rethrow();
@@ -56,8 +68,15 @@ class python_controller final : public any_controller {
     python_controller& of_;
   };
 
+  void check_first(const numbers& q) const {
+    if (!check_ || !q.allFinite()) return;
+    check_at(check_)(q);  // a copy: another thread may be the first to end
+    check_ = nullptr;
+  }
+
   std::unique_ptr<any_controller> held_;
   bool is_called_ = false;
+  mutable check_at check_;  // until it was passed
 };
 
 // The mechanism that recommended_law sees: brakes and no inertia.
@@ -80,11 +99,19 @@ struct size_of_device {
 constexpr size_of_device sizes[] = {{2, 2, true}, {3, 2, true},  {4, 2, true},
                                     {3, 3, true}, {6, 3, false}, {7, 3, false}};
 
+struct checked_device {
+  std::unique_ptr<any_device> device;
+  check_at check;
+};
+
 template <class Held, int N, int D>
-std::unique_ptr<any_device> device_of_functions(const callables& of, bool has_inertia) {
-  return device_for(Held(python_functions<N, D>(of)), has_inertia);
+checked_device device_of_functions(const callables& of, bool has_inertia) {
+  const python_functions<N, D> functions(of);
+  check_at check;
+  if (!of.is_checked) check = [functions](const numbers& q) { functions.check(sized<N>(q, "q", "joints")); };
+  return {device_for(Held(functions), has_inertia), std::move(check)};
 }
-std::unique_ptr<any_device> device_of_size(int n, int d, const callables& of, bool has_inertia) {
+checked_device device_of_size(int n, int d, const callables& of, bool has_inertia) {
   if (n == 2 && d == 2) return device_of_functions<any_pair, 2, 2>(of, has_inertia);
   if (n == 3 && d == 2) return device_of_functions<any_mechanism<3, 2>, 3, 2>(of, has_inertia);
   if (n == 4 && d == 2) return device_of_functions<any_mechanism<4, 2>, 4, 2>(of, has_inertia);
@@ -104,18 +131,18 @@ const char* const names_of_inertia[] = {"mass_matrix", "bias_torque", "bias_acce
 
 class python_mechanism final : public mechanism {
  public:
-  const any_device& device() const override { return *device_; }
+  const any_device& device() const override { return *of_.device; }
   std::unique_ptr<any_controller> make_controller(const brake_numbers& brakes, const scene& walls,
                                                   const py::object& of_law,
                                                   const ph::step_options<double>& options) const override {
     std::unique_ptr<any_controller> made;
     if (has_inertia_ || !py::isinstance<law_value<ph::velocity_direct_control>>(of_law))
-      made = device_->make_controller(brakes, walls, py::cast<const law&>(of_law), options, nullptr);
+      made = of_.device->make_controller(brakes, walls, py::cast<const law&>(of_law), options, nullptr);
     if (!made)
       refuse_type(
           "law = " + shown(of_law) + ", expected direct_control, saturated_direct_control, on_off_control" +
           (has_inertia_ ? " or velocity_direct_control" : "; velocity_direct_control needs a mass_matrix"));
-    return std::make_unique<python_controller>(std::move(made));
+    return std::make_unique<python_controller>(std::move(made), of_.check);
   }
   py::object recommended_law(const brake_numbers& brakes) const override {
     if (has_inertia_) return py::cast(law_value<ph::velocity_direct_control>());
@@ -123,13 +150,13 @@ class python_mechanism final : public mechanism {
   }
   // The brakes of as many joints.
   py::object brakes(const py::args& args, const py::kwargs& kwargs) const {
-    const std::string name = "brakes_" + std::to_string(device_->sizes().brake_count);
+    const std::string name = "brakes_" + std::to_string(of_.device->sizes().brake_count);
     return py::module_::import("passive_haptics._native").attr(name.c_str())(*args, **kwargs);
   }
 
   static std::vector<std::string> names() {
-    return {"dof",         "task_dimension", "position",         "jacobian",
-            "mass_matrix", "bias_torque",    "bias_acceleration"};
+    return {"dof",         "task_dimension", "position",          "jacobian",
+            "mass_matrix", "bias_torque",    "bias_acceleration", "check"};
   }
   static python_mechanism made(const py::dict& given, const std::string& name) {
     python_mechanism m;
@@ -145,10 +172,11 @@ class python_mechanism final : public mechanism {
         refuse_type("mass_matrix of a mechanism with " + std::to_string(n) +
                     " joints, expected none: simulations are for 2 to 4 joints; bind this one in C++, with "
                     "bind_mechanism");
-    m.device_ = device_of_size(n, d,
-                               {m.part("position"), m.part("jacobian"), m.part("mass_matrix"),
-                                m.part("bias_torque"), m.part("bias_acceleration")},
-                               m.has_inertia_);
+    const bool is_trusted = m.given_.contains("check") && !py::bool_(m.given_["check"]);
+    m.of_ = device_of_size(n, d,
+                           {m.part("position"), m.part("jacobian"), m.part("mass_matrix"),
+                            m.part("bias_torque"), m.part("bias_acceleration"), is_trusted},
+                           m.has_inertia_);
     return m;
   }
   py::dict parameters() const { return py::dict(given_.attr("copy")()); }
@@ -160,7 +188,10 @@ class python_mechanism final : public mechanism {
     if (std::find(all.begin(), all.end(), key) == all.end())
       refuse_type(name + " has no parameter '" + key + "', expected " + joined(all));
     if (value.is_none()) return;
-    if (key == "dof" || key == "task_dimension") whole_number_from(value, key);
+    if (key == "check") {
+      if (!py::isinstance<py::bool_>(value))
+        refuse_type("check = " + shown(value) + ", expected True or False");
+    } else if (key == "dof" || key == "task_dimension") whole_number_from(value, key);
     else if (PyCallable_Check(value.ptr()) == 0)
       refuse_type(key + " = " + shown(value) + ", expected a function of q" +
                   (key.starts_with("bias") ? " and qd" : ""));
@@ -182,7 +213,7 @@ class python_mechanism final : public mechanism {
 
   py::dict given_;
   bool has_inertia_ = false;
-  std::unique_ptr<any_device> device_;
+  checked_device of_;
 };
 
 // "python_mechanism(dof=2, ...)", functions by their names.
@@ -204,14 +235,20 @@ void bind_python_mechanism(py::module_& module) {
       "(dof: int, task_dimension: int, position: Callable[[Array], Numbers], jacobian: Callable[[Array], "
       "Rows] | None = ..., mass_matrix: Callable[[Array], Rows] | None = ..., bias_torque: "
       "Callable[[Array, Array], Numbers] | None = ..., bias_acceleration: Callable[[Array, Array], "
-      "Numbers] | None = ...)\n\nA mechanism whose functions are written in Python, a brake on each of its "
+      "Numbers] | None = ..., check: bool = ...)\n\nA mechanism whose functions are written in Python, a "
+      "brake on each of its "
       "joints. It does all that a compiled one does, slower: each call of a function takes "
       "microseconds.\n\ndof and task_dimension: 2 and 2, 3 and 2, 4 and 2, 3 and 3, 6 and 3, or 7 and 3. "
       "position(q) returns the end effector [m], base frame, of joint positions q [rad or m], an array of "
       "dof numbers. jacobian(q) returns J in v = J qd, task_dimension x dof [m/rad or 1]; without it J is "
       "found by central differences, to about ten digits. With inertia, up to 4 joints: mass_matrix(q) "
       "returns M, dof x dof [kg m^2, kg m or kg], bias_torque(q, qd) returns c in M qdd + c [N m or N], "
-      "bias_acceleration(q, qd) returns Jd qd [m/s^2]; all three or none. An exception of a function comes "
+      "bias_acceleration(q, qd) returns Jd qd [m/s^2]; all three or none. At the first q, the functions are "
+      "compared with each other; a jacobian that is not the derivative of position (1e-4), a mass matrix "
+      "that "
+      "is not symmetric and positive definite, or a torque or acceleration that is not finite is a "
+      "ValueError "
+      "with the entry; check=False turns this off. An exception of a function comes "
       "out of the call as it is. NaN ends a cycle with status.state_not_finite or another status. The "
       "mechanism pickles if its functions do. Equal mechanisms have equal functions.");
   add_value_protocol(bound, "python_mechanism");

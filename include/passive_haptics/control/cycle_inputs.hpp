@@ -171,11 +171,4 @@ bool is_usable_position(const S&, const point<D>& x) {
   else return true;
 }
 
-/// What a scene says of itself: ok, or that it is out of date.
-template <class S>
-status status_of(const S& scene) {
-  if constexpr (requires { scene_status(scene); }) return scene_status(scene);
-  else return status::ok;
-}
-
 }  // namespace passive_haptics

@@ -14,7 +14,9 @@ enum class status {
   contact_invalid,     ///< NaN or infinity in a contact, a normal that is no unit vector, a negative
                        ///< stiffness, or k * depth overflows.
   parameters_invalid,  ///< NaN, infinity or a value out of range in the brakes, the law or the options.
-  pose_undefined,      ///< No finite position, Jacobian or inverse of the transmission at this pose.
+  pose_undefined,      ///< No finite position, Jacobian or inverse of the transmission at this pose; in
+                       ///< design/ also joint positions so large (4.5e11 rad in double) that their rounding
+                       ///< exceeds 1e-4 rad.
   scale_out_of_range,  ///< The law returned a scale that is NaN or outside [0, 1].
   result_not_finite,   ///< Finite input whose result overflows.
   singular_jacobian,   ///< J has no inverse to working accuracy. Only what needs the inverse says so.

@@ -220,11 +220,17 @@ vector<T, D> along_wall(const vector<T, D>& direction, const vector<T, D>& n) {
   return along.norm() > rounding_tolerance<T>(D) ? direction_of(along) : vector<T, D>(vector<T, D>::Zero());
 }
 
+// Neighbouring numbers of at least this size are 1e-4 rad or m apart: a joint position beyond it has no
+// meaningful sine.
+template <class T>
+inline constexpr T max_joint_position = T(1e-4) / std::numeric_limits<T>::epsilon();
+
 // Why there is no result: of q, direction, normal or brakes. Else ok.
 template <class M>
 status outcome_of(const joint_vector<M>& q, const task_vector<M>& direction, const task_vector<M>& normal,
                   const hybrid_brakes<M>& brakes) {
   if (!all_finite(q, direction)) return status::state_not_finite;
+  if (!(q.cwiseAbs().maxCoeff() <= max_joint_position<typename M::scalar>)) return status::pose_undefined;
   if (!all_finite(normal) || normal.isZero(0)) return status::contact_invalid;
   return brakes.is_valid() ? status::ok : status::parameters_invalid;
 }

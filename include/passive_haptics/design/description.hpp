@@ -2,6 +2,7 @@
 /// Which optional members of a mechanism, of brakes or of a law the library has found.
 #pragma once
 
+#include <passive_haptics/brake/at_rest/brake_bias_acceleration.hpp>
 #include <passive_haptics/brake/brake_concepts.hpp>
 #include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/control/control_law.hpp>
@@ -58,13 +59,14 @@ concept names_memory = requires { typename L::memory; };
 /// The optional members of a mechanism.
 template <class M>
   requires detail::names_sizes<M>
-constexpr description<9> describe() {
+constexpr description<10> describe() {
   return {{{{"jacobian", detail::has_exact_jacobian<M>},
             {"transmission", detail::has_exact_transmission<M>},
             {"pose", detail::has_pose<M>},
             {"mass_matrix", detail::has_mass_matrix<M>},
             {"bias_torque", detail::has_bias_torque<M>},
             {"bias_acceleration", detail::has_bias_acceleration<M>},
+            {"brake_bias_acceleration", detail::has_brake_bias_acceleration<M>},
             {"inverse_jacobian", detail::has_inverse_jacobian<M>},
             {"inverse_transposed_jacobian", detail::has_inverse_transposed_jacobian<M>},
             {"self_motion", detail::names_self_motion<M>}}}};

@@ -24,8 +24,6 @@ namespace detail {
 template <class M>
 class with_rotors : public wrapped_mechanism<M> {
  public:
-  static constexpr self_motion_form self_motion = self_motion_of<M>;
-
   with_rotors(const M& mechanism, const brake_vector<M>& inertia)
       : wrapped_mechanism<M>(mechanism), inertia_(inertia) {}
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/passive_fme.hpp>
+#include <passive_haptics/core/parameters.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -11,11 +12,14 @@
 namespace passive_haptics {
 
 /// Closed outline [N] of the passive FME of one region: the origin, then the arc of the ellipse
-/// G (cos a, sin a) over the region's quadrant in `segments` >= 1 chords, then the origin again.
-/// G (2 x 2) from reference_forces. Allocates; for pictures.
+/// G (cos a, sin a) over the region's quadrant in `segments` chords, then the origin again.
+/// G (2 x 2) from reference_forces. Throws std::invalid_argument unless there are 1 to 1 million segments.
+/// Allocates; for pictures.
 template <class T>
 std::vector<vector<T, 2>> passive_fme_outline(const matrix<T, 2, 2>& G, const torque_signs<2>& region,
                                               int segments = 32) {
+  detail::refuse_unless(segments >= 1 && segments <= 1'000'000, "segments of a passive_fme_outline", segments,
+                        "1 to 1000000");
   std::vector<vector<T, 2>> outline{vector<T, 2>::Zero()};
   for (int k = 0; k <= segments; ++k) {
     const T a = std::numbers::pi_v<T> / T(2) * static_cast<T>(k) / static_cast<T>(segments);

@@ -2,6 +2,7 @@
 /// How much motor beside each brake a device would need to hold a hand.
 #pragma once
 
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/design/brake_motions.hpp>
 #include <passive_haptics/design/path_point.hpp>
 
@@ -102,11 +103,12 @@ motor_share_result<typename M::scalar> least_motor_share(const M& mechanism, con
 }
 
 /// Least share with which the push is held everywhere on a path: the largest of its places. Infinite where
-/// one has no result. path(u) returns the path_point<M> at u in (0, 1). Called at the middles of `samples` >=
-/// 1 equal parts. Cost: that of sink_slope for each.
+/// one has no result. path(u) returns the path_point<M> at u in (0, 1). Called at the middles of `samples`
+/// equal parts. Throws std::invalid_argument for less than 1 sample. Cost: that of sink_slope for each.
 template <class M, class Path>
 typename M::scalar least_motor_share(const M& mechanism, Path&& path, const switchable_brakes<M>& brakes,
                                      typename M::scalar push, int samples = 200) {
+  detail::refuse_unless(samples >= 1, "samples of a least_motor_share", samples, "1 or more");
   typename M::scalar largest = 0;
   for (int k = 0; k < samples; ++k) {
     const path_point<M> at = path((k + 0.5) / samples);

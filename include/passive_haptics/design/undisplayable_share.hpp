@@ -2,6 +2,7 @@
 /// On how much of a path no law can hold a hand.
 #pragma once
 
+#include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/design/path_point.hpp>
 
@@ -11,11 +12,12 @@ namespace passive_haptics {
 /// wall; with push = 0 that on which they can display nothing, whatever their limits. Poses without a result
 /// count.
 ///
-/// path(u) returns the path_point<M> at u in (0, 1). Called at the middles of `samples` >= 1 equal parts.
-/// Cost: that of `displayable` for each.
+/// path(u) returns the path_point<M> at u in (0, 1). Called at the middles of `samples` equal parts. Throws
+/// std::invalid_argument for less than 1 sample. Cost: that of `displayable` for each.
 template <class M, class Path>
 double undisplayable_share(const M& mechanism, Path&& path, const hybrid_brakes<M>& brakes,
                            typename M::scalar push = 0, int samples = 200) {
+  detail::refuse_unless(samples >= 1, "samples of an undisplayable_share", samples, "1 or more");
   int weak = 0;
   for (int k = 0; k < samples; ++k) {
     const path_point<M> at = path((k + 0.5) / samples);

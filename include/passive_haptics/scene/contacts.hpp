@@ -2,6 +2,7 @@
 /// What the end effector touches, as a value: all that a control step receives of a scene.
 #pragma once
 
+#include <passive_haptics/core/status.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
 #include <array>
@@ -180,6 +181,14 @@ auto sense(const Scene& scene, const point<Scene::dimension>& x, Time... time) {
 /// wall from which on it gives them [m]; their depth is < 0 until the touch.
 template <class S>
 concept SeesAhead = requires(S& scene, double margin) { scene.set_margin(margin); };
+
+/// Why the contacts of a scene cannot be displayed, such as status::scene_stale, by its scene_status(scene);
+/// status::ok for a scene without one.
+template <class S>
+status status_of(const S& scene) {
+  if constexpr (requires { scene_status(scene); }) return scene_status(scene);
+  else return status::ok;
+}
 
 /// The wall, where one is touched.
 template <int D, int Capacity>

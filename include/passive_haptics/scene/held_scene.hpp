@@ -51,6 +51,22 @@ class held_scene {
     scene_.set_margin(margin);
   }
 
+  /// Forgets the latest sample, and the handle.
+  void reset() {
+    sampled_at_ = -std::numeric_limits<double>::infinity();
+    if constexpr (requires { scene_.reset(); }) scene_.reset();
+  }
+
+  /// Takes over what the scene of another one remembers of the handle (scene_exchange.hpp).
+  void remember(const held_scene& other) noexcept
+    requires requires(Scene& s, const Scene& o) { s.remember(o); }
+  {
+    scene_.remember(other.scene_);
+  }
+
+  /// As of the scene.
+  friend status scene_status(const held_scene& held) { return passive_haptics::status_of(held.scene_); }
+
   /// The scene, for example to move a wall of it before it is sampled.
   Scene& scene() { return scene_; }
 

@@ -30,8 +30,11 @@ concept names_dimension = requires { requires(std::integral_constant<int, S::dim
 /// there is none, any unit vector that points to free space. A NaN in x gives a NaN distance, so that no step
 /// mistakes it for free space. testing/shape_properties.hpp checks them.
 ///
-/// Optional: `static constexpr bool has_unit_gradient = true` says that the gradient has length 1 by
-/// construction. Of a shape without it a scene checks each gradient that it takes.
+/// Optional, in addition to the members of MovingShape, CurvedShape and BoundedShape:
+///   - `static constexpr bool has_unit_gradient = true`: the gradient has length 1 by construction. A scene
+///     checks each gradient of a shape without it;
+///   - `void extrapolate(double seconds)`: carries a moving shape on for this time [s] (moving.hpp).
+/// A shape that is made of another one keeps them (shape_wrapper.hpp).
 template <class S>
 concept Shape = detail::names_dimension<S> && requires(const S shape, const point<S::dimension> x) {
   { shape.distance(x) } -> std::same_as<double>;

@@ -7,6 +7,7 @@
 #include <passive_haptics/plant/brakes/delayed_brake.hpp>
 #include <passive_haptics/plant/brakes/eddy_current_brake.hpp>
 #include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/presliding_brake.hpp>
 #include <passive_haptics/plant/brakes/stribeck_brake.hpp>
 
 #include <cmath>
@@ -235,6 +236,14 @@ TEST(any_brake, resists_as_the_model_that_was_chosen) {
   }
 }
 
+// One model after the other, each as any_brake
+TEST(any_brake, refuses_an_invalid_model_and_finds_the_command_of_a_valid_one) {
+  using any = ph::any_brake<ph::stribeck_brake<double>, ph::coulomb_brake<double>>;
+  EXPECT_THROW(any(ph::coulomb_brake<double>{.torque_limit = -1}), std::invalid_argument);
+  const ph::coulomb_brake<double> half{.gain = 0.5};
+  EXPECT_EQ(settled(ph::compensated_brake<any>{any(half)}, 0.3, 0), 0.3);
+}
+
 TEST(delayed_brake, acts_a_dead_time_later) {
   ph::delayed_brake<ph::coulomb_brake<double>> brake;
   brake.model.time_constant = 0;
@@ -296,6 +305,20 @@ TEST(brake_models, name_their_own_parameters_and_those_of_the_model_inside) {
 }
 
 // ---- what is a model
+
+// A model of a user, without a table
+struct without_parameters {
+  using scalar = double;
+  struct state {};
+  ph::brake_resistance<double> advance(double, double, double, state&) const noexcept { return {}; }
+  double torque_limit_at(double) const noexcept { return 1; }
+};
+TEST(brake_models, check_their_own_parameters_around_a_model_without_any) {
+  EXPECT_EQ(validate(ph::delayed_brake<without_parameters>{.dead_time = -1}),
+            "dead_time [s] = -1, expected a finite number >= 0");
+  EXPECT_EQ(validate(ph::presliding_brake<without_parameters>{.presliding = -1}),
+            "presliding [rad] = -1, expected a finite number >= 0");
+}
 
 struct without_a_state {
   using scalar = double;

@@ -7,6 +7,8 @@
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
+#include <limits>
+
 namespace {
 
 constexpr auto two = ph::passive_fme_regions<2>();
@@ -134,6 +136,8 @@ TYPED_TEST(passive_fme, brakes_produce_torques_against_their_motion) {
 
 TYPED_TEST(passive_fme, outline_has_32_chords_unless_told) {
   EXPECT_EQ(ph::passive_fme_outline(this->G, two[0]).size(), 35u);
+  for (const int bad : {0, std::numeric_limits<int>::max()})
+    EXPECT_THROW(ph::passive_fme_outline(this->G, two[0], bad), std::invalid_argument);
 }
 
 // x_i = q_i^2 / 2: singular where a joint is at 0.

@@ -4,6 +4,7 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <stdexcept>
@@ -85,6 +86,22 @@ TEST(batch, of_any_number_of_states) {
       EXPECT_TRUE(k >= n || some.display[k] == all.display[k]) << n << ", " << k;
     }
   }
+}
+
+// At one time, within one period: each state has a scene that has not seen the handle before
+TEST(batch, at_a_held_scene_samples_it_for_each_state) {
+  const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4));
+  const auto given = states_about(0.225, 5, 200);
+  batch_cases::states<tendons> in(given);
+  std::fill(in.time.begin(), in.time.end(), 0.0);
+  batch_cases::results<tendons> held(given.size()), free(given.size());
+  const auto run = [&](const auto& seen, auto& to) {
+    ph::batch_controller(tendons(), ph::brakes_of<tendons>(), seen, ph::direct_control())(in.spans(),
+                                                                                          to.spans());
+  };
+  run(ph::held_scene(scene, 1.0), held);
+  run(scene, free);
+  EXPECT_EQ(held.capacity.of, free.capacity.of);
 }
 
 TEST(batch, by_threads) {

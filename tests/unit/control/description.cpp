@@ -30,10 +30,10 @@ struct not_const : position_alone {
 TEST(a_description, lists_what_was_found_and_what_was_not) {
   EXPECT_EQ(to_text(ph::describe(ph::tendon_two_link<double>())),
             "jacobian, transmission, pose, mass_matrix, bias_torque, bias_acceleration, "
-            "inverse_transposed_jacobian; not found: inverse_jacobian, self_motion");
+            "inverse_transposed_jacobian; not found: brake_bias_acceleration, inverse_jacobian, self_motion");
   EXPECT_EQ(to_text(ph::describe(position_alone())),
             "none; not found: jacobian, transmission, pose, mass_matrix, bias_torque, bias_acceleration, "
-            "inverse_jacobian, inverse_transposed_jacobian, self_motion");
+            "brake_bias_acceleration, inverse_jacobian, inverse_transposed_jacobian, self_motion");
   EXPECT_FALSE(ph::describe<not_const>().has("mass_matrix")) << "a function that is not const";
   EXPECT_EQ(to_text(ph::describe(ph::brakes_of<position_alone>())),
             "torque_limit, rate_dead_band, torque_dead_band, time_constant; not found: torque_lower, "

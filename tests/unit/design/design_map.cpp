@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -174,10 +176,44 @@ TEST(design_map, refuses_what_cannot_be) {
   EXPECT_EQ(grid_of(2, nan), "passive_haptics: lower[0] of a task_grid = nan, expected a finite number [m]");
   EXPECT_EQ(message_of([&] { ph::points_of(device, [](double) { return ph::path_point<table>(); }, 0); }),
             "passive_haptics: count of the points of a path = 0, expected 1 or more");
+  EXPECT_EQ(
+      grid_of(2'000'000'000, 0),
+      "passive_haptics: size of a task_grid = 4000000000, expected at most 100000000; map the task in parts");
+  EXPECT_EQ(message_of([&] {
+              ph::points_of(device, [](double) { return ph::path_point<table>(); }, 1'000'000'000);
+            }),
+            "passive_haptics: count of the points of a path = 1000000000, expected at most 100000000; map "
+            "the task in "
+            "parts");
   EXPECT_EQ(message_of([&] {
               ph::to_csv(ph::task_points<table>(), ph::design_map(device, points, limits(1, 1), 1.0));
             }),
             "passive_haptics: number of points = 0, expected 1, the size of their design_map");
+}
+
+TEST(task_grid, has_the_greatest_size_if_its_points_cannot_be_counted) {
+  constexpr int most = std::numeric_limits<int>::max();
+  const auto size = [](const std::array<int, 3>& count) {
+    return ph::task_grid<double, 3>{{0, 0, 0}, {1, 1, 1}, count}.size();
+  };
+  EXPECT_EQ(size({most, most, most}), std::numeric_limits<std::size_t>::max());
+  EXPECT_EQ(size({most, most, 2}), 2 * std::size_t(most) * std::size_t(most));
+  EXPECT_EQ(size({most, most, -2}), 0U);
+}
+
+// Beyond 4.5e11 rad neighbouring numbers are more than 1e-4 rad apart. Five points: in packs, and alone
+TEST(design_map, of_joint_positions_without_a_meaningful_sine_has_no_figures) {
+  ph::task_points<paper> points;
+  for (const double turns : {0.0, 1e3, 1e11, 1e12, 1e300}) {
+    points.append(paper(), {V(1.88, -1.3 + turns), V(1, 0), V(0, -1)});
+    points.append(paper(), {V(1.88 - turns, -1.3), V(1, 0), V(0, -1)});
+  }
+  const ph::design_map map(paper(), points, ph::switchable_brakes<paper>(), 1.0);
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    const auto alone = ph::design_figures_at(paper(), points[k], ph::switchable_brakes<paper>(), 1.0);
+    EXPECT_EQ(map.outcome[k], k < 6 ? ph::status::ok : ph::status::pose_undefined) << k;
+    EXPECT_EQ(alone.outcome, map.outcome[k]) << k;
+  }
 }
 
 TEST(design_map, as_text) {

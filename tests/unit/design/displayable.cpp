@@ -85,6 +85,7 @@ TEST(undisplayable_share, of_the_papers_wall) {
   EXPECT_EQ(ph::undisplayable_share(arm, along(1)), 0);
   EXPECT_EQ(ph::undisplayable_share(arm, along(1), {1, 1}, 4), 0);
   EXPECT_NEAR(ph::undisplayable_share(arm, along(-1)), 0.98, 0.01);
+  EXPECT_THROW(ph::undisplayable_share(arm, along(1), {1, 1}, 0, -1), std::invalid_argument);
 }
 
 }  // namespace

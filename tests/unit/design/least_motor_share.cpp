@@ -53,6 +53,7 @@ TEST(least_motor_share, along_a_path_is_the_largest) {
   // Back along the wall brake x pushes out with 0.6 N, and the motor of brake y with 1.6 s
   EXPECT_NEAR(ph::least_motor_share(slides(), path, brakes_of_1_and_2(), 1.4), 0.8 / 1.6, 1e-15);
   EXPECT_EQ(ph::least_motor_share(slides(), path, brakes_of_1_and_2(), 0.59), 0);
+  EXPECT_THROW(ph::least_motor_share(slides(), path, brakes_of_1_and_2(), 1.4, 0), std::invalid_argument);
 }
 
 TEST(least_motor_share, says_why_there_is_none) {

@@ -135,6 +135,8 @@ TEST(simulated_presliding, is_kept_by_what_holds_a_model) {
   EXPECT_EQ(ph::compliance_of(inverted), brake.compliance());
   const ph::any_brake<ph::coulomb_brake<double>, model> any = brake;
   EXPECT_EQ(ph::compliance_of(any), brake.compliance());
+  const ph::presliding_brake<model> two_springs{brake, brake.presliding};
+  EXPECT_EQ(ph::compliance_of(two_springs), 2 * brake.compliance());
 }
 
 // m dv/dt = -c v with c of the command: commanded drag is the brakes' work and their torque.

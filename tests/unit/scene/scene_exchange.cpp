@@ -4,9 +4,11 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/scene/shapes/moving.hpp>
+#include <passive_haptics/scene/shapes/offset.hpp>
 #include <passive_haptics/scene/world/scene_exchange.hpp>
 #include <passive_haptics/scene/world/world.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -96,6 +98,9 @@ TEST(a_latest_scene, carries_moving_walls_on_only_if_asked) {
   auto fixed_walls = ph::scene(ph::wall(ph::moving(ph::half_space<2>({0, 0}, up))));
   fixed_walls.get<0>().shape.set_motion(0.2 * up, 0.5 * up);
   expect_carried_on(fixed_walls);
+  auto inside = ph::scene(ph::wall(ph::offset(ph::moving(ph::moving(ph::half_space<2>({0, 0}, up))), 0.0)));
+  inside.get<0>().shape.shape().shape().set_motion(0.2 * up, 0.5 * up);
+  expect_carried_on(inside);
 
   ph::world_walls<2> walls;
   const int lid = walls.add_moving(ph::wall(ph::half_space<2>({0, 0}, up)));
@@ -166,6 +171,16 @@ TEST(a_latest_scene, may_be_one_that_can_only_be_sensed) {
   EXPECT_EQ(ph::sense(latest, {0, 0}, 0.01)[0].depth, 1);
   exchange.publish(bare{2}, 0.02);
   EXPECT_EQ(ph::sense(latest, {0, 0}, 0.02)[0].depth, 2);
+}
+
+struct stale_itself : bare {
+  friend ph::status scene_status(const stale_itself&) { return ph::status::scene_stale; }
+};
+
+TEST(a_latest_scene, is_stale_if_its_scene_is) {
+  ph::scene_exchange<stale_itself> exchange(stale_itself(), 0.0);
+  EXPECT_EQ(scene_status(ph::latest_scene(exchange)), ph::status::scene_stale);
+  EXPECT_EQ(scene_status(ph::held_scene(stale_itself(), 0.05)), ph::status::scene_stale);
 }
 
 TEST(a_latest_scene, refuses_parameters_that_it_cannot_follow) {

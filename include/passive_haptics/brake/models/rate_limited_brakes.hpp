@@ -43,8 +43,11 @@ class rate_limited_brakes : switchable_brakes<M> {
   rate_limited_brakes(const brakes_of<M>& brakes) : base(brakes) {}
   /// As these brakes, of which some may be off, with the models' default values.
   rate_limited_brakes(const base& brakes) : base(brakes) {}
-  /// As these brakes, each limited by its model.
-  rate_limited_brakes(const base& brakes, const decltype(models)& each) : base(brakes), models(each) {}
+  /// As these brakes, each limited by its model. Throws std::invalid_argument if a parameter of a model is
+  /// invalid.
+  rate_limited_brakes(const base& brakes, const decltype(models)& each) : base(brakes), models(each) {
+    if constexpr (Parameters<Model>) require_no_error(check_value("models", each, "", range::anything));
+  }
 
   /// What they are at these rates [rad/s or m/s]: a limit that is not finite or negative is 0.
   switchable_brakes<M> at(const brake_vector<M>& rates) const noexcept {

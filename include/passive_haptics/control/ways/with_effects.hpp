@@ -39,6 +39,13 @@ class with_effects {
   explicit with_effects(Scene scene, Effects... effects)
       : scene_(std::move(scene)), effects_(std::move(effects)...) {}
 
+  /// Forgets the handle, as the scene does.
+  void reset()
+    requires requires(Scene& s) { s.reset(); }
+  {
+    scene_.reset();
+  }
+
   /// The scene, for example to move a wall of it before a cycle.
   Scene& scene() { return scene_; }
   /// The scene.

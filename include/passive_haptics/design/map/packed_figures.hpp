@@ -58,7 +58,9 @@ PASSIVE_HAPTICS_PART packed_figures<T> packed_figures_at(const M& mechanism, con
   const auto is_ordinary = [&](const T& square) {
     return (square >= T(1 / longest)) & (square <= T(longest));
   };
-  found.are_valid = all_finite(q) & is_ordinary(vv) & is_ordinary(nn) & (found.isotropy > T(least_isotropy));
+  const T limit(max_joint_position<number>);
+  found.are_valid = (abs(q[0]) <= limit) & (abs(q[1]) <= limit) & is_ordinary(vv) & is_ordinary(nn) &
+                    (found.isotropy > T(least_isotropy));
 
   // G = E^-T, w = G^T v, and signs that are 0 where a rate is of rounding size
   const matrix<T, 2, 2> G = matrix_of<2, 2>(E(1, 1) / determinant, -E(1, 0) / determinant,

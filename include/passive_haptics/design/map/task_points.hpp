@@ -7,6 +7,7 @@
 #include <passive_haptics/core/status.hpp>
 #include <passive_haptics/design/path_point.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -14,6 +15,10 @@
 #include <vector>
 
 namespace passive_haptics {
+
+/// The most points that points_of() makes: in double, their arrays and those of their design_map take some
+/// 12 GB. Map a larger task in parts.
+inline constexpr std::size_t max_task_points = 100'000'000;
 
 /// Points of a task of mechanism M, a structure of arrays: number k of each is that of point k.
 template <class M>
@@ -82,10 +87,14 @@ struct task_grid {
   vector<T, D> upper;                                  ///< and greatest.
   std::array<int, static_cast<std::size_t>(D)> count;  ///< Points along each axis, >= 2.
 
-  /// How many points it has.
+  /// How many points it has; the maximum of the type if there are more, 0 if a count is not positive.
   std::size_t size() const {
+    constexpr std::size_t max = std::numeric_limits<std::size_t>::max();
     std::size_t n = 1;
-    for (const int c : count) n *= std::size_t(c);
+    for (const int c : count) {
+      const auto along = std::size_t(std::max(c, 0));
+      n = along > 0 && n > max / along ? max : n * along;
+    }
     return n;
   }
   /// Point k; the first coordinate changes fastest.
@@ -100,9 +109,17 @@ struct task_grid {
   }
 };
 
+namespace detail {
+inline void require_task_size(std::size_t size, const char* name) {
+  refuse_unless(size <= max_task_points, name, size,
+                indexed("at most ", max_task_points, "; map the task in parts"));
+}
+}  // namespace detail
+
 /// The points of a grid, where the handle moves in one direction along walls of one normal (base frame).
 /// inverse(x): a joint_solution, joint positions that put the end effector at x. Throws
-/// std::invalid_argument for a grid of fewer than 2 points along an axis, or corners that are not finite.
+/// std::invalid_argument for a grid of fewer than 2 points along an axis, of more than max_task_points, or
+/// with corners that are not finite.
 template <class M, class Inverse>
 task_points<M> points_of(const M&, const task_grid<typename M::scalar, M::task_dimension>& grid,
                          const Inverse& inverse, const task_vector<M>& direction,
@@ -115,6 +132,7 @@ task_points<M> points_of(const M&, const task_grid<typename M::scalar, M::task_d
     detail::refuse_unless(std::isfinite(grid.upper[i]), detail::indexed("upper[", i, "] of a task_grid"),
                           grid.upper[i], "a finite number [m]");
   }
+  detail::require_task_size(grid.size(), "size of a task_grid");
   task_points<M> points;
   for (std::size_t k = 0; k < grid.size(); ++k) {
     const task_vector<M> x = grid[k];
@@ -124,11 +142,12 @@ task_points<M> points_of(const M&, const task_grid<typename M::scalar, M::task_d
   return points;
 }
 
-/// `count` >= 1 points of a path, at the middles of as many equal parts; path(u) returns the path_point<M> at
-/// u in (0, 1).
+/// `count` points of a path, at the middles of as many equal parts; path(u) returns the path_point<M> at u in
+/// (0, 1). Throws std::invalid_argument for a count of less than 1, or of more than max_task_points.
 template <class M, class Path>
 task_points<M> points_of(const M& mechanism, Path&& path, int count) {
   detail::refuse_unless(count >= 1, "count of the points of a path", count, "1 or more");
+  detail::require_task_size(std::size_t(count), "count of the points of a path");
   task_points<M> points;
   for (int k = 0; k < count; ++k) points.append(mechanism, path((k + 0.5) / count));
   return points;

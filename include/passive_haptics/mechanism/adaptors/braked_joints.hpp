@@ -5,6 +5,7 @@
 #include <passive_haptics/mechanism/adaptors/wrapped_mechanism.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace passive_haptics {
@@ -31,6 +32,8 @@ class braked_joints : public wrapped_mechanism<M> {
                 "other than the others and from 0 to brake_count - 1.");
   using T = typename M::scalar;
   static constexpr int m = static_cast<int>(sizeof...(Brakes));
+  template <class Transmission, int Rows>
+  using rows_of = matrix<typename std::remove_cvref_t<Transmission>::Scalar, Rows, M::dof>;
 
  public:
   static constexpr int brake_count = m;  ///< m
@@ -42,20 +45,27 @@ class braked_joints : public wrapped_mechanism<M> {
   matrix<T, m, M::dof> transmission() const
     requires(!detail::transmission_depends_on_pose<M>)
   {
-    if constexpr (detail::transmission_is_constant<M>) return chosen(this->mechanism().transmission());
+    if constexpr (detail::transmission_is_constant<M>)
+      return chosen(transmission_matrix<M>(this->mechanism().transmission()));
     else return chosen(matrix<T, M::dof, M::dof>(matrix<T, M::dof, M::dof>::Identity()));
   }
   /// T (m x n) of q or of a pose: the chosen rows.
-  template <class Q>
-  matrix<T, m, M::dof> transmission(const Q& q) const
-    requires requires(const M& inner) { inner.transmission(q); }
+  template <class Q, class X = M>
+  auto transmission(const Q& q) const -> rows_of<decltype(std::declval<const X&>().transmission(q)), m> {
+    return chosen(rows_of<decltype(this->mechanism().transmission(q)), M::brake_count>(
+        this->mechanism().transmission(q)));
+  }
+  /// Td qd (m): the chosen rows.
+  vector<T, m> brake_bias_acceleration(const joint_vector<M>& q, const joint_vector<M>& qd) const
+    requires requires(const M& inner) { inner.brake_bias_acceleration(q, qd); }
   {
-    return chosen(this->mechanism().transmission(q));
+    return chosen(brake_vector<M>(this->mechanism().brake_bias_acceleration(q, qd)));
   }
 
  private:
-  static matrix<T, m, M::dof> chosen(const transmission_matrix<M>& all) {
-    matrix<T, m, M::dof> some;
+  template <class S, int Columns>
+  static matrix<S, m, Columns> chosen(const matrix<S, M::brake_count, Columns>& all) {
+    matrix<S, m, Columns> some;
     int row = 0;
     ((some.row(row++) = all.row(Brakes)), ...);
     return some;

@@ -28,11 +28,14 @@ class any_brake {
   brake_resistance<scalar> residual;  ///< That of the model.
   scalar compliance;                  ///< That of the model [rad/(N m)].
 
-  /// A copy of this model. Implicit, so that it stands wherever an any_brake does.
+  /// A copy of this model. Implicit, so that it stands wherever an any_brake does. Throws
+  /// std::invalid_argument with the text of validate(model) if the model has a table of parameters.
   template <class Model>
     requires(std::same_as<Model, Models> || ...)
   any_brake(const Model& model)
-      : residual(residual_of(model)), compliance(compliance_of(model)), model_(model) {}
+      : residual(residual_of(model)), compliance(compliance_of(model)), model_(model) {
+    if constexpr (Parameters<Model>) require_valid(model);
+  }
 
   /// See BrakeModel.
   brake_resistance<scalar> advance(scalar dt, scalar command, scalar rate, state& now) const noexcept {
@@ -40,6 +43,16 @@ class any_brake {
       return model.advance(dt, command, rate, std::get<state_of<Model>>(now).value);
     };
     return std::visit(advance, model_);
+  }
+
+  /// See InvertibleBrakeModel.
+  scalar command_for(scalar torque, scalar rate, const state& now) const noexcept
+    requires(InvertibleBrakeModel<Models> && ...)
+  {
+    const auto command_for = [&]<class Model>(const Model& model) {
+      return model.command_for(torque, rate, std::get<state_of<Model>>(now).value);
+    };
+    return std::visit(command_for, model_);
   }
 
   /// See BrakeModel.

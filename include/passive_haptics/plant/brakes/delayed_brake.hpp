@@ -63,13 +63,12 @@ struct delayed_brake {
   /// That of the brake [rad/(N m)].
   scalar compliance() const { return compliance_of(model); }
 
-  /// The table of core/parameters.hpp, of a model that has one.
-  static constexpr auto members()
-    requires Parameters<Model>
-  {
+  /// The table of core/parameters.hpp, with that of the model if it has one.
+  static constexpr auto members() {
     using p = delayed_brake;
-    return member_table(member("model", &p::model),
-                        member("dead_time", &p::dead_time, "s", range::not_negative));
+    constexpr auto own = member("dead_time", &p::dead_time, "s", range::not_negative);
+    if constexpr (Parameters<Model>) return member_table(member("model", &p::model), own);
+    else return member_table(own);
   }
 
  private:

@@ -40,19 +40,18 @@ struct presliding_brake {
   /// That of the brake.
   brake_resistance<scalar> residual() const { return residual_of(model); }
 
-  /// Twist for each N m [rad/(N m)].
+  /// Twist for each N m [rad/(N m)], with that of the brake.
   scalar compliance() const {
     const scalar limit = model.torque_limit_at(scalar(0));
-    return limit > scalar(0) ? presliding / limit : scalar(0);
+    return compliance_of(model) + (limit > scalar(0) ? presliding / limit : scalar(0));
   }
 
-  /// The table of core/parameters.hpp, of a model that has one.
-  static constexpr auto members()
-    requires Parameters<Model>
-  {
+  /// The table of core/parameters.hpp, with that of the model if it has one.
+  static constexpr auto members() {
     using p = presliding_brake;
-    return member_table(member("model", &p::model),
-                        member("presliding", &p::presliding, "rad", range::not_negative));
+    constexpr auto own = member("presliding", &p::presliding, "rad", range::not_negative);
+    if constexpr (Parameters<Model>) return member_table(member("model", &p::model), own);
+    else return member_table(own);
   }
 };
 

@@ -13,7 +13,7 @@ namespace passive_haptics {
 /// finite.
 ///
 /// Displacement and velocity are two values, so that a conveyor (velocity, no displacement) is a shape too.
-/// Of a moving shape inside another the velocities add.
+/// Of a moving shape inside another the velocities add. It provides no bounds, as they would move.
 template <class S>
 class moving : public shape_wrapper<S> {
  public:
@@ -29,7 +29,10 @@ class moving : public shape_wrapper<S> {
   }
 
   /// Carries the shape on with its velocity for this time [s] from where set_motion put it.
-  void extrapolate(double seconds) { displacement_ = set_displacement_ + seconds * velocity_; }
+  void extrapolate(double seconds) {
+    displacement_ = set_displacement_ + seconds * velocity_;
+    if constexpr (requires { this->shape_.extrapolate(seconds); }) this->shape_.extrapolate(seconds);
+  }
 
   /// Signed distance [m]; that of the shape and D subtractions.
   double distance(const point<dimension>& x) const { return this->shape_.distance(x - displacement_); }

@@ -8,7 +8,8 @@
 
 namespace passive_haptics {
 
-/// Base of a shape around a shape S: passes on what the wrapper does not define itself.
+/// Base of a shape around a shape S: passes on each optional member of S that the wrapper does not define
+/// itself, except bounds(), which depend on what the wrapper does.
 template <class S>
 class shape_wrapper {
   static_assert(Shape<S>, "passive_haptics: what is wrapped must be a Shape (scene/shape.hpp).");
@@ -32,6 +33,13 @@ class shape_wrapper {
     requires CurvedShape<S>
   {
     return shape_.hessian(x);
+  }
+
+  /// Carries the shape on for this time [s].
+  void extrapolate(double seconds)
+    requires requires(S& s) { s.extrapolate(seconds); }
+  {
+    shape_.extrapolate(seconds);
   }
 
   /// The shape itself, to move it.

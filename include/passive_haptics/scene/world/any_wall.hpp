@@ -15,7 +15,8 @@
 namespace passive_haptics {
 
 /// Holds a wall of any Shape, ProxySurface or TrackedShape. Copies share it, so they are cheap and safe in
-/// other threads.
+/// other threads. It never changes, so extrapolate() of its shape is not called: add a wall that moves with
+/// world_walls::add_moving.
 template <int D>
 class any_wall {
  public:

@@ -115,9 +115,9 @@ class latest_scene {
   }
 
   /// scene_stale if the scene of the latest cycle was too old, or published in the future: by a clock that is
-  /// not that of the states. Else ok.
+  /// not that of the states. Else the status of the scene.
   friend status scene_status(const latest_scene& latest) {
-    return latest.is_current() ? status::ok : status::scene_stale;
+    return latest.is_current() ? passive_haptics::status_of(latest.exchange_->scene()) : status::scene_stale;
   }
 
  private:

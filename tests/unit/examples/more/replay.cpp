@@ -1,6 +1,7 @@
 // Replay of a log: what it computes, that its own output replays to the last digit, and that memory does not
 // grow with the log.
 #include <log/replay.hpp>
+#include <log/replay_program.hpp>
 
 #include <passive_haptics/plant/wall_following.hpp>
 
@@ -89,6 +90,28 @@ long peak_memory() {  // [KiB]
 }
 
 }  // namespace
+
+// velocity_direct_control reads the curvature of a wall
+TEST(replay, at_a_round_wall_decides_what_the_library_decides) {
+  const ph::ball<2> round({0, 0.2}, 0.03, ph::filling::hollow);
+  const auto at = [](const auto& shape) {
+    return ph::controller(device(), ph::brakes_of<device>(), ph::scene(ph::wall(shape)),
+                          ph::velocity_direct_control());
+  };
+  auto read = at(example::any_shape<2>(round));
+  auto own = at(round);
+  int braking = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 0.03 * k;
+    const auto q =
+        device().inverse({0.031 * std::cos(angle), 0.2 + 0.031 * std::sin(angle)}, ph::elbow::left).q;
+    const ph::device_state<device> state{1e-3 * k, q, {std::cos(5 * angle), std::sin(7 * angle)}, {0.5, 2}};
+    const auto expected = own(state);
+    ASSERT_EQ(read(state).capacity, expected.capacity) << k;
+    braking += expected.capacity.maxCoeff() > 0;
+  }
+  EXPECT_GT(braking, 50);
+}
 
 TEST(replay, tells_what_a_controller_tells) {
   const auto lines = lines_of(replay(log_header + good));
