@@ -474,6 +474,95 @@ TEST(a_safe_port, follows_counters_past_their_wrap) {
   }
 }
 
+// Of all widths and pauses: tests/stress/encoder_pauses.cpp.
+TEST(a_counter, that_may_have_wrapped_unseen_needs_homing_in_each_state) {
+  const ph::fault_record wrapped{ph::fault::counter_wrapped, encoders};
+  EXPECT_EQ(ph::wrap_time(12, 2e5), 2046 / 2e5);
+  EXPECT_EQ(ph::wrap_time(0, 2e5), fake::infinite);
+  for (const double pause : {2045 / 2e5, 2046 / 2e5, 0.015, 0.5})
+    for (const auto state : {ph::port_state::ready, ph::port_state::active, ph::port_state::degraded,
+                             ph::port_state::released}) {
+      rig r(usual(), 12);
+      r.device.sample.value = {1000, 3000};
+      r.cycles(20);
+      if (state != ph::port_state::ready) {
+        ASSERT_TRUE(r.port.activate());
+      }
+      r.cycle();
+      if (state == ph::port_state::degraded) r.cycle([](rig& s) { s.device.force.value[2] = fake::nan; });
+      if (state == ph::port_state::released) r.port.release();
+      ASSERT_EQ(r.port.state(), state);
+      r.time += pause - 1e-3;
+      r.cycle();
+      const bool lost = pause >= 2046 / 2e5;
+      EXPECT_EQ(r.port.needs_homing(), lost) << pause;
+      EXPECT_EQ(r.port.pending_fault(), lost ? wrapped : ph::fault_record{}) << pause;
+      if (!lost) continue;
+      EXPECT_EQ(r.port.state(), ph::port_state::released) << pause;
+      if (state == ph::port_state::ready) {
+        EXPECT_EQ(r.port.reason(), wrapped) << pause;
+      }
+      const int releases = r.device.releases;
+      r.cycles(30);
+      EXPECT_FALSE(r.port.rearm() || r.port.activate() || r.device.flows());
+      EXPECT_EQ(r.device.releases, releases) << "the device is not told again in each cycle";
+    }
+}
+
+TEST(a_counter, that_can_wrap_within_the_period_is_refused_when_the_port_opens) {
+  const auto opened = [](double period) {
+    auto p = usual();
+    p.period = period;
+    fake::device device;
+    device.counter_bits = 12;
+    safe port({&device}, {&device}, p);
+    const std::string error = port.open();
+    EXPECT_EQ(port.state(), error.empty() ? ph::port_state::ready : ph::port_state::closed);
+    return error;
+  };
+  EXPECT_EQ(opened(0.010), "");
+  EXPECT_EQ(
+      opened(0.0125),
+      "period [s] = 0.0125, expected less than 0.01023, within which a counter of 12 bits can wrap unseen: "
+      "shorten it, lower encoders.largest_rate or use a wider counter");
+}
+
+// By the median of the first 20 spacings; the samples themselves are dated nearer to each other.
+TEST(a_counter, that_can_wrap_within_the_measured_period_is_not_activated) {
+  for (const int slow : {9, 11}) {
+    auto p = usual();
+    p.hold_over = 1;
+    rig r(p, 12);
+    for (int k = 0; k <= 40; ++k) {
+      r.take_samples();
+      r.time += k <= slow || k > 20 ? 0.0125 : 0;
+      r.device.sample.time = 100 + 1e-3 * k;
+      r.port.read(r.time);
+      r.port.write(r.wanted);
+    }
+    EXPECT_EQ(r.port.activate(), slow == 9) << slow << " of 20 spacings in which it can wrap";
+    EXPECT_EQ(r.port.needs_homing(), slow == 11);
+  }
+}
+
+TEST(a_safe_port, whose_encoder_jumps_for_too_long_is_not_activated_any_more) {
+  rig r;
+  r.cycles(3);
+  for (int k = 0; k < 25; ++k) r.cycle([](rig& s) { s.device.sample.value[0] += 5000; });
+  EXPECT_TRUE(r.port.needs_homing());
+  r.cycles(3);
+  EXPECT_FALSE(r.port.activate());
+  EXPECT_EQ(r.port.reason(), (ph::fault_record{ph::fault::encoder_jump, encoders, 0}));
+}
+
+TEST(a_safe_port, has_no_position_to_lose_before_its_first_good_sample) {
+  rig r;
+  for (int k = 0; k < 50; ++k) r.cycle([](rig& s) { s.device.sample.valid[0] = false; });
+  r.cycle();
+  EXPECT_FALSE(r.port.needs_homing());
+  EXPECT_TRUE(r.port.activate());
+}
+
 TEST(a_safe_port, holds_over_a_gap_in_the_sequence_and_lets_the_device_go_on_meanwhile) {
   rig r;
   r.hold();
@@ -570,9 +659,9 @@ TEST(an_encoder_check, takes_only_counts_that_the_counter_has) {
       first = check({0, 0, {count}, {true}}, true) == ph::fault_record{};
       EXPECT_EQ(check.position()[0], first ? count : 0);
     }
-    ph::encoder_check<1> check({.largest_rate = 1e300});
+    ph::encoder_check<1> check({.largest_rate = bits > 0 ? 100 : 1e300});
     check.set_counter_bits(bits);
-    check({0, 0, {0}, {true}}, true);
+    check({0, 0, {-64}, {true}}, true);  // from where no good count is further than 64
     later = check({1, 1, {count}, {true}}, true) == ph::fault_record{};
     EXPECT_EQ(first, later) << bits << " bits, count " << count;
     return first;
@@ -872,6 +961,17 @@ TEST(a_release_policy, ramps_down_where_the_user_says_so) {
   }
   r.cycle();
   EXPECT_FALSE(r.device.flows());
+}
+
+TEST(a_release_policy, begins_its_ramp_with_the_last_cycle_before_a_pause) {
+  auto p = usual();
+  p.at_release = {ph::release_policy::ramp, 0.1};
+  rig r(p);
+  r.hold();
+  r.time += 0.049;
+  r.cycle();
+  EXPECT_EQ(r.port.reason().what, ph::fault::cycle_late);
+  EXPECT_NEAR(r.device.currents[0], 0.25, 1e-6) << "50 ms of 100";
 }
 
 TEST(a_release_policy, holds_where_the_user_says_so_and_lets_go_of_a_lost_device) {

@@ -40,6 +40,7 @@ constexpr std::array tests{
     fault,
     test_of_a_hazard{"a_frozen_encoder", "is_noticed_after_the_others_turned_so_far_without_a_brake",
                      "safe_port.cpp"},
+    test_of_a_hazard{"a_counter", "that_may_have_wrapped_unseen_needs_homing_in_each_state", "safe_port.cpp"},
     fault,
     fault,
     test_of_a_hazard{"a_control_loop", "may_overrun_so_often_from_its_first_cycle_on", "control_loop.cpp"},

@@ -58,6 +58,7 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
       {"The force sensor is lost", "safe_port", cycle + by_loop, "rearm, if it comes back"},
       {"An encoder stands still while the others turn `frozen_travel` and no brake holds", "safe_port", cycle,
        homing},
+      {"A counter may have wrapped unseen in a pause (`wrap_time`)", "safe_port", cycle + by_loop, homing},
       {"A command is NaN, infinite or negative", "safe_port", cycle + by_loop, rearm},
       {"The clock goes back or is NaN", "control_loop, safe_port", cycle + by_loop, rearm},
       {"More than `max_overruns` cycles in a row end late", "control_loop",

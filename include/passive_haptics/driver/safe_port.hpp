@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/driver/checks/believed_samples.hpp>
+#include <passive_haptics/driver/checks/loop_period.hpp>
 #include <passive_haptics/driver/safe_port_parameters.hpp>
 
 #include <algorithm>
@@ -21,10 +22,10 @@ namespace passive_haptics {
 ///   open -> ready -> activate -> active <-> degraded -> (fault) -> released -> rearm -> ready
 ///
 /// Hold-over: for `hold_over` seconds the last good sample stands in for bad ones, then the brakes are
-/// released. They are released at once where the device is lost or restarted, an encoder froze, a command is
-/// not valid, or no cycle came for `hold_over` seconds. An older sample than that counts as bad. If it is
-/// not known any more how far the encoders went, the program must start again, with homing. Nothing here
-/// allocates, throws, locks or reads a clock after open().
+/// released. They are released at once where the device is lost or restarted, an encoder froze, a counter may
+/// have wrapped unseen, a command is not valid, or no cycle came for `hold_over` seconds. An older sample
+/// than that counts as bad. If it is not known any more how far the encoders went, the program must start
+/// again, with homing. Nothing here allocates, throws, locks or reads a clock after open().
 template <class Port, class Sensor = no_force_sensor>
 class safe_port {
  public:
@@ -42,6 +43,7 @@ class safe_port {
       : port_(std::move(port)),
         sensor_(std::move(sensor)),
         hold_over_(require_valid(p).hold_over),
+        period_(p.period),
         encoders_(hold_over_, p.encoders),
         forces_(hold_over_, p.sensor),
         limiter_(p.currents),
@@ -58,6 +60,7 @@ class safe_port {
       error = "at_release.policy, expected zero: a device without a watchdog keeps currents for ever";
     if (error.empty()) error = sensor_.open();
     encoders_.set_counter_bits(counter_bits(port_));
+    if (error.empty() && period_.value() >= encoders_.wrap_time()) error = period_error();
     if (error.empty()) state_ = port_state::ready;
     else port_.release();
     return error;
@@ -68,6 +71,7 @@ class safe_port {
     if (state_ == port_state::closed) return state_;
     const double before = std::exchange(now_, now);
     dt_ = now > before && std::isfinite(before) ? now - before : 0;
+    if (dt_ > 0) period_.add(dt_);
     if (!(now > before && std::isfinite(now))) fail({fault::clock_jump});
     else if (holds() && now - before > hold_over_) fail({fault::cycle_late}, before);
     if (lost_) return state_;
@@ -75,9 +79,8 @@ class safe_port {
     const fault_record encoders = encoders_.read(port_, now_, !flows() && applied_is_known());
     const fault_record sensor = forces_.read(sensor_, now_);
     bad_sample_ = encoders.what != fault::none ? encoders : sensor;
-    if (invalidates_position(encoders.what) &&
-        (releases_immediately(encoders) || now_ - encoders_good_ > hold_over_))
-      homed_ = false;
+    if (invalidates_position(encoders.what) && is_positioned() && lasts(encoders, encoders_good_))
+      lose_position(encoders);
     watch(encoders, encoders_good_);
     watch(sensor, sensor_good_);
     settle();
@@ -110,9 +113,15 @@ class safe_port {
     return state_;
   }
 
-  /// From ready to active; false, and nothing happens, unless ready and the last transfers are good.
+  /// From ready to active; false, and nothing happens, unless ready, the last transfers are good and the
+  /// encoders have not lost their way (needs_homing()). If the parameters have no `period`, it is the median
+  /// of the first 20 spacings of read(): if a counter can wrap unseen within it, the position is lost.
   bool activate() noexcept {
-    if (state_ != port_state::ready || !transfers_are_good()) return false;
+    if (state_ != port_state::ready || !is_fit()) return false;
+    if (period_.value() >= encoders_.wrap_time()) {
+      lose_position({fault::counter_wrapped, fault_source::encoders});
+      return false;
+    }
     state_ = port_state::active;
     return true;
   }
@@ -136,7 +145,7 @@ class safe_port {
   /// From released to ready; false, and nothing happens, unless released, the last transfers are good and the
   /// encoders have not lost their way (needs_homing()).
   bool rearm() noexcept {
-    if (state_ != port_state::released || !homed_ || !transfers_are_good()) return false;
+    if (state_ != port_state::released || !is_fit()) return false;
     reason_ = {};
     limiter_.release();
     state_ = port_state::ready;
@@ -179,16 +188,32 @@ class safe_port {
   static constexpr double never = -std::numeric_limits<double>::infinity();
 
   bool holds() const noexcept { return state_ == port_state::active || state_ == port_state::degraded; }
-  bool transfers_are_good() const noexcept {
-    return pending_fault().what == fault::none && std::isfinite(encoders_good_);
+  bool is_positioned() const noexcept { return std::isfinite(encoders_good_); }
+  bool is_fit() const noexcept { return homed_ && is_positioned() && pending_fault().what == fault::none; }
+  std::string period_error() const {
+    return detail::error_text(
+        "period [s]", period_.value(),
+        detail::indexed("less than ", encoders_.wrap_time(), ", within which a counter of ") +
+            detail::indexed(
+                "", counter_bits(port_),
+                " bits can wrap unseen: shorten it, lower encoders.largest_rate or use a wider counter"));
   }
   // Nothing is to flow without being watched, also where the device refuses to end it
   bool flows() const noexcept { return applied_ != currents{}; }
 
-  // What may be held over fails hold_over seconds after the last time that all was good, the rest at once
+  // What may be held over lasts too long hold_over seconds after the last time that all was good, the rest at
+  // once
+  bool lasts(const fault_record& found, double good) const noexcept {
+    return releases_immediately(found) || now_ - good > hold_over_;
+  }
   void watch(const fault_record& found, double& good) noexcept {
     if (found.what == fault::none) good = now_;
-    else if (releases_immediately(found) || ((holds() || flows()) && now_ - good > hold_over_)) fail(found);
+    else if (releases_immediately(found) || ((holds() || flows()) && lasts(found, good))) fail(found);
+  }
+
+  void lose_position(const fault_record& why) noexcept {
+    homed_ = false;
+    fail(why);
   }
 
   // since: when a cycle last came [s]
@@ -196,12 +221,14 @@ class safe_port {
   void fail(const fault_record& why, double since) noexcept {
     if (why.what == fault::device_lost && why.source != fault_source::force_sensor) lost_ = true;
     if (lost_) homed_ = false;
-    if (state_ != port_state::released) {
+    const bool begins = state_ != port_state::released;
+    if (begins) {
       reason_ = why;
       release_.begin({since, applied_});
     }
     state_ = port_state::released;
-    if (lost_ || release_.is_at_once()) give_none();
+    // A fault that stays is no reason to send a release each cycle
+    if (lost_ || (release_.is_at_once() && (begins || flows()))) give_none();
   }
 
   void give_none() noexcept {
@@ -219,6 +246,7 @@ class safe_port {
   Port port_;
   [[no_unique_address]] Sensor sensor_;
   double hold_over_;
+  loop_period period_;
   believed_encoders<encoder_count> encoders_;
   believed_forces<channel_count> forces_;
   current_limiter<brake_count> limiter_;
