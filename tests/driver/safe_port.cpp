@@ -704,9 +704,98 @@ TEST(a_jump, that_was_only_one_bad_reading_is_forgotten) {
   for (int k = 0; k < 100; ++k) {
     r.cycle([](rig& s) { s.device.sample.value[0] += 1e9; });
     EXPECT_EQ(r.port.state(), ph::port_state::degraded);
-    r.cycles(3);
+    r.cycles(4);  // a fifth is rejected
     ASSERT_EQ(r.port.state(), ph::port_state::active);
   }
+}
+
+// A loose plug: no fault lasts for hold_over.
+TEST(rejected_samples, release_the_brakes_if_they_are_a_quarter_of_those_that_arrived) {
+  struct plug {
+    ph::fault_record expected;
+    bool rearmable;
+    std::function<void(rig&)> spoil;
+  };
+  for (const auto& [expected, rearmable, spoil] : std::vector<plug>{
+           {{ph::fault::encoder_jump, encoders, 0}, false, [](rig& r) { r.device.sample.value[0] += 1000; }},
+           {{ph::fault::count_out_of_range, encoders, 0},
+            false,
+            [](rig& r) { r.device.sample.value[0] = 1e300; }},
+           {{ph::fault::channel_invalid, encoders, 1},
+            false,
+            [](rig& r) { r.device.sample.valid[1] = false; }},
+           {{ph::fault::value_not_finite, encoders, 1},
+            false,
+            [](rig& r) { r.device.sample.value[1] = fake::nan; }},
+           {{ph::fault::sample_damaged, encoders},
+            true,
+            [](rig& r) { r.device.read_status = ph::port_status::bad_sample; }},
+           {{ph::fault::sample_damaged, sensor},
+            true,
+            [](rig& r) { r.device.sensor_status = ph::port_status::bad_sample; }},
+           {{ph::fault::sensor_saturated, sensor, 1}, true, [](rig& r) { r.device.force.value[1] = 100; }}})
+    for (const int every : {2, 4, 5}) {
+      SCOPED_TRACE(to_string(expected) + ", each of " + std::to_string(every));
+      rig r;
+      r.hold();
+      const auto cycles = [&](int count) {
+        int k = 0;
+        for (; k < count && r.device.flows(); ++k) {
+          if (k % every == 0) r.cycle(spoil);
+          else r.cycle();
+        }
+        return k;
+      };
+      if (every == 5) {
+        EXPECT_EQ(cycles(1000), 1000);
+        EXPECT_EQ(r.port.state(), ph::port_state::active);
+        continue;
+      }
+      r.cycles(300);
+      EXPECT_LE(cycles(1000), every == 2 ? 101 : 201) << "ten hold_over";
+      EXPECT_EQ(r.port.reason(), expected);
+      EXPECT_EQ(r.port.needs_homing(), !rearmable);
+      r.cycles(1);
+      EXPECT_FALSE(r.port.rearm()) << "so soon";
+      r.cycles(200);
+      EXPECT_EQ(r.port.rearm(), rearmable);
+    }
+}
+
+TEST(rejected_samples, are_judged_over_the_last_ten_hold_over) {
+  ph::rejected_samples samples(1);
+  const auto too_many_after = [&](double begin, double end, ph::fault found) {
+    for (double time = begin; time < end; time += 0.125) samples.add(found, time);
+    return samples.is_too_many();
+  };
+  EXPECT_EQ(samples.share(), 0);
+  EXPECT_FALSE(too_many_after(0, 9, ph::fault::encoder_jump)) << "too early to say";
+  EXPECT_TRUE(too_many_after(9, 10, ph::fault::encoder_jump));
+  EXPECT_TRUE(too_many_after(10, 17, ph::fault::none)) << "24 of 80";
+  EXPECT_FALSE(too_many_after(17, 18, ph::fault::none)) << "16 of 80";
+  EXPECT_EQ(samples.arrived(), 144u);
+  EXPECT_EQ(samples.rejected(), 80u);
+  too_many_after(18, 28, ph::fault::encoder_jump);
+  EXPECT_FALSE(too_many_after(40, 49, ph::fault::none)) << "a pause";
+  EXPECT_FALSE(too_many_after(49, 50, ph::fault::none));
+}
+
+TEST(rejected_samples, are_a_share_of_those_that_arrived_not_of_the_reads) {
+  // A device slower than the loop, or behind an adapter that waits for 16 samples; each of so many jumps, 0:
+  // none
+  const auto flows = [](int reads_a_sample, int jumps) {
+    rig r;
+    r.hold();
+    for (int k = 0; k < 2000; ++k)
+      r.cycle([&](rig& s) {
+        if (k % reads_a_sample != 0) s.device.read_status = ph::port_status::no_sample;
+        else if (jumps > 0 && k / reads_a_sample % jumps == 0) s.device.sample.value[0] += 5000;
+      });
+    return r.device.flows();
+  };
+  EXPECT_TRUE(flows(2, 0));
+  EXPECT_TRUE(flows(16, 0));
+  EXPECT_FALSE(flows(2, 3)) << "a third of the samples, a sixth of the reads";
 }
 
 TEST(an_encoder_check, allows_the_largest_rate_and_a_count_at_each_end) {

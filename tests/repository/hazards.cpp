@@ -31,9 +31,13 @@ struct test_of_a_hazard {
   std::string_view suite, name, file;
 };
 constexpr test_of_a_hazard fault{"a_fault", "releases_the_brakes_in_time_and_says_why", "safe_port.cpp"};
+constexpr test_of_a_hazard quarter{
+    "rejected_samples", "release_the_brakes_if_they_are_a_quarter_of_those_that_arrived", "safe_port.cpp"};
 constexpr std::array tests{
     fault,
     fault,
+    quarter,
+    quarter,
     fault,
     fault,
     fault,

@@ -22,10 +22,11 @@ namespace passive_haptics {
 ///   open -> ready -> activate -> active <-> degraded -> (fault) -> released -> rearm -> ready
 ///
 /// Hold-over: for `hold_over` seconds the last good sample stands in for bad ones, then the brakes are
-/// released. They are released at once where the device is lost or restarted, an encoder froze, a counter may
-/// have wrapped unseen, a command is not valid, or no cycle came for `hold_over` seconds. An older sample
-/// than that counts as bad. If it is not known any more how far the encoders went, the program must start
-/// again, with homing. Nothing here allocates, throws, locks or reads a clock after open().
+/// released. They are also released if a quarter of the samples of the last ten `hold_over` were rejected
+/// (rejected_samples). They are released at once where the device is lost or restarted, an encoder froze, a
+/// counter may have wrapped unseen, a command is not valid, or no cycle came for `hold_over` seconds. An
+/// older sample than that counts as bad. If it is not known any more how far the encoders went, the program
+/// must start again, with homing. Nothing here allocates, throws, locks or reads a clock after open().
 template <class Port, class Sensor = no_force_sensor>
 class safe_port {
  public:
@@ -79,10 +80,11 @@ class safe_port {
     const fault_record encoders = encoders_.read(port_, now_, !flows() && applied_is_known());
     const fault_record sensor = forces_.read(sensor_, now_);
     bad_sample_ = encoders.what != fault::none ? encoders : sensor;
-    if (invalidates_position(encoders.what) && is_positioned() && lasts(encoders, encoders_good_))
+    const bool too_many = encoders_.rejections().is_too_many();
+    if (invalidates_position(encoders.what) && is_positioned() && lasts(encoders, encoders_good_, too_many))
       lose_position(encoders);
-    watch(encoders, encoders_good_);
-    watch(sensor, sensor_good_);
+    watch(encoders, encoders_good_, too_many);
+    watch(sensor, sensor_good_, forces_.rejections().is_too_many());
     settle();
     return state_;
   }
@@ -113,7 +115,7 @@ class safe_port {
     return state_;
   }
 
-  /// From ready to active; false, and nothing happens, unless ready, the last transfers are good and the
+  /// From ready to active; false, and nothing happens, unless ready, the samples are good and the
   /// encoders have not lost their way (needs_homing()). If the parameters have no `period`, it is the median
   /// of the first 20 spacings of read(): if a counter can wrap unseen within it, the position is lost.
   bool activate() noexcept {
@@ -168,6 +170,10 @@ class safe_port {
   double position_time() const noexcept { return encoders_.time(); }
   /// Whether the times of the encoders look like those of their arrival, which makes rates wrong.
   const arrival_check& arrivals() const noexcept { return encoders_.arrivals(); }
+  /// How many samples of the encoders were rejected.
+  const rejected_samples& encoder_rejections() const noexcept { return encoders_.rejections(); }
+  /// How many samples of the force sensor were rejected.
+  const rejected_samples& force_rejections() const noexcept { return forces_.rejections(); }
   /// The last good reading of the force sensor.
   const force_reading& force() const noexcept { return forces_.reading(); }
   /// What the device last took [A]; a release counts as 0 A unless it is lost or refuses what is written. If
@@ -189,7 +195,10 @@ class safe_port {
 
   bool holds() const noexcept { return state_ == port_state::active || state_ == port_state::degraded; }
   bool is_positioned() const noexcept { return std::isfinite(encoders_good_); }
-  bool is_fit() const noexcept { return homed_ && is_positioned() && pending_fault().what == fault::none; }
+  bool is_fit() const noexcept {
+    return homed_ && is_positioned() && pending_fault().what == fault::none &&
+           !encoders_.rejections().is_too_many() && !forces_.rejections().is_too_many();
+  }
   std::string period_error() const {
     return detail::error_text(
         "period [s]", period_.value(),
@@ -201,14 +210,15 @@ class safe_port {
   // Nothing is to flow without being watched, also where the device refuses to end it
   bool flows() const noexcept { return applied_ != currents{}; }
 
-  // What may be held over lasts too long hold_over seconds after the last time that all was good, the rest at
-  // once
-  bool lasts(const fault_record& found, double good) const noexcept {
-    return releases_immediately(found) || now_ - good > hold_over_;
+  // What may be held over lasts too long hold_over seconds after the last time that all was good, or if too
+  // many samples were rejected; the rest does at once
+  bool lasts(const fault_record& found, double good, bool too_many) const noexcept {
+    return releases_immediately(found) || now_ - good > hold_over_ || too_many;
   }
-  void watch(const fault_record& found, double& good) noexcept {
+  void watch(const fault_record& found, double& good, bool too_many = false) noexcept {
     if (found.what == fault::none) good = now_;
-    else if (releases_immediately(found) || ((holds() || flows()) && lasts(found, good))) fail(found);
+    else if (releases_immediately(found) || ((holds() || flows()) && lasts(found, good, too_many)))
+      fail(found);
   }
 
   void lose_position(const fault_record& why) noexcept {
