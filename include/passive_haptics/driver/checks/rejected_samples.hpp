@@ -23,14 +23,15 @@ class rejected_samples {
   /// The result of a read at time `now` [s]. It does not count if no new sample arrived.
   void add(fault found, double now) noexcept {
     if (found == fault::sample_missing || found == fault::sample_repeated) return;
-    const double passed = std::floor((now - begin_) / part_);
+    double passed = std::floor((now - begin_) / part_);
     if (!(std::abs(passed) < parts)) {  // the first sample, the first after a pause, or the clock jumped
-      recent_ = {};
-      begun_ = 1;
-      begin_ = now;
-    } else if (passed > 0) {
-      for (int k = 0; k < passed; ++k) recent_[begun_++ % parts] = {};
-      begin_ += passed * part_;
+      begun_ = 0;
+      begin_ = now - part_;
+      passed = 1;
+    }
+    for (; passed > 0; --passed) {
+      recent_[begun_++ % parts] = {};
+      begin_ += part_;
     }
     for (tally* const t : {&all_, &recent_[(begun_ - 1) % parts]}) {
       ++t->arrived;
