@@ -53,10 +53,10 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
        "safe_port: for `hold_over`", hold_over + cycle + by_loop, rearm},
       {"Of the encoders' samples within ten `hold_over`, a quarter are NaN, infinite, beyond the counter, "
        "jumps or invalid",
-       "safe_port", 10 * hold_over + cycle + by_loop, homing},
+       "safe_port", 10 * p.hold_over + cycle + by_loop, homing},
       {"Of the samples within ten `hold_over`, a quarter are damaged, or of the force sensor NaN, infinite, "
        "invalid or saturated",
-       "safe_port", 10 * hold_over + cycle + by_loop, rearm},
+       "safe_port", 10 * p.hold_over + cycle + by_loop, rearm},
       {"The device refuses currents", "safe_port: for `hold_over`", hold_over + cycle + by_loop, rearm},
       {"The force sensor is silent, stale, damaged, NaN, invalid or saturated", "safe_port: for `hold_over`",
        hold_over + cycle + by_loop, rearm},
