@@ -229,10 +229,10 @@ class safe_port {
   // since: when a cycle last came [s]
   void fail(const fault_record& why) noexcept { fail(why, now_); }
   void fail(const fault_record& why, double since) noexcept {
+    const bool begins = state_ != port_state::released;
     if (why.what == fault::device_lost && why.source != fault_source::force_sensor) lost_ = true;
     if (lost_) homed_ = false;
-    const bool begins = state_ != port_state::released;
-    if (begins) {
+    if (state_ != port_state::released) {
       reason_ = why;
       release_.begin({since, applied_});
     }
