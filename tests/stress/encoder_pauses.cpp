@@ -121,13 +121,13 @@ class trial {
     if (kind == pause::of_the_loop) return wait(seconds);
     if (kind == pause::in_a_transfer) {
       // Latched during it, dated after; the loop read its clock before, or another thread read the port
+      wait(period_);
       const double before = time_, share = random_.uniform(0.0, 1.0);
       wait(share * seconds);
       device_ = {.count = std::floor(hand_.position), .sequence = sequence_, .bits = device_.bits};
       hand_.advance((1 - share) * seconds, turn_);
-      time_ = before + seconds;
-      device_.time = time_;
-      return read(random_.coin() ? before + period_ : time_);
+      device_.time = time_ = before + seconds;
+      return read(random_.coin() ? before : time_);
     }
     for (const double end = time_ + seconds; time_ < end;) cycle(kind);
   }

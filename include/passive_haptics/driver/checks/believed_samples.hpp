@@ -4,7 +4,6 @@
 
 #include <passive_haptics/driver/checks/arrival_check.hpp>
 #include <passive_haptics/driver/checks/encoder_check.hpp>
-#include <passive_haptics/driver/checks/rejected_samples.hpp>
 #include <passive_haptics/driver/checks/sample_check.hpp>
 #include <passive_haptics/driver/checks/sensor_check.hpp>
 
@@ -16,10 +15,9 @@ namespace passive_haptics {
 template <int N>
 class believed_encoders {
  public:
-  /// hold_over [s]: the age at which a sample is bad. Throws std::invalid_argument with the text of
+  /// late_after [s]: the age at which a sample is bad. Throws std::invalid_argument with the text of
   /// validate(limits).
-  believed_encoders(double hold_over, const encoder_limits& limits)
-      : sample_(hold_over), counts_(limits), rejections_(hold_over) {}
+  believed_encoders(double late_after, const encoder_limits& limits) : sample_(late_after), counts_(limits) {}
 
   /// Counters of this width wrap; 0: they never do. Before the first sample.
   void set_counter_bits(int bits) noexcept { counts_.set_counter_bits(bits); }
@@ -34,7 +32,6 @@ class believed_encoders {
     const port_status status = port.read(sample);
     fault_record found = sample_(status, sample, now, fault_source::encoders);
     if (found.what == fault::none) found = counts_(sample, free);
-    rejections_.add(found.what, now);
     if (found.what != fault::none) return found;
     time_ = sample.time;
     arrivals_.add(sample.time);
@@ -47,14 +44,11 @@ class believed_encoders {
   double time() const noexcept { return time_; }
   /// Whether the times look like those of arrival.
   const arrival_check& arrivals() const noexcept { return arrivals_; }
-  /// How many samples were rejected.
-  const rejected_samples& rejections() const noexcept { return rejections_; }
 
  private:
   sample_check<N> sample_;
   encoder_check<N> counts_;
   arrival_check arrivals_;
-  rejected_samples rejections_;
   double time_ = 0;
 };
 
@@ -62,10 +56,9 @@ class believed_encoders {
 template <int N>
 class believed_forces {
  public:
-  /// hold_over [s]: the age at which a sample is bad. Throws std::invalid_argument with the text of
+  /// late_after [s]: the age at which a sample is bad. Throws std::invalid_argument with the text of
   /// validate(limits).
-  believed_forces(double hold_over, const sensor_limits<N>& limits)
-      : sample_(hold_over), range_(limits), rejections_(hold_over) {}
+  believed_forces(double late_after, const sensor_limits<N>& limits) : sample_(late_after), range_(limits) {}
 
   /// Reads a sample at time `now` [s]. What is wrong with the sample, or none.
   template <class Sensor>
@@ -77,20 +70,16 @@ class believed_forces {
     // A force has no home to lose
     if (found.what == fault::device_restarted) sample_.reset();
     if (found.what == fault::none) found = range_(sample);
-    rejections_.add(found.what, now);
     if (found.what == fault::none) reading_ = sample.value;
     return found;
   }
 
   /// The last good reading.
   const std::array<double, static_cast<std::size_t>(N)>& reading() const noexcept { return reading_; }
-  /// How many samples were rejected.
-  const rejected_samples& rejections() const noexcept { return rejections_; }
 
  private:
   sample_check<N> sample_;
   sensor_check<N> range_;
-  rejected_samples rejections_;
   std::array<double, static_cast<std::size_t>(N)> reading_{};
 };
 

@@ -15,7 +15,8 @@ namespace passive_haptics {
 
 /// What encoders of a device can do.
 struct encoder_limits {
-  /// Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts.
+  /// Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts. With it a counter that
+  /// wraps allows pauses up to wrap_time().
   double largest_rate = 2e5;
   /// An encoder that does not change while the others together turn so far and no brake holds is frozen
   /// [counts]; 0: never checked. A turn of 8192 counts by default; more where friction alone can hold an

@@ -2,9 +2,12 @@
 /// The period of a loop.
 #pragma once
 
+#include <passive_haptics/core/text.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 
 namespace passive_haptics {
 
@@ -26,6 +29,16 @@ class loop_period {
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count_ / 2);
     std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(count_));
     return *middle;
+  }
+  /// What is wrong with a period within which a counter of this width can wrap unseen; empty if it cannot.
+  std::string error(double wrap_time, int counter_bits) const {
+    if (value() < wrap_time) return {};
+    return detail::error_text(
+        "period [s]", value(),
+        detail::indexed("less than ", wrap_time, ", within which a counter of ") +
+            detail::indexed(
+                "", counter_bits,
+                " bits can wrap unseen: shorten it, lower encoders.largest_rate or use a wider counter"));
   }
 
  private:

@@ -30,10 +30,13 @@ class rejected_samples {
       passed = 1;
     }
     for (; passed > 0; --passed) {
-      recent_[begun_++ % parts] = {};
+      tally& oldest = recent_[begun_++ % parts];
+      sum_.arrived -= oldest.arrived;
+      sum_.rejected -= oldest.rejected;
+      oldest = {};
       begin_ += part_;
     }
-    for (tally* const t : {&all_, &recent_[(begun_ - 1) % parts]}) {
+    for (tally* const t : {&all_, &sum_, &recent_[(begun_ - 1) % parts]}) {
       ++t->arrived;
       t->rejected += rejects_sample(found);
     }
@@ -42,13 +45,8 @@ class rejected_samples {
   /// Whether at least a quarter of the samples of about the last ten `hold_over` were rejected; false until
   /// samples have arrived for so long.
   bool is_too_many() const noexcept {
-    tally sum;
-    for (const tally& t : recent_) {
-      sum.arrived += t.arrived;
-      sum.rejected += t.rejected;
-    }
     return begun_ >= parts &&
-           static_cast<double>(sum.rejected) >= largest_share * static_cast<double>(sum.arrived);
+           static_cast<double>(sum_.rejected) >= largest_share * static_cast<double>(sum_.arrived);
   }
   /// The share of all samples that was rejected, 0 to 1.
   double share() const noexcept {
@@ -69,7 +67,7 @@ class rejected_samples {
   double begin_ = -std::numeric_limits<double>::infinity();  // of the newest part [s]
   std::size_t begun_ = 0;                                    // parts since the first sample or a pause
   std::array<tally, parts> recent_{};
-  tally all_;
+  tally sum_, all_;  // of the recent parts, and of all samples
 };
 
 }  // namespace passive_haptics
