@@ -69,18 +69,28 @@ found_by_cmake() {
   cmake -S "$probe" -B "$probe/build" >/dev/null 2>&1
 }
 
+as_root() { if [[ $(id -u) == 0 ]]; then "$@"; else sudo -n "$@"; fi; }
+# apt_get ARGUMENT...: as root. Waits up to ten minutes while another process holds a lock of apt; its option
+# DPkg::Lock::Timeout covers neither `update` nor downloads.
+apt_get() {
+  local errors tries=0
+  until { errors=$(as_root env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get "$@" 2>&1 >&3); } 3>&1; do
+    if [[ $errors != *"Could not get lock"* ]] || ((++tries == 120)); then printf '%s\n' "$errors" >&2; return 1; fi
+    ((tries > 1)) || say "waiting for another process. $errors" >&2
+    sleep 5
+  done
+}
+
 # need WHY PACKAGE...: installs what is missing where it may, else says what to install and returns 1.
 need() {
-  local why=$1 package missing= sudo=
+  local why=$1 package missing=
   shift
   for package; do present "$package" || missing+=" $package"; done
   [[ $missing ]] || return 0
-  if [[ $(id -u) != 0 ]]; then sudo="sudo -n"; fi
-  if command -v apt-get >/dev/null && { [[ ! $sudo ]] || sudo -n true 2>/dev/null; }; then
+  if command -v apt-get >/dev/null && as_root true 2>/dev/null; then
     say "installing$missing ($why)"
-    if { [[ ${lists_are_new:-} ]] || $sudo apt-get update -qq; } && lists_are_new=yes &&
-      $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing |
-      sed -nu 's/^\(Get:\|Setting up\)/   &/p'; then
+    if { [[ ${lists_are_new:-} ]] || apt_get update -qq; } && lists_are_new=yes &&
+      apt_get install -y --no-install-recommends $missing | sed -nu 's/^\(Get:\|Setting up\)/   &/p'; then
       return 0
     fi
   fi

@@ -87,7 +87,10 @@ void row(const ph::member_description& about, const V& value) {
     fallback = default_text(about, value);
     if (std::is_same_v<scalar, bool>) expected = "true or false";
     if (*about.choices != '\0') expected = "one of " + std::string(about.choices);
-    if (about.large < ph::range::infinity) expected += "; large over " + ph::detail::number_text(about.large);
+    const ph::range plausible = ph::plausible_magnitude(about);
+    if (plausible.lower > 0) expected += "; suspicious below " + ph::detail::number_text(plausible.lower);
+    if (plausible.upper < ph::range::infinity)
+      expected += "; suspicious above " + ph::detail::number_text(plausible.upper);
   }
   std::cout << "| `" << about.name << "` | " << about.unit << " | " << fallback << " | " << expected
             << " |\n";

@@ -84,6 +84,7 @@ s/\bbrake_reach</torque_range</g
 # Members
 s/\bheld_over\(\)/pending_fault()/g
 s/\blarge_over\(/suspicious_above(/g
+s/\bfor_each_large\b/for_each_suspicious/g
 s/\bgives_way\b/nulls_normal_force/g
 s/\bmost_overruns\b/max_overruns/g
 s/\bmost_missed\b/max_missed/g

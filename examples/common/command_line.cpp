@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -57,6 +58,8 @@ command_line::command_line(const std::string& name, const std::string& about)
     fail(std::string("/dev/null: ") + std::strerror(errno) +
              ", expected it in place of a closed descriptor; start the program with descriptors 0 to 2 open",
          1);
+  // A write that fails must neither end the program nor cost its exit status
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   all_->set_help_flag("--help,-h", "this text");
   all_->get_formatter()->column_width(24);
 }

@@ -18,7 +18,8 @@ class command_line {
  public:
   /// name: as ./examples/run has it; about: what the example does and what it leaves. The constructor also
   /// opens the standard descriptors that are closed, so make it before any file, thread or process; where it
-  /// cannot, the program ends with status 1.
+  /// cannot, the program ends with status 1. It ignores SIGPIPE and SIGXFSZ: a write to a pipe that nobody
+  /// reads, or beyond the limit of a file's size, fails and does not end the program.
   command_line(const std::string& name, const std::string& about);
   ~command_line();
 

@@ -2,7 +2,8 @@
 /// Numbers in command-line arguments.
 #pragma once
 
-#include <charconv>
+#include <passive_haptics/scene/files/text_lines.hpp>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -18,7 +19,7 @@ inline std::vector<double> numbers(std::string_view what, std::string_view text)
     const std::size_t comma = rest.find(',');
     const std::string_view field = rest.substr(0, comma);
     double value = 0;
-    const auto [stop, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    const auto [stop, error] = passive_haptics::detail::read_number(field, value);
     if (error != std::errc() || stop != field.data() + field.size() || !std::isfinite(value)) {
       throw std::invalid_argument(std::string(what) + ": '" + std::string(field) + "' in '" +
                                   std::string(text) + "', expected a finite number");

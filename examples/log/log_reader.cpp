@@ -1,6 +1,5 @@
 #include <log/log_reader.hpp>
 #include <log/log_row.hpp>
-#include <log/number_text.hpp>
 
 #include <passive_haptics/core/text.hpp>
 
@@ -31,9 +30,14 @@ bool take(std::string_view& text, std::string_view beginning) {
   return true;
 }
 
+// By which spreadsheets name the separator
+bool is_separator_line(std::string_view line) { return line.size() == 5 && line.starts_with("sep="); }
+
 }  // namespace
 
-log_reader::log_reader(std::istream& in, std::string name) : in_(in), file_(std::move(name)) {
+log_reader::log_reader(std::istream& in, std::string name)
+    : lines_(in, longest_line), file_(std::move(name)) {
+  lines_.limit_zeros(1);  // the one that ends a text in C
   read_header();
   for (std::size_t i = 0; i < names_.size(); ++i)
     if (find(names_[i]) != i) fail(i + 1, "a second " + in_quotes(names_[i]), "each name once");
@@ -41,8 +45,8 @@ log_reader::log_reader(std::istream& in, std::string name) : in_(in), file_(std:
     split(unit_cells_, fields_);
     units_.assign(fields_.begin(), fields_.end());
     if (units_.size() != names_.size())
-      fail(0, std::to_string(names_.size()) + " names",
-           std::to_string(units_.size()) + ", as there are units");
+      fail(0, std::to_string(names_.size()) + " names and the units " + in_quotes(unit_cells_),
+           "a unit for each name, separated as the names are; write them so, or remove the line of units");
   }
   time_column_ = column("t", {"s"});
   time_ = -std::numeric_limits<double>::infinity();
@@ -52,21 +56,22 @@ log_reader::log_reader(std::istream& in, std::string name) : in_(in), file_(std:
 void log_reader::read_header() {
   const char* const expected = "a line of names, t,q1,...";
   if (!next_line()) fail(0, "the log is empty", expected);
-  if (line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);  // a byte order mark
-  while (line_.starts_with('#')) {
-    read_remark();
+  while (lines_.line().starts_with('#') || is_separator_line(lines_.line())) {
+    if (lines_.line().starts_with('#')) read_remark();
     if (next_line()) continue;
     if (names_.empty()) fail(0, "the log ends", expected);
     return;
   }
-  row_is_read_ = !take_names(line_) && !names_.empty();
+  row_is_read_ = !take_names(lines_.line()) && !names_.empty();
   if (names_.empty())
-    fail(0, "no column 't'", "one among " + in_quotes(line_) + ", separated by commas, semicolons or tabs");
+    fail(0, "no column 't'",
+         "one among " + in_quotes(lines_.line()) + ", separated by commas, semicolons or tabs");
 }
 
 void log_reader::read_remark() {
-  std::string_view text = line_;
+  std::string_view text = lines_.line();
   if (take(text, "# passive_haptics log ")) {
+    has_version_ = true;
     if (text != std::to_string(log_version))
       fail(0, std::string("version ").append(text), "version " + std::to_string(log_version));
   } else if (take(text, "# units:")) {
@@ -84,7 +89,7 @@ bool log_reader::take_names(std::string_view line) {
     if (std::find(fields_.begin(), fields_.end(), "t") != fields_.end()) {
       names_.assign(fields_.begin(), fields_.end());
       header_ = trimmed(line);
-      header_number_ = number_;
+      header_number_ = lines_.number();
       return true;
     }
     separator_ = before;
@@ -116,12 +121,15 @@ std::string_view log_reader::unit(std::size_t column) const {
 
 bool log_reader::next() {
   if (!std::exchange(row_is_read_, false) && !next_line()) return false;
-  if (line_.empty()) {  // blank lines may end a log
+  if (lines_.line().empty()) {  // blank lines may end a log
     while (next_line())
-      if (!line_.empty()) fail(0, "a blank line before this one", "numbers in each line");
+      if (!lines_.line().empty()) fail(0, "a blank line before this one", "numbers in each line");
     return false;
   }
-  split(line_, fields_);
+  if (has_version_ && lines_.is_last())
+    fail(0, "the line has no end",
+         "each line of this version to have one; the log was cut off: remove this line, or end it");
+  split(lines_.line(), fields_);
   if (fields_.size() > names_.size())
     fail(names_.size() + 1, in_quotes(fields_[names_.size()]), std::to_string(names_.size()) + " cells");
   if (fields_.size() < names_.size())
@@ -136,24 +144,21 @@ bool log_reader::next() {
 
 double log_reader::number(std::size_t column) const {
   const std::string_view field = fields_[column];
-  const auto refuse = [&](const std::string& found, const std::string& more = "") {
-    fail(column + 1, found, "a finite number for " + in_quotes(names_[column]) + more);
-  };
   if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
   double value = 0;
   const char* const end = field.data() + field.size();
-  const bool plus = field.front() == '+' && field.size() > 1 && field[1] != '-';  // from_chars takes no plus
-  const auto [stop, error] = read_number(field.data() + (plus ? 1 : 0), end, value);
-  if (error == std::errc::result_out_of_range) refuse(in_quotes(field) + " is out of range");
-  if (error != std::errc()) refuse(in_quotes(field));
-  if (stop != end) {
-    if (*stop == ';' || *stop == '\t') fail(column + 1, in_quotes(field), "cells separated as the names are");
-    if (*stop == ',') fail(column + 1, in_quotes(field), "a decimal point in place of the comma");
-    refuse(in_quotes(std::string_view(stop, static_cast<std::size_t>(end - stop))) + " after a number",
-           " alone; units stand in the header");
-  }
-  if (!std::isfinite(value)) refuse(in_quotes(field));
-  return value;
+  const auto [stop, error] = passive_haptics::detail::read_number(field, value);
+  if (error == std::errc() && stop == end && std::isfinite(value)) return value;
+  const std::string expected = "a finite number for " + in_quotes(names_[column]);
+  if (error == std::errc::result_out_of_range)
+    fail(column + 1, in_quotes(field) + " is out of range", expected);
+  const bool ends_log = lines_.is_last() && column + 1 == fields_.size();
+  const std::string cause(passive_haptics::detail::cause_of_no_number(field, ends_log));
+  if (error != std::errc() || stop == end || !cause.empty())
+    fail(column + 1, in_quotes(field), expected + cause);
+  if (*stop == ';' || *stop == '\t') fail(column + 1, in_quotes(field), "cells separated as the names are");
+  fail(column + 1, in_quotes(field.substr(static_cast<std::size_t>(stop - field.data()))) + " after a number",
+       expected + " alone; units stand in the header");
 }
 
 // A quote within a cell in quotes stands twice.
@@ -164,28 +169,20 @@ std::string log_reader::text(std::size_t column) const {
 }
 
 void log_reader::fail(std::size_t column, const std::string& found, const std::string& expected) const {
+  fail(column, std::string(found).append(", expected ").append(expected));
+}
+
+void log_reader::fail(std::size_t column, const std::string& error) const {
   std::string where = file_;
-  where.append(", line ").append(std::to_string(row_is_read_ ? header_number_ : number_));
+  where.append(", line ").append(std::to_string(row_is_read_ ? header_number_ : lines_.number()));
   if (column > 0) where.append(", column ").append(std::to_string(column));
-  where.append(": ").append(found).append(", expected ").append(expected);
-  throw log_error(passive_haptics::detail::printable(where));
+  throw log_error(passive_haptics::detail::printable(where.append(": ").append(error)));
 }
 
 bool log_reader::next_line() {
-  line_.clear();
-  ++number_;
-  std::streambuf& buffer = *in_.rdbuf();
-  for (int c = buffer.sbumpc(); c != std::istream::traits_type::eof(); c = buffer.sbumpc()) {
-    if (c == '\n') {
-      if (!line_.empty() && line_.back() == '\r') line_.pop_back();
-      return true;
-    }
-    if (c == '\0') fail(0, "a zero byte", "text in UTF-8");
-    line_.push_back(static_cast<char>(c));
-    if (line_.size() > longest_line)
-      fail(0, "more than " + std::to_string(longest_line) + " characters", "a shorter line");
-  }
-  return !line_.empty();
+  if (lines_.next()) return true;
+  if (!lines_.error().empty()) fail(0, lines_.error());
+  return false;
 }
 
 // At the separators outside of quotes.

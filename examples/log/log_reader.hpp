@@ -3,6 +3,8 @@
 /// expected.
 #pragma once
 
+#include <passive_haptics/scene/files/text_lines.hpp>
+
 #include <istream>
 #include <optional>
 #include <stdexcept>
@@ -19,8 +21,8 @@ struct log_error : std::runtime_error {
 
 /// Columns are found by name, in any order, beside others that nobody needs. Memory does not grow with the
 /// log. A log without lines on version and units is taken as one of this version in the units that are read.
-/// Cells are separated by commas, semicolons or tabs, as the names are. A cell may stand in quotes, the names
-/// behind a #.
+/// Cells are separated by commas, semicolons or tabs, as the names are. A cell may be in quotes, the names
+/// behind a #, a line "sep=;" before them.
 class log_reader {
  public:
   static constexpr std::size_t longest_line = 4096;  ///< Longer lines are a mistake, not a log [characters].
@@ -48,23 +50,25 @@ class log_reader {
   /// Throws the log_error of this line; column: from 1, or 0 for the whole line.
   [[noreturn]] void fail(std::size_t column, const std::string& found, const std::string& expected) const;
   /// Number of the line that was read last, from 1.
-  std::size_t line_number() const { return number_; }
+  std::size_t line_number() const { return lines_.number(); }
 
  private:
   bool next_line();
+  [[noreturn]] void fail(std::size_t column, const std::string& error) const;
   void split(std::string_view line, std::vector<std::string_view>& fields) const;
   void read_header();
   void read_remark();
   bool take_names(std::string_view line);
 
-  std::istream& in_;
-  std::string file_, line_, header_, unit_cells_;
+  passive_haptics::detail::text_lines lines_;
+  std::string file_, header_, unit_cells_;
   std::vector<std::string> names_, units_;
   std::vector<std::string_view> fields_;
-  std::size_t number_ = 0, header_number_ = 0, time_column_ = 0;
+  std::size_t header_number_ = 0, time_column_ = 0;
   double time_ = 0;
   char separator_ = ',';
   bool row_is_read_ = false;  // as it was no line of names
+  bool has_version_ = false;  // so that each line has an end
 };
 
 }  // namespace example

@@ -21,3 +21,8 @@ TEST(monotonic_clock, in_seconds_is_the_same_clock) {
   EXPECT_LE(before, between);
   EXPECT_LE(between, after);
 }
+
+TEST(monotonic_clock, is_never_ahead_of_its_boot_time) {
+  const std::int64_t now = ph::monotonic_clock().now();
+  EXPECT_LE(now, ph::monotonic_clock().boot_time());
+}

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <passive_haptics/driver/control_loop.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <random>
 #include <stdexcept>
@@ -30,6 +31,12 @@ struct test_clock {
   }
 };
 static_assert(ph::LoopClock<test_clock>);
+
+// Time that is suspended passes on this one alone.
+struct suspended_clock : test_clock {
+  const std::int64_t* suspended;
+  std::int64_t boot_time() const noexcept { return now() + *suspended; }
+};
 
 struct a_control_loop : ::testing::Test {
   test_clock::state clock;
@@ -204,6 +211,41 @@ TEST_F(a_control_loop, whose_clock_goes_back_releases) {
   run([](const ph::loop_cycle&) { return 0; });
   EXPECT_EQ(released.front(), ph::fault::clock_jump);
   EXPECT_EQ(released.size(), 2u);
+}
+
+TEST_F(a_control_loop, of_a_machine_that_was_suspended_releases_before_the_next_cycle) {
+  std::int64_t suspended = 7'000 * ms;  // before the loop began
+  std::vector<std::size_t> released_before;
+  ph::control_loop loop(parameters, suspended_clock{{&clock}, &suspended});
+  loop.run(
+      [&](const ph::loop_cycle& now) {
+        released_before.push_back(released.size());
+        if (now.number == 3) suspended += ms;  // no more than a period
+        if (now.number == 5) suspended += 1;
+        if (now.number == 7) suspended += 3'600'000 * ms;
+        return now.number < 10;
+      },
+      [] { return false; }, [&](ph::fault why) { released.push_back(why); });
+  EXPECT_EQ(released_before, (std::vector<std::size_t>{0, 0, 0, 0, 0, 1, 1, 2, 2, 2}));
+  EXPECT_EQ(released, (std::vector{ph::fault::suspended, ph::fault::suspended, ph::fault::user}));
+}
+
+// The two clocks are read one after the other, and anything may take the processor in between.
+TEST_F(a_control_loop, takes_no_pause_between_its_two_clocks_for_a_suspend) {
+  struct interrupted_clock : test_clock {
+    int reads;
+    std::int64_t boot_time() noexcept {
+      const std::int64_t booted = now();
+      if (++reads % 3 == 0) of->now += 50 * ms;
+      return booted;
+    }
+  };
+  for (const int before : {0, 1, 2}) {
+    ph::control_loop loop(parameters, interrupted_clock{{&clock}, before});
+    loop.run([&](const ph::loop_cycle& now) { return now.number < 1000; }, [] { return false; },
+             [&](ph::fault why) { released.push_back(why); });
+  }
+  EXPECT_EQ(std::count(released.begin(), released.end(), ph::fault::suspended), 0);
 }
 
 TEST_F(a_control_loop, allocates_nothing_between_its_ends) {

@@ -41,7 +41,7 @@ struct refused_calls : ::testing::Test {
 
   static std::string ready() { return {}; }
   static void until_parent_is_gone(ph::parent_link parent) {
-    while (!parent.gone(1000)) {
+    while (!parent.gone_within(1)) {
     }
   }
   static std::string start() {

@@ -247,6 +247,11 @@ const std::vector<fault_case> all_faults{
      [](rig& r) { r.time += 0.5, r.device.sample.time = r.device.force.time = r.time; }},
     {"clock_that_goes_back", {ph::fault::clock_jump}, at_once, true, [](rig& r) { r.time -= 0.01; }},
     {"clock_that_is_none", {ph::fault::clock_jump}, at_once, true, [](rig& r) { r.time = fake::nan; }},
+    {"suspended_machine",
+     {ph::fault::suspended},
+     at_once,
+     false,
+     [](rig& r) { r.port.release({ph::fault::suspended}); }},
 };
 
 class a_fault : public ::testing::TestWithParam<fault_case> {};

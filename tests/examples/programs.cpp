@@ -83,7 +83,7 @@ TEST_F(an_example, tells_of_a_folder_that_cannot_be_written) {
 
 TEST_F(an_example, tells_of_a_disk_that_is_full) {
   // Files of nothing at all stand for it
-  const outcome o = shell("(trap '' XFSZ; ulimit -f 0; " + quoted(folder + "/02_passive_fme") +
+  const outcome o = shell("(ulimit -f 0; " + quoted(folder + "/02_passive_fme") +
                           " --output there 2>&1 >/dev/null; echo $?) | cat");
   EXPECT_EQ(o.out.rfind("error: cannot write all of 'there/passive_fme_outlines.csv.part': ", 0), 0U)
       << o.out;
@@ -94,6 +94,16 @@ TEST_F(an_example, tells_of_a_disk_that_is_full) {
     EXPECT_EQ(full.status, 1) << name;
     EXPECT_EQ(full.err, "error: cannot write all of the output: No space left on device\n") << name;
   }
+}
+
+// As under `| head -1`
+TEST_F(an_example, whose_output_nobody_reads_ends_with_its_own_status) {
+  for (const char* name : {"01_one_wall", "02_passive_fme", "03_wall_following", "04_new_mechanism"})
+    EXPECT_EQ(
+        shell("(sleep 0.2; " + quoted(folder + "/" + name) + "; echo $? >status) | :; exit $(cat status)")
+            .status,
+        0)
+        << name;
 }
 
 TEST_F(an_example, is_explained_without_a_compiler) {

@@ -90,6 +90,22 @@ TEST_F(run_scripts, look_for_packages_anew_where_the_build_folder_was_moved) {
   EXPECT_EQ(run("examples/run one").out, "ran\n");
 }
 
+TEST_F(run_scripts, wait_while_another_process_holds_a_lock_of_apt) {
+  stand_in("dpkg", "exit 1");
+  stand_in("cmake", "case $1 in -S) exit 1 ;; esac");  // finds no package
+  stand_in("sudo", "shift; exec \"$@\"");
+  stand_in("sleep", "");
+  stand_in("apt-get",
+           "echo $1 >>" + quoted(here / "calls") + "; [ -e " + quoted(here) + "/$1 ] || { touch " +
+               quoted(here) +
+               "/$1; echo 'E: Could not get lock. It is held by process 7 (apt)' >&2; exit 100; }");
+  const outcome o = run("examples/run one");
+  EXPECT_EQ(o.out.substr(o.out.rfind('\n', o.out.size() - 2) + 1), "ran\n");
+  EXPECT_EQ(o.err.find("missing"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("held by process 7"), std::string::npos) << o.err;
+  EXPECT_EQ(text_of(here / "calls"), "update\nupdate\ninstall\ninstall\n");
+}
+
 TEST_F(run_scripts, go_to_their_own_folder_whatever_CDPATH_is) {
   make_clone(here / "elsewhere", "other");
   const outcome o = shell("cd " + quoted(clone) + " && CDPATH=../elsewhere examples/run list");

@@ -138,6 +138,68 @@ TEST(explorer, figures_are_those_of_the_paper) {
   EXPECT_LT(value_of(*direct, "alpha")[0], 1);
 }
 
+// The displayed force is that of the commanded capacities, each against its brake's motion: J^T F = T^T t.
+TEST(explorer, the_displayed_force_is_that_of_the_capacities) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto numbers = [](int count, const auto& draw) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text.append(i == 0 ? "" : ",").append(std::to_string(draw()));
+    return text;
+  };
+  int displayed = 0, cut = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const auto& entry = explorer::mechanisms()[std::size_t(k) % explorer::mechanisms().size()];
+    const auto& law =
+        explorer::laws[std::size_t(k) / explorer::mechanisms().size() % std::size(explorer::laws)];
+    const int n = entry.joints, d = entry.dimension, m = entry.brakes;
+    settings text(std::string("mechanism=") + entry.id);
+    text.set("desired", k % 4 == 3 ? "scene" : "given");
+    text.set("brakes.torque_limit", numbers(m, [&] { return std::pow(10, number(random)); }));
+    text.set("brakes.present", numbers(m, [&] { return number(random) > -0.9 ? 1 : 0; }));
+    text.set("Fh", numbers(d, [&] { return number(random); }));
+    text.set("Fd", numbers(d, [&] { return number(random) * (k % 2 == 0 ? 10 : 100); }));
+    if (law.kind != explorer::law_kind::coercive_force_approximation || m == n) text.set("law", law.id);
+    const auto made = explorer::make_device(text);
+    double *q = made->state(), *qd = q + n;
+    for (int i = 0; i < n; ++i)
+      q[i] += 0.3 * number(random), qd[i] = i == 0 && k % 5 == 0 ? 0 : number(random);
+    made->evaluate();
+    const auto F = value_of(*made, "displayed"), J = value_of(*made, "J"), E = value_of(*made, "E");
+    const auto capacity = value_of(*made, "capacity"), signs = value_of(*made, "signs");
+    ASSERT_EQ(value_of(*made, "status")[0], 0) << text.text();
+    cut += value_of(*made, "saturated")[0] != 0 ? 1 : 0;
+    const auto joint_torque = [&](int j) {  // of F
+      double t = 0;
+      for (int i = 0; i < d; ++i) t += J[std::size_t(i * n + j)] * F[std::size_t(i)];
+      return t;
+    };
+    if (n > d) {  // those that come to rest hold with less
+      int holding = 0;
+      for (int i = 0; i < m; ++i) {
+        double t = 0;
+        for (int row = 0; row < d; ++row) t += E[std::size_t(row * m + i)] * F[std::size_t(row)];
+        EXPECT_LE(std::abs(t), capacity[std::size_t(i)] + 1e-9) << made->changed().text();
+        holding += std::abs(t) < capacity[std::size_t(i)] - 1e-9 ? 1 : 0;
+      }
+      EXPECT_LE(holding, n - d) << made->changed().text();
+    } else {
+      for (int j = 0; j < n; ++j) {
+        std::fill_n(qd, n, 0.0);
+        qd[j] = 1;
+        made->evaluate();
+        const auto rates = value_of(*made, "w");  // column j of T
+        double t = 0;
+        for (std::size_t i = 0; i < rates.size(); ++i) t -= rates[i] * signs[i] * capacity[i];
+        EXPECT_NEAR(joint_torque(j), t, 1e-9) << made->changed().text();
+      }
+    }
+    displayed += F[0] != 0 || F[1] != 0 || F[2] != 0 ? 1 : 0;
+  }
+  EXPECT_GT(displayed, 300);
+  EXPECT_GT(cut, 100);
+}
+
 TEST(explorer, inverse_kinematics_reach_where_the_handle_was) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> step(-0.004, 0.004);
@@ -203,6 +265,11 @@ TEST(explorer, refuses_with_the_words_of_the_library) {
   EXPECT_NE(refusal("mechanism=hexapod"), "");
   EXPECT_NE(refusal("no equals sign"), "");
   EXPECT_NE(refusal("mechanism=two_link\nlaw=magic"), "");
+  EXPECT_EQ(refusal("mechanism=five_bar_4\nlaw=coercive_force_approximation"),
+            "law = 'coercive_force_approximation', expected another law for this device: this one needs one "
+            "brake per joint");
+  EXPECT_EQ(refusal("mechanism=five_bar_4\nq=3.1,0"),
+            "q = '3.1,0', expected joint positions at which the chain closes; change q or the lengths");
   EXPECT_EQ(refusal("mechanism=two_link\nlaw.depth_gain=20\nlaw=direct_control"), "");  // of another law
 }
 

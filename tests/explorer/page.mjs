@@ -338,6 +338,88 @@ async function in_browser(browser) {
       );
     }));
 
+  await test('what is displayed ends at the torque limits, in the sentence and in the picture', async () => {
+    const arm =
+      '#v1/?page=wanted&mechanism=two_link&mechanism.length_1=1&mechanism.length_2=1&scene=none&desired=given' +
+      '&law=no_direct_control&q=0.785398163397,1.570796326795&qd=-0.07,0.14';
+    for (const [link, sentence] of [
+      [arm + '&Fd=-0.25,0.75', /displays Fd exactly, 0\.791 N: it lies in the green area\.$/],
+      [arm + '&Fd=-25,75', /^Direction exact, 2\.24 N of the 79\.1 N: both brakes are at their limit\.$/],
+      [arm + '&Fd=-25,75&brakes.torque_limit=0,0', /^No brake has a torque limit above 0/],
+      ['#v1/fig4', /^Direction exact, up to 5 N of the 2000 N: brake 2 is .* the hand pushes, now 1\.5 N\.$/],
+      ['#v1/five-bar', /50\.3° off .* displays 16 N of the 1570 N needed: brake 1 is at its limit\.$/],
+    ])
+      await with_page(link, {prepare: keep_saved}, async page => {
+        await settle(page);
+        const found = await page.locator('#answer').textContent();
+        expect(sentence.test(found), link + ' states the displayed force', found);
+        const svg = await saved_by(page, '#save_svg'),
+          colour = name =>
+            page.evaluate(id => getComputedStyle(document.documentElement).getPropertyValue(id).trim(), name);
+        const points = pattern =>
+          [...(pattern.exec(svg)?.[1] || '').matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(p =>
+            p.slice(1).map(Number),
+          );
+        const [tip] = points(RegExp(`d="([^"]*)" fill="${await colour('--made')}"/>`)),
+          area = points(RegExp(`d="([^"]*)" fill="none" stroke="${await colour('--cone-line')}"`));
+        const is_inside = [0, 1].every(i => {
+          const side = area.map(p => p[i]);
+          return !tip || (tip[i] > Math.min(...side) - 1 && tip[i] < Math.max(...side) + 1);
+        });
+        expect(!!tip === !/^No brake/.test(found) && is_inside, link + ' ends in the green area', tip);
+      });
+  });
+
+  await test('a link that cannot be opened leaves the page, which states the reason', async () => {
+    const device = '#v1/?page=wanted&mechanism=two_link',
+      reason = page => page.locator('#warning').textContent();
+    await with_page(device + '&law=foo', {}, async page =>
+      expect(/law = 'foo', expected one of/.test(await reason(page)), 'the first link', await reason(page)),
+    );
+    await with_page('#v1/fig2', {}, async page => {
+      for (const [link, expected] of [
+        ['#v1/fig99', /page = 'fig99', expected watch/],
+        ['#v2/fig2', /link = '#v2\/fig2', expected #v1\//],
+        ['#v1/%E0%A4', /page = '%E0%A4', expected/],
+        ['#v1/?page=foo&mechanism=two_link', /page = 'foo', expected watch/],
+        ['#v1/?mechanism=foo', /mechanism = 'foo', expected one of/],
+        [
+          '#v1/?mechanism=five_bar_4&q=3.1,0',
+          /q = '3.1,0', expected joint positions at which the chain closes/,
+        ],
+        ['#v1/?mechanism=five_bar_4&law=coercive_force_approximation', /one brake per joint/],
+        [device + '&foo', /setting = 'foo', expected NAME=VALUE/],
+        [device + '&foo=3', /setting = 'foo', expected a name/],
+        [device + '&mechanism.length_1=-1', /length_1 \[m\] = -1, expected a finite number > 0/],
+        [device + '&q=1,2,3', /expected 2 numbers/],
+        [device + '&scene=plane:0,0,0,0', /expected a direction/],
+      ]) {
+        await page.evaluate(hash => {
+          location.hash = hash;
+        }, link);
+        await settle(page);
+        expect(expected.test(await reason(page)), link + ' has its reason', await reason(page));
+        expect(
+          (await page.evaluate(() => document.body.dataset.question)) === 'forces',
+          link + ' opens nothing',
+        );
+      }
+      await page.evaluate(() => {
+        location.hash = '#v1/fig3-Fd1';
+      });
+      await page.waitForFunction(() => document.getElementById('warning').hidden);
+      await page.evaluate(() => document.querySelector('.skip').click());
+      await page.waitForTimeout(400);
+      expect(
+        (await page.evaluate(() => location.hash)) === '#v1/fig3-Fd1',
+        'the place of the page is no link',
+      );
+    });
+    await with_page('#v1/?page=laws&mechanism=two_link&scene=none&hand=along', {}, async page => {
+      await page.waitForFunction(() => /hand = 'along'/.test(document.getElementById('warning').textContent));
+    });
+  });
+
   await test('the picture is saved as SVG', () =>
     with_page('#v1/fig2', {prepare: keep_saved}, async page => {
       await settle(page);

@@ -37,6 +37,8 @@ constexpr std::array tests{
     fault,
     fault,
     fault,
+    test_of_a_hazard{"a_supervised_loop", "that_does_not_know_what_flows_gives_no_heartbeat",
+                     "supervisor.cpp"},
     fault,
     fault,
     fault,
@@ -47,6 +49,8 @@ constexpr std::array tests{
     test_of_a_hazard{"a_counter", "that_may_have_wrapped_unseen_needs_homing_in_each_state", "safe_port.cpp"},
     fault,
     fault,
+    test_of_a_hazard{"a_control_loop", "of_a_machine_that_was_suspended_releases_before_the_next_cycle",
+                     "control_loop.cpp"},
     test_of_a_hazard{"a_control_loop", "may_overrun_so_often_from_its_first_cycle_on", "control_loop.cpp"},
     test_of_a_hazard{"a_supervised_loop", "whose_law_throws_leaves_no_current", "supervisor.cpp"},
     test_of_a_hazard{"a_request", "to_stop_releases_first_and_ends_the_loop", "supervisor.cpp"},
@@ -126,6 +130,7 @@ TEST(hazards, follow_the_parameters) {
   p.hold_over = 0.03;
   p.supervisor.timeout = 0.2;
   p.watchdog = 0.5;
+  p.wake_up = 0.0001;
   p.at_release = {.policy = ph::release_policy::hold, .ramp_time = 3, .hold_time = 7};
   const auto of = [&](std::string_view begins) {
     for (const auto& one : ph::hazards(p))
@@ -133,15 +138,21 @@ TEST(hazards, follow_the_parameters) {
     ADD_FAILURE() << begins;
     return 0.0;
   };
-  EXPECT_DOUBLE_EQ(of("A transfer of a threaded port"), 0.03 + 0.004 + 0.25 + 7);
-  EXPECT_DOUBLE_EQ(of("The loop is stopped (SIGSTOP)"), 0.25 + 7);
-  EXPECT_EQ(of("The device refuses currents"), std::numeric_limits<double>::infinity())
+  const double cycle = 0.0021, supervised = 0.2505, held = 7 + cycle, ramped = 3 + cycle;
+  EXPECT_DOUBLE_EQ(of("A transfer of a threaded port"), 0.03 + 2 * cycle + supervised + held);
+  EXPECT_DOUBLE_EQ(of("The loop is stopped (SIGSTOP)"), supervised + held);
+  EXPECT_DOUBLE_EQ(of("The device rejects currents and the release"), 0.03 + cycle + supervised + held);
+  EXPECT_EQ(of("The device rejects currents"), std::numeric_limits<double>::infinity())
       << "the loop holds on";
   EXPECT_DOUBLE_EQ(of("Loop and supervisor"), 0.5);
   p.at_release.policy = ph::release_policy::ramp;
-  EXPECT_DOUBLE_EQ(of("The device refuses currents"), 0.032 + 3);
-  EXPECT_DOUBLE_EQ(of("The supervisor dies"), 0.202 + 3);
-  EXPECT_DOUBLE_EQ(of("The device is lost"), 0.002) << "at once, whatever the policy";
+  EXPECT_DOUBLE_EQ(of("The device rejects currents"), 0.03 + cycle + ramped);
+  EXPECT_DOUBLE_EQ(of("The supervisor dies"), cycle + 0.2 + cycle + ramped);
+  EXPECT_DOUBLE_EQ(of("The device is lost"), cycle) << "at once, whatever the policy";
+  p.at_release.policy = ph::release_policy::zero;
+  EXPECT_DOUBLE_EQ(of("The loop's process dies"), 0.0011);
+  p.process_end = 10;
+  EXPECT_DOUBLE_EQ(of("The loop's process dies"), supervised) << "no heartbeat";
 }
 
 }  // namespace

@@ -33,13 +33,13 @@ struct comedi_brake {
   static constexpr auto members() {
     using p = comedi_brake;
     using ph::member;
-    return ph::member_table(
-        member("channel", &p::channel, "", detail::card_index),
-        member("range", &p::range, "", detail::card_index),
-        member("amperes_per_volt", &p::amperes_per_volt, "A/V",
-               ph::range::positive.as("a finite number > 0, the amplifier's gain"))
-            .suspicious_above(1000),
-        member("largest_current", &p::largest_current, "A", ph::range::not_negative).suspicious_above(1000));
+    return ph::member_table(member("channel", &p::channel, "", detail::card_index),
+                            member("range", &p::range, "", detail::card_index),
+                            member("amperes_per_volt", &p::amperes_per_volt, "A/V",
+                                   ph::range::positive.as("a finite number > 0, the amplifier's gain"))
+                                .suspicious_below(1e-6)
+                                .suspicious_above(1000),
+                            member("largest_current", &p::largest_current, "A", ph::range::not_negative));
   }
 };
 

@@ -10,8 +10,10 @@ namespace example {
 namespace {
 
 // Keys that have other names than the members that they set.
-const std::map<std::string_view, std::string_view> keys{
-    {"continuous", "continuous_current"}, {"largest", "current_limit"}, {"largest_current", "current_limit"}};
+const std::map<std::string_view, std::string_view> keys{{"continuous", "continuous_current"},
+                                                        {"largest", "current_limit"},
+                                                        {"largest_current", "current_limit"},
+                                                        {"surface_point", "point"}};
 
 template <class Parameters>
 void check(const toml_section& from, const Parameters& p) {
@@ -34,31 +36,32 @@ std::string without_library(const std::string& text) {
 // A wall, and its normal near a point.
 wall_normal add_wall(toml_section& from, configuration& c) {
   std::string type = "plane", filling = "solid";
-  ph::point<2> point(0, 0.225), normal(0, -1);
-  double radius = 0, stiffness = ph::wall(ph::half_space<2>(point, normal)).stiffness();
+  ph::half_space_parameters<2> plane{{0, 0.225}, {0, -1}};
+  ph::ball_parameters<2> ball{.centre = plane.surface_point};
   from.read("type", type, {"plane", "ball"});
-  from.read("stiffness", stiffness);
-  from.read(type == "plane" ? "point" : "centre", point);
-  if (type == "plane") {
-    from.read("normal", normal);
-  } else {
-    from.read("radius", radius);
-    from.read("filling", filling, {"solid", "hollow"});
-  }
   const auto add = [&](const auto& shape) -> wall_normal {
-    const ph::wall wall(shape, stiffness);
+    ph::wall wall(shape);
+    double stiffness = wall.stiffness();
+    from.read("stiffness", stiffness);
+    if (!wall.set_stiffness(stiffness)) from.refuse("stiffness", "a finite number >= 0 [N/m]");
+    check(from, wall);
     c.walls.add(wall);
     c.named_walls.push_back({type, [shape](const ph::point<2>& x) { return shape.distance(x); }});
     c.wall_remarks += ph::remarks(wall);
     return [shape](const ph::point<2>& x) { return shape.gradient(x); };
   };
-  try {
-    if (type == "plane") return add(ph::half_space<2>(point, normal));
-    return add(ph::ball<2>(point, radius, filling == "solid" ? ph::filling::solid : ph::filling::hollow));
-  } catch (const std::invalid_argument& error) {
-    from.require(without_library(error.what()));
+  if (type == "plane") {
+    from.read_vector("point", plane.surface_point);
+    from.read_vector("normal", plane.normal);
+    check(from, plane);
+    return add(ph::half_space<2>(plane));
   }
-  return {};
+  from.read_vector("centre", ball.centre);
+  from.read("radius", ball.radius);
+  from.read("filling", filling, {"solid", "hollow"});
+  ball.inside = filling == "solid" ? ph::filling::solid : ph::filling::hollow;
+  check(from, ball);
+  return add(ph::ball<2>(ball));
 }
 
 void read_walls(toml_section& file, configuration& c) {
@@ -185,13 +188,13 @@ void read_sensor(toml_section from, configuration& c) {
     c.tare = false;
     return;
   }
-  from.read("x_newtons_per_unit", x);
-  from.read("y_newtons_per_unit", y);
+  from.read_vector("x_newtons_per_unit", x);
+  from.read_vector("y_newtons_per_unit", y);
   c.force.newtons_per_unit.setZero();
   c.force.newtons_per_unit.leftCols<2>() << x[0], x[1], y[0], y[1];
   read_range_of_values(from, c);
   from.read("handle_mass", c.force.handle_mass);
-  from.read("gravity", c.force.gravity);
+  from.read_vector("gravity", c.force.gravity);
   read_sensor_frame(from, c);
   from.read("tare", c.tare);
   from.read("tare_tolerance", c.tare_tolerance);
@@ -314,6 +317,7 @@ std::string remarks(const configuration& c) {
   else add(c.five_bar);
   add(c.brakes, c.curves[0], c.curves[1], c.encoders, c.rates, c.homing, c.start, c.force, c.loop,
       c.real_time, c.safety, c.supervisor);
+  if (c.sensor != "none") add(c.sensor_frame);
   if (c.port == "simulated") add(c.simulation);
   if (c.port == "serial") add(c.serial);
   if (c.sensor == "net_ft") add(c.net_ft);

@@ -77,9 +77,8 @@ void require_shallow_keys(const std::string& path, const std::string& text) {
 }  // namespace
 
 struct toml_section::state {
-  std::string file, name;  // name: "brakes" or "wall[1]"
-  std::shared_ptr<std::map<std::string, bool, std::less<>>>
-      allowed;  // large values by key: whether there was one
+  std::string file, name;                                             // name: "brakes" or "wall[1]"
+  std::shared_ptr<std::map<std::string, bool, std::less<>>> allowed;  // by key: whether a value needed it
   std::shared_ptr<const toml::table> root;
   const toml::table* table = nullptr;  // within root; none if the section is not there
   std::set<std::string, std::less<>> known;
@@ -166,7 +165,7 @@ void toml_section::require_allowed(std::string_view key, const std::string& erro
 
 template <class T>
 void toml_section::read_each(std::string_view key, T* values, std::size_t count, const char* kinds,
-                             const char* kind, std::string_view meaning) {
+                             const char* kind, std::string_view meaning, bool one_for_all) {
   const toml::node* node = state_->find(key);
   if (node == nullptr) return;
   const auto as = [](const toml::node& n, T& to) {
@@ -183,7 +182,7 @@ void toml_section::read_each(std::string_view key, T* values, std::size_t count,
   };
   std::ostringstream what;
   if (count == 1) what << kind;
-  else what << count << ' ' << kinds << ", or one for all";
+  else what << count << ' ' << kinds << (one_for_all ? ", or one for all" : "");
   what << meaning;
   if (const toml::array* list = node->as_array()) {
     if (list->size() != count) state_->expected(key, *node, what.str());
@@ -191,13 +190,17 @@ void toml_section::read_each(std::string_view key, T* values, std::size_t count,
       if (!as((*list)[i], values[i])) state_->expected(key, *node, what.str());
   } else {
     T one{};
-    if (!as(*node, one)) state_->expected(key, *node, what.str());
+    if (!(one_for_all || count == 1) || !as(*node, one)) state_->expected(key, *node, what.str());
     std::fill_n(values, count, one);
   }
 }
 
 void toml_section::read(std::string_view key, double* values, std::size_t count, std::string_view meaning) {
   read_each(key, values, count, "numbers", "a number", meaning);
+}
+void toml_section::read_vector(std::string_view key, double* values, std::size_t count,
+                               std::string_view meaning) {
+  read_each(key, values, count, "numbers", "a number", meaning, false);
 }
 void toml_section::read(std::string_view key, int* values, std::size_t count, std::string_view meaning) {
   read_each(key, values, count, "whole numbers", "a whole number", meaning);
@@ -308,7 +311,7 @@ void toml_section::finish() const {
   for (const auto& [key, was_large] : *state_->allowed)
     if (!was_large)
       require("allow_large = [\"" + beginning_of(key) +
-              "\"], expected keys of values that are large; remove it");
+              "\"], expected keys of values that no device has; remove it");
 }
 
 void toml_section::require(const std::string& error) const {

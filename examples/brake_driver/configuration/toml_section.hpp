@@ -20,7 +20,8 @@ namespace example {
 class toml_section {
  public:
   /// The whole of a file. Throws std::invalid_argument where it is no regular file, over 1 MiB or no TOML.
-  /// The keys that it lists as `allow_large` may be large, as passive_haptics::for_each_large() says.
+  /// The keys that it lists as `allow_large` may have values that no device has, see
+  /// passive_haptics::for_each_suspicious().
   static toml_section file(const std::string& path);
   /// A file without any key.
   static toml_section nothing();
@@ -32,7 +33,8 @@ class toml_section {
   void read(std::string_view key, std::string& value);
   /// One of these words.
   void read(std::string_view key, std::string& value, const std::vector<std::string_view>& choices);
-  /// As many numbers as there are values, or one number for all of them.
+  /// As many numbers as there are values, or one number for all of them: for what each brake, joint, axis or
+  /// channel has.
   void read(std::string_view key, double* values, std::size_t count, std::string_view meaning = {});
   /// Reads a whole number, or true or false.
   void read(std::string_view key, int* values, std::size_t count, std::string_view meaning = {});
@@ -42,6 +44,12 @@ class toml_section {
   void read(std::string_view key, Values& values, std::string_view meaning = {}) {
     read(key, values.data(), static_cast<std::size_t>(values.size()), meaning);
   }
+  /// As many numbers as there are values: for a point, a direction or a row of a matrix.
+  template <class Values>
+  void read_vector(std::string_view key, Values& values, std::string_view meaning = {}) {
+    read_vector(key, values.data(), static_cast<std::size_t>(values.size()), meaning);
+  }
+  void read_vector(std::string_view key, double* values, std::size_t count, std::string_view meaning = {});
   /// A key for each member of a struct of parameters (passive_haptics/core/parameters.hpp), those of a struct
   /// within it among them; then check().
   template <passive_haptics::Parameters P>
@@ -50,12 +58,12 @@ class toml_section {
         parameters, [&](const auto& described, auto& value) { read_member(described, value); });
     check(parameters);
   }
-  /// Throws what is wrong with the parameters: a range, a rule, a large value whose key is not allowed. The
-  /// key of a member is its name, unless `keys` has another one.
+  /// Throws what is wrong with the parameters: a range, a rule, a value that no device has and whose key
+  /// is not allowed. The key of a member is its name, unless `keys` has another one.
   template <passive_haptics::Parameters P>
   void check(const P& parameters, const std::map<std::string_view, std::string_view>& keys = {}) const {
     require(validate(parameters));
-    passive_haptics::for_each_large(parameters, [&](const auto& member, const std::string& error) {
+    passive_haptics::for_each_suspicious(parameters, [&](const auto& member, const std::string& error) {
       const auto other = keys.find(member.name);
       require_allowed(other == keys.end() ? member.name : other->second, error);
     });
@@ -85,7 +93,12 @@ class toml_section {
   void require_allowed(std::string_view key, const std::string& error) const;
   template <class T>
   void read_each(std::string_view key, T* values, std::size_t count, const char* kinds, const char* kind,
-                 std::string_view meaning);
+                 std::string_view meaning, bool one_for_all = true);
+  // A point, a direction or an acceleration has components, not values of each axis.
+  static bool is_vector(const passive_haptics::member_description& described) {
+    const std::string_view unit = described.unit;
+    return described.hard.is_direction || unit == "m" || unit == "m/s^2";
+  }
   template <class V>
   void read_member(const passive_haptics::member_description& described, V& value) {
     if constexpr (passive_haptics::Parameters<V>) {
@@ -104,6 +117,8 @@ class toml_section {
     } else if constexpr (std::is_same_v<V, std::string>) {
       read(described.name, value);
     } else {
+      if constexpr (requires(double* p) { p = value.data(); })
+        if (is_vector(described)) return read_vector(described.name, value, meaning_of(described));
       read(described.name, value, meaning_of(described));
     }
   }

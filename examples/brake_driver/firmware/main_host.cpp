@@ -72,6 +72,7 @@ int main(int argc, char** argv) {
   if (link != nullptr && symlink(line.path().c_str(), link) != 0) return std::perror(link), 1;
   std::signal(SIGINT, end);
   std::signal(SIGTERM, end);
+  std::signal(SIGPIPE, SIG_IGN);  // stdout may be a pipe that nobody reads
   std::printf("%s\n", line.path().c_str());
   std::fflush(stdout);
   run(line, settings);

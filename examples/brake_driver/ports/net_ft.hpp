@@ -30,8 +30,12 @@ struct net_ft_parameters {
     using ph::member, ph::range;
     return ph::member_table(
         member("host", &p::host), member("port", &p::port, "", range::between(1, 65535)),
-        member("counts_per_force", &p::counts_per_force, "1/N", range::positive).suspicious_above(1e12),
-        member("counts_per_torque", &p::counts_per_torque, "1/(N m)", range::positive).suspicious_above(1e12),
+        member("counts_per_force", &p::counts_per_force, "1/N", range::positive)
+            .suspicious_below(1e-3)
+            .suspicious_above(1e12),
+        member("counts_per_torque", &p::counts_per_torque, "1/(N m)", range::positive)
+            .suspicious_below(1e-3)
+            .suspicious_above(1e12),
         member("open_timeout", &p::open_timeout, "s", range::positive).suspicious_above(600),
         member("silence", &p::silence, "s", range::positive).suspicious_above(60));
   }

@@ -43,7 +43,7 @@ struct simulation_parameters {
         member("push", &p::push, "N", range::not_negative),
         member("hand_mass", &p::hand_mass, "kg", range::positive),
         ph::choice("brake", &p::brake, "coulomb, stribeck, magnetorheological, eddy_current"),
-        member("brake_lag", &p::brake_lag, "s", range::positive),
+        member("brake_lag", &p::brake_lag, "s", range::positive).suspicious_above(1),
         member("sensor_noise", &p::sensor_noise, "N", range::not_negative), member("seed", &p::seed),
         member("watchdog", &p::watchdog, "s", range::positive), member("wire", &p::wire));
   }

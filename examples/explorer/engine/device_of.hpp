@@ -50,6 +50,9 @@ class device_of final : public device {
     C next = c_;
     next.take(changed);
     M model = E::make(next.mechanism);
+    if (!ph::task_vector<M>(model.position(next.top.q)).allFinite())
+      refuse("q", text_of(*find(next.fields(), "q")),
+             "joint positions at which the chain closes; change q or the lengths");
     walls_ = next.walls();
     model_ = std::move(model);
     c_ = std::move(next);

@@ -100,8 +100,9 @@ EXPLORER_EXPORT double* explorer_values(void* device);
 ///
 ///     motion    x, v, J (3 rows of n), w, signs, at_rest
 ///     forces    E (3 rows of m), R (m rows of 3, R_i+; R_i- is -R_i+), R_defined, Fh, Fd, depth, normal,
-///               Fp (nearest force), Fc, Fc_scaled (alpha Fc), brake_force (of the torques, at the handle),
-///               Fr (resultant of hand and brakes)
+///               Fp (nearest force), Fc and Fc_scaled (alpha Fc), both before the torque limits, displayed
+///               (of the commanded torques, within the limits), displayed_without_law (of alpha = 1),
+///               brake_force (of the predicted torques), Fr (resultant of hand and brakes)
 ///     brakes    cone_coefficients, capacity, torque, torque_limit, torque_share (0 released, 1 at the
 ///     limit),
 ///               brake_state (released, slips, holds, no brake)

@@ -76,6 +76,8 @@ inline constexpr law_description laws[] = {
 law_kind law_of(const std::string& id);
 /// The id of a law.
 const char* id_of(law_kind kind);
+/// Throws std::invalid_argument: this law is not for the device.
+[[noreturn]] void refuse_law(law_kind kind);
 
 /// The parameters of all laws; those of the chosen one are shown.
 struct law_settings {
@@ -108,6 +110,8 @@ class any_control {
   virtual ~any_control() = default;
   /// One control cycle.
   virtual ph::step_result<M> decide(const ph::device_state<M>& state) = 0;
+  /// Whether the torque limits cut each brake on its own; else they scale all brakes by one factor.
+  virtual bool cuts_each_brake() const = 0;
 };
 
 namespace detail {
@@ -121,6 +125,7 @@ class control_of final : public any_control<M> {
              const L& law, const ph::step_options<double>& options)
       : control_(mechanism, brakes, std::move(scene), law, options) {}
   ph::step_result<M> decide(const ph::device_state<M>& state) override { return control_(state); }
+  bool cuts_each_brake() const override { return ph::TorqueLaw<L>; }
 
  private:
   ph::controller<M, typename base::scene, L, typename base::brakes> control_;
@@ -147,7 +152,7 @@ std::unique_ptr<any_control<M>> make_control(law_kind kind, const law_settings& 
       if constexpr (M::brake_count == M::dof) return under(ph::coercive_force_approximation());
       break;
   }
-  refuse("law", "coercive_force_approximation", "a law for devices with other than one brake a joint");
+  refuse_law(kind);
 }
 
 }  // namespace explorer

@@ -5,12 +5,16 @@
 #include "configuration.hpp"
 #include "value_table.hpp"
 
+#include <passive_haptics/brake/at_rest/settled_rates.hpp>
 #include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/brake/passive_fme.hpp>
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -91,21 +95,26 @@ class pose_values {
     Fd_ = vector_of("Fd", "desired force", "F_d", "", "N", "forces");
     depth_ = number("depth", "depth in the wall", "", "", "m", "forces");
     normal_ = vector_of("normal", "normal of the wall", "n", "", "1", "forces");
-    Fp_ = vector_of("Fp", "nearest force", "F_p", "", "N", "forces");
-    Fc_ = vector_of("Fc", "control force", "F_c", "7", "N", "forces");
-    Fc_scaled_ = vector_of("Fc_scaled", "scaled control force", "αF_c", "12", "N", "forces");
-    brake_force_ = vector_of("brake_force", "force of the torques", "J⁻ᵀτ", "4", "N", "forces");
+    Fp_ = vector_of("Fp", "nearest force, before the torque limits", "F_p", "", "N", "forces");
+    Fc_ = vector_of("Fc", "control force, before α and the torque limits", "F_c", "7", "N", "forces");
+    Fc_scaled_ =
+        vector_of("Fc_scaled", "scaled control force, before the torque limits", "αF_c", "12", "N", "forces");
+    displayed_ = vector_of("displayed", "displayed force, within the torque limits", "", "", "N", "forces");
+    unscaled_ = vector_of("displayed_without_law", "displayed force without a law", "", "", "N", "forces");
+    brake_force_ = vector_of("brake_force", "force of the predicted torques", "J⁻ᵀτ", "4", "N", "forces");
     Fr_ = vector_of("Fr", "resultant of hand and brakes", "F_r", "7", "N", "forces");
     gamma_ = number("gamma", "approximation angle", "γ", "", "rad", "decision");
     alpha_ = number("alpha", "scale factor", "α", "12", "1", "decision");
-    coefficients_ = of_brakes("cone_coefficients", "torques that make F_c", "τ", "4", torque);
+    coefficients_ =
+        of_brakes("cone_coefficients", "torques that make F_c, before the torque limits", "τ", "4", torque);
     capacity_ = of_brakes("capacity", "commanded capacity", "|τ_c|", "3", torque);
     torque_ = of_brakes("torque", "predicted torque", "τ_c", "3", torque);
     limit_ = of_brakes("torque_limit", "torque limit", "", "", torque);
     share_ = of_brakes("torque_share", "share of the limit", "", "", "1");
     doing_ = of_brakes("brake_state", "state of the brake", "", "3", "", brake_words());
     power_ = number("power", "region of the desired force", "", "1", "", "decision", power_words());
-    display_ = number("display", "how it is displayed", "", "", "", "decision", display_words());
+    display_ = number("display", "how it is displayed, before the torque limits", "", "", "", "decision",
+                      display_words());
     saturated_ = number("saturated", "a torque limit is reached", "", "", "", "decision", {"no", "yes"});
     region_ = number("region", "passive FME of the present signs", "", "", "1", "decision");
     strongest_ = number("strongest", "largest force along the desired one", "", "", "N", "decision");
@@ -143,8 +152,9 @@ class pose_values {
     table_.put(depth_, touched.empty() ? 0.0 : touched[0].depth);
 
     const ph::device_state<M> state{0, q, qd, c.top.Fh};
-    const auto whole = c.control(model, law_kind::no_direct_control, scene)->decide(state);  // before any law
-    const auto r = c.control(model, c.law, scene)->decide(state);
+    const auto without_law = c.control(model, law_kind::no_direct_control, scene),
+               control = c.control(model, c.law, scene);
+    const ph::step_result<M> whole = without_law->decide(state), r = control->decide(state);
     const ph::task_vector<M> Fc = whole.control_force;
     const ph::task_vector<M> Fc_scaled = r.alpha * Fc;
     const double cosine = whole.approximation_cosine;
@@ -152,6 +162,8 @@ class pose_values {
     put(Fp_, ph::task_vector<M>(cosine * cosine * Fc));
     put(Fc_, Fc);
     put(Fc_scaled_, Fc_scaled);
+    put(displayed_, displayed_force(c, pose, *control, r));
+    put(unscaled_, displayed_force(c, pose, *without_law, whole));
     table_.put(gamma_, whole.approximation_angle());
     table_.put(alpha_, r.alpha);
     table_.put_column(coefficients_, whole.cone_coefficients, m);
@@ -205,6 +217,43 @@ class pose_values {
     return F.allFinite() ? F : ph::task_vector<M>(ph::task_vector<M>::Zero());
   }
 
+  // The force at the handle that the commanded torques make, within the limits; for n > d once the
+  // self-motion has settled. A brake that holds gives less of it if the hand pushes less.
+  static ph::task_vector<M> displayed_force(const C& c, const ph::mechanism_pose<M>& pose,
+                                            const any_control<M>& control, const ph::step_result<M>& r) {
+    ph::brake_vector<M> t;
+    for (int i = 0; i < m; ++i) t[i] = std::copysign(r.capacity[i], r.cone_coefficients[i]);
+    if (!control.cuts_each_brake()) {
+      double share = r.alpha;  // of Fc, which is also defined at a singular pose
+      for (int i = 0; r.saturated && i < m; ++i)
+        if (t[i] != 0) share = std::min(share, t[i] / r.cone_coefficients[i]);
+      return share * r.control_force;
+    }
+    if constexpr (ph::Settles<M>) return settled_force(c, pose, t);
+    else return r.saturated ? force_of(pose, t) : r.control_force;
+  }
+
+  // The force of these torques once those brakes are at rest that leave the others the least power.
+  static ph::task_vector<M> settled_force(const C& c, const ph::mechanism_pose<M>& pose,
+                                          const ph::brake_vector<M>& torque) {
+    const ph::settled_rates<M> rates(pose, ph::settled_rates<M>::default_share,
+                                     ph::brakes_without_torque<double, m>(c.switchable()));
+    ph::task_vector<M> F = ph::task_vector<M>::Zero();
+    double least = std::numeric_limits<double>::infinity();
+    rates.for_each([&](ph::brake_set, const auto& W) {
+      const ph::brake_vector<M> w = W * pose.velocity(c.top.qd);
+      const double power = w.cwiseAbs().dot(torque.cwiseAbs());
+      if (!(power < least)) return false;
+      least = power;
+      ph::brake_vector<M> t = torque;
+      for (int i = 0; i < m; ++i)
+        if (w[i] != 0) t[i] = -std::copysign(t[i], w[i]);
+      F = ph::transposed(W) * t;
+      return false;
+    });
+    return F;
+  }
+
   static int region_of(const ph::brake_vector<M>& s) {
     if ((s.array() == 0).any()) return -1;
     const auto signs = ph::producible_signs<double, m>(s);
@@ -223,8 +272,8 @@ class pose_values {
 
   value_table table_;
   int x_, v_, J_, w_, signs_, at_rest_, E_, R_, R_defined_, Fh_, Fd_, depth_, normal_, Fp_, Fc_, Fc_scaled_,
-      brake_force_, Fr_, gamma_, alpha_, coefficients_, capacity_, torque_, limit_, share_, doing_, power_,
-      display_, saturated_, region_, strongest_, status_;
+      displayed_, unscaled_, brake_force_, Fr_, gamma_, alpha_, coefficients_, capacity_, torque_, limit_,
+      share_, doing_, power_, display_, saturated_, region_, strongest_, status_;
 };
 
 }  // namespace explorer

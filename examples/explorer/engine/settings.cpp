@@ -1,5 +1,7 @@
 #include "settings.hpp"
 
+#include <passive_haptics/scene/files/text_lines.hpp>
+
 namespace explorer {
 
 settings::settings(std::string_view text) {
@@ -55,9 +57,8 @@ void refuse(std::string_view name, std::string_view found, std::string_view expe
 
 double number_of(std::string_view name, std::string_view text) {
   double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = example::read_number(text.data(), end, value);
-  if (error != std::errc() || stop != end) refuse(name, text, "a number");
+  const auto [stop, error] = ph::detail::read_number(text, value);
+  if (error != std::errc() || stop != text.data() + text.size()) refuse(name, text, "a number");
   return value;
 }
 

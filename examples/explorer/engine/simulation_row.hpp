@@ -41,10 +41,10 @@ struct row_columns {
     brake_torque = add("brake_torque", "torque of the brakes", "τ", torque, m);
     brake_force = add("brake_force", "force of the brakes at the handle", "", "N", 3);
     Fd = add("Fd", "desired force", "F_d", "N", 3);
-    Fc = add("Fc", "control force", "F_c", "N", 3);
+    Fc = add("Fc", "control force, before α and the torque limits", "F_c", "N", 3);
     gamma = add("gamma", "approximation angle", "γ", "rad", 1);
     alpha = add("alpha", "scale factor", "α", "1", 1);
-    display = add("display", "how it is displayed", "", "", 1, display_words());
+    display = add("display", "how it is displayed, before the torque limits", "", "", 1, display_words());
     power = add("power", "region of the desired force", "", "", 1, power_words());
     status = add("status", "status", "", "", 1, status_words());
     brake_state = add("brake_state", "state of the brakes", "", "", m, brake_words());

@@ -63,12 +63,6 @@ export const form_value = name => app.device.form().find(entry => entry.name ===
 export function value(id) {
   const number = tracks()?.value(app.focus, id);
   if (number) return number;
-  if (is_moving() && id === 'Fc_scaled')
-    return (
-      tracks()
-        ?.value(app.focus, 'Fc')
-        ?.map(c => c * tracks().value(app.focus, 'alpha')[0]) || [0, 0, 0]
-    );
   return app.device.value(id);
 }
 
@@ -83,12 +77,8 @@ export function brake_states() {
   return torques.map((torque, k) => {
     const state = word('brake_state', k) || 'released';
     const share = Math.abs(torque) / limits[k],
-      shown = share < least_shown ? 0 : Math.abs(torque);
-    return {
-      state,
-      share,
-      text: state === 'released' ? state : state + ', ' + short_number(shown, 2) + ' ' + unit,
-    };
+      made = short_number(share < least_shown ? 0 : Math.abs(torque), 2) + ' ' + unit;
+    return {state, share, made, text: state === 'released' ? state : state + ', ' + made};
   });
 }
 

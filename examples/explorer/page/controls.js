@@ -217,6 +217,6 @@ export function change_setting(name, text) {
     app.device.evaluate();
     show_controls();
     app.is_dirty = true;
-  } else begin(app.question, settings, null, true);
+  } else refuse(begin(app.question, settings, null, true));
   keep_link();
 }

@@ -32,7 +32,7 @@ export function draw_curves(pen, tracks, last, theme, names, colors, brakes, is_
       key: 'alpha',
       from: top + 3.8 * unit + 2 * gap,
       height: 1.2 * unit,
-      title: 'α, how much of F_{c} is commanded',
+      title: 'α, how much of F_{c} the law takes',
       log: true,
     },
   ];

@@ -50,9 +50,8 @@ export function draw_forces(pen, picture, at, theme) {
 export function arrow_style(id, theme) {
   return {
     Fd: {color: theme.wanted, width: 2.2},
-    Fp: {color: theme.made, width: 1.6, dash: [4, 3]},
-    Fc: {color: theme.made, width: 8, alpha: 0.3},
-    Fc_scaled: {color: theme.made, width: 4.5},
+    without_law: {color: theme.made, width: 8, alpha: 0.3},
+    displayed: {color: theme.made, width: 4.5},
     v: {color: theme.motion, width: 3},
     Fh: {color: theme.hand, width: 3},
     Fr: {color: theme.result, width: 2, dash: [7, 3]},

@@ -5,7 +5,7 @@ import {change_setting, scene_text, show_controls} from './controls.js';
 import {element} from './format.js';
 import {add_grips, evaluate, let_go} from './hand.js';
 import {keep_link, own_link} from './link.js';
-import {by_id, say} from './messages.js';
+import {by_id, refuse, say} from './messages.js';
 import {copy_text} from './numbers.js';
 import {begin, open_link, paint_map, start_runner} from './open.js';
 import {save_png, save_text, watch_files} from './save.js';
@@ -54,24 +54,25 @@ function wire() {
   by_id('map_figure').append(
     ...engine.catalogue.figures.map((figure, k) => element('option', {value: k, text: figure.label})),
   );
-  by_id('mechanism').addEventListener(
-    'change',
-    event =>
-      begin(
-        app.question,
-        'mechanism=' +
-          event.target.value +
-          '\nhand=' +
-          (app.question.is_moving ? 'along' : 'pointer') +
-          '\ndesired=' +
-          (app.question.id === 'wanted' ? 'given' : 'scene'),
-        null,
-        true,
-      ) || keep_link(),
-  );
+  by_id('mechanism').addEventListener('change', event => {
+    const settings =
+      'mechanism=' +
+      event.target.value +
+      '\nhand=' +
+      (app.question.is_moving ? 'along' : 'pointer') +
+      '\ndesired=' +
+      (app.question.id === 'wanted' ? 'given' : 'scene');
+    refuse(begin(app.question, settings, null, true));
+    keep_link();
+  });
   by_id('law').addEventListener('change', event => {
+    if (!app.device.set('law=' + event.target.value)) {
+      refuse(engine.error());
+      show_controls();
+      return;
+    }
+    refuse('');
     app.law = event.target.value;
-    app.device.set('law=' + app.law);
     if (app.question.is_moving) {
       app.laws = [app.law];
       start_runner();

@@ -13,6 +13,12 @@ export function refuse(reason) {
   by_id('refused').textContent = reason;
 }
 
+// Why a link is not opened, or nothing moves.
+export function warn(reason) {
+  by_id('warning').hidden = !reason;
+  by_id('warning').textContent = reason;
+}
+
 export function speak(text) {
   by_id('spoken').textContent = text;
 }

@@ -2,9 +2,9 @@
 
 import {app, assign_colors, engine, form_value, runner} from './app.js';
 import {make_design_map} from './design.js';
-import {refuse} from './messages.js';
+import {refuse, warn} from './messages.js';
 import {box_of, scales_of} from './picture.js';
-import {format_settings, parse_link, parse_settings} from './settings.js';
+import {format_settings, parse_link, parse_settings, quoted} from './settings.js';
 import {question_of, questions} from './story.js';
 import {set_paused, set_speed} from './transport.js';
 
@@ -15,20 +15,35 @@ const design = make_design_map(() => {
 const preset_of = id => engine.catalogue.presets.find(preset => preset.id === id);
 const preset_laws = law => (law === 'no_direct_control' ? [law] : ['no_direct_control', law]);
 
-// Opens what a link names; without one, the hand along a wall.
+// Opens what a link names; without one, the hand along a wall. A link that cannot be opened leaves what is
+// shown, and the page states the reason.
 export function open_link() {
-  const {page, settings} = parse_link(location.hash);
-  if (settings) {
-    const question = questions.find(other => other.id === settings.get('page')) || questions[1];
+  const is_place = location.hash === '#stage'; // of "Skip to the device"
+  if (is_place && app.device) return;
+  const reason = open_hash(is_place ? '' : location.hash);
+  if (reason && !app.device) turn_to(questions[0]);
+  warn(reason && 'This link cannot be opened: ' + reason);
+}
+
+// Returns why it cannot be opened, or nothing.
+function open_hash(hash) {
+  const {page, settings, reason} = parse_link(hash);
+  if (reason) return reason;
+  const name = settings ? (settings.get('page') ?? questions[1].id) : (page ?? questions[0].id),
+    question = questions.find(other => other.id === name);
+  if (settings && question) {
     settings.delete('page');
     return begin(question, format_settings(settings), null, true);
   }
-  const preset = preset_of(page);
+  if (question) return turn_to(question);
+  const preset = !settings && preset_of(name);
   if (preset) return begin(question_of(parse_settings(preset.settings)), preset.settings, preset, false);
-  return turn_to(questions.find(question => question.id === page) || questions[0]);
+  const expected = questions.map(other => other.id).join(', ');
+  return `page = ${quoted(name)}, expected ` + (settings ? expected : expected + ' or the id of a figure');
 }
 
-// Goes to a question, with the device that was chosen, or with that of the question.
+// Goes to a question, with the device that was chosen, or with that of the question. Returns why not, as
+// begin().
 function turn_to(question) {
   if (app.is_own && app.device) {
     const settings = parse_settings(app.device.settings());
@@ -41,17 +56,15 @@ function turn_to(question) {
       'mechanism=' + engine.catalogue.mechanisms[0].id + (question.is_moving ? '\nhand=along' : ''),
   );
   if (!question.is_moving) settings.set('hand', 'pointer');
-  begin(question, format_settings(settings), null, false);
+  return begin(question, format_settings(settings), null, false);
 }
 
+// Returns why these settings are refused, with nothing changed, or nothing.
 export function begin(question, settings, preset, is_own) {
   const device = engine.device(settings);
-  if (!device) {
-    refuse(engine.error());
-    if (app.device) return;
-    return turn_to(questions[0]);
-  }
+  if (!device) return engine.error();
   refuse('');
+  warn('');
   const is_new_question = question !== app.question || !app.device;
   app.device?.end();
   app.log?.end();
@@ -112,7 +125,7 @@ function start_still(question) {
   if (!Math.hypot(...device.value('v'))) device.move([0.1 * app.scales.reach, 0, 0]);
   device.evaluate();
   app.scales = scales_of(device, info); // the cone of a device with more joints than needed depends on its motion
-  if (question.id !== 'wanted' || Math.hypot(...device.value('Fd'))) return;
+  if (question.id !== 'wanted' || device.word('status') !== 'ok' || Math.hypot(...device.value('Fd'))) return;
   device.set('law=no_direct_control');
   app.law = 'no_direct_control';
   state.Fd.set(info.dimension === 3 ? [0, 0, 0.2 / app.scales.force] : [0, -0.2 / app.scales.force, 0]);
@@ -123,6 +136,7 @@ function start_still(question) {
 export function start_runner() {
   const text = app.device.settings(),
     x = app.device.value('x');
+  warn('');
   assign_colors();
   app.focus = Math.max(0, app.laws.length - 1);
   runner.start(

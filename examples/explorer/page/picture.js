@@ -2,6 +2,7 @@
 // camera.
 
 import {fitting_camera, plane_camera} from './camera.js';
+import {longest_arrow} from './forces.js';
 import {degrees, short_number} from './format.js';
 import {each_point} from './tracks.js';
 import {drawing_rows, handle_of, is_line_row} from './sketch.js';
@@ -54,8 +55,8 @@ export function box_of(device, info, question, way) {
     .concat([0, 1, 2].map(i => Math.max(...points.map(p => p[i])) + room));
 }
 
-// Margins of the picture of a device that leave room for what the brakes can make at the present place
-// [pixels].
+// Margins of the picture of a device that leave room for what the brakes can make at the present place, and
+// for F_d [pixels].
 export function margins_of({device, info, scales, bounds, width, height, layers, is_moving}) {
   const least = width < 520 ? 18 : 34,
     margins = {left: least, right: least, top: least, bottom: least + (layers.has('map') ? 34 : 8)},
@@ -63,6 +64,10 @@ export function margins_of({device, info, scales, bounds, width, height, layers,
   if (info.dimension === 3 || is_moving || !layers.has('cone')) return margins;
   const force_scale = scales.force * Math.min(width, height),
     forces = cones_of({device, info, layers}).flatMap(cone => cone.points);
+  if (layers.has('Fd')) {
+    const Fd = device.value('Fd');
+    forces.push(Fd.map(c => c * Math.min(1, longest_arrow / (scales.force * length_of_vector(Fd) || 1))));
+  }
   for (let turn = 0; turn < 3; ++turn) {
     const camera = fitting_camera(bounds, false, width, height, margins),
       at = camera.point(x);
@@ -163,29 +168,32 @@ function references_of({device, info, layers}) {
 }
 
 function arrows_of({value, is_moving}) {
-  const made = is_moving
-    ? [{id: 'brake_force', layer: 'made', label: 'made', vector: value('brake_force')}]
-    : [
-        {id: 'Fc', layer: 'made', label: 'F_{c}', vector: value('Fc')},
-        {id: 'Fc_scaled', layer: 'made', label: 'αF_{c}', vector: value('Fc_scaled')},
-      ];
   const arrows = [
-    ...made,
+    ...(is_moving
+      ? [{id: 'brake_force', layer: 'made', label: 'made', vector: value('brake_force')}]
+      : displayed_arrows(value)),
     {id: 'Fd', layer: 'Fd', label: 'F_{d}', vector: value('Fd')},
     {id: 'Fr', layer: 'Fr', label: 'F_{r}', vector: value('Fr')},
     {id: 'v', layer: 'v', label: 'v', vector: value('v'), is_motion: true},
     {id: 'Fh', layer: 'Fh', label: 'F_{h}', vector: value(is_moving ? 'hand_force' : 'Fh')},
   ];
-  const [fc, scaled] = arrows;
-  if (!is_moving && length_of_vector(fc.vector) === length_of_vector(scaled.vector)) {
-    scaled.label = 'F_{c}';
-    fc.label = '';
-    fc.vector = [0, 0, 0];
-  }
   return arrows.filter(arrow => arrow.vector.length === 3 && arrow.vector.every(Number.isFinite));
 }
 
 const length_of_vector = f => Math.hypot(...f);
+
+// The displayed force, named F_c or αF_c if the torque limits leave all of it, and pale the force without a law.
+function displayed_arrows(value) {
+  const displayed = value('displayed'),
+    without_law = value('displayed_without_law');
+  const is_same = (a, b) => length_of_vector(a.map((c, i) => c - b[i])) <= 1e-9 * length_of_vector(b);
+  const name = force =>
+    is_same(force, value('Fc')) ? 'F_{c}' : is_same(force, value('Fc_scaled')) ? 'αF_{c}' : '';
+  const arrow = {id: 'displayed', layer: 'made', label: name(displayed) || 'displayed', vector: displayed};
+  return is_same(displayed, without_law)
+    ? [arrow]
+    : [{id: 'without_law', layer: 'made', label: name(without_law), vector: without_law}, arrow];
+}
 
 function gamma_of({value, is_moving}) {
   const [gamma] = value('gamma'),

@@ -17,18 +17,23 @@ export function format_settings(settings) {
   return [...settings].map(([name, value]) => name + '=' + value).join('\n');
 }
 
-// What a link names: {page} or {settings}; an unknown version or an empty link gives {}.
+// What a link names: {page}, {settings} or, of an address without one, {}; else the {reason} why it is none.
 export function parse_link(hash) {
-  const match = /^#v1\/(.*)$/s.exec(hash);
-  if (!match) return {};
+  if (hash.length < 2) return {};
+  const match = /^#v1\/(.+)$/s.exec(hash);
+  if (!match) return {reason: `link = ${quoted(hash)}, expected #${link_version}/ and a page or settings`};
   if (!match[1].startsWith('?')) return {page: safe_decode(match[1])};
   const settings = new Map();
   for (const part of match[1].slice(1).split('&')) {
     const at = part.indexOf('=');
-    if (at > 0) settings.set(safe_decode(part.slice(0, at)), safe_decode(part.slice(at + 1)));
+    if (at < 0 && part) return {reason: `setting = ${quoted(safe_decode(part))}, expected NAME=VALUE`};
+    if (part) settings.set(safe_decode(part.slice(0, at)), safe_decode(part.slice(at + 1)));
   }
   return {settings};
 }
+
+// The start of a text that is not ours, for a message.
+export const quoted = text => "'" + text.slice(0, 80) + "'";
 
 export function settings_link(settings) {
   const encode = text => encodeURIComponent(text).replace(/%2C/g, ',').replace(/%3A/g, ':');

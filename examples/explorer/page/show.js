@@ -143,7 +143,15 @@ function show_texts() {
   } else {
     set_sentence(
       by_id('answer'),
-      app.question.id === 'mine' ? map_sentence() : still_sentence(app.question.id, value, word, brakes),
+      app.question.id === 'mine'
+        ? map_sentence()
+        : still_sentence(
+            app.question.id,
+            value,
+            word,
+            brakes,
+            Number(form_value('options.max_approximation_angle')),
+          ),
     );
     show_numbers(app.device.layout, entry => app.device.value(entry.id));
   }

@@ -92,10 +92,12 @@ const newton = value => '*' + short_number(value, 3) + ' N*';
 const length_of = vector => Math.hypot(...vector);
 
 // What the present state means, for the questions without motion. value(id), word(id): of the engine.
-export function still_sentence(question, value, word, brakes) {
+// max_angle: of the approximation [rad].
+export function still_sentence(question, value, word, brakes, max_angle) {
   const moving = length_of(value('v')) > 0,
     states = brakes.map((brake, k) => 'brake ' + (k + 1) + ' ' + brake.state);
   if (question === 'forces') {
+    if (has_no_brake(value, brakes)) return no_brake_text;
     if (!moving && length_of(value('Fh')) === 0)
       return 'Nothing moves and nobody pushes: a brake at rest then makes no force. Drag the head of *v*, or of the hand force *F_h*.';
     return (
@@ -104,34 +106,106 @@ export function still_sentence(question, value, word, brakes) {
       '.'
     );
   }
-  if (question === 'wanted') {
-    const wanted = length_of(value('Fd')),
-      [gamma] = value('gamma'),
-      [alpha] = value('alpha');
-    if (wanted === 0)
-      return 'No force is wanted here. Drag the black arrowhead, or move the handle into a wall.';
-    const display = word('display');
-    if (display === 'exact')
-      return (
-        'The wanted force lies in the green area: the brakes make *exactly* it, ' +
-        newton(wanted) +
-        '.' +
-        scale_text(alpha)
-      );
-    const made =
-      newton(length_of(value('brake_force'))) + (word('saturated') === 'yes' ? ', all that they can' : '');
-    if (display === 'approximate')
-      return (
-        'The wanted force lies outside of the green area. The nearest that the brakes can make is *' +
-        short_number(degrees(gamma), 3) +
-        '° off* (γ): what is across the wanted force is felt as a pull along the wall. The brakes make ' +
-        made +
-        '.' +
-        scale_text(alpha)
-      );
-    return '*No force* of the green area comes within 90° of the wanted one. The brakes are released: nothing is felt.';
-  }
-  return '';
+  return question === 'wanted' ? displayed_sentence(value, word, brakes, max_angle) : '';
+}
+
+// What the device displays of F_d, within the torque limits.
+function displayed_sentence(value, word, brakes, max_angle) {
+  const Fd = value('Fd'),
+    F = value('displayed'),
+    desired = length_of(Fd),
+    displayed = length_of(F);
+  if (word('status') !== 'ok') return 'The brakes are released: ' + word('status') + '.';
+  if (desired === 0)
+    return 'No force is wanted here. Drag the black arrowhead, or move the handle into a wall.';
+  if (displayed === 0) return released_sentence(value, brakes, max_angle);
+  const off = angle_between(Fd, F),
+    is_nearest = Math.abs(off - value('gamma')[0]) < same_direction,
+    limit = limit_text(value, word),
+    holding = holding_text(value, brakes),
+    size = (holding && 'up to ') + newton(displayed),
+    links = value('capacity').some(capacity => capacity > 0)
+      ? ''
+      : ' The brakes are released: the links themselves hold this force.';
+  const rest = (limit && ': ' + limit) + '.' + scale_text(value('alpha')[0]) + holding + links;
+  if (off < same_direction && Math.abs(displayed - desired) < same_size * desired)
+    return (
+      'The device displays F_d *exactly*, ' +
+      size +
+      (limit || links ? '' : ': it lies in the green area') +
+      rest
+    );
+  if (off < same_direction)
+    return (
+      'Direction *exact*, ' +
+      size +
+      (displayed < desired ? ' of the ' : ' instead of ') +
+      newton(desired) +
+      rest
+    );
+  return (
+    'F_d lies outside the green area. The ' +
+    (is_nearest ? 'nearest force that the device can display' : 'displayed force') +
+    ' is *' +
+    short_number(degrees(off), 3) +
+    '° off*' +
+    (is_nearest ? ' (γ)' : '') +
+    ': what is across F_d is felt as a pull along the wall. The device displays ' +
+    size +
+    (limit && is_nearest ? ' of the ' + newton(length_of(value('Fc'))) + ' needed' : '') +
+    rest
+  );
+}
+
+const same_direction = 1e-4, // [rad]
+  same_size = 1e-6; // [1]
+
+// Stays accurate for small angles.
+function angle_between(a, b) {
+  const [u, v] = [a, b].map(f => f.map(c => c / length_of(f)));
+  return 2 * Math.asin(Math.min(1, length_of(u.map((c, i) => c - v[i])) / 2));
+}
+
+// Why nothing is displayed.
+function released_sentence(value, brakes, max_angle) {
+  if (has_no_brake(value, brakes)) return no_brake_text;
+  if (length_of(value('displayed_without_law')) > 0)
+    return 'The law releases the brakes here: nothing is felt.';
+  return (
+    '*No force* of the green area comes within ' +
+    short_number(degrees(max_angle), 3) +
+    '° of F_d. The brakes are released: nothing is felt.'
+  );
+}
+
+const no_brake_text = 'No brake has a torque limit above 0: nothing is felt.';
+const has_no_brake = (value, brakes) =>
+  value('torque_limit').every((limit, k) => limit === 0 || brakes[k].state === 'no brake');
+
+// "both brakes are at their limit"; empty if none is.
+function limit_text(value, word) {
+  const shares = value('torque_share'),
+    names = shares.flatMap((share, k) => (share > 1 - 1e-9 ? ['brake ' + (k + 1)] : []));
+  if (!names.length) return word('saturated') === 'yes' ? 'the torque limits are applied before α' : '';
+  if (names.length === 1) return names[0] + ' is at its limit';
+  return (
+    (names.length < shares.length ? list(names) : shares.length === 2 ? 'both brakes' : 'all brakes') +
+    ' are at their limit'
+  );
+}
+
+// A brake at rest only balances the hand.
+function holding_text(value, brakes) {
+  const capacity = value('capacity'),
+    torque = value('torque'),
+    is_commanded = value('torque_share').map(share => share > same_size);
+  return brakes
+    .map((brake, k) =>
+      brake.state === 'holds' && is_commanded[k] && Math.abs(torque[k]) < capacity[k]
+        ? ` Brake ${k + 1} holds: it gives only as much as the hand pushes, now *${brake.made}*.`
+        : '',
+    )
+    .join('');
 }
 
 const scale_text = alpha =>
@@ -169,7 +243,9 @@ export function moment_sentence(tracks, law, brakes) {
     millimetres +
     ' deep in the wall and moves ' +
     (out ? 'out' : 'in') +
-    '. The brakes slip: they resist, and nothing is stuck.'
+    (brakes.some(brake => brake.state === 'slips')
+      ? '. The brakes slip: they resist, and nothing is stuck.'
+      : '. The brakes are released.')
   );
 }
 

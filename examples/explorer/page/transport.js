@@ -1,7 +1,7 @@
 // Running and stopping: the simulation, its hand, its record, and a log that is played.
 
 import {app, assign_colors, engine, is_simulated, runner, runner_events, tracks} from './app.js';
-import {by_id, say} from './messages.js';
+import {by_id, say, warn} from './messages.js';
 import {make_player} from './player.js';
 import {save_text} from './save.js';
 
@@ -9,6 +9,7 @@ runner_events.replayed = () => {
   set_paused(true);
   say('The recorded motion has ended.');
 };
+runner_events.refused = ({reason}) => warn(reason);
 runner_events.log = ({text, command}) => {
   save_text('explorer_log.csv', text, 'text/csv');
   say('explorer_log.csv is a log of the library. ' + (command ? 'It replays with: ' + command : ''));

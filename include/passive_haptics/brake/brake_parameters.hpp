@@ -22,10 +22,12 @@ struct brake_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = brake_parameters;
-    return member_table(member("torque_limit", &p::torque_limit, "N m", range::not_negative),
-                        member("rate_dead_band", &p::rate_dead_band, "rad/s", range::not_negative),
-                        member("torque_dead_band", &p::torque_dead_band, "N m", range::not_negative),
-                        member("time_constant", &p::time_constant, "s", range::not_negative));
+    return member_table(
+        member("torque_limit", &p::torque_limit, "N m", range::not_negative)
+            .remark_at_zero("the brake is off"),
+        member("rate_dead_band", &p::rate_dead_band, "rad/s", range::not_negative),
+        member("torque_dead_band", &p::torque_dead_band, "N m", range::not_negative),
+        member("time_constant", &p::time_constant, "s", range::not_negative).suspicious_above(1));
   }
 };
 

@@ -1,5 +1,5 @@
 /// @file
-/// Parameters in words: all values, remarks on unusual ones, and those that are large.
+/// Parameters in words: all values, remarks on unusual ones, and those that no device has.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -34,7 +34,39 @@ constexpr range usual_range(std::string_view unit) {
   return range::anything;
 }
 
+/// Magnitudes of a member that a device can have, from its table; where the table has no bound, from its
+/// unit. A member that may be negative has no lower bound by its unit: a component of a vector may be any
+/// rounding of 0.
+constexpr range plausible_magnitude(const member_description& member) {
+  struct magnitudes {
+    std::string_view unit;
+    double small, large;
+  };
+  constexpr magnitudes of_units[] = {{"m", 1e-9, 100},   {"rad", 0, 2 * std::numbers::pi},
+                                     {"kg", 1e-9, 1000}, {"kg m^2", 1e-15, 1000},
+                                     {"s", 1e-9, 3600},  {"m/s", 1e-9, 100},
+                                     {"rad/s", 0, 1e4},  {"m/s^2", 1e-9, 100},
+                                     {"N", 1e-9, 1e6},   {"N m", 1e-12, 1e4},
+                                     {"A", 1e-6, 1000},  {"A/s", 1e-6, 1e6},
+                                     {"N/m", 1e-6, 1e15}};
+  range plausible = range::between(member.small, member.large);
+  for (const magnitudes& of : of_units) {
+    if (of.unit != member.unit) continue;
+    if (member.small == 0 && member.hard.lower >= 0 && !member.hard.is_direction) plausible.lower = of.small;
+    if (member.large == range::infinity) plausible.upper = of.large;
+  }
+  return plausible;
+}
+
 namespace detail {
+
+// "; in radians it is 1.5708" of an angle that looks like degrees, else nothing.
+template <class T>
+std::string in_radians(const member_description& about, T x) {
+  if (std::string_view(about.unit) != "rad") return "";
+  return indexed("; this looks like degrees: in radians it is ",
+                 static_cast<double>(x) * (std::numbers::pi / 180), "");
+}
 
 // A line about an unusual value; 0 is right or wrong in every unit.
 template <class T>
@@ -68,15 +100,23 @@ void for_each_value(const P& p, F f) {
 
 }  // namespace detail
 
-/// Calls f(member, text) for each value that is large for its member (member_description::large), with the
-/// text "largest[0] [A] = 1e9, expected at most 1000". A program may let pass what its user allows by name.
+/// Calls f(member, text) for each value that no device has, see plausible_magnitude(), with the text
+/// "largest[0] [A] = 1e9, expected at most 1000". A value of 0 and an infinity in the member's range are
+/// none. A program may accept what its user allows by name.
 template <Parameters P, class F>
-void for_each_large(const P& p, F&& f) {
+void for_each_suspicious(const P& p, F&& f) {
   detail::for_each_value(
       p, [&]<class T>(const member_description& about, const std::string& name, const T& x) {
         if constexpr (std::is_arithmetic_v<T>) {
-          if (std::abs(static_cast<double>(x)) > about.large)
-            f(about, detail::error_text(name, x, "at most " + detail::number_text(about.large)));
+          const range plausible = plausible_magnitude(about);
+          const double size = std::abs(static_cast<double>(x));
+          if (size == 0 || (std::isinf(size) && about.hard.contains(x))) return;
+          if (size < plausible.lower)
+            f(about, detail::error_text(name, x, "at least " + detail::number_text(plausible.lower)));
+          if (size > plausible.upper)
+            f(about,
+              detail::error_text(
+                  name, x, "at most " + detail::number_text(plausible.upper) + detail::in_radians(about, x)));
         }
       });
 }
@@ -92,13 +132,17 @@ std::string to_text(const P& p) {
 }
 
 /// A line for each number that looks as if it was meant in another unit, "length_1 [m] = 150, usually within
-/// 5 m: millimetres?", with `part` in front; empty if there is none. See usual_range(); nothing is refused
-/// for it.
+/// 5 m: millimetres?", and for each 0 that switches something off, "torque_limit[1] [N m] = 0: the brake is
+/// off"; with `part` in front; empty if there is none. See usual_range(); none of these is an error.
 template <Parameters P>
 std::string remarks(const P& p, const std::string& part = "") {
   std::string text;
   const auto add = [&]<class T>(const member_description& about, const std::string& name, const T& x) {
-    if constexpr (std::is_arithmetic_v<T>) text.append(detail::remark_on(part + name, about.unit, x));
+    if constexpr (std::is_arithmetic_v<T>) {
+      text.append(detail::remark_on(part + name, about.unit, x));
+      if (x == T(0) && *about.at_zero != '\0')
+        text.append(part).append(name).append(" = 0: ").append(about.at_zero).append("\n");
+    }
   };
   detail::for_each_value(p, add);
   return text;

@@ -19,8 +19,9 @@ struct member_description {
   const char* unit;          ///< "m", "1" for a ratio, "" where there is none.
   range hard;                ///< Outside of it the value is an error.
   const char* choices = "";  ///< The names of an enumeration's values, which count from 0: "left, right".
-  /// A greater magnitude is taken for a mistake, unless its name is allowed: for_each_large().
-  double large = range::infinity;
+  /// Other magnitudes, except 0, are mistakes unless the user allows the member: plausible_magnitude().
+  double small = 0, large = range::infinity;
+  const char* at_zero = "";  ///< The effect of a value of 0, for remarks(): "the brake is off".
 };
 
 /// A member of P. Of a vector or array the ranges hold for each element.
@@ -33,10 +34,22 @@ struct member : member_description {
                    const range& within = range::anything)
       : member_description{called, in, within}, pointer(where) {}
 
-  /// A copy with a safety threshold: larger magnitudes need a confirmation of the user.
+  /// A copy with a threshold: larger magnitudes require a confirmation of the user.
   constexpr member suspicious_above(double magnitude) const {
     member same = *this;
     same.large = magnitude;
+    return same;
+  }
+  /// A copy with a threshold: smaller magnitudes, except 0, require a confirmation of the user.
+  constexpr member suspicious_below(double magnitude) const {
+    member same = *this;
+    same.small = magnitude;
+    return same;
+  }
+  /// A copy in which a value of 0 gets a remark with its effect.
+  constexpr member remark_at_zero(const char* effect) const {
+    member same = *this;
+    same.at_zero = effect;
     return same;
   }
 };

@@ -8,6 +8,7 @@
 #include <passive_haptics/driver/fault.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <exception>
 #include <string>
@@ -59,22 +60,36 @@ class control_loop {
   explicit control_loop(const control_loop_parameters& p = {}, Clock clock = {})
       : p_(require_valid(p)), clock_(std::move(clock)), period_(std::llround(1e9 * p.period)) {}
 
-  /// Runs until stop() is true or cycle(loop_cycle) is false. Before it returns, and where it runs late or
-  /// the clock jumps, it calls release(fault), which must not throw; after those the loop goes on, so that
-  /// somebody can rearm.
+  /// Runs until stop() is true or cycle(loop_cycle) is false. Before it returns, and if it runs late, the
+  /// clock jumps or the machine was suspended for more than a period (LoopClock), it calls release(fault),
+  /// which must not throw; after those the loop goes on, so that somebody can rearm.
   ///
   /// A cycle that throws ends the loop: its exception is in the report. Between cycles nothing but the clock
   /// is called.
   template <class Cycle, class Stop, class Release>
   loop_report run(Cycle&& cycle, Stop&& stop, Release&& release) {
     loop_report report;
+#if defined(__cpp_exceptions)
+    // The first exception of a process loads the code that unwinds the stack, which takes as long as a cycle
+    try {
+      throw 0;
+    } catch (int) {
+    }
+#endif
     const std::int64_t start = clock_.now();
     std::int64_t number = 0;
     int overruns = 0;
+    // So far, and a little more if anything came between the two clocks; below, a little less
+    std::int64_t suspended = boot_time() - start;
     while (!stop()) {
       const std::int64_t deadline = start + ++number * period_;
       clock_.sleep_until(deadline);
+      const std::int64_t booted = boot_time();
       const std::int64_t begin = clock_.now(), late = begin - deadline;
+      if (has_boot_time && booted - begin > suspended + period_) {
+        release(fault::suspended);
+        suspended = boot_time() - begin;
+      }
       // No cycle ends after the next deadline: a clock that went back is before it
       if (late < 0) release(fault::clock_jump);
       else if (static_cast<double>(late) > 1e9 * p_.longest_sleep) release(fault::cycle_late);
@@ -117,6 +132,14 @@ class control_loop {
   }
 
  private:
+  static constexpr bool has_boot_time = requires(Clock clock) {
+    { clock.boot_time() } noexcept -> std::same_as<std::int64_t>;
+  };
+  std::int64_t boot_time() noexcept {
+    if constexpr (has_boot_time) return clock_.boot_time();
+    else return 0;
+  }
+
   control_loop_parameters p_;
   Clock clock_;
   std::int64_t period_;  // [ns]

@@ -32,6 +32,7 @@ enum class fault {
   overruns,         ///< Too many cycles in a row took too long.
   cycle_late,       ///< A cycle began far too late: the machine or the process stood still.
   clock_jump,       ///< The clock went back, or is no number.
+  suspended,        ///< The machine was suspended: what the device did meanwhile is unknown.
   supervisor_lost,  ///< The other process does not respond, or released the brakes itself.
   user,             ///< Requested: a signal, or a call of release().
 };
@@ -60,6 +61,7 @@ constexpr std::string_view to_string(fault f) {
     case fault::overruns: return "cycles took too long";
     case fault::cycle_late: return "a cycle began far too late";
     case fault::clock_jump: return "the clock went back";
+    case fault::suspended: return "the machine was suspended";
     case fault::supervisor_lost: return "the supervisor is lost, or released the brakes";
     case fault::user: return "as requested";
   }
@@ -96,7 +98,8 @@ constexpr bool rejects_sample(fault f) noexcept {
 constexpr bool invalidates_position(fault f) noexcept {
   return f == fault::device_lost || f == fault::device_restarted || f == fault::sample_out_of_order ||
          f == fault::channel_invalid || f == fault::value_not_finite || f == fault::count_out_of_range ||
-         f == fault::encoder_jump || f == fault::counter_wrapped || f == fault::encoder_frozen;
+         f == fault::encoder_jump || f == fault::counter_wrapped || f == fault::encoder_frozen ||
+         f == fault::suspended;
 }
 
 /// The fault_record in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.

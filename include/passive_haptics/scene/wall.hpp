@@ -43,7 +43,8 @@ class wall {
   static constexpr const char* type_name = "a wall";  ///< In errors.
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
-    return member_table(member("stiffness", &wall::stiffness_, "N/m", range::not_negative));
+    return member_table(member("stiffness", &wall::stiffness_, "N/m", range::not_negative)
+                            .remark_at_zero("the wall exerts no force"));
   }
 
  private:

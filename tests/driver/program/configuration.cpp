@@ -91,6 +91,17 @@ TEST_F(a_configuration, that_is_wrong_is_named_with_file_line_key_value_and_expe
             "1: [safety] timeout of the supervisor [s] = 0.001, expected 0.004"},
            {"[simulation]\ndirection = [nan, 1]", "2: [simulation] |direction| = nan, expected a direction"},
            {"[sensor]\nlink = [1, inf]", "2: [sensor] link[1] [1] = inf, expected a finite number"},
+           {"[sensor]\nmounting = -90",
+            "2: [sensor] mounting [rad] = -90, expected at most 6.28319; this looks like degrees: in radians "
+            "it is -1.5708; if it is meant, allow_large = [\"mounting\"]\n"},
+           {"[[wall]]\npoint = 0", "2: wall[1].point = 0, expected 2 numbers\n"},
+           {"[[wall]]\nnormal = 1", "2: wall[1].normal = 1, expected 2 numbers\n"},
+           {"[[wall]]\ntype = \"ball\"\ncentre = 1", "3: wall[1].centre = 1, expected 2 numbers\n"},
+           {"[simulation]\ndirection = 1",
+            "2: simulation.direction = 1, expected 2 numbers: a direction [1]\n"},
+           {"[sensor]\ngravity = 0", "2: sensor.gravity = 0, expected 2 numbers\n"},
+           {"[sensor]\nx_newtons_per_unit = 1", "2: sensor.x_newtons_per_unit = 1, expected 2 numbers\n"},
+           {"[[wall]]\nstiffness = -1", "2: wall[1].stiffness = -1, expected a finite number >= 0 [N/m]\n"},
            {"[sensor]\nmounting = nan", "2: [sensor] mounting [rad] = nan, expected a finite number"},
            {"[homing]\npose = [inf, 0]", "2: [homing] pose[0] [rad or m] = inf, expected a finite number"},
            {"[mechanism]\ntype = \"delta\"",
@@ -166,7 +177,7 @@ TEST_F(a_configuration, says_nothing_that_nobody_reads) {
            five_bar + "link = [0, 1]",
            five_bar + "type = \"none\"\n[port]\ntype = \"simulated\"",
            std::string("[mechanism]\ntype = \"xy_table\"\n[sensor]\nlink = 0"),
-           std::string("[sensor]\ngravity = 0\nhandle_mass = 0\ntare = false\nrange_of_values = 9"),
+           std::string("[sensor]\ngravity = [0, 0]\nhandle_mass = 0\ntare = false\nrange_of_values = 9"),
            card + "counter_a = -1",
            card + "counter_setup = \"ni_quadrature\"\ncounter_a = 8\ncounter_b = 9",
            // Keys of a choice that is not made, with what they would be
@@ -190,11 +201,22 @@ TEST_F(a_configuration, in_another_unit_is_remarked_upon) {
       << o.err;
 }
 
+TEST_F(a_configuration, that_switches_something_off_is_remarked_upon) {
+  const outcome o = check("[brakes]\ntorque_limit = [0, 1]\n[[wall]]\nstiffness = 0");
+  EXPECT_EQ(o.status, 0) << o.err;
+  EXPECT_EQ(o.err,
+            "remark: torque_limit[0] [N m] = 0: the brake is off\n"
+            "remark: stiffness of a wall [N/m] = 0: the wall exerts no force\n");
+}
+
 TEST_F(a_configuration, that_is_no_file_is_named) {
   fs::create_directory(directory / "folder");
   EXPECT_EQ(run({"--config", "none.toml"}).err, "error: none.toml: no such file\n");
   EXPECT_EQ(run({"--config", "folder"}).err, "error: folder: is a directory, expected a regular file\n");
   EXPECT_EQ(run({"--config", "none.toml"}).status, 2);
+  EXPECT_EQ(
+      check("version https://git-lfs.github.com/spec/v1\n").err,
+      "error: c.toml: a Git LFS pointer, not the file, expected what it points to; run `git lfs pull`\n");
 }
 
 TEST_F(a_configuration, that_is_no_regular_file_is_not_read) {
@@ -295,24 +317,35 @@ TEST_F(a_configuration, with_a_whole_number_over_53_bits_has_the_nearest_number)
       has(check("[brakes]\ntable_1 = [[0, 0], [9223372036854775807, -9223372036854775807]]").err, "torque"));
 }
 
-TEST_F(a_configuration, is_large_only_where_its_user_says_so) {
+TEST_F(a_configuration, has_values_of_no_device_only_if_its_user_says_so) {
   for (const auto& [text, key] :
        {std::pair{"[safety]\nhold_over = 1e12", "hold_over"},
         {"[encoders]\nlargest_rate = 1e300", "largest_rate"},
         {"[brakes]\ncurrent_limit = 1e9", "current_limit"},
-        {"[brakes]\ncurrent_limit = 9\ncontinuous_current = 1e9", "continuous_current"}}) {
+        {"[brakes]\ncurrent_limit = 9\ncontinuous_current = 1e9", "continuous_current"},
+        {"[sensor]\nmounting = 90", "mounting"},
+        {"[encoders]\ncounts_per_turn = 1e-9", "counts_per_turn"},
+        {"[encoders]\nlargest_rate = 5e-324", "largest_rate"},
+        {"[mechanism]\nreduction_2 = 1e9", "reduction_2"},
+        {"[mechanism]\nlength_1 = 150\n[homing]\npose = [0, 0]\n[[wall]]\npoint = [0, 99]", "length_1"},
+        {"[brakes]\ntime_constant = 20", "time_constant"},
+        {"[brakes]\ntime_constant = [0.02, 1e-300]", "time_constant"},
+        {"[[wall]]\npoint = [0, 1e9]", "point"},
+        {"[[wall]]\nstiffness = 1e300", "stiffness"}}) {
     const outcome refused = check(text);
     EXPECT_EQ(refused.status, 2) << key;
     const std::string fix = std::string("; if it is meant, allow_large = [\"") + key + "\"]\n";
     EXPECT_TRUE(refused.err.ends_with(fix)) << refused.err;
     std::string allowed = std::string("allow_large = [\"") + key + "\"";
-    if (std::string(key) == "current_limit") allowed += ", \"continuous_current\"";  // which is the same
+    // With what follows from it
+    if (std::string(key) == "current_limit") allowed += R"(, "continuous_current", "torque_limit")";
+    if (std::string(key) == "counts_per_turn") allowed += R"(, "rate_dead_band")";
     const outcome o = check(allowed + "]\n" + text);
     EXPECT_EQ(o.status, 0) << o.err;
   }
-  EXPECT_EQ(
-      check("allow_large = [\"hold_over\"]\n[safety]\nhold_over = 1").err,
-      "error: c.toml:1: allow_large = [\"hold_over\"], expected keys of values that are large; remove it\n");
+  EXPECT_EQ(check("allow_large = [\"hold_over\"]\n[safety]\nhold_over = 1").err,
+            "error: c.toml:1: allow_large = [\"hold_over\"], expected keys of values that no device has; "
+            "remove it\n");
   EXPECT_TRUE(has(check("allow_large = true").err, "allow_large = true, expected a list of keys in quotes"));
 }
 

@@ -26,9 +26,10 @@ struct spring {
   static constexpr const char* type_name = "a spring";
   static constexpr auto members() {
     using p = spring;
-    return ph::member_table(member("stiffness", &p::stiffness, "N/m", range::not_negative),
-                            member("direction", &p::direction, "1", range::direction),
-                            ph::choice("where", &p::where, "left, right"));
+    return ph::member_table(
+        member("stiffness", &p::stiffness, "N/m", range::not_negative).remark_at_zero("it pulls nothing"),
+        member("direction", &p::direction, "1", range::direction),
+        ph::choice("where", &p::where, "left, right"));
   }
 };
 
@@ -48,13 +49,13 @@ struct machine {
 
   static constexpr auto members() {
     using p = machine;
-    return ph::member_table(member("mass", &p::mass, "kg", range::positive),
-                            member("limit", &p::limit, "N", range::finite).suspicious_above(50),
-                            member("gain", &p::gain, "1", range::finite), member("springs", &p::springs),
-                            member("corners", &p::corners, "m", range::finite),
-                            member("turn", &p::turn, "rad"),
-                            member("cycles", &p::cycles, "", range::at_least(1)).suspicious_above(1000),
-                            member("seed", &p::seed), member("on", &p::on), member("name", &p::name));
+    return ph::member_table(
+        member("mass", &p::mass, "kg", range::positive),
+        member("limit", &p::limit, "N", range::finite).suspicious_below(0.5).suspicious_above(50),
+        member("gain", &p::gain, "1", range::finite), member("springs", &p::springs),
+        member("corners", &p::corners, "m", range::finite), member("turn", &p::turn, "rad"),
+        member("cycles", &p::cycles, "", range::at_least(1)).suspicious_above(1000), member("seed", &p::seed),
+        member("on", &p::on), member("name", &p::name));
   }
   std::string rules() const { return mass > 100 * T(cycles) ? "too heavy, expected less" : ""; }
 };
@@ -110,27 +111,41 @@ TYPED_TEST(parameter_table, tells_the_first_error_and_asks_rules_of_valid_member
   EXPECT_EQ(fixture::error([](auto& m) { m.mass = 301; }), "too heavy, expected less");
 }
 
-TYPED_TEST(parameter_table, finds_large_values_by_magnitude_and_names_them) {
+TYPED_TEST(parameter_table, finds_values_of_no_device_by_magnitude_and_names_them) {
   machine<TypeParam> m;
   std::string all;
   const auto find = [&] {
     all.clear();
-    ph::for_each_large(
+    ph::for_each_suspicious(
         m, [&](const auto& about, const std::string& text) { all += about.name + (" " + text) + "\n"; });
     return all;
   };
   EXPECT_EQ(find(), "");
-  m.limit << 50, -50;
+  m.limit << 50, 0;
   m.cycles = 1000;
-  m.mass = TypeParam(1e30);  // of which nothing is said
   EXPECT_EQ(find(), "");
   m.limit << TypeParam(50.5), -this->infinity;
   m.cycles = std::numeric_limits<int>::min();
   EXPECT_EQ(find(),
             "limit limit[0] [N] = 50.5, expected at most 50\nlimit limit[1] [N] = -inf, expected at most 50\n"
             "cycles cycles = -2147483648, expected at most 1000\n");
-  m.limit << this->nan, 0;
+  m.limit << TypeParam(0.25), TypeParam(-0.25);
   m.cycles = 1;
+  EXPECT_EQ(find(),
+            "limit limit[0] [N] = 0.25, expected at least 0.5\nlimit limit[1] [N] = -0.25, expected at least "
+            "0.5\n");
+  // By its unit; a component of a point may be any rounding of 0
+  m = {};
+  m.mass = TypeParam(1e30);
+  m.corners[0] << TypeParam(6e-17), 150;
+  m.turn[0] = 90;
+  EXPECT_EQ(
+      find(),
+      "mass mass [kg] = 1e30, expected at most 1000\ncorners corners[0][1] [m] = 150, expected at most 100\n"
+      "turn turn[0] [rad] = 90, expected at most 6.28319; this looks like degrees: in radians it is "
+      "1.5708\n");
+  m = {};
+  m.limit << this->nan, 0;
   EXPECT_EQ(find(), "") << "a NaN is wrong, not large";
 }
 
@@ -144,6 +159,7 @@ TYPED_TEST(parameter_table, remarks_on_what_looks_like_another_unit) {
   m.corners[1] << 0, -150;
   m.turn[0] = 90;
   EXPECT_EQ(ph::remarks(m),
+            "springs[0].stiffness of a spring [N/m] = 0: it pulls nothing\n"
             "springs[1].stiffness of a spring [N/m] = 10, usually 100 to 1e9: N/mm?\n"
             "corners[1][1] [m] = -150, usually within 5 m: millimetres?\n"
             "turn[0] [rad] = 90, usually within two turns: degrees?\n");

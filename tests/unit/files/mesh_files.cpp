@@ -156,7 +156,12 @@ TEST_F(mesh_of_a_file, that_is_wrong_is_named_with_place_and_expectation) {
            {v3 + "v 0 0 nan\nf 1 2 4\n",
             "line 5: corner 3 = (0, 0, nan), expected finite coordinates; the file is damaged"},
            {v3 + "f 1 2 2\n", "no triangle has an area, expected one or more"},
-           {std::string("v 0 0 1\0\x1b[2J\n", 13), "line 1: '1??[2J', expected a coordinate"},
+           {std::string("v 0 0 1\0\x1b[2J\n", 13),
+            "line 1: a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, remove such "
+            "bytes"},
+           {"v 0,00 0,00 0,00\n",
+            "line 1: '0,00', expected a coordinate; write a decimal point instead of the comma"},
+           {"v 0 0 1.5e", "line 1: '1.5e', expected a coordinate; the file was cut off"},
            {v3 + "curv 0 1 1 2\n",
             "line 4: 'curv', expected v, f or another keyword of a mesh; curves and free-form surfaces are "
             "not "
@@ -223,6 +228,8 @@ TEST_F(mesh_of_a_file, of_ply_that_is_wrong_is_named_with_place_and_expectation)
            {"", "line 1: the file ends, expected 'ply'"},
            {"plyx", "line 1: 'plyx', expected 'ply'"},
            {"ply", "line 1: the file ends, expected 'end_header' and the data; the file was cut off"},
+           {std::string("ply\n\0", 5),
+            "line 2: the file ends, expected 'end_header' and the data; the file was cut off"},
            {"ply\nformat ascii 2.0\n", "line 2: '2.0', expected version 1.0"},
            {"ply\nformat ascii 1.0\nproperty float x\n",
             "line 3: 'property', expected element, property, comment, obj_info or end_header"},

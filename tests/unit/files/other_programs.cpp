@@ -4,6 +4,9 @@
 
 #include <passive_haptics/scene/mesh/mesh.hpp>
 
+#include <bit>
+#include <charconv>
+#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -79,9 +82,9 @@ TEST_F(a_file_of_another_program, may_end_in_many_zero_bytes_if_it_is_whole_all_
     EXPECT_EQ(file.skipped_bytes, 512u) << name;
     EXPECT_NE(error_of(read, write(name, text.substr(0, text.size() - 30) + zeros)), "none") << name;
   }
-  EXPECT_EQ(obj_error(obj(cube()) + zeros),
-            "line 21: 512 zero bytes, expected at most 1 at the end; lines may be lost there: if none is, "
-            "remove these bytes");
+  EXPECT_EQ(
+      obj_error(obj(cube()) + zeros),
+      "line 21: a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, remove such bytes");
 }
 
 TEST_F(a_file_of_another_program, may_begin_with_the_mark_of_utf_8) {
@@ -93,7 +96,7 @@ TEST_F(a_file_of_another_program, may_begin_with_the_mark_of_utf_8) {
       std::string wide = mark;
       for (const char c : text) wide.append({c, '\0'});
       EXPECT_EQ(error_of(read, write(name, wide)),
-                "byte 0: text in UTF-16, expected ASCII or UTF-8; save the file in one of these")
+                "text in UTF-16, expected ASCII or UTF-8; save the file in one of these")
           << name;
     }
   }
@@ -183,14 +186,21 @@ TEST_F(a_file_of_another_program, of_stl_with_more_triangles_than_it_says_is_ref
   }
 }
 
-TEST_F(a_file_of_another_program, that_is_no_stl_is_called_so) {
+TEST_F(a_file_of_another_program, that_is_no_mesh_is_called_what_it_is) {
   const std::string pointer =
       "version https://git-lfs.github.com/spec/v1\noid "
       "sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa"
       "5e2ca24d17e2393\nsize 12345\n";
-  EXPECT_EQ(stl_error(pointer), "line 1: 'version', expected 'solid'; it was cut off, or is no STL");
-  EXPECT_EQ(obj_error(pointer), "line 1: 'version', expected a keyword of a mesh; the file has no triangles");
-  EXPECT_EQ(ply_error(pointer), "line 1: 'version', expected 'ply'");
+  const std::string gzip = "\x1f\x8b\x08" + std::string(181, 'a'), zip = std::string("PK\x03\x04\0\0", 6);
+  const std::string page = "\xef\xbb\xbf\n<!DOCTYPE html>\n<html>";
+  for (const auto& [name, read, text] : text_formats()) {
+    EXPECT_EQ(error_of(read, write(name, pointer)),
+              "a Git LFS pointer, not the file, expected what it points to; run `git lfs pull`");
+    EXPECT_EQ(error_of(read, write(name, gzip)), "compressed by gzip, expected the file itself; unpack it");
+    EXPECT_EQ(error_of(read, write(name, zip)), "a ZIP archive, expected the file itself; unpack it");
+    EXPECT_EQ(error_of(read, write(name, page)),
+              "an HTML page, not the file, expected the file itself; download that");
+  }
   EXPECT_EQ(stl_error("\n" + obj(cube())), "line 2: 'v', expected 'solid'; it was cut off, or is no STL");
 }
 
@@ -291,15 +301,47 @@ TEST_F(a_file_of_another_program, may_have_vertices_that_are_no_numbers_if_no_fa
   for (auto& f : with_hole.facets)
     for (int& v : f) v += v >= 3;
   expect_cube(ph::read_obj(write("a.obj", obj(with_hole))), "obj");
+  for (const char* nan : {"-1.#IND", "1.#QNAN00", "1.#INF"})
+    expect_cube(ph::read_obj(write("a.obj", replaced(obj(with_hole), "nan", nan))), nan);
   expect_cube(ph::read_ply(write("a.ply", ascii_ply(with_hole))), "text");
   expect_cube(ph::read_ply(write("b.ply", binary_ply(with_hole))), "binary");
 
   with_hole.facets[2][1] = 3;
   const std::string wrong = "corner 2 = (0, nan, 1), expected finite coordinates; the file is damaged";
   EXPECT_EQ(obj_error(obj(with_hole)), "line 13: " + wrong);
+  EXPECT_EQ(obj_error(replaced(obj(with_hole), "nan", "-1.#IND")), "line 13: " + wrong);
+  EXPECT_NE(obj_error(replaced(obj(with_hole), "nan", "2.#IND")), "line 13: " + wrong);
   EXPECT_EQ(ply_error(ascii_ply(with_hole)), "line 24: " + wrong);
   EXPECT_EQ(stl_error(ascii_stl(with_hole)), "line 16: " + wrong);
   EXPECT_EQ(stl_error(binary_stl(with_hole)), "byte 184: " + wrong);
+}
+
+// What a standard library without std::from_chars of a double reads instead
+TEST(a_number_in_a_text, is_that_of_from_chars) {
+  for (const std::string text : {"0",        "-0",
+                                 "1.5e3",    ".5",
+                                 "-3.",      "1e999",
+                                 "-1e999",   "1e-320",
+                                 "inf",      "-inf",
+                                 "nan",      "-nan",
+                                 "0x10",     "-0x1p3",
+                                 "1x",       " 1",
+                                 "+1",       "-+1",
+                                 "",         "-",
+                                 ".",        "e5",
+                                 "1e",       "1e+",
+                                 "1,5",      "1.5.5",
+                                 "infinity", "1i",
+                                 "--1",      "\t1",
+                                 "1e5 2",    "nanx",
+                                 "- 1",      "1.7976931348623157e308"}) {
+    const char *const begin = text.data(), *const end = begin + text.size();
+    double expected = 5, found = 5;
+    const auto a = std::from_chars(begin, end, expected);
+    const auto b = ph::detail::from_chars_by_strtod(begin, end, found);
+    EXPECT_TRUE(a.ec == b.ec && a.ptr == b.ptr) << text;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(found), std::bit_cast<std::uint64_t>(expected)) << text;
+  }
 }
 
 }  // namespace

@@ -21,12 +21,13 @@ struct brake_table : ph::switchable_brake_parameters<double, Brakes> {
   static constexpr auto members() {
     using p = brake_table;
     constexpr ph::range size = ph::range::not_negative;
-    return ph::member_table(ph::member("torque_limit", &p::torque_limit, "N m", size),
-                            ph::member("rate_dead_band", &p::rate_dead_band, "rad/s", size),
-                            ph::member("torque_dead_band", &p::torque_dead_band, "N m", size),
-                            ph::member("time_constant", &p::time_constant, "s", size),
-                            ph::member("torque_lower", &p::torque_lower, "N m", ph::lower_torques),
-                            ph::member("torque_upper", &p::torque_upper, "N m", ph::upper_torques));
+    return ph::member_table(
+        ph::member("torque_limit", &p::torque_limit, "N m", size).remark_at_zero("the brake is off"),
+        ph::member("rate_dead_band", &p::rate_dead_band, "rad/s", size),
+        ph::member("torque_dead_band", &p::torque_dead_band, "N m", size),
+        ph::member("time_constant", &p::time_constant, "s", size).suspicious_above(1),
+        ph::member("torque_lower", &p::torque_lower, "N m", ph::lower_torques),
+        ph::member("torque_upper", &p::torque_upper, "N m", ph::upper_torques));
   }
 };
 

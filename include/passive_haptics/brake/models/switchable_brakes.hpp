@@ -48,12 +48,14 @@ struct switchable_brake_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = switchable_brake_parameters;
-    return member_table(member("torque_limit", &p::torque_limit, "N m", range::not_negative),
-                        member("torque_lower", &p::torque_lower, "N m", lower_torques),
-                        member("torque_upper", &p::torque_upper, "N m", upper_torques),
-                        member("rate_dead_band", &p::rate_dead_band, "rad/s", range::not_negative),
-                        member("torque_dead_band", &p::torque_dead_band, "N m", range::not_negative),
-                        member("time_constant", &p::time_constant, "s", range::not_negative));
+    return member_table(
+        member("torque_limit", &p::torque_limit, "N m", range::not_negative)
+            .remark_at_zero("the brake is off"),
+        member("torque_lower", &p::torque_lower, "N m", lower_torques),
+        member("torque_upper", &p::torque_upper, "N m", upper_torques),
+        member("rate_dead_band", &p::rate_dead_band, "rad/s", range::not_negative),
+        member("torque_dead_band", &p::torque_dead_band, "N m", range::not_negative),
+        member("time_constant", &p::time_constant, "s", range::not_negative).suspicious_above(1));
   }
 
  private:

@@ -44,12 +44,14 @@ struct brake_curve {
   static constexpr auto members() {
     using p = brake_curve;
     return member_table(
-        member("residual_torque", &p::residual_torque, "N m", range::not_negative).suspicious_above(1e4),
-        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive).suspicious_above(1e4),
-        member("current_limit", &p::current_limit, "A", range::positive).suspicious_above(1000),
+        member("residual_torque", &p::residual_torque, "N m", range::not_negative),
+        member("torque_per_ampere", &p::torque_per_ampere, "N m/A", range::positive)
+            .suspicious_below(1e-6)
+            .suspicious_above(1e4),
+        member("current_limit", &p::current_limit, "A", range::positive),
         member("points", &p::points, "",
                range::between(0, max_points).as("0 for a straight line, or 2 to 16")),
-        member("hysteresis", &p::hysteresis, "N m", range::not_negative).suspicious_above(1e4),
+        member("hysteresis", &p::hysteresis, "N m", range::not_negative),
         member("loss_per_kelvin", &p::loss_per_kelvin, "1/K", range::not_negative).suspicious_above(0.1),
         member("reference_temperature", &p::reference_temperature, "K", range::positive)
             .suspicious_above(1000),

@@ -25,9 +25,11 @@ struct encoder_calibration_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = encoder_calibration_parameters;
-    return member_table(
-        member("counts_per_turn", &p::counts_per_turn, "", range::finite).suspicious_above(1e9),
-        member("slides", &p::slides), member("zero_count", &p::zero_count, "", range::finite));
+    return member_table(member("counts_per_turn", &p::counts_per_turn, "", range::finite)
+                            .suspicious_below(1)
+                            .suspicious_above(1e9),
+                        member("slides", &p::slides),
+                        member("zero_count", &p::zero_count, "", range::finite));
   }
   /// No axis has 0 counts.
   std::string rules() const {

@@ -48,7 +48,8 @@ struct planar_sensor_frame {
             "link", &p::link, "1",
             range::finite.as("a finite number; set link to {1, 1} on the last link of a two_link or "
                              "tendon_two_link, {0, 1} where q2 is measured from the base, {0, 0} where the "
-                             "sensor does not turn")),
+                             "sensor does not turn"))
+            .suspicious_above(100),
         member("mounting", &p::mounting, "rad", range::finite));
   }
   /// R(q).
@@ -75,11 +76,10 @@ struct force_calibration_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = force_calibration_parameters;
-    return member_table(
-        member("newtons_per_unit", &p::newtons_per_unit, "N", range::finite).suspicious_above(1e6),
-        member("tare", &p::tare, "N", range::finite),
-        member("handle_mass", &p::handle_mass, "kg", range::not_negative).suspicious_above(1000),
-        member("gravity", &p::gravity, "m/s^2", range::finite).suspicious_above(100));
+    return member_table(member("newtons_per_unit", &p::newtons_per_unit, "N", range::finite),
+                        member("tare", &p::tare, "N", range::finite),
+                        member("handle_mass", &p::handle_mass, "kg", range::not_negative),
+                        member("gravity", &p::gravity, "m/s^2", range::finite));
   }
   /// The channels distinguish all directions, and gravity has a mass to pull at.
   std::string rules() const {

@@ -22,10 +22,10 @@ struct current_limits {
   static constexpr auto members() {
     using p = current_limits;
     return member_table(
-        member("largest", &p::largest, "A", range::positive).suspicious_above(1000),
-        member("continuous", &p::continuous, "A", range::positive).suspicious_above(1000),
-        member("heat", &p::heat, "A^2 s", range::positive).suspicious_above(1e6),
-        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative).suspicious_above(1e6));
+        member("largest", &p::largest, "A", range::positive),
+        member("continuous", &p::continuous, "A", range::positive),
+        member("heat", &p::heat, "A^2 s", range::positive).suspicious_below(1e-6).suspicious_above(1e6),
+        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative));
   }
 };
 

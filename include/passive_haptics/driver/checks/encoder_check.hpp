@@ -26,9 +26,12 @@ struct encoder_limits {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = encoder_limits;
-    return member_table(
-        member("largest_rate", &p::largest_rate, "counts/s", range::positive).suspicious_above(1e10),
-        member("frozen_travel", &p::frozen_travel, "counts", range::not_negative).suspicious_above(1e9));
+    return member_table(member("largest_rate", &p::largest_rate, "counts/s", range::positive)
+                            .suspicious_below(1)
+                            .suspicious_above(1e10),
+                        member("frozen_travel", &p::frozen_travel, "counts", range::not_negative)
+                            .suspicious_below(1)
+                            .suspicious_above(1e9));
   }
 };
 

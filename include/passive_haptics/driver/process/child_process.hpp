@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,16 +19,19 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <exception>
 #include <string>
 
 namespace passive_haptics {
 
 /// A forked process. Start it before the loop's real-time set-up and before any thread. It leaves the
-/// terminal's process group, so that Ctrl-C, Ctrl-Z and Ctrl-\ do not reach it, and ignores signals to end:
-/// it ends after its parent. Where it is stopped, the end of its parent wakes it. It keeps no file open but
-/// the standard ones, and neither ends nor stops when it writes to a pipe that nobody reads any more or to a
-/// terminal that others have. Its parent never waits for it without end.
+/// terminal's process group, so that Ctrl-C, Ctrl-Z and Ctrl-\ do not reach it, and ends after its parent. It
+/// ignores every signal except SIGKILL, SIGSTOP, SIGCONT, SIGCHLD and those that report a fault of the
+/// program itself (SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP). A write to a pipe that nobody
+/// reads, or beyond the limit of a file's size, therefore fails instead of ending it. If it is stopped, the
+/// end of its parent wakes it. It keeps no file open except the standard ones. Its parent never waits for it
+/// indefinitely.
 class child_process {
  public:
   child_process() = default;
@@ -114,8 +118,8 @@ class child_process {
     // No session of its own: the scheduler shares out time by sessions (autogroup), and let one wait for
     // half a second
     if (setpgid(0, 0) != 0) return detail::failed_call("setpgid", help);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGTTOU})
-      if (std::signal(signal, SIG_IGN) == SIG_ERR) return detail::failed_call("sigaction", help);
+    for (int signal = 1; signal < NSIG; ++signal)
+      if (!is_obeyed(signal) && !ignore(signal)) return detail::failed_call("sigaction", help);
     // Of a parent that died before this call comes no signal, but its pipe is closed at the first look
     if (prctl(PR_SET_PDEATHSIG, SIGCONT) != 0) return detail::failed_call("prctl(PR_SET_PDEATHSIG)", help);
     // Else the child's device or file takes a free number, and gets the child's errors
@@ -123,6 +127,20 @@ class child_process {
       return detail::failed_call("/dev/null", "make it, or start the program with descriptors 0 to 2 open");
     // Another child's pipe, held open here, would keep that one from seeing its parent die
     return detail::close_all_but({down, up});
+  }
+
+  static bool is_obeyed(int signal) noexcept {
+    constexpr std::array obeyed{SIGKILL, SIGSTOP, SIGCONT, SIGCHLD, SIGABRT, SIGBUS,
+                                SIGFPE,  SIGILL,  SIGSEGV, SIGSYS,  SIGTRAP};
+    return std::find(obeyed.begin(), obeyed.end(), signal) != obeyed.end();
+  }
+  // Not by sigaction(2), which rejects the signals 32 and 33: the C library keeps them, but they end a
+  // process that does not use them
+  static bool ignore(int signal) noexcept {
+    const std::array<void*, 5> action{
+        reinterpret_cast<void*>(SIG_IGN)};  // then flags, restorer and mask: none
+    constexpr std::size_t mask_size = 8;    // [bytes]
+    return syscall(SYS_rt_sigaction, signal, action.data(), nullptr, mask_size) == 0;
   }
 
   template <class Prepare, class Run>

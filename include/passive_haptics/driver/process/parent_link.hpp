@@ -6,6 +6,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
+#include <cstdint>
+#include <ctime>
 
 namespace passive_haptics {
 
@@ -16,12 +19,14 @@ class parent_link {
   /// The child's end of the pipe, and the parent's process number.
   parent_link(int pipe, pid_t parent) : pipe_(pipe), parent_(parent) {}
 
-  /// Waits up to `milliseconds`, less where a signal comes; true where the parent is dead or called
-  /// child_process::stop(), at once where the pipe is closed, and where poll(2) fails: a child that cannot
-  /// see its parent must not wait for it.
-  bool gone(int milliseconds) const noexcept {
+  /// Waits up to `seconds`, less if a signal comes. True if the parent is dead or called
+  /// child_process::stop(), without a wait once the pipe is closed, and if ppoll(2) fails: a child that
+  /// cannot see its parent must not wait for it.
+  bool gone_within(double seconds) const noexcept {
     pollfd watched{pipe_, POLLIN, 0};
-    const int seen = poll(&watched, 1, milliseconds);
+    const std::int64_t ns = std::llround(1e9 * seconds);
+    const timespec wait{static_cast<time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
+    const int seen = ppoll(&watched, 1, &wait, nullptr);
     return seen > 0 || (seen < 0 && errno != EINTR) || getppid() != parent_;
   }
 

@@ -63,13 +63,13 @@ class recorder {
   pid_t pid() const noexcept { return child_.pid(); }
 
  private:
-  static constexpr int pause = 20;  // [ms]
+  static constexpr double pause = 0.02;  // [s]
 
   void write_down(parent_link parent) {
     Record record;
     std::uint64_t taken = 0;
     for (bool last = false; !last;) {
-      last = parent.gone(pause);  // before the queue is emptied: then nothing can come after it
+      last = parent.gone_within(pause);  // before the queue is emptied: then nothing can come after it
       for (; shared_->ring.pop(record); ++taken) sink_.take(record);
       sink_.rest(shared_->ring.lost());
       std::uint64_t not_kept = 0;

@@ -31,12 +31,15 @@ struct supervisor_parameters {
   double timeout = 0.010;  ///< Without a heartbeat for so long, the brakes are released [s].
   int priority = 0;        ///< SCHED_FIFO priority of its process, over the loop's; 0 for none.
 
-  /// How often it looks [ms]: four times in a timeout, so at least each ms.
-  int look() const noexcept { return static_cast<int>(1e3 * timeout / 4); }
-  /// How long after the last heartbeat it acts at the latest, where it gets the processor [s].
-  double latest() const noexcept { return 1.25 * timeout; }
-  /// How long it may not be seen by the loop before it counts as lost [s]: it looks four times in a timeout.
+  /// From one look to the next [s]: it looks four times in a timeout.
+  double look() const noexcept { return timeout / 4; }
+  /// How long after the last heartbeat it acts at the latest [s], if it is woken at most `wake_up` [s] late:
+  /// one look until it notices that heartbeat, and four until the timeout is over.
+  double latest(double wake_up = 0) const noexcept { return 5 * (look() + wake_up); }
+  /// How long it may not be seen by the loop before it counts as lost [s].
   double lost() const noexcept { return std::max(0.1, timeout); }
+  /// From one current of a release to the next [s].
+  static constexpr double release_interval = 2e-3;
 
   static constexpr const char* type_name = "the supervisor";  ///< In errors.
   /// The table of core/parameters.hpp.
@@ -48,11 +51,11 @@ struct supervisor_parameters {
 };
 
 /// Analog outputs keep their last value when a process dies. A supervisor is a process with a port of its own
-/// to the same device; it releases the brakes, as the release policy says, when the loop's process dies (at
-/// once: their pipe closes) or its heartbeat stops for `timeout`, as of SIGSTOP or a cycle that hangs. It
-/// looks four times in that time, so it is never later than 1.25 timeouts where it gets the processor; and it
-/// goes on until rearm(). Where the loop does not come back it gives 0 A after release_parameters::longest().
-/// Where loop and supervisor are both dead, or stopped, the device's own watchdog is what is left.
+/// to the same device; it releases the brakes, as the release policy says, when the loop's process dies
+/// (their pipe closes) or its heartbeat stops for `timeout`, as of SIGSTOP or a cycle that hangs. It looks
+/// four times in that time, so it is never later than 1.25 timeouts if it gets the processor; and it goes on
+/// until rearm(). Where the loop does not come back it gives 0 A after release_parameters::longest(). Where
+/// loop and supervisor are both dead, or stopped, the device's own watchdog is what is left.
 ///
 /// Start it before the loop's real-time set-up and before any thread.
 template <class Port>
@@ -118,7 +121,6 @@ class supervisor {
   pid_t pid() const noexcept { return child_.pid(); }
 
  private:
-  static constexpr int often = 2;  // [ms], between the currents of a release
   using shared_currents = std::array<std::atomic<double>, static_cast<std::size_t>(brake_count)>;
   struct heart {
     std::atomic<std::uint32_t> beats = 0, looks = 0;
@@ -144,7 +146,7 @@ class supervisor {
     double beaten = monotonic_seconds();
     bool silent = false;
     looked_ = beaten;
-    while (!parent.gone(silent ? often : p_.look())) {
+    while (!parent.gone_within(silent ? p_.release_interval : p_.look())) {
       const double now = monotonic_seconds();
       const std::uint32_t beats = shared_->beats.load(std::memory_order_acquire);
       if (beats != last || beats == 0) beaten = now;
@@ -163,7 +165,8 @@ class supervisor {
       if (!silent && !ended) begin(now);
       for (; !release_.over(now); now = monotonic_seconds()) {
         give(now);
-        poll(nullptr, 0, often);  // where that fails, currents are given more often, and no longer
+        // If that fails, currents are given more often, and no longer
+        poll(nullptr, 0, static_cast<int>(1e3 * p_.release_interval));
       }
     }
     port_.release();

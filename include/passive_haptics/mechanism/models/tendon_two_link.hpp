@@ -16,7 +16,9 @@ struct tendon_two_link_parameters {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = tendon_two_link_parameters;
-    return member_table(member("arm", &p::arm), member("reduction_2", &p::reduction_2, "1", range::positive));
+    return member_table(member("arm", &p::arm), member("reduction_2", &p::reduction_2, "1", range::positive)
+                                                    .suspicious_below(1e-3)
+                                                    .suspicious_above(1000));
   }
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/scene/files/file_kind.hpp>
+#include <passive_haptics/scene/files/text_lines.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -14,8 +15,8 @@
 namespace passive_haptics {
 
 /// Reads the file into `bytes`; empty, or what is wrong with it: it is not there, is no regular file, has
-/// more than `most` bytes, or cannot be read. Never waits for a FIFO or a device, allocates no more than the
-/// file's size.
+/// more than `max_size` bytes, cannot be read, or is compressed or another kind of file. Never waits for a
+/// FIFO or a device, allocates no more than the file's size.
 inline std::string read_file(const std::filesystem::path& path, std::string& bytes,
                              std::uintmax_t max_size = std::numeric_limits<std::uintmax_t>::max()) {
   if (std::string error = check_regular_file(path); !error.empty()) return error;
@@ -28,7 +29,7 @@ inline std::string read_file(const std::filesystem::path& path, std::string& byt
   bytes.resize(static_cast<std::size_t>(size));
   in.read(bytes.data(), static_cast<std::streamsize>(size));
   bytes.resize(static_cast<std::size_t>(in.gcount()));  // it may have become shorter
-  return in.bad() ? "cannot be read to its end" : "";
+  return in.bad() ? "cannot be read to its end" : detail::foreign_file_error(bytes);
 }
 
 }  // namespace passive_haptics

@@ -24,14 +24,15 @@ inline constexpr std::array<std::string_view, 8> not_read_of_obj{"curv", "curv2"
                                                                  "bsp",  "cdc",   "cdp",  "call"};
 
 inline bool is_one_of(std::string_view word, std::span<const std::string_view> keywords) {
-  return std::ranges::any_of(keywords, [&](std::string_view k) { return is_keyword(word, k); });
+  return std::any_of(keywords.begin(), keywords.end(),
+                     [&](std::string_view k) { return is_keyword(word, k); });
 }
 
 /// Whether a word may be the keyword of another program: two letters or more, digits and '_' behind the
 /// first.
 inline bool is_unknown_keyword(std::string_view word) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  return word.size() > 1 && is_letter(word.front()) && std::ranges::all_of(word, [&](char c) {
+  return word.size() > 1 && is_letter(word.front()) && std::all_of(word.begin(), word.end(), [&](char c) {
            return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
          });
 }
@@ -87,8 +88,7 @@ inline void pass_over_obj_line(mesh_source& from, std::string_view word, polygon
 
 inline void read_obj(const std::filesystem::path& path, polygons& to) {
   mesh_source from(path, true);
-  from.begin_text();
-  to.skipped_bytes = from.cut_padding(1);  // the zero that ends a text in C
+  from.lines().limit_zeros(1);  // the one that ends a text in C
   to.place_name = "line ";
   std::vector<int> corners;
   for (std::string_view word = from.word(); !word.empty(); word = from.word()) {
@@ -104,6 +104,7 @@ inline void read_obj(const std::filesystem::path& path, polygons& to) {
       pass_over_obj_line(from, word, to);
     }
   }
+  to.skipped_bytes = from.lines().padding_size();
 }
 
 }  // namespace detail

@@ -130,10 +130,6 @@ inline void read_ply(const std::filesystem::path& path, polygons& to) {
   const ply_header header = read_ply_header(from, to);
   check_ply_header(from, header);
   const std::size_t vertices = header.find("vertex")->rows;
-  if (header.is_text) {
-    from.begin_text();
-    to.skipped_bytes = from.cut_padding();
-  }
   to.place_name = header.is_text ? "line " : "byte ";
   ply_values values(from, header);
   std::vector<int> corners;
@@ -152,6 +148,7 @@ inline void read_ply(const std::filesystem::path& path, polygons& to) {
   if (header.is_text) {
     if (const auto word = from.word(); !word.empty())
       from.fail(word, "the end of the file, as the header says");
+    to.skipped_bytes = from.lines().padding_size();
   } else if (from.only_padding_is_left()) {
     to.skipped_bytes = from.left();
   } else {

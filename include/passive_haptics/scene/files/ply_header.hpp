@@ -37,7 +37,7 @@ inline std::size_t size_of(ply_type t) {
 /// The first of this name, or null.
 template <class Named>
 const Named* find_named(const std::vector<Named>& all, std::string_view name) {
-  const auto found = std::ranges::find(all, name, &Named::name);
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& x) { return x.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 
@@ -79,7 +79,8 @@ struct ply_header {
 inline std::string ply_name(std::string_view word) {
   constexpr std::array<std::string_view, 9> known{"vertex", "face", "edge",           "tristrips",   "x",
                                                   "y",      "z",    "vertex_indices", "vertex_index"};
-  const auto found = std::ranges::find_if(known, [&](std::string_view k) { return is_keyword(word, k); });
+  const auto found =
+      std::find_if(known.begin(), known.end(), [&](std::string_view k) { return is_keyword(word, k); });
   return std::string(found == known.end() ? word : *found);
 }
 
@@ -126,11 +127,9 @@ inline void read_ply_format(mesh_source& from, ply_header& header) {
 inline ply_header read_ply_header(mesh_source& from, polygons& to) {
   ply_header header;
   constexpr std::string_view end = "end_header";
-  const std::size_t found = from.bytes().find(end);
-  from.begin_text(found == std::string_view::npos ? 0 : found + end.size() + 1);  // not the data behind it
   const auto end_line = [&] {
     if (const auto word = from.word_in_line(); !word.empty()) from.fail(word, "the end of the line");
-    if (from.left() == 0) from.fail({}, "'end_header' and the data; the file was cut off");
+    if (from.lines().is_last()) from.fail({}, "'end_header' and the data; the file was cut off");
     from.next_line();
   };
   const auto next = [&] {  // the first word of the next line that says something

@@ -92,8 +92,6 @@ inline void read_ascii_facet(mesh_source& from, polygons& to) {
 /// "solid NAME", facets, "endsolid NAME", as often as there are solids. Between them may stand comments, and
 /// lines with a colour.
 inline void read_ascii_stl(mesh_source& from, polygons& to) {
-  from.begin_text();
-  to.skipped_bytes = from.cut_padding();
   to.place_name = "line ";
   const auto next = [&] {
     std::string_view word = from.word();
@@ -117,6 +115,7 @@ inline void read_ascii_stl(mesh_source& from, polygons& to) {
     word = next();
     if (!word.empty() && !is_keyword(word, "solid")) from.fail(word, "'solid', or the end of the file");
   }
+  to.skipped_bytes = from.lines().padding_size();
 }
 
 inline void read_stl(const std::filesystem::path& path, polygons& to) {
@@ -127,9 +126,8 @@ inline void read_stl(const std::filesystem::path& path, polygons& to) {
   const bool has_head = bytes.size() >= stl_head;
   const bool is_whole = has_head && bytes.size() == stl_head + stl_triangle * stl_count(from);
   // A text has no zero byte, but for the ends of some; a count has one, if it is below 2^24
-  const bool has_count = has_head && bytes.substr(0, stl_head).find('\0') != bytes.npos && !from.is_utf16();
+  const bool has_count = has_head && bytes.substr(0, stl_head).find('\0') != bytes.npos;
   if (is_whole || has_count) return read_binary_stl(from, to);
-  from.seek(0);
   read_ascii_stl(from, to);
 }
 

@@ -28,7 +28,8 @@ class handle_proxy {
   /// Whether it rests on a surface whose number is one of those.
   template <class Numbers>
   bool rests_where(const Numbers& numbers) const {
-    return std::ranges::any_of(tracker_.resting(), [&](const auto& f) { return numbers(f.surface); });
+    const auto& resting = tracker_.resting();
+    return std::any_of(resting.begin(), resting.end(), [&](const auto& f) { return numbers(f.surface); });
   }
   /// Whether it rests on the surface of this number.
   bool rests_on(int number) const {
