@@ -510,7 +510,7 @@ TEST(a_counter, that_may_have_wrapped_unseen_needs_homing_in_each_state) {
       const int releases = r.device.releases;
       r.cycles(30);
       EXPECT_FALSE(r.port.rearm() || r.port.activate() || r.device.flows());
-      EXPECT_EQ(r.device.releases, releases) << "the device is not told again in each cycle";
+      EXPECT_EQ(r.device.releases, releases) << "not in each cycle again";
     }
 }
 
@@ -721,7 +721,7 @@ TEST(rejected_samples, release_the_brakes_if_they_are_a_quarter_of_those_that_ar
     bool rearmable;
     std::function<void(rig&)> spoil;
   };
-  for (const auto& [expected, rearmable, spoil] : std::vector<plug>{
+  for (const plug& p : std::vector<plug>{
            {{ph::fault::encoder_jump, encoders, 0}, false, [](rig& r) { r.device.sample.value[0] += 1000; }},
            {{ph::fault::count_out_of_range, encoders, 0},
             false,
@@ -740,13 +740,13 @@ TEST(rejected_samples, release_the_brakes_if_they_are_a_quarter_of_those_that_ar
             [](rig& r) { r.device.sensor_status = ph::port_status::bad_sample; }},
            {{ph::fault::sensor_saturated, sensor, 1}, true, [](rig& r) { r.device.force.value[1] = 100; }}})
     for (const int every : {2, 4, 5}) {
-      SCOPED_TRACE(to_string(expected) + ", each of " + std::to_string(every));
+      SCOPED_TRACE(to_string(p.expected) + ", each of " + std::to_string(every));
       rig r;
       r.hold();
       const auto cycles = [&](int count) {
         int k = 0;
         for (; k < count && r.device.flows(); ++k) {
-          if (k % every == 0) r.cycle(spoil);
+          if (k % every == 0) r.cycle(p.spoil);
           else r.cycle();
         }
         return k;
@@ -758,12 +758,12 @@ TEST(rejected_samples, release_the_brakes_if_they_are_a_quarter_of_those_that_ar
       }
       r.cycles(300);
       EXPECT_LE(cycles(1000), every == 2 ? 101 : 201) << "ten hold_over";
-      EXPECT_EQ(r.port.reason(), expected);
-      EXPECT_EQ(r.port.needs_homing(), !rearmable);
+      EXPECT_EQ(r.port.reason(), p.expected);
+      EXPECT_EQ(r.port.needs_homing(), !p.rearmable);
       r.cycles(1);
       EXPECT_FALSE(r.port.rearm()) << "so soon";
       r.cycles(200);
-      EXPECT_EQ(r.port.rearm(), rearmable);
+      EXPECT_EQ(r.port.rearm(), p.rearmable);
     }
 }
 

@@ -88,7 +88,7 @@ constexpr bool releases_immediately(const fault_record& i) noexcept {
          (i.what == fault::device_restarted && i.source == fault_source::encoders);
 }
 
-/// Whether a sample arrived but was rejected by its content: it is damaged, invalid, out of range or a jump.
+/// True if a sample arrived but its content is rejected: it is damaged, invalid, out of range or a jump.
 constexpr bool rejects_sample(fault f) noexcept {
   return f == fault::sample_damaged || f == fault::channel_invalid || f == fault::value_not_finite ||
          f == fault::count_out_of_range || f == fault::encoder_jump || f == fault::sensor_saturated;

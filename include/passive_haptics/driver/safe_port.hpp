@@ -166,9 +166,9 @@ class safe_port {
   double position_time() const noexcept { return encoders_.time(); }
   /// Whether the times of the encoders look like those of their arrival, which makes rates wrong.
   const arrival_check& arrivals() const noexcept { return encoders_.arrivals(); }
-  /// How many samples of the encoders were rejected.
+  /// The encoders' samples that arrived and that were rejected.
   const rejected_samples& encoder_rejections() const noexcept { return encoder_samples_.rejections(); }
-  /// How many samples of the force sensor were rejected.
+  /// The force sensor's samples that arrived and that were rejected.
   const rejected_samples& force_rejections() const noexcept { return force_samples_.rejections(); }
   /// The last good reading of the force sensor.
   const force_reading& force() const noexcept { return forces_.reading(); }

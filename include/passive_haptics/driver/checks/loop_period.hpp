@@ -30,7 +30,7 @@ class loop_period {
     std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(count_));
     return *middle;
   }
-  /// What is wrong with a period within which a counter of this width can wrap unseen; empty if it cannot.
+  /// Error text if a counter of this width can wrap unseen within the period; empty otherwise.
   std::string error(double wrap_time, int counter_bits) const {
     if (value() < wrap_time) return {};
     return detail::error_text(

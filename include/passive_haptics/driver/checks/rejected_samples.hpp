@@ -42,7 +42,7 @@ class rejected_samples {
     }
   }
 
-  /// Whether at least a quarter of the samples of about the last ten `hold_over` were rejected; false until
+  /// True if at least a quarter of the samples of about the last ten `hold_over` were rejected; false until
   /// samples have arrived for so long.
   bool is_too_many() const noexcept {
     return begun_ >= parts &&

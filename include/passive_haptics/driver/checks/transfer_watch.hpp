@@ -1,5 +1,5 @@
 /// @file
-/// Whether what is wrong with a device's transfers lasts too long.
+/// How long faults of a device's transfers may last.
 #pragma once
 
 #include <passive_haptics/driver/checks/rejected_samples.hpp>
@@ -25,17 +25,16 @@ class transfer_watch {
 
   /// The last result.
   const fault_record& result() const noexcept { return result_; }
-  /// Whether the last result is a fault that nothing may stand in for any more: at once
-  /// (releases_immediately()), `hold_over` after the last good transfer, or if too many samples were
-  /// rejected.
+  /// True if the last result is a fault that cannot be bridged any more: one that releases_immediately(), one
+  /// later than `hold_over` after the last good transfer, or one after too many rejected samples.
   bool fails() const noexcept {
     return result_.what != fault::none && (lasts_ || releases_immediately(result_));
   }
-  /// Whether the last transfer was good, and not too many were rejected.
+  /// True if the last transfer was good and not too many samples were rejected.
   bool is_good() const noexcept { return result_.what == fault::none && !rejections_.is_too_many(); }
   /// The time of the last good transfer [s]; -inf if there was none.
   double last_good() const noexcept { return good_; }
-  /// How many samples were rejected.
+  /// The samples that arrived and that were rejected.
   const rejected_samples& rejections() const noexcept { return rejections_; }
 
  private:
