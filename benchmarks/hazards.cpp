@@ -36,6 +36,7 @@ enum class trouble {
   none,
   count_not_a_number,
   count_that_jumps,
+  every_second_count_jumps,
   encoder_invalid,
   no_sample,
   sample_repeated,
@@ -69,6 +70,8 @@ constexpr row rows[] = {
     {"An encoder's count", "NaN", trouble::count_not_a_number},
     {"An encoder's count", "1e6 counts off", trouble::count_that_jumps},
     {"An encoder's count", "invalid", trouble::encoder_invalid},
+    {"Of the encoders' samples", "every second 1000 off", trouble::every_second_count_jumps, 0, false, false,
+     true},
     {"No sample", "none", trouble::no_sample},
     {"No sample", "repeated", trouble::sample_repeated},
     {"No sample", "30 ms old", trouble::sample_late},
@@ -126,6 +129,7 @@ struct memory_port {
     if (what == trouble::sample_late) sample.time -= 0.03;
     if (what == trouble::count_not_a_number) sample.value[1] = std::numeric_limits<double>::quiet_NaN();
     if (what == trouble::count_that_jumps) sample.value[1] = 1e6;
+    if (what == trouble::every_second_count_jumps) sample.value[1] += sequence % 2 * 1000.0;
     if (what == trouble::encoder_invalid) sample.valid[0] = false;
     return ph::port_status::ok;
   }

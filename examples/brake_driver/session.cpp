@@ -225,6 +225,12 @@ class session {
                 << "\n";
     else if (!was_active_ && deepest_.is_over(configuration_.start.largest_start_depth))
       std::cout << not_activated_in_words(deepest_) << "\n";
+    for (const auto& [device, samples] : {std::pair{"encoders", &port_.encoder_rejections()},
+                                          std::pair{"force sensor", &port_.force_rejections()}})
+      if (samples->rejected() > 0)
+        std::cout << device << ": " << samples->rejected() << " of " << samples->arrived()
+                  << " samples rejected ("
+                  << ph::detail::number_text(std::round(1000 * samples->share()) / 10) << " %)\n";
     if (port_.arrivals().found() && configuration_.port != "simulated")
       std::cout << "the times of the encoders look like those of their arrival: "
                 << std::lround(100 * port_.arrivals().share())

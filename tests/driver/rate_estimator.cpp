@@ -100,14 +100,18 @@ TEST(rate_estimator, bears_samples_at_nearly_equal_times) {
     std::pair<double, double> found{INFINITY, 0};
     for (int k = 0; k < 1000; ++k) {
       const double rate = estimator.add(k * T + lateness(k), one(2. * k))[0];
-      if (k > 100) found = {std::min(found.first, rate), std::max(found.second, rate)};
+      if (k > 200) found = {std::min(found.first, rate), std::max(found.second, rate)};
     }
     return found;
   };
   const auto [slowest, fastest] = rates([](int k) { return k % 2 == 0 ? 0.9e-3 : 0; });
   EXPECT_GE(slowest, 1000);
   EXPECT_LE(fastest, 2500);
-  EXPECT_LE(rates([](int k) { return 0.95e-3 * (4 - k % 5); }).second, 4000) << "twice the rate";
+  for (int burst = 2; burst <= 32; ++burst)
+    for (const double spacing : {1e-6, 50e-6, 0.3e-3}) {
+      const auto together = [&](int k) { return (burst - 1 - k % burst) * T + (k % burst) * spacing; };
+      ASSERT_LE(rates(together).second, 4000) << "twice the rate; bursts of " << burst << ", " << spacing;
+    }
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     random_source random(seed);
     const double most = rates([&](int) { return random.uniform(0.0, 0.999) * T; }).second;
@@ -136,7 +140,8 @@ TEST(arrival_check, finds_times_of_arrival_and_no_others) {
     return [&random, most](int k) { return k * T + random.uniform(0.0, most) * T; };
   };
   EXPECT_TRUE(found([](int k) { return k * T + (k % 2 == 0 ? 0.9e-3 : 0); }));
-  EXPECT_TRUE(found([](int k) { return k / 5 * 5 * T + 1e-5 * (k % 5); })) << "bursts";
+  for (const int burst : {2, 5, 16, 32})
+    EXPECT_TRUE(found([&](int k) { return k / burst * burst * T + 1e-5 * (k % burst); })) << burst;
   EXPECT_TRUE(found(delayed(0.99)));
   EXPECT_FALSE(found([](int k) { return k * T; }));
   EXPECT_FALSE(found(delayed(0.3))) << "no rate is far off";

@@ -479,6 +479,95 @@ TEST(a_safe_port, follows_counters_past_their_wrap) {
   }
 }
 
+// Of all widths and pauses: tests/stress/encoder_pauses.cpp.
+TEST(a_counter, that_may_have_wrapped_unseen_needs_homing_in_each_state) {
+  const ph::fault_record wrapped{ph::fault::counter_wrapped, encoders};
+  EXPECT_EQ(ph::wrap_time(12, 2e5), 2046 / 2e5);
+  EXPECT_EQ(ph::wrap_time(0, 2e5), fake::infinite);
+  for (const double pause : {2045 / 2e5, 2046 / 2e5, 0.015, 0.5})
+    for (const auto state : {ph::port_state::ready, ph::port_state::active, ph::port_state::degraded,
+                             ph::port_state::released}) {
+      rig r(usual(), 12);
+      r.device.sample.value = {1000, 3000};
+      r.cycles(20);
+      if (state != ph::port_state::ready) {
+        ASSERT_TRUE(r.port.activate());
+      }
+      r.cycle();
+      if (state == ph::port_state::degraded) r.cycle([](rig& s) { s.device.force.value[2] = fake::nan; });
+      if (state == ph::port_state::released) r.port.release();
+      ASSERT_EQ(r.port.state(), state);
+      r.time += pause - 1e-3;
+      r.cycle();
+      const bool lost = pause >= 2046 / 2e5;
+      EXPECT_EQ(r.port.needs_homing(), lost) << pause;
+      EXPECT_EQ(r.port.pending_fault(), lost ? wrapped : ph::fault_record{}) << pause;
+      if (!lost) continue;
+      EXPECT_EQ(r.port.state(), ph::port_state::released) << pause;
+      if (state == ph::port_state::ready) {
+        EXPECT_EQ(r.port.reason(), wrapped) << pause;
+      }
+      const int releases = r.device.releases;
+      r.cycles(30);
+      EXPECT_FALSE(r.port.rearm() || r.port.activate() || r.device.flows());
+      EXPECT_EQ(r.device.releases, releases) << "not in each cycle again";
+    }
+}
+
+TEST(a_counter, that_can_wrap_within_the_period_is_refused_when_the_port_opens) {
+  const auto opened = [](double period) {
+    auto p = usual();
+    p.period = period;
+    fake::device device;
+    device.counter_bits = 12;
+    safe port({&device}, {&device}, p);
+    const std::string error = port.open();
+    EXPECT_EQ(port.state(), error.empty() ? ph::port_state::ready : ph::port_state::closed);
+    return error;
+  };
+  EXPECT_EQ(opened(0.010), "");
+  EXPECT_EQ(
+      opened(0.0125),
+      "period [s] = 0.0125, expected less than 0.01023, within which a counter of 12 bits can wrap unseen: "
+      "shorten it, lower encoders.largest_rate or use a wider counter");
+}
+
+// By the median of the first 20 spacings; the samples themselves are dated nearer to each other.
+TEST(a_counter, that_can_wrap_within_the_measured_period_is_not_activated) {
+  for (const int slow : {9, 11}) {
+    auto p = usual();
+    p.hold_over = 1;
+    rig r(p, 12);
+    for (int k = 0; k <= 40; ++k) {
+      r.take_samples();
+      r.time += k <= slow || k > 20 ? 0.0125 : 0;
+      r.device.sample.time = 100 + 1e-3 * k;
+      r.port.read(r.time);
+      r.port.write(r.wanted);
+    }
+    EXPECT_EQ(r.port.activate(), slow == 9) << slow << " of 20 spacings in which it can wrap";
+    EXPECT_EQ(r.port.needs_homing(), slow == 11);
+  }
+}
+
+TEST(a_safe_port, whose_encoder_jumps_for_too_long_is_not_activated_any_more) {
+  rig r;
+  r.cycles(3);
+  for (int k = 0; k < 25; ++k) r.cycle([](rig& s) { s.device.sample.value[0] += 5000; });
+  EXPECT_TRUE(r.port.needs_homing());
+  r.cycles(3);
+  EXPECT_FALSE(r.port.activate());
+  EXPECT_EQ(r.port.reason(), (ph::fault_record{ph::fault::encoder_jump, encoders, 0}));
+}
+
+TEST(a_safe_port, has_no_position_to_lose_before_its_first_good_sample) {
+  rig r;
+  for (int k = 0; k < 50; ++k) r.cycle([](rig& s) { s.device.sample.valid[0] = false; });
+  r.cycle();
+  EXPECT_FALSE(r.port.needs_homing());
+  EXPECT_TRUE(r.port.activate());
+}
+
 TEST(a_safe_port, holds_over_a_gap_in_the_sequence_and_lets_the_device_go_on_meanwhile) {
   rig r;
   r.hold();
@@ -575,9 +664,9 @@ TEST(an_encoder_check, takes_only_counts_that_the_counter_has) {
       first = check({0, 0, {count}, {true}}, true) == ph::fault_record{};
       EXPECT_EQ(check.position()[0], first ? count : 0);
     }
-    ph::encoder_check<1> check({.largest_rate = 1e300});
+    ph::encoder_check<1> check({.largest_rate = bits > 0 ? 100 : 1e300});
     check.set_counter_bits(bits);
-    check({0, 0, {0}, {true}}, true);
+    check({0, 0, {-64}, {true}}, true);  // from where no good count is further than 64
     later = check({1, 1, {count}, {true}}, true) == ph::fault_record{};
     EXPECT_EQ(first, later) << bits << " bits, count " << count;
     return first;
@@ -620,9 +709,97 @@ TEST(a_jump, that_was_only_one_bad_reading_is_forgotten) {
   for (int k = 0; k < 100; ++k) {
     r.cycle([](rig& s) { s.device.sample.value[0] += 1e9; });
     EXPECT_EQ(r.port.state(), ph::port_state::degraded);
-    r.cycles(3);
+    r.cycles(4);  // a fifth is rejected
     ASSERT_EQ(r.port.state(), ph::port_state::active);
   }
+}
+
+// A loose plug: no fault lasts for hold_over.
+TEST(rejected_samples, release_the_brakes_if_they_are_a_quarter_of_those_that_arrived) {
+  struct plug {
+    ph::fault_record expected;
+    bool rearmable;
+    std::function<void(rig&)> spoil;
+  };
+  for (const plug& p : std::vector<plug>{
+           {{ph::fault::encoder_jump, encoders, 0}, false, [](rig& r) { r.device.sample.value[0] += 1000; }},
+           {{ph::fault::count_out_of_range, encoders, 0},
+            false,
+            [](rig& r) { r.device.sample.value[0] = 1e300; }},
+           {{ph::fault::channel_invalid, encoders, 1},
+            false,
+            [](rig& r) { r.device.sample.valid[1] = false; }},
+           {{ph::fault::value_not_finite, encoders, 1},
+            false,
+            [](rig& r) { r.device.sample.value[1] = fake::nan; }},
+           {{ph::fault::sample_damaged, encoders},
+            true,
+            [](rig& r) { r.device.read_status = ph::port_status::bad_sample; }},
+           {{ph::fault::sample_damaged, sensor},
+            true,
+            [](rig& r) { r.device.sensor_status = ph::port_status::bad_sample; }},
+           {{ph::fault::sensor_saturated, sensor, 1}, true, [](rig& r) { r.device.force.value[1] = 100; }}})
+    for (const int every : {2, 4, 5}) {
+      SCOPED_TRACE(to_string(p.expected) + ", each of " + std::to_string(every));
+      rig r;
+      r.hold();
+      const auto cycles = [&](int count) {
+        int k = 0;
+        for (; k < count && r.device.flows(); ++k) {
+          if (k % every == 0) r.cycle(p.spoil);
+          else r.cycle();
+        }
+        return k;
+      };
+      if (every == 5) {
+        EXPECT_EQ(cycles(1000), 1000);
+        EXPECT_EQ(r.port.state(), ph::port_state::active);
+        continue;
+      }
+      r.cycles(300);
+      EXPECT_LE(cycles(1000), every == 2 ? 101 : 201) << "ten hold_over";
+      EXPECT_EQ(r.port.reason(), p.expected);
+      EXPECT_EQ(r.port.needs_homing(), !p.rearmable);
+      r.cycles(1);
+      EXPECT_FALSE(r.port.rearm()) << "so soon";
+      r.cycles(200);
+      EXPECT_EQ(r.port.rearm(), p.rearmable);
+    }
+}
+
+TEST(rejected_samples, are_judged_over_the_last_ten_hold_over) {
+  ph::rejected_samples samples(1);
+  const auto too_many_after = [&](double begin, double end, ph::fault found) {
+    for (double time = begin; time < end; time += 0.125) samples.add(found, time);
+    return samples.is_too_many();
+  };
+  EXPECT_EQ(samples.share(), 0);
+  EXPECT_FALSE(too_many_after(0, 9, ph::fault::encoder_jump)) << "too early to say";
+  EXPECT_TRUE(too_many_after(9, 10, ph::fault::encoder_jump));
+  EXPECT_TRUE(too_many_after(10, 17, ph::fault::none)) << "24 of 80";
+  EXPECT_FALSE(too_many_after(17, 18, ph::fault::none)) << "16 of 80";
+  EXPECT_EQ(samples.arrived(), 144u);
+  EXPECT_EQ(samples.rejected(), 80u);
+  EXPECT_TRUE(too_many_after(18, 28, ph::fault::encoder_jump));
+  EXPECT_FALSE(too_many_after(40, 49, ph::fault::encoder_jump)) << "too early to say after a pause";
+}
+
+TEST(rejected_samples, are_a_share_of_those_that_arrived_not_of_the_reads) {
+  // A device slower than the loop, or behind an adapter that waits for 16 samples; each of so many jumps, 0:
+  // none
+  const auto flows = [](int reads_a_sample, int jumps) {
+    rig r;
+    r.hold();
+    for (int k = 0; k < 2000; ++k)
+      r.cycle([&](rig& s) {
+        if (k % reads_a_sample != 0) s.device.read_status = ph::port_status::no_sample;
+        else if (jumps > 0 && k / reads_a_sample % jumps == 0) s.device.sample.value[0] += 5000;
+      });
+    return r.device.flows();
+  };
+  EXPECT_TRUE(flows(2, 0));
+  EXPECT_TRUE(flows(16, 0));
+  EXPECT_FALSE(flows(2, 3)) << "a third of the samples, a sixth of the reads";
 }
 
 TEST(an_encoder_check, allows_the_largest_rate_and_a_count_at_each_end) {
@@ -877,6 +1054,17 @@ TEST(a_release_policy, ramps_down_where_the_user_says_so) {
   }
   r.cycle();
   EXPECT_FALSE(r.device.flows());
+}
+
+TEST(a_release_policy, begins_its_ramp_with_the_last_cycle_before_a_pause) {
+  auto p = usual();
+  p.at_release = {ph::release_policy::ramp, 0.1};
+  rig r(p);
+  r.hold();
+  r.time += 0.049;
+  r.cycle();
+  EXPECT_EQ(r.port.reason().what, ph::fault::cycle_late);
+  EXPECT_NEAR(r.device.currents[0], 0.25, 1e-6) << "50 ms of 100";
 }
 
 TEST(a_release_policy, holds_where_the_user_says_so_and_lets_go_of_a_lost_device) {

@@ -31,6 +31,8 @@ struct test_of_a_hazard {
   std::string_view suite, name, file;
 };
 constexpr test_of_a_hazard fault{"a_fault", "releases_the_brakes_in_time_and_says_why", "safe_port.cpp"};
+constexpr test_of_a_hazard quarter{
+    "rejected_samples", "release_the_brakes_if_they_are_a_quarter_of_those_that_arrived", "safe_port.cpp"};
 constexpr std::array tests{
     fault,
     fault,
@@ -42,6 +44,9 @@ constexpr std::array tests{
     fault,
     test_of_a_hazard{"a_frozen_encoder", "is_noticed_after_the_others_turned_so_far_without_a_brake",
                      "safe_port.cpp"},
+    quarter,
+    quarter,
+    test_of_a_hazard{"a_counter", "that_may_have_wrapped_unseen_needs_homing_in_each_state", "safe_port.cpp"},
     fault,
     fault,
     test_of_a_hazard{"a_control_loop", "of_a_machine_that_was_suspended_releases_before_the_next_cycle",

@@ -20,7 +20,7 @@ namespace ph = passive_haptics;
 /// A BrakePort: each brake's current as a voltage to its amplifier, each encoder's counts as the counter
 /// reports them.
 ///
-/// A counter wraps after 2^counter_bits() counts, which the reader undoes (encoder_limits::counter_bits).
+/// A counter wraps after 2^counter_bits() counts, which the reader undoes (safe_port).
 /// For a threaded_port: read and write are one system call each (ioctl), which waits for the card's driver,
 /// microseconds on PCI, up to milliseconds on USB, a second where a card does not respond, and for a release
 /// by the supervisor. The loop cannot wait for it, as it touches memory alone. An analog output keeps its
@@ -53,10 +53,9 @@ class comedi_port {
 
   /// A new sample with each call. no_sample: the card was busy; it may be tried again.
   ph::port_status read(ph::port_sample<Encoders>& sample) noexcept {
-    const double before = ph::monotonic_seconds();
     if (const ph::port_status status = counts_.run(device_.get()); status != ph::port_status::ok)
       return status;
-    sample.time = 0.5 * (before + ph::monotonic_seconds());  // the card read its channels in between
+    sample.time = ph::monotonic_seconds();  // after the transfer, so that no pause hides in it
     sample.sequence = ++sequence_;
     for (std::size_t i = 0; i < counters_.size(); ++i) {
       sample.value[i] = counts_.samples[i];

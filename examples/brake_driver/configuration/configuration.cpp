@@ -240,6 +240,7 @@ void read_port(toml_section from, configuration& c) {
 
 void read_loop(toml_section from, configuration& c) {
   from.read_all(c.loop);
+  c.safety.period = c.loop.period;
   from.read_all(c.real_time);
 }
 

@@ -170,7 +170,8 @@ class simulated_port {
 
   std::string open() { return {}; }
   ph::port_status read(ph::port_sample<axes>& sample) noexcept {
-    sample = {ph::monotonic_seconds(), ++sequence_, device_->counts(), {true, true}};
+    const auto counts = device_->counts();
+    sample = {ph::monotonic_seconds(), ++sequence_, counts, {true, true}};
     return ph::port_status::ok;
   }
   ph::port_status write(const ph::brake_currents<axes>& currents) noexcept {

@@ -23,6 +23,7 @@ enum class fault {
   value_not_finite,    ///< NaN or infinity.
   count_out_of_range,  ///< A count that the counter of an encoder does not have.
   encoder_jump,        ///< Faster than the device can move.
+  counter_wrapped,     ///< The pause since the last sample is so long that a counter may have wrapped unseen.
   encoder_frozen,      ///< Does not change while the others move.
   sensor_saturated,    ///< At the end of its range.
   current_not_valid,   ///< A command that is NaN, infinite or negative.
@@ -52,6 +53,7 @@ constexpr std::string_view to_string(fault f) {
     case fault::value_not_finite: return "NaN or infinity";
     case fault::count_out_of_range: return "a count beyond the range of its counter";
     case fault::encoder_jump: return "jumped";
+    case fault::counter_wrapped: return "a counter may have wrapped unseen";
     case fault::encoder_frozen: return "frozen";
     case fault::sensor_saturated: return "saturated";
     case fault::current_not_valid: return "the commanded current is NaN, infinite or negative";
@@ -82,14 +84,22 @@ struct fault_record {
 /// Whether nothing can stand in for what is lost: the brakes are released at once.
 constexpr bool releases_immediately(const fault_record& i) noexcept {
   return i.what == fault::device_lost || i.what == fault::encoder_frozen ||
+         i.what == fault::counter_wrapped ||
          (i.what == fault::device_restarted && i.source == fault_source::encoders);
+}
+
+/// True if a sample arrived but its content is rejected: it is damaged, invalid, out of range or a jump.
+constexpr bool rejects_sample(fault f) noexcept {
+  return f == fault::sample_damaged || f == fault::channel_invalid || f == fault::value_not_finite ||
+         f == fault::count_out_of_range || f == fault::encoder_jump || f == fault::sensor_saturated;
 }
 
 /// Whether the encoders may have lost their way, if it lasts.
 constexpr bool invalidates_position(fault f) noexcept {
   return f == fault::device_lost || f == fault::device_restarted || f == fault::sample_out_of_order ||
          f == fault::channel_invalid || f == fault::value_not_finite || f == fault::count_out_of_range ||
-         f == fault::encoder_jump || f == fault::encoder_frozen || f == fault::suspended;
+         f == fault::encoder_jump || f == fault::counter_wrapped || f == fault::encoder_frozen ||
+         f == fault::suspended;
 }
 
 /// The fault_record in words: "encoder 2: jumped", channels from 1. Allocates: not for the loop.

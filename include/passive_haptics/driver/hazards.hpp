@@ -73,6 +73,13 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
       {"The force sensor is lost", "safe_port", cycle + by_loop, "rearm, if it comes back"},
       {"An encoder stands still while the others turn `frozen_travel` and no brake holds", "safe_port", cycle,
        homing},
+      {"Of the encoders' samples within ten `hold_over`, a quarter are NaN, infinite, beyond the counter, "
+       "jumps or invalid",
+       "safe_port", 10 * p.hold_over + cycle + by_loop, homing},
+      {"Of the samples within ten `hold_over`, a quarter are damaged, or of the force sensor NaN, infinite, "
+       "invalid or saturated",
+       "safe_port", 10 * p.hold_over + cycle + by_loop, rearm},
+      {"A counter may have wrapped unseen in a pause (`wrap_time`)", "safe_port", cycle + by_loop, homing},
       {"A command is NaN, infinite or negative", "safe_port", cycle + by_loop, rearm},
       {"The clock is NaN, or goes back", "control_loop, safe_port; supervisor: no heartbeat",
        std::max(cycle + by_loop, supervised + by_supervisor), rearm},

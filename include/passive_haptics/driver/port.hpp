@@ -79,7 +79,8 @@ concept writes_currents = requires(P port, const brake_currents<P::brake_count>&
 ///   - open: called once, before the loop. Empty if the device is ready. Else it says what is missing, by
 ///     name, and what to do; then nothing but release() is called.
 ///   - read: the latest sample. Returns at once, whether there is a new one or not. The sample counts only
-///     with ok.
+///     with ok. If the port itself dates it, then after the counts were latched: a pause in between is then
+///     seen, and with it that a counter may have wrapped (wrap_time).
 ///   - write: hands over currents in [0, limit], already checked. Returns at once.
 ///   - release: 0 A on all brakes, as fast as the device can. It may be called at any time, also before
 ///     open(), twice and after a failure; the destructor calls it. A port that is still there can be written

@@ -61,10 +61,11 @@ inline double rate_onset(double resolution, int window, double period, double ac
 /// resolution. A line through sample k passes sample i so if its slope is in an interval; the intersection of
 /// these grows sample by sample, so the cost is O(window) and needs no fitting.
 ///
-/// A sample that is nearer in time to sample k than half of the usual spacing ends no window and limits none:
-/// of times of arrival, two samples may have nearly the same. The window is so one in samples and in time. At
-/// constant rate the estimate then is at most twice the rate, and a resolution over the window. The times at
-/// which samples were taken (port_sample, device_clock) have no such error.
+/// Sample k-n ends no window and limits none if it is nearer in time to sample k than about half of n usual
+/// spacings (sample_spacing): times of arrival may be nearly the same. At constant rate, after 200 samples,
+/// the estimate then is at most twice the rate, and a resolution over the window, if bursts have up to 32
+/// samples and last up to 20 ms, or have up to eight samples. If bursts are longer than the window, some
+/// estimates are 0. The times at which samples were taken (port_sample, device_clock) have no such error.
 ///
 /// A rate with |y_k - y_(k-n)| <= resolution is exactly 0: its sign is not certain. Any other has the sign of
 /// the mean rate over its window, also if the encoder jitters about an edge (by less than half a step) and
@@ -140,7 +141,7 @@ class rate_estimator {
     for (int n = 1; n < of.size && n <= p_.window; ++n) {
       const sample& then = of.back(n);
       const double dy = now.position - then.position, dt = now.time - then.time;
-      if (of.spacing.is_short(dt)) continue;
+      if (of.spacing.is_short(dt, n)) continue;
       const double slope = dy / dt;
       if (slope < least || slope > steepest) break;
       moved = dy;

@@ -18,13 +18,16 @@ struct safe_port_parameters {
   release_parameters at_release = {};    ///< What they get once they are released.
   /// How long the last good sample stands in for bad ones, or for refused writes [s].
   double hold_over = 0.020;
+  /// Period of the loop that calls read() [s], within which no counter may wrap unseen; 0: it is measured.
+  double period = 0;
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = safe_port_parameters;
     return member_table(member("encoders", &p::encoders), member("sensor", &p::sensor),
                         member("currents", &p::currents), member("at_release", &p::at_release),
-                        member("hold_over", &p::hold_over, "s", range::positive).suspicious_above(10));
+                        member("hold_over", &p::hold_over, "s", range::positive).suspicious_above(10),
+                        member("period", &p::period, "s", range::not_negative).suspicious_above(1));
   }
 };
 

@@ -394,14 +394,14 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_sweep) {
 // ---- the port
 
 // A bench of two brakes and three torques at 1 kHz of its own time, whose every reading a test may spoil. Its
-// second encoder turns by 3 counts a period through the wrap of an 8 bit counter.
+// second encoder turns by 3 counts a period through the wrap of a 16 bit counter.
 struct bench_device {
   int period = 0, released = 0, waits = 0;
   std::vector<double> told;
   std::function<void(bench_device&)> spoil = [](bench_device&) {};
 
   double now = 0;
-  ph::port_sample<2> axes{0, 0, {0, 250}, {true, true}};
+  ph::port_sample<2> axes{0, 0, {0, 65530}, {true, true}};
   ph::port_sample<3> torque{0, 0, {0, 0, 7}, {true, true, true}};
   ph::port_status read = ph::port_status::ok, felt = ph::port_status::ok, taken = ph::port_status::ok;
 
@@ -411,7 +411,7 @@ struct bench_device {
     ++period;
     now = axes.time = torque.time = 1e-3 * period;
     axes.sequence = torque.sequence = static_cast<std::uint32_t>(period);
-    axes.value[1] = (250 + 3 * period) % 256;
+    axes.value[1] = (65530 + 3 * period) % 65536;
     spoil(*this);
     return now;
   }
@@ -432,7 +432,7 @@ struct bench_device_port {
     ++of->released;
     of->told = {0, 0};
   }
-  int counter_bits() const noexcept { return 8; }
+  int counter_bits() const noexcept { return 16; }
 };
 struct bench_device_sensor {
   static constexpr int channel_count = 3;
@@ -522,7 +522,7 @@ TEST_F(record_on_bench, lets_the_brake_settle_under_the_first_current) {
   EXPECT_NEAR(all.front().time, 0.0005, 1e-12);
   EXPECT_EQ(all[0].current, 0.7);
   EXPECT_EQ(all[1].current, 0.2);
-  EXPECT_EQ(all[0].position, 283) << "counts, past wraps";
+  EXPECT_EQ(all[0].position, 65563) << "counts, past wraps";
 }
 
 TEST_F(record_on_bench, ends_with_the_brakes_released_and_the_name_of_what_was_wrong) {
@@ -577,7 +577,7 @@ TEST_F(record_on_bench, has_limits_of_its_own) {
               else d.felt = ph::port_status::ok;
             }),
             "force sensor: no sample: the test ended, the brake is released");
-  p.hold_over = 0.02;    // before the counter comes round
+  p.hold_over = 0.02;
   p.largest_rate = 500;  // and two counts
   EXPECT_EQ(error_of([](bench_device&) {}), "encoder 2: jumped: the test ended, the brake is released");
 }

@@ -86,7 +86,7 @@ class line_through_the_test {
   bytes disturbed(bytes b) {
     if (!disturbed_ || b.empty()) return b;
     for (auto& one : b)
-      if (random_() % 200 == 0) one = static_cast<std::uint8_t>(one ^ 1u << random_() % 8);
+      if (random_() % 400 == 0) one = static_cast<std::uint8_t>(one ^ 1u << random_() % 8);
     for (auto n = random_() % 30; n > 0; --n, ++noise_) b.push_back(static_cast<std::uint8_t>(random_()));
     return b;
   }
@@ -283,6 +283,7 @@ TEST_F(an_emulated_board, is_driven_through_garbage_on_the_line) {
   send(SIGINT);
   const outcome o = end();
   EXPECT_EQ(o.status, 0) << o.out << o.err;
+  EXPECT_TRUE(has(o.out, " samples rejected (")) << o.out;
   EXPECT_TRUE(board_is_free());
   expect_within_the_limit();
 }

@@ -8,7 +8,7 @@
 
 namespace passive_haptics {
 
-/// A device takes its samples at equal times. Where a port stamps them when they arrive, a late one is soon
+/// A device takes its samples at equal times. If a port stamps them when they arrive, a late one is soon
 /// followed by the next. A rate made of such times is wrong by the lateness: see device_clock.
 class arrival_check {
  public:
@@ -24,7 +24,7 @@ class arrival_check {
     if (spacing_.is_short(spacing)) ++short_;
   }
 
-  /// The share of samples that came less than half of the usual spacing after the one before, 0 to 0.5 or so.
+  /// The share of samples that came less than about half of the usual spacing after the one before, 0 to 1.
   double share() const noexcept {
     return samples_ < 2 ? 0 : static_cast<double>(short_) / static_cast<double>(samples_ - 1);
   }

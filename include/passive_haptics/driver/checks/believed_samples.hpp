@@ -21,6 +21,8 @@ class believed_encoders {
 
   /// Counters of this width wrap; 0: they never do. Before the first sample.
   void set_counter_bits(int bits) noexcept { counts_.set_counter_bits(bits); }
+  /// wrap_time() of these counters [s].
+  double wrap_time() const noexcept { return counts_.wrap_time(); }
 
   /// Reads a sample at time `now` [s]; `free` says that no brake holds. What is wrong with the sample, or
   /// none.

@@ -15,7 +15,8 @@ namespace passive_haptics {
 
 /// What encoders of a device can do.
 struct encoder_limits {
-  /// Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts.
+  /// Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts. With it a counter that
+  /// wraps allows pauses up to wrap_time().
   double largest_rate = 2e5;
   /// An encoder that does not change while the others together turn so far and no brake holds is frozen
   /// [counts]; 0: never checked. A turn of 8192 counts by default; more where friction alone can hold an
@@ -34,6 +35,16 @@ struct encoder_limits {
   }
 };
 
+/// The time between two samples from which on a counter of this width may have wrapped unseen [s]:
+///
+///     (2^bits / 2 - 2) / largest_rate,
+///
+/// 2 for a count of rounding at each end. After such a pause, two different motions lead to the same counts.
+/// largest_rate in counts/s. Infinite if bits is 0: the counter never wraps.
+inline double wrap_time(int bits, double largest_rate) noexcept {
+  return bits > 0 ? (std::ldexp(0.5, bits) - 2) / largest_rate : std::numeric_limits<double>::infinity();
+}
+
 /// Follows N encoders from sample to sample.
 template <int N>
 class encoder_check {
@@ -44,10 +55,15 @@ class encoder_check {
   explicit encoder_check(const encoder_limits& limits) : limits_(require_valid(limits)) {}
 
   /// Counters of this width wrap; 0: they never do. Before the first sample.
-  void set_counter_bits(int bits) noexcept { turn_ = bits > 0 ? std::ldexp(1.0, bits) : 0.0; }
+  void set_counter_bits(int bits) noexcept {
+    turn_ = bits > 0 ? std::ldexp(1.0, bits) : 0.0;
+    wrap_time_ = passive_haptics::wrap_time(bits, limits_.largest_rate);
+  }
+  /// wrap_time() of these counters [s].
+  double wrap_time() const noexcept { return wrap_time_; }
 
   /// Takes a sample; `free` says that no brake holds. A fault: the sample was not taken, or an encoder froze,
-  /// which stays so.
+  /// which stays so, as does a counter that may have wrapped unseen since the last sample taken.
   fault_record operator()(const port_sample<N>& sample, bool free) noexcept {
     for (std::size_t i = 0; i < sample.value.size(); ++i)
       if (!in_range(sample.value[i]))
@@ -56,8 +72,10 @@ class encoder_check {
       start(sample);
       return {};
     }
+    const double elapsed = std::max(0.0, sample.time - last_.time);
+    if (!(elapsed < wrap_time_)) return {fault::counter_wrapped, fault_source::encoders};
     // Nobody saw where the device went between two samples, but a sample that jumped was seen
-    if (!jumped_) unseen_ = std::max(0.0, sample.time - last_.time);
+    if (!jumped_) unseen_ = elapsed;
     jumped_ = true;
     counts moved;
     const double furthest = limits_.largest_rate * unseen_ + 2;  // a count of rounding at each end
@@ -98,7 +116,8 @@ class encoder_check {
   }
 
   encoder_limits limits_;
-  double turn_ = 0;  // counts until the counter wraps
+  double turn_ = 0;                                             // counts until the counter wraps
+  double wrap_time_ = std::numeric_limits<double>::infinity();  // [s]
   bool started_ = false;
   bool jumped_ = false;  // the sample before this one
   double unseen_ = 0;    // [s]

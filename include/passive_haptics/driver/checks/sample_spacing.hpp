@@ -6,22 +6,23 @@
 
 namespace passive_haptics {
 
-/// The mean of about the last 16 spacings of samples [s]. A pause counts as eight times the mean at most:
-/// then the mean rises by less than a half, and samples after the pause are not taken for nearly
-/// simultaneous. Bursts of up to eight samples are found.
+/// The mean of about the last 256 spacings of samples [s], which bursts of up to 32 samples change by 10 % at
+/// most. A pause counts as 20 ms at most, or 16 times the mean if that is longer, so that samples at 1 kHz
+/// are not taken for nearly simultaneous after a pause.
 class sample_spacing {
  public:
   /// A spacing > 0 [s].
   void add(double spacing) noexcept {
-    count_ = std::min(count_ + 1, 16.0);
-    const double counted = count_ > 1 ? std::min(spacing, 8 * mean_) : spacing;
-    mean_ += (counted - mean_) / count_;
+    count_ = std::min(count_ + 1, 256.0);
+    mean_ += (std::min(spacing, std::max(16 * mean_, longest_burst)) - mean_) / count_;
   }
-  /// Whether two samples with this spacing [s] are nearer in time than half of the mean: their times may be
-  /// those of their arrival, and no rate is to be made of the two alone.
-  bool is_short(double spacing) const noexcept { return spacing < 0.5 * mean_; }
+  /// Whether n spacings took so little time [s] that these may be times of arrival: about half of n times the
+  /// mean. No rate is to be made of such samples alone.
+  bool is_short(double time, int n = 1) const noexcept { return time < 0.55 * n * mean_; }
 
  private:
+  static constexpr double longest_burst = 0.020;  // [s]; an FTDI adapter waits for 16 ms by default
+
   double mean_ = 0, count_ = 0;
 };
 

@@ -1,0 +1,50 @@
+/// @file
+/// The period of a loop.
+#pragma once
+
+#include <passive_haptics/core/text.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace passive_haptics {
+
+/// The period of a loop [s]: the given one, or the median of its first spacings, which no single pause
+/// changes.
+class loop_period {
+ public:
+  /// given [s]; 0: it is measured.
+  explicit loop_period(double given) : given_(given) {}
+
+  /// The time since the cycle before [s].
+  void add(double spacing) noexcept {
+    if (count_ < spacings_.size()) spacings_[count_++] = spacing;
+  }
+  /// The period [s]; 0 if none was given and there is no spacing yet.
+  double value() const noexcept {
+    if (given_ > 0 || count_ == 0) return given_;
+    auto sorted = spacings_;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count_ / 2);
+    std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(count_));
+    return *middle;
+  }
+  /// Error text if a counter of this width can wrap unseen within the period; empty otherwise.
+  std::string error(double wrap_time, int counter_bits) const {
+    if (value() < wrap_time) return {};
+    return detail::error_text(
+        "period [s]", value(),
+        detail::indexed("less than ", wrap_time, ", within which a counter of ") +
+            detail::indexed(
+                "", counter_bits,
+                " bits can wrap unseen: shorten it, lower encoders.largest_rate or use a wider counter"));
+  }
+
+ private:
+  double given_;
+  std::array<double, 20> spacings_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace passive_haptics

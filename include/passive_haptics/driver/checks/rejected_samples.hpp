@@ -1,0 +1,73 @@
+/// @file
+/// The share of a device's samples that are rejected.
+#pragma once
+
+#include <passive_haptics/driver/fault.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace passive_haptics {
+
+/// The samples that arrived, and those that were rejected: damaged, invalid, out of range or a jump. A loose
+/// plug spoils every second sample, and `hold_over` bridges each of them.
+class rejected_samples {
+ public:
+  static constexpr double largest_share = 0.25;  ///< From this share on a device is not to be trusted.
+
+  /// hold_over [s]: a tenth of the time that is_too_many() looks back.
+  explicit rejected_samples(double hold_over) : part_(hold_over) {}
+
+  /// The result of a read at time `now` [s]. It does not count if no new sample arrived.
+  void add(fault found, double now) noexcept {
+    if (found == fault::sample_missing || found == fault::sample_repeated) return;
+    double passed = std::floor((now - begin_) / part_);
+    if (!(std::abs(passed) < parts)) {  // the first sample, the first after a pause, or the clock jumped
+      begun_ = 0;
+      begin_ = now - part_;
+      passed = 1;
+    }
+    for (; passed > 0; --passed) {
+      tally& oldest = recent_[begun_++ % parts];
+      sum_.arrived -= oldest.arrived;
+      sum_.rejected -= oldest.rejected;
+      oldest = {};
+      begin_ += part_;
+    }
+    for (tally* const t : {&all_, &sum_, &recent_[(begun_ - 1) % parts]}) {
+      ++t->arrived;
+      t->rejected += rejects_sample(found);
+    }
+  }
+
+  /// True if at least a quarter of the samples of about the last ten `hold_over` were rejected; false until
+  /// samples have arrived for so long.
+  bool is_too_many() const noexcept {
+    return begun_ >= parts &&
+           static_cast<double>(sum_.rejected) >= largest_share * static_cast<double>(sum_.arrived);
+  }
+  /// The share of all samples that was rejected, 0 to 1.
+  double share() const noexcept {
+    return all_.arrived == 0 ? 0 : static_cast<double>(all_.rejected) / static_cast<double>(all_.arrived);
+  }
+  /// All samples that arrived.
+  std::uint64_t arrived() const noexcept { return all_.arrived; }
+  /// Those of them that were rejected.
+  std::uint64_t rejected() const noexcept { return all_.rejected; }
+
+ private:
+  static constexpr std::size_t parts = 10;
+  struct tally {
+    std::uint64_t arrived = 0, rejected = 0;
+  };
+
+  double part_;                                              // [s]
+  double begin_ = -std::numeric_limits<double>::infinity();  // of the newest part [s]
+  std::size_t begun_ = 0;                                    // parts since the first sample or a pause
+  std::array<tally, parts> recent_{};
+  tally sum_, all_;  // of the recent parts, and of all samples
+};
+
+}  // namespace passive_haptics
