@@ -92,7 +92,7 @@ class safe_port {
   port_state write(const currents& wanted) noexcept {
     if (state_ == port_state::closed) return state_;
     const auto invalid =
-        std::ranges::find_if_not(wanted, [](double x) { return std::isfinite(x) && x >= 0; });
+        std::find_if_not(wanted.begin(), wanted.end(), [](double x) { return std::isfinite(x) && x >= 0; });
     if (holds() && invalid != wanted.end())
       fail({fault::current_not_valid, fault_source::brakes, static_cast<int>(invalid - wanted.begin())});
     currents asked{};

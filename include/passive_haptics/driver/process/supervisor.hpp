@@ -86,7 +86,7 @@ class supervisor {
   /// False where the supervisor released the brakes, or has not been seen for 0.1 s, or for `timeout` where
   /// that is longer: release them here, too, from where it began().
   bool beat(double now, const currents& flowing) noexcept {
-    if (std::ranges::all_of(flowing, [](double current) { return std::isfinite(current); })) {
+    if (std::all_of(flowing.begin(), flowing.end(), [](double current) { return std::isfinite(current); })) {
       store(shared_->flowing, flowing);
       shared_->beats.fetch_add(1, std::memory_order_release);
     }
