@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/control/step_options.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/mechanism/self_motion.hpp>
 #include <passive_haptics/scene/shape.hpp>
@@ -31,6 +32,8 @@ struct brake_situation {
   const brake_vector<M>& s;           ///< Signs of the brakes: s_i t_i <= 0. Of one-way brakes signs_within.
   const task_vector<M>& hand_force;   ///< Fh [N]; zero where the state has none.
   const brake_vector<M>& th;          ///< What the hand does to each brake at rest [N m].
+  const step_options<typename M::scalar>&
+      options;  ///< Of the controller; a law that approximates obeys them.
 };
 
 /// What a law sees of one contact.

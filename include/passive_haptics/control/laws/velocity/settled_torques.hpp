@@ -41,7 +41,7 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
   brake_set held;
   if (count == 1) {
     const auto unit = display_form<M>::nearest_at(device, landed, now, demands[0].normal,
-                                                  step_options<T>().min_cosine, start.held);
+                                                  device.options.min_cosine, start.held);
     held = unit.held;
     const vector<T, m> bound = passive_haptics::torque_bounds_of(device.brakes, unit.torque);
     const auto largest =
