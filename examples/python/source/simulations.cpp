@@ -215,7 +215,8 @@ void bind_simulations(py::module_& module) {
       "each time step (else none): time [s], depth [m], position [m], velocity [m/s], rates of the brakes, "
       "brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control cycle "
       "capacity [N m], alpha, outcome, power, display, saturated and wall_number. The device and the "
-      "controller go on from where they are. Ctrl-C ends it.");
+      "controller go on from where they are; time begins at 0, so reset() a controller that has run before. "
+      "Ctrl-C ends it.");
 }
 
 }  // namespace passive_haptics_python

@@ -80,6 +80,7 @@ PASSIVE_HAPTICS_PART Result run_cycle(const Setup& setup, status parameters, S& 
                                       Memory& memory) {
   namespace ph = passive_haptics;
   status given = ph::check_state<typename Setup::mechanism_type>(state);
+  if (given == status::ok) given = ph::check_time(state.time, memory);
   if (given == status::ok) given = parameters;
   return given == status::ok ? ph::cycle<Result>(setup, scene, state, memory)
                              : ph::released<Result>(setup, state.time, given, memory);

@@ -5,6 +5,7 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/control/rising_time.hpp>
 #include <passive_haptics/control/step_options.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/status.hpp>
@@ -23,11 +24,18 @@ struct approximation_start {
   unsigned held = 0;                  ///< n > d: the brakes that come to rest, a bit for each; 0: none known.
 };
 
+namespace detail {
+// In place of a time that is not compared.
+struct any_time {};
+}  // namespace detail
+
 /// What a step remembers; start a motion with a fresh one.
 template <class L>
 struct step_memory {
   [[no_unique_address]] law_memory<L> law = {};  ///< The law's own part.
   approximation_start start = {};                ///< Where the next approximation begins.
+  /// Of the last cycle, if the law uses time differences.
+  [[no_unique_address]] std::conditional_t<needs_rising_time<L>, rising_time, detail::any_time> time = {};
 };
 
 /// What stays from cycle to cycle, but for the scene and the memory: owned by a controller, given to step().
@@ -115,6 +123,13 @@ status check_state(const State& state) {
     finite = all_finite(state.q, state.qd, state.hand_force, state.time);
   else finite = all_finite(state.q, state.qd, state.time);
   return finite ? status::ok : status::state_not_finite;
+}
+
+/// Whether the time of a state [s] rises, for a law that uses time differences. It is remembered.
+template <class L>
+status check_time([[maybe_unused]] double time, [[maybe_unused]] step_memory<L>& memory) {
+  if constexpr (needs_rising_time<L>) return memory.time.next(time);
+  else return status::ok;
 }
 
 namespace detail {

@@ -94,9 +94,9 @@ struct no_observer {
 ///
 /// control(device_state<M>) is called once a control period with what encoders and force sensor read, the
 /// first time at once, and returns a step_result<M>, or any default-constructible value with a
-/// brake_vector<M> `capacity`. observe(wall_following_sample) is called once a time step. Depth and figures
-/// are the true ones, not those read. Throws std::invalid_argument with the text of validate(parameters), or
-/// if there is no watched_brake.
+/// brake_vector<M> `capacity`. Time begins at 0: call reset() of a controller that has run before.
+/// observe(wall_following_sample) is called once a time step. Depth and figures are the true ones, not those
+/// read. Throws std::invalid_argument with the text of validate(parameters), or if there is no watched_brake.
 template <class M, class Model, class Shape, class Control, class Observer = detail::no_observer>
 contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,
