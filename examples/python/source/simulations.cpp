@@ -154,7 +154,8 @@ void bind_device(py::module_& module) {
           "advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None\n\nOne time step dt "
           "[s] "
           "under commanded capacities [N m] and the force that the hand's muscles exert [N]. No time passes "
-          "where dt is not a finite number > 0.")
+          "where dt is not a finite number > 0. A dt over twice the time constants of the hand's spring and "
+          "damper makes the motion grow until it is NaN.")
       .def(
           "set_motion",
           [](S& s, py::handle q, py::handle qd) {

@@ -752,7 +752,7 @@ class simulated_device(metaclass=_class):
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     def advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None:
-        """One time step dt [s] under commanded capacities [N m] and the force that the hand's muscles exert [N]. No time passes where dt is not a finite number > 0."""
+        """One time step dt [s] under commanded capacities [N m] and the force that the hand's muscles exert [N]. No time passes where dt is not a finite number > 0. A dt over twice the time constants of the hand's spring and damper makes the motion grow until it is NaN."""
     @property
     def brake_force(self) -> Array:
         """The force at the handle that does what these torques do [N]."""
