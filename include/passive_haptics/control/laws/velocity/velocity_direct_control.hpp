@@ -50,19 +50,17 @@ namespace passive_haptics {
 /// of the slowest brake. A contact held by a slow virtual environment is carried on to second order from
 /// where it was sensed; with a margin it is known in time.
 ///
-/// Needs the hand force, the inertia, the brakes' lag, the place at which each contact was sensed and a time
-/// that rises from cycle to cycle. Cost: a Cholesky of n x n; one more solution with
+/// Needs the hand force, the inertia and the brakes' lag. Cost: a Cholesky of n x n; one more solution with
 /// it where a brake is at rest; for several walls a prioritised least squares.
 class velocity_direct_control {
  public:
-  static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
-  static constexpr bool needs_dynamics = true;    ///< Needs the inertia of the mechanism.
-  static constexpr bool needs_brake_lag = true;   ///< Needs the brakes' time constants.
-  static constexpr bool needs_sensed_at = true;   ///< Carries a held contact on to where the handle is now.
-  static constexpr bool needs_rising_time =
-      true;                                       ///< Integrates and low-passes over the time between cycles.
-  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
-  static constexpr int most_contacts = 8;         ///< Walls that it remembers at once.
+  static constexpr bool needs_hand_force = true;   ///< Needs a force sensor at the handle.
+  static constexpr bool needs_dynamics = true;     ///< Needs the inertia of the mechanism.
+  static constexpr bool needs_brake_lag = true;    ///< Needs the brakes' time constants.
+  static constexpr bool needs_sensed_at = true;    ///< Carries a held contact on to where the handle is now.
+  static constexpr bool needs_rising_time = true;  ///< Integrates over the time between cycles.
+  static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
+  static constexpr int most_contacts = 8;          ///< Walls that it remembers at once.
 
   /// Of one wall.
   struct contact_state {
