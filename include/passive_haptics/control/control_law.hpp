@@ -90,12 +90,10 @@ using law_memory = typename detail::memory_of<L>::type;
 ///     space, faults), so that the law can follow what was commanded;
 ///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag, needs_torque_limit`: what it
 ///     reads of the state, the mechanism and the brakes. False where they are not named;
-///   - `static constexpr bool needs_sensed_at`: it reads contact::sensed_at. A contact without it ends a
-///   cycle
-///     with status::contact_invalid;
-///   - `static constexpr bool needs_rising_time`: it uses time differences. A cycle that is not later than
-///   the
-///     one before ends with status::time_not_rising, also in free space;
+///   - `static constexpr bool needs_sensed_at`: it reads contact::sensed_at. A contact without it is a fault,
+///     status::contact_invalid;
+///   - `static constexpr bool needs_rising_time`: it uses time differences. A cycle that is no later than the
+///     one before is a fault, status::time_not_rising, also in free space;
 ///   - `double margin(const B& brakes) const noexcept`: how far off a wall it needs its contact [m], >= 0.
 ///     From there on a scene that can (SeesAhead) gives it, with a depth < 0 until the touch. Where more
 ///     than most_contacts are so near, the law gets those that are touched;

@@ -12,9 +12,9 @@
 namespace passive_haptics {
 
 /// Options of a step; made once, outside the loop. Every ScalingLaw obeys them. A TorqueLaw gets them
-/// (brake_situation::options) and obeys what concerns it: on_off_control both, velocity_direct_control the
-/// angle if it approximates forces (n > d). The angle is that of one wall; forces of several walls are met
-/// together, without a cut-off.
+/// (brake_situation::options); on_off_control obeys them, and velocity_direct_control if it approximates
+/// forces (n > d). The others choose the torque of each brake themselves. Both options are those of one wall:
+/// forces of several walls are met together, within all limits and without a cut-off.
 template <class T>
 struct step_options {
   /// The defaults of approximation_parameters; torques keep their direction at a limit.

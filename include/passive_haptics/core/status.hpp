@@ -21,8 +21,7 @@ enum class status {
   out_of_reach,        ///< No pose of the mechanism reaches the point.
   too_many_contacts,   ///< More walls are touched at once than the law takes (most_contacts).
   scene_stale,         ///< The scene of another thread is older than its user allows.
-  time_not_rising,  ///< Time stood still or went back since the last cycle, under a law or an observer that
-                    ///< uses time differences.
+  time_not_rising,     ///< Time stood still or went back, under a law or an observer of time differences.
 };
 
 /// The status in words, for a log or a message.

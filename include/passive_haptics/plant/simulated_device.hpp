@@ -140,8 +140,8 @@ class simulated_device {
   const brake_vector<M>& brake_power() const { return brake_power_; }
   /// What the brakes could hold at rest now by command [N m], without residual friction.
   const brake_vector<M>& brake_strength() const { return strength_; }
-  /// Lower bound of the mass that a force at the handle moves, device and hand [kg], here and now: 1 / |J
-  /// M^-1 J^T|, at most sqrt(d) below the mass in the lightest direction.
+  /// Lower bound of the mass that a force at the handle moves, device and hand [kg], here and now:
+  /// 1 / |J M^-1 J^T|. The mass in the lightest direction is at most sqrt(d) times larger.
   scalar min_mass() const {
     const cholesky<scalar, M::dof> inverse_mass(mass_);
     return scalar(1) / (J_ * inverse_mass.solve(transposed(J_))).norm();

@@ -140,13 +140,13 @@ class measured_loop {
   }
 
   brake_vector<M> cycle(State& state) {
-    auto result = answer(state);
+    auto result = decide(state);
     benchmark::DoNotOptimize(result);  // all of it: a loop may log any part
     return result.capacity;
   }
 
   /// States come round and round: their time is made to rise where the law uses time differences.
-  auto answer(State& state) {
+  auto decide(State& state) {
     if constexpr (needs_rising_time<L>) state.time = time_ += 1e-3;
     return control_(state);
   }
@@ -154,7 +154,7 @@ class measured_loop {
   /// A cycle that ends with a fault ends early: its time would mislead.
   bool faulty(benchmark::State& run) {
     for (std::size_t k = 0; k < states_.size(); ++k) {
-      if (const status s = answer(states_[k]).outcome; s != status::ok) {
+      if (const status s = decide(states_[k]).outcome; s != status::ok) {
         const std::string text = "state " + std::to_string(k) + " gives the fault '" +
                                  std::string(to_string(s)) + "'; give states with outcome ok";
         run.SkipWithError(text.c_str());

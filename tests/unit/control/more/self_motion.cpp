@@ -92,13 +92,14 @@ TEST(self_motion, of_arms_with_inertia_leaves_the_wall_at_first) {
   EXPECT_LT(share_without_wall("4R, inertial, without rotors", ph::inertial(planar_arm<4>(0))), 0.05);
 }
 
-// A narrower angle leaves fewer states with a force.
-TEST(self_motion, obeys_the_largest_angle_under_velocity_direct_control) {
+// A narrower angle leaves fewer states with a force; brakes cut one by one make more.
+TEST(self_motion, obeys_the_options_under_velocity_direct_control) {
   using M = arm<3>;
   std::mt19937_64 engine(20040627);
   std::normal_distribution<double> gauss;
   const ph::step_options<double> narrow(ph::approximation_parameters<double>{ph::radians(5.0)});
-  int cut_off = 0, displayed = 0;
+  const ph::step_options<double> each({}, ph::saturation::clamp_each);
+  int cut_off = 0, displayed = 0, larger = 0;
   for (int k = 0; k < 200; ++k) {
     ph::device_state<M> state;
     state.time = 0;
@@ -115,13 +116,17 @@ TEST(self_motion, obeys_the_largest_angle_under_velocity_direct_control) {
                       ph::velocity_direct_control(), state, memory, options)
           .capacity;
     };
-    const bool is_displayed = !capacity({}).isZero(0), is_near = !capacity(narrow).isZero(0);
+    const ph::vector<double, 3> usual = capacity({}), more = capacity(each);
+    EXPECT_TRUE((more.array() >= usual.array()).all() && (more.array() <= 1).all()) << k;
+    larger += more != usual;
+    const bool is_displayed = !usual.isZero(0), is_near = !capacity(narrow).isZero(0);
     EXPECT_TRUE(is_displayed || !is_near) << k;
     cut_off += is_displayed && !is_near;
     displayed += is_near;
   }
   EXPECT_GT(cut_off, 20);
   EXPECT_GT(displayed, 20);
+  EXPECT_GT(larger, 5);
 }
 
 // On-off control displays what no_direct_control does.

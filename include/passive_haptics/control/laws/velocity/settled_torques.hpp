@@ -50,6 +50,9 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
     all.largest[0] = is_displayed(unit.display) ? largest.minCoeff() : T(0);
     all.made[0] = std::min(demands[0].force, all.largest[0]);
     all.capacity = all.made[0] * unit.torque.cwiseAbs();
+    if (device.options.limits == saturation::clamp_each)
+      for (int i = 0; i < m; ++i)  // a force that is NaN stays
+        all.capacity[i] = std::min(demands[0].force * std::abs(unit.torque[i]), bound[i]);
   } else {
     const auto settled =
         display_form<M>::template signs_at<Capacity>(device, landed, now, demands, count, start.held);
