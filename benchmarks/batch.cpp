@@ -105,7 +105,6 @@ std::vector<ph::device_state<M>> draw(const M& mechanism, const Wall& wall, doub
   std::vector<ph::device_state<M>> found;
   while (found.size() < state_count) {
     ph::device_state<M> s;
-    s.time = 0;
     for (int i = 0; i < M::dof; ++i) {
       s.q[i] = random.uniform(T(-2), T(2));
       s.qd[i] = (random.uniform(0.0, 1.0) < 0.3 ? T(0.01) : T(1)) * random.uniform(T(-1), T(1));
@@ -118,6 +117,7 @@ std::vector<ph::device_state<M>> draw(const M& mechanism, const Wall& wall, doub
   // In random order
   for (std::size_t k = state_count; k-- > 1;)
     std::swap(found[k], found[std::size_t(random.uniform(0.0, double(k + 1)))]);
+  for (std::size_t k = 0; k < state_count; ++k) found[k].time = 1e-3 * double(k);
   return found;
 }
 
@@ -154,10 +154,12 @@ void add(const std::string& name, const M& mechanism, const L& law, double deep,
   using command = ph::brake_command<M>;
   using result = typename decltype(single)::result_type;
   add_pass("single", [data, single, got = std::vector<command>(state_count)]() mutable {
+    single.reset();
     for (std::size_t k = 0; k < state_count; ++k) got[k] = single.command(data->states[k]);
     benchmark::DoNotOptimize(got.data());
   });
   add_pass("account", [data, single, got = std::vector<result>(state_count)]() mutable {
+    single.reset();
     for (std::size_t k = 0; k < state_count; ++k) got[k] = single(data->states[k]);
     benchmark::DoNotOptimize(got.data());
   });

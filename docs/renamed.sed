@@ -13,7 +13,6 @@ s#\bbrake/models/eddy_current_brake\.hpp#plant/brakes/eddy_current_brake.hpp#g
 s#\bbrake/models/magnetorheological_brake\.hpp#plant/brakes/magnetorheological_brake.hpp#g
 s#\bbrake/models/stribeck_brake\.hpp#plant/brakes/stribeck_brake.hpp#g
 s#\bbrake/models/first_order_lag\.hpp#core/scalar/first_order_lag.hpp#g
-s#\bcontrol/step_options\.hpp#control/cycle_inputs.hpp#g
 s#\bcore/unrolled\.hpp#core/flatten.hpp#g
 s#\bcore/linear/orthogonalisation\.hpp#core/linear/orthogonal_decomposition.hpp#g
 s#\bscene/mesh/proxy\.hpp#scene/proxy/proxy_way.hpp#g

@@ -18,6 +18,7 @@ namespace ph = passive_haptics;
 
 constexpr unsigned seed = 20040627;
 constexpr int inputs = 64;
+constexpr double period = 1e-3;    // of the cycles [s]
 constexpr double stiffness = 1e3;  // [N/m]
 const ph::point<2> normal(0.6,
                           0.8);  // slanted: some forces are displayed exactly, some nearly, some not at all
@@ -54,7 +55,7 @@ std::vector<State> states() {
   std::vector<State> all(inputs);
   for (int k = 0; k < inputs; ++k) {
     State& s = all[static_cast<std::size_t>(k)];
-    s.time = 0;
+    s.time = k * period;
     s.q = 1.2 * random.direction<double, n>();
     s.qd = random.direction<double, n>();
     if (k % 8 == 0) s.qd[k / 8 % n] = 0;
@@ -76,7 +77,10 @@ template <class State, class M, class Brakes, class Scene, class Law>
 row cycles(const M& mechanism, const Brakes& brakes, const Scene& scene, const Law& law) {
   ph::controller control(mechanism, brakes, scene, law);
   return [all = states<State, M>(), control]() mutable {
-    for (const State& s : all) use(control.command(s));
+    for (State& s : all) {
+      if constexpr (ph::needs_rising_time<Law>) s.time += inputs * period;
+      use(control.command(s));
+    }
   };
 }
 

@@ -33,10 +33,11 @@ int main() {
   ph::switchable_brakes<device> some = brakes;  // all on
   some.switch_off(1);                           // brake 2 makes no torque; or make_positive, make_negative
   ph::controller clutched(arm, some, wall, ph::velocity_direct_control());
-  const ph::device_state<device> state{0, q, {-0.3, 0.1}, {0, 2}};
+  ph::device_state<device> state{0, q, {-0.3, 0.1}, {0, 2}};
   const bool released = clutched(state).capacity[1] == 0;
   some.switch_on(1);
   clutched.set_brakes(some);  // from the next cycle on
+  state.time += 1e-3;
 
   const ph::sensorless_device_state<device> blind{0, q, {-0.3, 0.1}};
   // Signs and torques of brakes at rest by the arm's inertia, in each cycle

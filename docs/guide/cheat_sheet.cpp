@@ -23,7 +23,8 @@ int main() {
   state.qd = {-0.36, 0.41};                                  // [rad/s]
   state.hand_force = {0.8, 1.5};                             // [N]
   const auto all = control(state);
-  const auto only = control.command(state);  // the same capacities and outcome, faster
+  state.time += 1e-3;
+  const auto only = control.command(state);  // the next cycle: capacities and outcome alone, faster
   std::cout << all.capacity.transpose() << " N m, " << to_string(all.outcome) << ", " << display_text(all)
             << ", alpha " << all.alpha << "\n";
 
@@ -40,6 +41,7 @@ int main() {
   // Without hardware
   const ph::following_hand<double, 2> hand({1, 0}, arm.position(state.q));
   ph::simulated_device<device> simulated(arm, brakes, hand.parameters().mass, state.q);
+  control.reset();  // a motion of its own, which begins at time 0
   const auto figures = ph::follow_wall(simulated, control, plane, hand, {.path_end = 0.05});
   std::cout << figures.separations << " separations\n";
 

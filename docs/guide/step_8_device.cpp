@@ -85,7 +85,8 @@ int main() {
       [&](const ph::loop_cycle& now) {
         port.read(now.time);
         port.activate();  // a real program homes and tares before
-        const auto state = calibration.state(port.position_time(), port.position(), port.force());
+        auto state = calibration.state(port.position_time(), port.position(), port.force());
+        state.time = now.time;  // of this cycle: the sample may be that of the cycle before
         port.write(calibration.currents(control(state).capacity));
         deepest = std::max(deepest, hardware.device.position()[1] - wall);
         return now.number < 500;

@@ -19,6 +19,7 @@ namespace {
 
 constexpr unsigned seed = 20040627;
 constexpr int inputs = 64, rounds = 100;
+constexpr double period = 1e-3;  // of the cycles [s]
 
 using row = std::function<void()>;  // one pass over the inputs
 
@@ -38,7 +39,7 @@ std::vector<ph::device_state<M>> random_states(const M& mechanism) {
   std::vector<ph::device_state<M>> states;
   while (states.size() < inputs) {
     ph::device_state<M> s;
-    s.time = 1e-3 * static_cast<double>(states.size());
+    s.time = period * static_cast<double>(states.size());
     s.q = T(1.2) * random.direction<T, n>();
     s.qd = random.direction<T, n>();
     s.hand_force = T(2) * random.direction<T, d>();
@@ -50,10 +51,10 @@ std::vector<ph::device_state<M>> random_states(const M& mechanism) {
 // Everything lies behind the walls, or nothing.
 template <account Account = account::whole, class Law = ph::direct_control, class M, class... Walls>
 row cycles(const M& mechanism, const Walls&... walls) {
-  const auto states = random_states(mechanism);
   ph::controller control(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(walls, 1e3)...), Law());
-  return [states, control]() mutable {
-    for (const auto& s : states) {
+  return [states = random_states(mechanism), control]() mutable {
+    for (auto& s : states) {
+      if constexpr (ph::needs_rising_time<Law>) s.time += inputs * period;
       if constexpr (Account == account::whole) use(control(s));
       else use(control.command(s));
     }

@@ -333,6 +333,7 @@ TEST(explorer, a_simulation_takes_other_settings_while_it_runs) {
   EXPECT_NEAR(value_of(simulation->row(), "x")[0], x[0], 1e-3);
   EXPECT_EQ(simulation->cycles(), 101);
   EXPECT_THROW(simulation->set(settings("hand=along\nscene=none")), std::invalid_argument);
+  EXPECT_THROW(simulation->set(settings("hand.damping=1e5")), std::invalid_argument) << "of 0.1 ms a step";
 }
 
 TEST(explorer, the_outline_of_a_convex_body_is_a_convex_polygon) {

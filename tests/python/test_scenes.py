@@ -261,3 +261,13 @@ def test_large_meshes_have_a_short_repr():
     assert strided == mesh and pickle.loads(pickle.dumps(mesh)) == mesh
     mesh.vertices[:] = 0  # of a copy
     assert strided == mesh
+
+
+@pytest.mark.parametrize("law, again", [(ph.velocity_direct_control(), ph.status.time_not_rising), (ph.direct_control(), ph.status.ok)])
+def test_a_time_that_stands_still_is_a_fault_under_a_law_that_uses_differences(law, again):
+    arm = ph.tendon_two_link()
+    wall = ph.wall(ph.half_space([0, 0.225], [0, -1]))
+    control = ph.controller(arm, arm.brakes(), ph.scene(wall), law)
+    state = ph.device_state(time=0, q=arm.inverse([0.1, 0.226])[0], qd=[0.5, -0.2], hand_force=[0.5, 2])
+    assert control(state).outcome == ph.status.ok
+    assert control(state).outcome == again

@@ -69,6 +69,7 @@ input<M> next_input(numbers& random) {
   in.wall.normal = direction<d>(random);
   in.wall.depth = random.between(1e-4, 2e-3);
   in.wall.stiffness = 1000;
+  in.wall.sensed_at.setZero();
   return in;
 }
 

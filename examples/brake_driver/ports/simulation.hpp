@@ -39,7 +39,10 @@ class simulation {
         normal_(c.first_normal),
         device_(mechanism, real_brakes(c), c.simulation.hand_mass, c.home),
         sensor_({.corner = 200, .noise = c.simulation.sensor_noise, .seed = c.simulation.seed}),
-        wire_(c.simulation.watchdog, c.simulation.wire) {}
+        wire_(c.simulation.watchdog, c.simulation.wire) {
+    const ph::following_hand<double, 2> hand({1, 0}, device_.position());
+    ph::require_no_error(ph::check_time_step(dt, hand.fastest_time_constant(device_.min_mass())));
+  }
 
   /// From now on the hand may take the handle, as a user may once taring is done.
   void let_the_hand_in() noexcept { take_hold(1, std::max(time_, p_.hand_start)); }

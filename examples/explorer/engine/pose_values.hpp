@@ -41,7 +41,7 @@ inline std::vector<std::string> brake_words() { return {"released", "slips", "ho
 /// The status in words.
 inline std::vector<std::string> status_words() {
   std::vector<std::string> all;
-  for (int k = 0; k <= int(ph::status::scene_stale); ++k) all.emplace_back(to_string(ph::status(k)));
+  for (int k = 0; k <= int(ph::status::time_not_rising); ++k) all.emplace_back(to_string(ph::status(k)));
   return all;
 }
 

@@ -30,8 +30,9 @@ class simulation_of final : public simulation {
   explicit simulation_of(const C& c)
       : c_(c),
         model_(E::make(c.mechanism)),
-        plant_(model_, c.brakes, mass(), c.top.q),
+        plant_(model_, c.brakes, mass_of(c_), c.top.q),
         meter_(way_of_meter, time_step) {
+    check_hand(c_, plant_);
     ring_.resize(std::size_t(ring_size) * std::size_t(columns_.table.size()));
     prepare();
     restart();
@@ -49,10 +50,12 @@ class simulation_of final : public simulation {
     const bool is_new = has("mechanism.") || has("brakes.") || has("hand.");
     const ph::joint_vector<M> q = plant_.q(), qd = plant_.qd();
     M model = E::make(next.mechanism);
+    ph::simulated_device<M> plant(model, next.brakes, mass_of(next), q);
+    check_hand(next, plant);
     c_ = std::move(next);
     if (is_new) {
       model_ = std::move(model);
-      plant_ = ph::simulated_device<M>(model_, c_.brakes, mass(), q);
+      plant_ = std::move(plant);
       plant_.set_motion(q, qd);
     }
     // A hand that takes over leaves the controller its memory, so that a log of both is that of one
@@ -62,7 +65,7 @@ class simulation_of final : public simulation {
   }
 
   void restart() override {
-    plant_ = ph::simulated_device<M>(model_, c_.brakes, mass(), c_.top.q);
+    plant_ = ph::simulated_device<M>(model_, c_.brakes, mass_of(c_), c_.top.q);
     plant_.set_motion(c_.top.q, c_.top.qd);
     control_ = c_.control(model_, c_.law, c_.walls());
     meter_ = ph::contact_meter(way_of_meter, time_step);
@@ -106,7 +109,17 @@ class simulation_of final : public simulation {
   static constexpr double way_of_meter =
       3;  // [s]; its settling share of it, 0.3 s, stays out of the mean depth
 
-  double mass() const { return c_.top.hand == hand_kind::along ? c_.along.mass : c_.hand.mass; }
+  static double mass_of(const C& c) { return c.top.hand == hand_kind::along ? c.along.mass : c.hand.mass; }
+
+  // Throws std::invalid_argument if the time step is too long for the hand of these settings.
+  static void check_hand(const C& c, const ph::simulated_device<M>& plant) {
+    const double moved = plant.min_mass();
+    const double fastest = c.top.hand == hand_kind::along
+                               ? ph::following_hand<double, d>(c.path.direction, plant.position(), c.along)
+                                     .fastest_time_constant(moved)
+                               : ph::fastest_time_constant(moved, c.hand.stiffness, c.hand.damping);
+    ph::require_no_error(ph::check_time_step(time_step, fastest));
+  }
 
   static bool has_only_hand(const settings& changed) {
     for (const auto& [name, value] : changed.lines())
@@ -184,7 +197,7 @@ class simulation_of final : public simulation {
 
   // Where the loop of a closed chain can no longer be closed: at rest at the last pose that is one.
   void stop_at(const ph::joint_vector<M>& q) {
-    plant_ = ph::simulated_device<M>(model_, c_.brakes, mass(), q);
+    plant_ = ph::simulated_device<M>(model_, c_.brakes, mass_of(c_), q);
     plant_.set_motion(q, ph::joint_vector<M>::Zero());
   }
 

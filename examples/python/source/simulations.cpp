@@ -154,7 +154,8 @@ void bind_device(py::module_& module) {
           "advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None\n\nOne time step dt "
           "[s] "
           "under commanded capacities [N m] and the force that the hand's muscles exert [N]. No time passes "
-          "where dt is not a finite number > 0.")
+          "where dt is not a finite number > 0. A dt over twice the time constants of the hand's spring and "
+          "damper makes the motion grow until it is NaN.")
       .def(
           "set_motion",
           [](S& s, py::handle q, py::handle qd) {
@@ -215,7 +216,8 @@ void bind_simulations(py::module_& module) {
       "each time step (else none): time [s], depth [m], position [m], velocity [m/s], rates of the brakes, "
       "brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control cycle "
       "capacity [N m], alpha, outcome, power, display, saturated and wall_number. The device and the "
-      "controller go on from where they are. Ctrl-C ends it.");
+      "controller go on from where they are; time begins at 0, so reset() a controller that has run before. "
+      "Ctrl-C ends it.");
 }
 
 }  // namespace passive_haptics_python

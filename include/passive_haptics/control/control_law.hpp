@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/control/step_options.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
 #include <passive_haptics/mechanism/self_motion.hpp>
 #include <passive_haptics/scene/shape.hpp>
@@ -31,6 +32,8 @@ struct brake_situation {
   const brake_vector<M>& s;           ///< Signs of the brakes: s_i t_i <= 0. Of one-way brakes signs_within.
   const task_vector<M>& hand_force;   ///< Fh [N]; zero where the state has none.
   const brake_vector<M>& th;          ///< What the hand does to each brake at rest [N m].
+  const step_options<typename M::scalar>&
+      options;  ///< Of the controller; a law that approximates obeys them.
 };
 
 /// What a law sees of one contact.
@@ -87,6 +90,10 @@ using law_memory = typename detail::memory_of<L>::type;
 ///     space, faults), so that the law can follow what was commanded;
 ///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag, needs_torque_limit`: what it
 ///     reads of the state, the mechanism and the brakes. False where they are not named;
+///   - `static constexpr bool needs_sensed_at`: it reads contact::sensed_at. A contact without it is a fault,
+///     status::contact_invalid;
+///   - `static constexpr bool needs_rising_time`: it uses time differences. A cycle that is no later than the
+///     one before is a fault, status::time_not_rising, also in free space;
 ///   - `double margin(const B& brakes) const noexcept`: how far off a wall it needs its contact [m], >= 0.
 ///     From there on a scene that can (SeesAhead) gives it, with a depth < 0 until the touch. Where more
 ///     than most_contacts are so near, the law gets those that are touched;
@@ -114,6 +121,12 @@ inline constexpr bool needs_dynamics = requires { requires L::needs_dynamics; };
 /// Whether a law reads the brakes' time constants.
 template <class L>
 inline constexpr bool needs_brake_lag = requires { requires L::needs_brake_lag; };
+/// Whether a law reads where each contact was sensed.
+template <class L>
+inline constexpr bool needs_sensed_at = requires { requires L::needs_sensed_at; };
+/// Whether a law uses time differences.
+template <class L>
+inline constexpr bool needs_rising_time = requires { requires L::needs_rising_time; };
 /// Whether a law needs to see walls before they are touched.
 template <class L, class B>
 inline constexpr bool has_margin = requires(const L law, const B brakes) { law.margin(brakes); };

@@ -43,7 +43,7 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
   const brake_vector<M> turning = ph::brake_signs(w, th, brakes);
   const auto& s = ph::signs_within(turning, brakes);
   const brake_situation<M, decltype(E), std::remove_cvref_t<decltype(brakes)>> device{
-      setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh, th};
+      setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh, th, setup.options};
 
   // Section 4, and what the mechanism will feel of it
   const auto steps = way.command(device, memory);
@@ -80,6 +80,7 @@ PASSIVE_HAPTICS_PART Result run_cycle(const Setup& setup, status parameters, S& 
                                       Memory& memory) {
   namespace ph = passive_haptics;
   status given = ph::check_state<typename Setup::mechanism_type>(state);
+  if (given == status::ok) given = ph::check_time(state.time, memory);
   if (given == status::ok) given = parameters;
   return given == status::ok ? ph::cycle<Result>(setup, scene, state, memory)
                              : ph::released<Result>(setup, state.time, given, memory);

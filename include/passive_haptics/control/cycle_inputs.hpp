@@ -5,7 +5,8 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/device_state.hpp>
-#include <passive_haptics/control/saturation.hpp>
+#include <passive_haptics/control/rising_time.hpp>
+#include <passive_haptics/control/step_options.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/status.hpp>
 #include <passive_haptics/force/approximation.hpp>
@@ -17,32 +18,24 @@
 
 namespace passive_haptics {
 
-/// Options of a step; made once, outside the loop.
-template <class T>
-struct step_options {
-  /// The defaults of approximation_parameters; torques keep their direction at a limit.
-  step_options() = default;
-  /// Throws std::invalid_argument with the text of validate(approximation).
-  explicit step_options(const approximation_parameters<T>& approximation,
-                        saturation on_limit = saturation::keep_direction)
-      : min_cosine(std::max(T(0), std::cos(require_valid(approximation).max_approximation_angle))),
-        limits(on_limit) {}
-
-  T min_cosine = T(0.0174524064372835128L);        ///< Cosine of max_approximation_angle; 0: no cut-off.
-  saturation limits = saturation::keep_direction;  ///< What gives way at a torque limit.
-};
-
 /// Where the next approximation begins.
 struct approximation_start {
   half_space_start half_spaces = {};  ///< Of the search among half-spaces.
   unsigned held = 0;                  ///< n > d: the brakes that come to rest, a bit for each; 0: none known.
 };
 
+namespace detail {
+// In place of a time that is not compared.
+struct any_time {};
+}  // namespace detail
+
 /// What a step remembers; start a motion with a fresh one.
 template <class L>
 struct step_memory {
   [[no_unique_address]] law_memory<L> law = {};  ///< The law's own part.
   approximation_start start = {};                ///< Where the next approximation begins.
+  /// Of the last cycle, if the law uses time differences.
+  [[no_unique_address]] std::conditional_t<needs_rising_time<L>, rising_time, detail::any_time> time = {};
 };
 
 /// What stays from cycle to cycle, but for the scene and the memory: owned by a controller, given to step().
@@ -130,6 +123,13 @@ status check_state(const State& state) {
     finite = all_finite(state.q, state.qd, state.hand_force, state.time);
   else finite = all_finite(state.q, state.qd, state.time);
   return finite ? status::ok : status::state_not_finite;
+}
+
+/// Whether the time of a state [s] rises, for a law that uses time differences. It is remembered.
+template <class L>
+status check_time([[maybe_unused]] double time, [[maybe_unused]] step_memory<L>& memory) {
+  if constexpr (needs_rising_time<L>) return memory.time.next(time);
+  else return status::ok;
 }
 
 namespace detail {

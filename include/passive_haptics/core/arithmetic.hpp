@@ -13,6 +13,10 @@
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(_M_FP_FAST)
 #error "passive_haptics needs IEEE arithmetic: compile this file without -ffast-math / -ffinite-math-only."
 #endif
+// These round in another way than the tolerances allow. docs/numerics.md lists flags that no header can see.
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "passive_haptics needs IEEE arithmetic: compile without -fassociative-math / -freciprocal-math."
+#endif
 
 // x87 rounds to no type's own precision: what adds 1.5 * 2^52 to round to an integer gets another number.
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16

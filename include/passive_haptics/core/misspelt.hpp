@@ -79,6 +79,13 @@ PASSIVE_HAPTICS_MISSPELT(needs_torque_limit, eeds_torque_limit, neds_torque_limi
     need_torque_limit, needstorque_limit, needs_orque_limit, needs_trque_limit, needs_toque_limit,
     needs_torue_limit, needs_torqe_limit, needs_torqu_limit, needs_torquelimit, needs_torque_imit,
     needs_torque_lmit, needs_torque_liit, needs_torque_limt, needs_torque_limi)
+PASSIVE_HAPTICS_MISSPELT(needs_sensed_at, eeds_sensed_at, neds_sensed_at, nees_sensed_at, need_sensed_at,
+    needssensed_at, needs_ensed_at, needs_snsed_at, needs_sesed_at, needs_sened_at, needs_sensd_at,
+    needs_sense_at, needs_sensedat, needs_sensed_t, needs_sensed_a)
+PASSIVE_HAPTICS_MISSPELT(needs_rising_time, eeds_rising_time, neds_rising_time, nees_rising_time,
+    need_rising_time, needsrising_time, needs_ising_time, needs_rsing_time, needs_riing_time,
+    needs_risng_time, needs_risig_time, needs_risin_time, needs_risingtime, needs_rising_ime,
+    needs_rising_tme, needs_rising_tie, needs_rising_tim)
 PASSIVE_HAPTICS_MISSPELT(nulls_normal_force, ulls_normal_force, nlls_normal_force, nuls_normal_force,
     null_normal_force, nullsnormal_force, nulls_ormal_force, nulls_nrmal_force, nulls_nomal_force,
     nulls_noral_force, nulls_norml_force, nulls_norma_force, nulls_normalforce, nulls_normal_orce,
@@ -181,6 +188,13 @@ struct law_spelling {
   static_assert(!misspells_needs_torque_limit<X>,
                 "passive_haptics: a member of the law is spelt almost as `needs_torque_limit`, which it "
                 "lacks: correct the name.");
+  static_assert(!misspells_needs_sensed_at<X>,
+                "passive_haptics: a member of the law is spelt almost as `needs_sensed_at`, which it lacks: "
+                "correct the name.");
+  static_assert(
+      !misspells_needs_rising_time<X>,
+      "passive_haptics: a member of the law is spelt almost as `needs_rising_time`, which it lacks: "
+      "correct the name.");
   static_assert(!misspells_nulls_normal_force<X>,
                 "passive_haptics: a member of the law is spelt almost as `nulls_normal_force`, which it "
                 "lacks: correct the name.");

@@ -12,7 +12,7 @@ enum class status {
   ok,                  ///< The result is valid.
   state_not_finite,    ///< NaN or infinity in time, q, qd or hand_force.
   contact_invalid,     ///< NaN or infinity in a contact, a normal that is no unit vector, a negative
-                       ///< stiffness, or k * depth overflows.
+                       ///< stiffness, or k * depth overflows. sensed_at is NaN until it is set.
   parameters_invalid,  ///< NaN, infinity or a value out of range in the brakes, the law or the options.
   pose_undefined,      ///< No finite position, Jacobian or inverse of the transmission at this pose; in
                        ///< design/ also joint positions so large (4.5e11 rad in double) that their rounding
@@ -23,17 +23,20 @@ enum class status {
   out_of_reach,        ///< No pose of the mechanism reaches the point.
   too_many_contacts,   ///< More walls are touched at once than the law takes (most_contacts).
   scene_stale,         ///< The scene of another thread is older than its user allows.
+  time_not_rising,     ///< Time stood still or went back, under a law or an observer of time differences.
 };
 
 /// The status in words, for a log or a message.
 constexpr std::string_view to_string(status s) {
   return detail::word_of(
-      s, {"ok", "NaN or infinity in the device state (its time is NaN until it is set)",
-          "a contact that is not finite, without a unit normal or of negative stiffness",
-          "invalid parameters of brakes or law, or invalid options",
-          "no finite position or Jacobian at this pose", "the law's scale is not in [0, 1]", "overflow",
-          "singular Jacobian", "out of reach", "more walls are touched at once than the law takes",
-          "the scene is out of date", "unknown status"});
+      s,
+      {"ok", "NaN or infinity in the device state (its time is NaN until it is set)",
+       "a contact that is not finite, without a unit normal or of negative stiffness (its sensed_at is "
+       "NaN until it is set)",
+       "invalid parameters of brakes or law, or invalid options",
+       "no finite position or Jacobian at this pose", "the law's scale is not in [0, 1]", "overflow",
+       "singular Jacobian", "out of reach", "more walls are touched at once than the law takes",
+       "the scene is out of date", "time stood still or went back since the last cycle", "unknown status"});
 }
 
 }  // namespace passive_haptics

@@ -6,8 +6,27 @@
 #include <passive_haptics/core/parameters.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace passive_haptics {
+
+/// Fastest time constant [s] of a mass [kg] on a spring [N/m] and a damper [N s/m], each alone.
+template <class T>
+T fastest_time_constant(T mass, T stiffness, T damping) {
+  constexpr T none = std::numeric_limits<T>::infinity();
+  return std::min(damping > T(0) ? mass / damping : none,
+                  stiffness > T(0) ? std::sqrt(mass / stiffness) : none);
+}
+
+/// Error if a simulation's time step [s] is longer than the fastest time constant [s] of hand and device:
+/// from about twice of it on the motion becomes unstable. Else empty.
+inline error_message check_time_step(double time_step, double fastest) {
+  if (!(time_step > fastest)) return {};
+  return detail::error_text("fastest time constant of hand and device [s]", fastest,
+                            "at least the time step, " + detail::value_text(time_step) +
+                                "; shorten the step, or give a softer hand or more mass");
+}
 
 /// Impedance of the hand along the wall and into it. The paper prints neither; with these the hand
 /// force stays below the paper's 2 N (Fig. 8) in the wall's normal direction.
@@ -60,7 +79,7 @@ class following_hand {
     const vector<T, D> t = tangent(n);
     const T lag = start_ + p_.speed * time - direction_.dot(x);
     const T along =
-        p_.stiffness * lag / std::max(T(0.3), t.dot(direction_)) + p_.damping * (p_.speed - v.dot(t));
+        p_.stiffness * lag / std::max(min_cosine, t.dot(direction_)) + p_.damping * (p_.speed - v.dot(t));
     const T into = p_.push + p_.normal_stiffness * (p_.target_depth - depth) + p_.normal_damping * v.dot(n);
     vector<T, D> F = along * t - into * n;
     if constexpr (D > 2) {
@@ -80,10 +99,17 @@ class following_hand {
 
   /// Way made along the intended direction at x [m].
   T progress(const vector<T, D>& x) const { return direction_.dot(x); }
+  /// Fastest time constant [s] of a mass [kg] that it moves.
+  T fastest_time_constant(T mass) const {
+    return passive_haptics::fastest_time_constant(mass,
+                                                  std::max(p_.stiffness / min_cosine, p_.normal_stiffness),
+                                                  std::max(p_.damping, p_.normal_damping));
+  }
   /// The parameters as given.
   const following_hand_parameters<T>& parameters() const { return p_; }
 
  private:
+  static constexpr T min_cosine = T(0.3);  // of the wall's slant that its pull along the wall makes up for
   following_hand_parameters<T> p_;
   vector<T, D> direction_, x0_;
   T start_;

@@ -68,7 +68,9 @@ class simulated_device {
   }
 
   /// One time step dt [s] under commanded capacities [N m] and the force [N] that the hand's muscles exert.
-  /// As of a BrakeModel, no time passes where dt is not a finite number > 0.
+  /// As of a BrakeModel, no time passes where dt is not a finite number > 0. A dt over twice the fastest time
+  /// constant of the hand (fastest_time_constant of min_mass and the hand's spring and damper) makes the
+  /// motion grow until it is NaN. The lag and drag of brakes are stable at any dt.
   void advance(scalar dt, const brake_vector<M>& capacity, const task_vector<M>& muscle_force) {
     if (valid_time_step(dt) == scalar(0)) return;
     const task_vector<M> drift = mechanism_.bias_acceleration(q_, qd_);
@@ -138,6 +140,12 @@ class simulated_device {
   const brake_vector<M>& brake_power() const { return brake_power_; }
   /// What the brakes could hold at rest now by command [N m], without residual friction.
   const brake_vector<M>& brake_strength() const { return strength_; }
+  /// Lower bound of the mass that a force at the handle moves, device and hand [kg], here and now:
+  /// 1 / |J M^-1 J^T|. The mass in the lightest direction is at most sqrt(d) times larger.
+  scalar min_mass() const {
+    const cholesky<scalar, M::dof> inverse_mass(mass_);
+    return scalar(1) / (J_ * inverse_mass.solve(transposed(J_))).norm();
+  }
   /// Where the energy came from and went since the last set_motion, or the start.
   const energy_balance& energy() const { return energy_; }
   /// The mechanism.

@@ -94,9 +94,10 @@ struct no_observer {
 ///
 /// control(device_state<M>) is called once a control period with what encoders and force sensor read, the
 /// first time at once, and returns a step_result<M>, or any default-constructible value with a
-/// brake_vector<M> `capacity`. observe(wall_following_sample) is called once a time step. Depth and figures
-/// are the true ones, not those read. Throws std::invalid_argument with the text of validate(parameters), or
-/// if there is no watched_brake.
+/// brake_vector<M> `capacity`. Time begins at 0: call reset() of a controller that has run before.
+/// observe(wall_following_sample) is called once a time step. Depth and figures are the true ones, not those
+/// read. Throws std::invalid_argument with the text of validate(parameters) or check_time_step, or if there
+/// is no watched_brake.
 template <class M, class Model, class Shape, class Control, class Observer = detail::no_observer>
 contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& control, const Shape& shape,
                             const following_hand<typename M::scalar, M::task_dimension>& hand,
@@ -105,6 +106,8 @@ contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& contro
   const wall_following_parameters& p = require_valid(parameters);
   detail::refuse_unless(p.watched_brake >= 0 && p.watched_brake < M::brake_count, "watched_brake",
                         p.watched_brake, "a brake of the device, from 0");
+  require_no_error(passive_haptics::check_time_step(
+      p.time_step, static_cast<double>(hand.fastest_time_constant(device.min_mass()))));
   constexpr int d = M::task_dimension;
   force_sensor<T, d> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed, p.sensor_scale});
   contact_meter meter(p.path_end, p.time_step);

@@ -23,7 +23,9 @@ struct contact {
   double stiffness = 0;                       ///< Of the wall [N/m].
   point<D> wall_velocity = point<D>::Zero();  ///< Of the touched surface [m/s].
   int wall_number = 0;                        ///< Which wall of the scene.
-  point<D> sensed_at = point<D>::Zero();      ///< Where the end effector was when the wall was sensed [m].
+  /// Where the end effector was when the wall was sensed [m]. NaN until it is set, which a law that reads it
+  /// rejects.
+  point<D> sensed_at = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());
   /// Hessian H of the wall's distance [1/m]. Along the surface at velocity v, n . a = -v^T H v keeps the
   /// depth. Zero for planes, and for shapes that do not provide their curvature.
   matrix<double, D, D> curvature = matrix<double, D, D>::Zero();

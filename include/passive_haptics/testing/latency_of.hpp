@@ -139,16 +139,22 @@ class measured_loop {
     report_percentiles(run, std::move(samples));
   }
 
-  brake_vector<M> cycle(const State& state) {
-    auto result = control_(state);
+  brake_vector<M> cycle(State& state) {
+    auto result = decide(state);
     benchmark::DoNotOptimize(result);  // all of it: a loop may log any part
     return result.capacity;
+  }
+
+  /// States come round and round: their time is made to rise where the law uses time differences.
+  auto decide(State& state) {
+    if constexpr (needs_rising_time<L>) state.time = time_ += 1e-3;
+    return control_(state);
   }
 
   /// A cycle that ends with a fault ends early: its time would mislead.
   bool faulty(benchmark::State& run) {
     for (std::size_t k = 0; k < states_.size(); ++k) {
-      if (const status s = control_(states_[k]).outcome; s != status::ok) {
+      if (const status s = decide(states_[k]).outcome; s != status::ok) {
         const std::string text = "state " + std::to_string(k) + " gives the fault '" +
                                  std::string(to_string(s)) + "'; give states with outcome ok";
         run.SkipWithError(text.c_str());
@@ -163,6 +169,7 @@ class measured_loop {
   controller<M, S, L> control_;
   std::vector<State> states_;
   latency_options options_;
+  double time_ = 0;  // of the last cycle [s]
 };
 
 }  // namespace detail
@@ -177,8 +184,9 @@ class measured_loop {
 ///
 /// Each row has p50_ns, p99_ns, p99.9_ns and max_ns of cycles that are timed one by one, less what the clock
 /// takes, in steps of the clock (some 10 ns). Give some 16 000 states of the kind that matters (in contact,
-/// free), in random order: the branch predictor learns fewer. A state that gives a fault fails its row. Rows
-/// compare within one run; the machine's load slows all of them, CPU times least.
+/// free), in random order: the branch predictor learns fewer. A state that gives a fault fails its row. A law
+/// that uses time differences (needs_rising_time) gets a time that rises by 1 ms a cycle instead of the
+/// states'. Rows compare within one run; the machine's load slows all of them, CPU times least.
 ///
 /// Errors: std::invalid_argument without states or samples. Memory: twice the largest cache.
 template <class M, class S, class L, class State>

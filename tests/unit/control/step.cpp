@@ -136,8 +136,9 @@ TYPED_TEST(control_step, the_wall_that_asks_for_most_governs) {
 
 // Of one wall, of several, and beside a good one.
 template <class L, class M>
-void expect_refused(const ph::contact<2>& bad) {
-  const ph::contact<2> good{.normal = {0, 1}, .depth = 1e-3, .stiffness = 1e7};
+void expect_refused(ph::contact<2> bad) {
+  bad.sensed_at = {0, 0};
+  const ph::contact<2> good{.normal = {0, 1}, .depth = 1e-3, .stiffness = 1e7, .sensed_at = {0, 0}};
   const auto moving_in = state_of<M>({0, 0}, {0, -1});
   for (const ph::step_result<M>& result :
        {step_once<L>(M(), {}, moving_in, bad), step_once<L>(M(), {}, moving_in, bad, bad),
@@ -161,6 +162,48 @@ TYPED_TEST(control_step, refuses_a_normal_that_is_no_unit_vector_and_a_negative_
       ph::contact<2>{
           .normal = ph::vector<float, 2>(0.6f, 0.8f).cast<double>(), .depth = 1e-3, .stiffness = 1e3});
   EXPECT_EQ(in_float.outcome, ph::status::ok) << "a normal that was computed in float";
+}
+
+TYPED_TEST(control_step, refuses_a_contact_without_sensed_at_under_a_law_that_reads_it) {
+  using M = typename TestFixture::table_type;
+  ph::contact<2> wall{.normal = {0, 1}, .depth = 1e-3, .stiffness = 1e7};
+  const auto moving_in = state_of<M>({0, 0}, {0, -1}, {0, -1});
+  for (const auto& result : {step_once<ph::velocity_direct_control>(M(), {}, moving_in, wall),
+                             step_once<ph::velocity_direct_control>(M(), {}, moving_in, wall, wall)}) {
+    EXPECT_EQ(result.outcome, ph::status::contact_invalid);
+    EXPECT_TRUE(result.capacity.isZero(0));
+  }
+  EXPECT_EQ(step_once<ph::direct_control>(M(), {}, moving_in, wall).outcome, ph::status::ok);
+  wall.sensed_at = {0, 0};
+  const auto set = step_once<ph::velocity_direct_control>(M(), {}, moving_in, wall);
+  EXPECT_EQ(set.outcome, ph::status::ok);
+  EXPECT_GT(set.capacity[1], 0);
+}
+
+TYPED_TEST(control_step, refuses_a_time_that_does_not_rise_under_a_law_that_uses_differences) {
+  using M = typename TestFixture::table_type;
+  const auto floor = ph::scene(ph::wall(ph::half_space<2>({0, 0}, {0, 1})));
+  ph::controller control(M(), ph::brakes_of<M>(), floor, ph::velocity_direct_control());
+  ph::controller other(M(), ph::brakes_of<M>(), floor, ph::direct_control());
+  const auto at = [](double time, double y) {
+    auto state = state_of<M>({0, TypeParam(y)}, {0, -1}, {0, -1});
+    state.time = time;
+    return state;
+  };
+  for (const double y : {-1e-3, 1.0}) {  // in the wall and in free space
+    control.reset();
+    EXPECT_EQ(control(at(5, y)).outcome, ph::status::ok);
+    EXPECT_EQ(control(at(5, -1e-3)).outcome, ph::status::time_not_rising) << "it stands still";
+    EXPECT_EQ(control(at(5, y)).outcome, ph::status::time_not_rising);
+    EXPECT_EQ(control(at(5.001, y)).outcome, ph::status::ok);
+    const auto back = control(at(4, -1e-3));
+    EXPECT_EQ(back.outcome, ph::status::time_not_rising) << "it goes back";
+    EXPECT_TRUE(back.capacity.isZero(0));
+    EXPECT_EQ(control(at(4.001, y)).outcome, ph::status::ok) << "it rises again";
+    control.reset();
+    EXPECT_EQ(control(at(0, y)).outcome, ph::status::ok) << "another motion";
+    for (const double time : {5.0, 5.0, 4.0}) EXPECT_EQ(other(at(time, y)).outcome, ph::status::ok);
+  }
 }
 
 TYPED_TEST(control_step, keeps_the_stiffness_where_the_new_one_is_none) {

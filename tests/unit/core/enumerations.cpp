@@ -29,7 +29,7 @@ void expect_words(int count, std::string_view otherwise) {
 }
 
 TEST(enumerations, have_words_for_each_status) {
-  expect_words<ph::status>(static_cast<int>(ph::status::scene_stale) + 1, "unknown status");
+  expect_words<ph::status>(static_cast<int>(ph::status::time_not_rising) + 1, "unknown status");
   EXPECT_EQ(to_string(ph::status::ok), "ok");
   EXPECT_EQ(to_string(ph::status::result_not_finite), "overflow");
   EXPECT_EQ(to_string(ph::status::scene_stale), "the scene is out of date");

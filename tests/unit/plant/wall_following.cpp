@@ -96,6 +96,18 @@ TEST(wall_following_run, runs_each_part_at_its_own_rate) {
   EXPECT_EQ(samples, 100);
 }
 
+TEST(wall_following_run, refuses_a_time_step_longer_than_the_fastest_time_constant) {
+  auto e = tendon_device<double>(0.02);
+  const auto control = [](const auto&) { return ph::step_result<ph::tendon_two_link<double>>(); };
+  const double fastest = e.hand.fastest_time_constant(e.device.min_mass());
+  ph::wall_following_parameters p{.control_period = 1, .longest = 100 * fastest};
+  p.time_step = 1.01 * fastest;
+  EXPECT_THROW(ph::follow_wall(e.device, control, wall, e.hand, p), std::invalid_argument);
+  p.time_step = 0.99 * fastest;
+  EXPECT_NE(ph::follow_wall(e.device, control, wall, e.hand, p).end, ph::run_end::not_finite);
+  EXPECT_LT(e.device.velocity().norm(), 0.2);
+}
+
 TEST(wall_following_run, stops_at_the_end_of_the_path) {
   using T = double;
   auto e = table<T>();

@@ -752,7 +752,7 @@ class simulated_device(metaclass=_class):
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     def advance(self, dt: float, capacity: Numbers, muscle_force: Numbers) -> None:
-        """One time step dt [s] under commanded capacities [N m] and the force that the hand's muscles exert [N]. No time passes where dt is not a finite number > 0."""
+        """One time step dt [s] under commanded capacities [N m] and the force that the hand's muscles exert [N]. No time passes where dt is not a finite number > 0. A dt over twice the time constants of the hand's spring and damper makes the motion grow until it is NaN."""
     @property
     def brake_force(self) -> Array:
         """The force at the handle that does what these torques do [N]."""
@@ -828,7 +828,7 @@ class wall_following_parameters(metaclass=_class):
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
 def follow_wall(device: simulated_device, controller: controller, shape: shape, hand: following_hand, parameters: wall_following_parameters | None = ..., *, record: bool = ...) -> tuple[contact_metrics, Records]:
-    """The wall-following experiment: a hand moves the device along a shape, the wall whose depth is measured, under a controller. Returns its figures and, if record is true, an array with a row for each time step (else none): time [s], depth [m], position [m], velocity [m/s], rates of the brakes, brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control cycle capacity [N m], alpha, outcome, power, display, saturated and wall_number. The device and the controller go on from where they are. Ctrl-C ends it."""
+    """The wall-following experiment: a hand moves the device along a shape, the wall whose depth is measured, under a controller. Returns its figures and, if record is true, an array with a row for each time step (else none): time [s], depth [m], position [m], velocity [m/s], rates of the brakes, brake_torque [N m], brake_power [W], hand_force [N], brake_force [N], and of the latest control cycle capacity [N m], alpha, outcome, power, display, saturated and wall_number. The device and the controller go on from where they are; time begins at 0, so reset() a controller that has run before. Ctrl-C ends it."""
 class brakes_2(brake_parameters):
     """The brakes of a device with 2 of them. torque_lower = torque_upper = 0: the brake is off. One of them 0: it works one way.
 

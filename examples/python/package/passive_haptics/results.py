@@ -20,6 +20,7 @@ class status(enum.IntEnum):
     out_of_reach = 8
     too_many_contacts = 9
     scene_stale = 10
+    time_not_rising = 11
 
     @property
     def text(self) -> str:

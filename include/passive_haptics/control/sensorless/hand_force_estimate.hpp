@@ -21,7 +21,8 @@ struct hand_force_estimate {
   brake_vector<M> unknown_torque = brake_vector<M>::Zero();
   /// G (d x m) [N per N m]: the force at the end effector that a brake's torque makes.
   brake_matrix<M> generators = brake_matrix<M>::Zero();
-  /// ok; state_not_finite, pose_undefined or singular_jacobian, then force is zero and nothing is known.
+  /// ok; state_not_finite, time_not_rising, pose_undefined or singular_jacobian, then force is zero and
+  /// nothing is known.
   status outcome = status::ok;
 
   /// By how much n . force may be off [N] for a unit direction n.

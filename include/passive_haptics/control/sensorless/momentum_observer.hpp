@@ -5,6 +5,7 @@
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/control/laws/velocity/brake_lag.hpp>
+#include <passive_haptics/control/rising_time.hpp>
 #include <passive_haptics/control/sensorless/hand_force_estimate.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/parameters.hpp>
@@ -76,12 +77,13 @@ class momentum_observer {
     const brake_vector<M> strength = mean_strength(state.time, capacity);
     const motion now = motion_of(state);
     estimate_.outcome = verdict(state, now, capacity);
+    if (estimate_.outcome == status::ok) estimate_.outcome = time_.next(state.time);
     if (estimate_.outcome != status::ok) {
-      reset();
+      start_anew();
       return estimate_;
     }
     const double h = state.time - before_.time;
-    const bool follows = started_ && h > 0 && h <= p_.longest_period;
+    const bool follows = started_ && h <= p_.longest_period;
     const auto Tt = passive_haptics::transposed_transmission(mechanism_, state.q);
     if (follows) {
       brake_vector<M> known = brake_vector<M>::Zero(), unknown = strength;
@@ -95,7 +97,7 @@ class momentum_observer {
       const joint_torque tau = inertial + (before_.bias + now.bias) / scalar(2) - Tt * known;
       residual_.follow(tau, h, p_.gain);
       unknown_.follow(unknown, h, p_.gain);
-    } else if (!started_ || h != 0) {
+    } else {
       residual_ = {};
       unknown_ = {strength, strength};
     }
@@ -112,11 +114,8 @@ class momentum_observer {
   const joint_vector<M>& joint_torques() const { return residual_.twice; }
   /// Forgets all but the brakes' strengths.
   void reset() {
-    started_ = false;
-    residual_ = {};
-    const status outcome = estimate_.outcome;
-    estimate_ = estimate_type();
-    estimate_.outcome = outcome;
+    start_anew();
+    time_ = {};
   }
 
  private:
@@ -139,6 +138,14 @@ class momentum_observer {
       once = x + left * (once - x);
     }
   };
+
+  void start_anew() {
+    started_ = false;
+    residual_ = {};
+    const status outcome = estimate_.outcome;
+    estimate_ = estimate_type();
+    estimate_.outcome = outcome;
+  }
 
   template <class State>
   motion motion_of(const State& state) const {
@@ -193,6 +200,7 @@ class momentum_observer {
   brakes_of<M> brakes_;
   momentum_observer_parameters p_;
   brake_lag_model lag_;
+  rising_time time_;
   bool started_ = false;
   motion before_;
   twice_lagged<joint_torque> residual_;

@@ -39,7 +39,8 @@ struct sensorless_parameters {
 /// A hand that presses without moving along sinks by its probes: in simulation (the paper's device, 2 N) 0.1
 /// mm/s under direct_control, 0.3 mm/s under velocity_direct_control.
 ///
-/// For mechanisms that model Dynamics. Errors: as controller. Cost: that of the law and of the observer.
+/// For mechanisms that model Dynamics. Errors: as controller; a cycle that is not later than the one before
+/// ends with status::time_not_rising under any law. Cost: that of the law and of the observer.
 template <class M, class S, class L>
 class sensorless_controller {
  public:
@@ -62,6 +63,10 @@ class sensorless_controller {
     const auto& hand = observer_.update(state, last_capacity_);
     result_type result =
         controller_(device_state<M>{state.time, state.q, state.qd, believed_force(hand, state.q)});
+    if (hand.outcome == status::time_not_rising && result.outcome == status::ok) {
+      controller_.reset();
+      result = released<result_type>(hand.outcome);
+    }
     make_up(state.time, result);
     const bool in_wall = (result.desired_force.array() != scalar(0)).any();
     if (result.outcome == status::ok && in_wall) probe(state.time, state.q, state.qd, result);

@@ -96,6 +96,9 @@ struct torques_of_law {
 
   status verdict() const {
     if (walls_of_law().size() > most_contacts<L>) return status::too_many_contacts;
+    if constexpr (needs_sensed_at<L>)
+      for (const auto& c : touched)
+        if (!all_finite(c.sensed_at)) return status::contact_invalid;
     return check_contacts<T>(touched);
   }
 

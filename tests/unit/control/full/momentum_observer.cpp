@@ -110,12 +110,13 @@ TEST(momentum_observer, starts_anew_after_faults_and_pauses) {
   push(0.2);
   EXPECT_TRUE(observer.update(sensorless<table>{1, {0, 0}, {0, 0}}, {0, 0}).force.isZero(0)) << "0.7 s later";
   push(2);
-  EXPECT_TRUE(observer.update(sensorless<table>{1, {0, 0}, {0, 0}}, {0, 0}).force.isZero(0))
-      << "time ran back";
+  for (const double time : {1.0, 1.0}) {  // it goes back, and stands still
+    const auto& hand = observer.update(sensorless<table>{time, {0, 0}, {0, 0}}, {0, 0});
+    EXPECT_EQ(hand.outcome, ph::status::time_not_rising);
+    EXPECT_TRUE(hand.force.isZero(0));
+  }
   push(1.5);
-  const auto before = observer.estimate().force;
-  EXPECT_EQ(observer.update(sensorless<table>{1.599, {0, 0}, {7, 0}}, {0, 0}).force, before)
-      << "the same instant";
+  EXPECT_EQ(observer.estimate().outcome, ph::status::ok);
   push(3);
   EXPECT_EQ(observer.update(sensorless<table>{3.1, {0, 0}, {0, 0}}, {0, nan}).outcome,
             ph::status::state_not_finite);

@@ -26,8 +26,9 @@ template <class M, int Walls>
 struct inputs {
   using T = typename M::scalar;
   ph::device_state<M> state = state_of<M>({T(0.2), T(0.4)}, {T(0.3), T(2)}, {T(0.1), T(1)});
-  ph::contact<2> walls[2] = {{.normal = {0, -1}, .depth = 4e-3, .stiffness = 1e3, .wall_number = 0},
-                             {.normal = {0.6, -0.8}, .depth = 3e-3, .stiffness = 1e3, .wall_number = 1}};
+  ph::contact<2> walls[2] = {
+      {.normal = {0, -1}, .depth = 4e-3, .stiffness = 1e3, .wall_number = 0, .sensed_at = {0, 0}},
+      {.normal = {0.6, -0.8}, .depth = 3e-3, .stiffness = 1e3, .wall_number = 1, .sensed_at = {0, 0}}};
   ph::brakes_of<M> brakes = {};
   ph::step_options<T> options = {};
 

@@ -67,8 +67,12 @@ std::vector<double> capacities(const M& mechanism, const B& brakes, const Scene&
     };
     touched().clear();
     for (int j = 0; j <= k % 2; ++j)
-      touched().push_back({.normal = random.direction<double, 2>(), .depth = 1e-4, .stiffness = 1e4});
+      touched().push_back({.normal = random.direction<double, 2>(),
+                           .depth = 1e-4,
+                           .stiffness = 1e4,
+                           .sensed_at = mechanism.position(state.q)});
     for (const double c : control(state).capacity) all.push_back(c);
+    state.time += 5e-4;
     for (const double c : control.command(state).capacity) all.push_back(c);
     for (const double c : ph::step(mechanism, brakes, touched(), law, state, memory).capacity)
       all.push_back(c);

@@ -53,8 +53,11 @@ ph::vector<double, 3> capacities(const ph::joint_vector<polar_arm_with_mass<PerM
   brakes.rate_dead_band = 1e-3 * unit;
   ph::contacts<2, 2> touched;
   for (int j = 0; j < 2; ++j)
-    touched.push_back(
-        {.normal = normals[std::size_t(j)], .depth = 3e-3, .stiffness = 1000, .wall_number = j});
+    touched.push_back({.normal = normals[std::size_t(j)],
+                       .depth = 3e-3,
+                       .stiffness = 1000,
+                       .wall_number = j,
+                       .sensed_at = {0, 0}});
   ph::step_memory<ph::velocity_direct_control> memory;
   const auto result = ph::step(M(), brakes, touched, ph::velocity_direct_control(),
                                ph::device_state<M>{0, q, qd, hand_force}, memory);

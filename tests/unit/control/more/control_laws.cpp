@@ -55,12 +55,13 @@ struct on_table {
     b.rate_dead_band.setConstant(0.002);
     return b;
   }();
+  ph::step_options<double> options = {};
 
   template <class... Walls>
   ph::step_result<table> operator()(const V2& v, const V2& hand, const Walls&... walls) {
     ph::contacts<2, 2> touched;
     (touched.push_back(walls), ...);
-    return ph::step(table(), brakes, touched, law, state_of<table>({0, 0}, v, hand), memory);
+    return ph::step(table(), brakes, touched, law, state_of<table>({0, 0}, v, hand), memory, options);
   }
 };
 
@@ -380,13 +381,20 @@ TEST(on_off, lets_a_hand_go_that_leaves) {
 }
 
 TEST(on_off, displays_what_no_direct_control_does) {
-  relay law{.law = {on_off}};
-  on_table<ph::no_direct_control> plain;
-  for (const V2& v : {V2(0.1, 0.1), V2(-0.1, 0.1)}) {
-    EXPECT_EQ(law(v, {0, 0}, slanted(5e-3)).capacity, plain(v, {0, 0}, slanted(5e-3)).capacity);
-    EXPECT_EQ(law(v, {0, 0}, slanted(1)).capacity, plain(v, {0, 0}, slanted(1)).capacity);
-    EXPECT_EQ(law(v, {0, 0}, slanted(5e-3), above(4e-3)).capacity,
-              plain(v, {0, 0}, slanted(5e-3), above(4e-3)).capacity);
+  for (const double angle : {89.0, 20.0}) {  // of 37 degrees, where a brake would drive
+    for (const auto policy : {ph::saturation::keep_direction, ph::saturation::clamp_each}) {
+      SCOPED_TRACE(::testing::Message() << "up to " << angle << " degrees, policy " << int(policy));
+      const ph::step_options<double> options(ph::approximation_parameters<double>{ph::radians(angle)},
+                                             policy);
+      relay law{.law = {on_off}, .options = options};
+      on_table<ph::no_direct_control> plain{.options = options};
+      for (const V2& v : {V2(0.1, 0.1), V2(-0.1, 0.1)}) {
+        EXPECT_EQ(law(v, {0, 0}, slanted(5e-3)).capacity, plain(v, {0, 0}, slanted(5e-3)).capacity);
+        EXPECT_EQ(law(v, {0, 0}, slanted(1)).capacity, plain(v, {0, 0}, slanted(1)).capacity);
+        EXPECT_EQ(law(v, {0, 0}, slanted(5e-3), above(4e-3)).capacity,
+                  plain(v, {0, 0}, slanted(5e-3), above(4e-3)).capacity);
+      }
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
@@ -89,6 +90,43 @@ TEST(self_motion, of_arms_with_inertia_leaves_the_wall_at_first) {
   // What lighter rotors leave to the links, nobody's torques can undo
   EXPECT_LT(share_without_wall("3R, inertial, without rotors", ph::inertial(planar_arm<3>(0))), 0.08);
   EXPECT_LT(share_without_wall("4R, inertial, without rotors", ph::inertial(planar_arm<4>(0))), 0.05);
+}
+
+// A narrower angle leaves fewer states with a force; brakes cut one by one make more.
+TEST(self_motion, obeys_the_options_under_velocity_direct_control) {
+  using M = arm<3>;
+  std::mt19937_64 engine(20040627);
+  std::normal_distribution<double> gauss;
+  const ph::step_options<double> narrow(ph::approximation_parameters<double>{ph::radians(5.0)});
+  const ph::step_options<double> each({}, ph::saturation::clamp_each);
+  int cut_off = 0, displayed = 0, larger = 0;
+  for (int k = 0; k < 200; ++k) {
+    ph::device_state<M> state;
+    state.time = 0;
+    for (double& q : state.q) q = gauss(engine);
+    for (double& qd : state.qd) qd = gauss(engine);
+    ph::contacts<2, 1> touched;
+    touched.push_back({.normal = ph::point<2>(gauss(engine), gauss(engine)).normalized(),
+                       .depth = 5e-3,
+                       .stiffness = 1000,
+                       .sensed_at = planar_arm<3>(particle_brake).position(state.q)});
+    const auto capacity = [&](const ph::step_options<double>& options) {
+      ph::step_memory<ph::velocity_direct_control> memory;
+      return ph::step(planar_arm<3>(particle_brake), ph::brakes_of<M>(), touched,
+                      ph::velocity_direct_control(), state, memory, options)
+          .capacity;
+    };
+    const ph::vector<double, 3> usual = capacity({}), more = capacity(each);
+    EXPECT_TRUE((more.array() >= usual.array()).all() && (more.array() <= 1).all()) << k;
+    larger += more != usual;
+    const bool is_displayed = !usual.isZero(0), is_near = !capacity(narrow).isZero(0);
+    EXPECT_TRUE(is_displayed || !is_near) << k;
+    cut_off += is_displayed && !is_near;
+    displayed += is_near;
+  }
+  EXPECT_GT(cut_off, 20);
+  EXPECT_GT(displayed, 20);
+  EXPECT_GT(larger, 5);
 }
 
 // On-off control displays what no_direct_control does.

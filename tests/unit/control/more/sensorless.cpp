@@ -101,6 +101,12 @@ TEST(sensorless_controller, is_as_its_law_in_motion_and_releases_on_faults) {
     EXPECT_TRUE(result.capacity.isZero(0));
   }
   EXPECT_EQ(control(state{0.007, q, {-0.3, 0.5}}).outcome, ph::status::ok);
+  for (const double time : {0.007, 0.001, 0.001}) {  // it stands still, goes back, and stands still
+    const auto result = control(state{time, q, {-0.3, 0.5}});
+    EXPECT_EQ(result.outcome, ph::status::time_not_rising);
+    EXPECT_TRUE(result.capacity.isZero(0));
+  }
+  EXPECT_EQ(control(state{0.002, q, {-0.3, 0.5}}).outcome, ph::status::ok);
 }
 
 // Held at rest inside: both brakes hold, are probed, and hold again as nothing moves.
@@ -167,7 +173,8 @@ TEST(sensorless_controller, probes_no_brake_that_slips) {
     }
   };
   slide();
-  control(state{time += 1e-3, outside, {0, 0}});
+  control(state{time, outside, {0, 0}});
+  time += 1e-3;
   slide();
   control.reset();
   slide();

@@ -78,9 +78,9 @@ struct on_off_control {
     }
     if (count == 0) return brake_vector<M>::Zero();
     if (count == 1) {
-      const T min_cosine = step_options<T>().min_cosine;
-      const auto Fc = on[0].magnitude * display_form<M>::nearest(device, on[0], min_cosine, remembered.start);
-      return passive_haptics::within_limits(Fc.torque, device.brakes, saturation::keep_direction).torque;
+      const auto Fc = on[0].magnitude *
+                      display_form<M>::nearest(device, on[0], device.options.min_cosine, remembered.start);
+      return passive_haptics::within_limits(Fc.torque, device.brakes, device.options.limits).torque;
     }
     brake_vector<M> signs = device.s;
     if constexpr (Settles<M>) {

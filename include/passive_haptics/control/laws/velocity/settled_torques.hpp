@@ -41,7 +41,7 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
   brake_set held;
   if (count == 1) {
     const auto unit = display_form<M>::nearest_at(device, landed, now, demands[0].normal,
-                                                  step_options<T>().min_cosine, start.held);
+                                                  device.options.min_cosine, start.held);
     held = unit.held;
     const vector<T, m> bound = passive_haptics::torque_bounds_of(device.brakes, unit.torque);
     const auto largest =
@@ -50,6 +50,9 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
     all.largest[0] = is_displayed(unit.display) ? largest.minCoeff() : T(0);
     all.made[0] = std::min(demands[0].force, all.largest[0]);
     all.capacity = all.made[0] * unit.torque.cwiseAbs();
+    if (device.options.limits == saturation::clamp_each)
+      for (int i = 0; i < m; ++i)  // a force that is NaN stays
+        all.capacity[i] = std::min(demands[0].force * std::abs(unit.torque[i]), bound[i]);
   } else {
     const auto settled =
         display_form<M>::template signs_at<Capacity>(device, landed, now, demands, count, start.held);

@@ -54,11 +54,13 @@ namespace passive_haptics {
 /// it where a brake is at rest; for several walls a prioritised least squares.
 class velocity_direct_control {
  public:
-  static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
-  static constexpr bool needs_dynamics = true;    ///< Needs the inertia of the mechanism.
-  static constexpr bool needs_brake_lag = true;   ///< Needs the brakes' time constants.
-  static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
-  static constexpr int most_contacts = 8;         ///< Walls that it remembers at once.
+  static constexpr bool needs_hand_force = true;   ///< Needs a force sensor at the handle.
+  static constexpr bool needs_dynamics = true;     ///< Needs the inertia of the mechanism.
+  static constexpr bool needs_brake_lag = true;    ///< Needs the brakes' time constants.
+  static constexpr bool needs_sensed_at = true;    ///< Carries a held contact on to where the handle is now.
+  static constexpr bool needs_rising_time = true;  ///< Integrates over the time between cycles.
+  static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
+  static constexpr int most_contacts = 8;          ///< Walls that it remembers at once.
 
   /// Of one wall.
   struct contact_state {
@@ -94,7 +96,7 @@ class velocity_direct_control {
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
     constexpr int m = M::brake_count;
-    const double dt = remembered.moving ? std::max(0.0, device.time - remembered.time) : 0.0;
+    const double dt = remembered.moving ? device.time - remembered.time : 0.0;
     const pose_dynamics<M> dynamics(device.pose, smooth_rates<M>(device.qd, dt, remembered),
                                     static_cast<T>(p_.hand_mass));
     remembered.moving = true;
