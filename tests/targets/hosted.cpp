@@ -1,4 +1,5 @@
-// Output on a target with an operating system, where all headers for scenes and the readers of meshes compile, too.
+// Output on a target with an operating system, where the headers for scenes and the readers of meshes
+// compile, too.
 #include "output.hpp"
 
 #include <passive_haptics/passive_haptics.hpp>

@@ -145,8 +145,7 @@ class bench : public a_driver {
     const words command{driver, "--config", "c.toml"};
     if (case_.what == fault::full_disk) {
       // A file of at most 32 KiB stands for it
-      pid = spawn({"/bin/bash", "-c", "ulimit -f 32; exec '" + driver + "' --config c.toml"},
-                  "driver");
+      pid = spawn({"/bin/bash", "-c", "ulimit -f 32; exec '" + driver + "' --config c.toml"}, "driver");
     } else if (case_.what == fault::closed_terminal) {
       winsize size{};
       size.ws_row = size.ws_col = 80;

@@ -136,8 +136,7 @@ TEST_F(a_running_driver, writes_to_no_log_that_another_one_writes) {
 TEST_F(a_running_driver, tells_that_the_disk_was_full) {
   // A file of at most 64 KiB stands for it
   file("c.toml", settings{}.text());
-  pid = spawn({"/bin/bash", "-c",
-               "ulimit -f 64; exec '" + driver + "' --config c.toml --seconds 1 --quiet"},
+  pid = spawn({"/bin/bash", "-c", "ulimit -f 64; exec '" + driver + "' --config c.toml --seconds 1 --quiet"},
               "driver");
   const outcome o = end();
   EXPECT_TRUE(has(o.err, "error: cannot write all of 'brake_driver.csv.part'")) << o.err;
