@@ -1,4 +1,4 @@
-// How long it takes from each hazard to 0 A: the times that hazards() states, measured on a device in memory.
+// The time from each hazard to 0 A, as hazards() states it, measured on a device in memory.
 // A loop and its supervisor run as processes of their own; this one brings about the hazard and reads when
 // the current of the device ended.
 #include <passive_haptics/driver/control_loop.hpp>
@@ -99,7 +99,7 @@ constexpr row rows[] = {
     {"The supervisor dies", "SIGSTOP", trouble::none, SIGSTOP, true},
 };
 
-// What the processes share: the wire to the brakes, and what is to go wrong.
+// Shared by the processes: the wire to the brakes, and the fault to bring about.
 struct device {
   std::atomic<double> current = 0;        // [A]
   std::atomic<double> ended = 0;          // when it last came to 0 A [s]
@@ -201,7 +201,7 @@ void drive(device& d, Port port_to_device) {
       [&] { return signals.stop() != 0; }, [&](ph::fault why) { port.release({why}); });
 }
 
-// How often a process went to sleep.
+// The number of times a process went to sleep.
 long sleeps_of(pid_t process) {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   for (std::string word; status >> word;)
@@ -271,7 +271,7 @@ spread sorted(std::vector<double> all) {
   return {std::move(all)};
 }
 
-// How late this machine wakes a process, as hazards() has it.
+// The lateness with which this machine wakes a process, as in hazards().
 spread wake_ups() {
   std::vector<double> late;
   for (int k = 0; k < 500; ++k) {

@@ -24,7 +24,7 @@ int main() {
   state.hand_force = {0.8, 1.5};                             // [N]
   const auto all = control(state);
   state.time += 1e-3;
-  const auto only = control.command(state);  // the next cycle: capacities and outcome alone, faster
+  const auto only = control.command(state);  // the next cycle: capacities and outcome only, faster
   std::cout << all.capacity.transpose() << " N m, " << to_string(all.outcome) << ", " << display_text(all)
             << ", alpha " << all.alpha << "\n";
 

@@ -1,4 +1,4 @@
-// What is made of another type keeps its optional members. A member that a concept gains is added to the
+// A type that wraps another one keeps its optional members. A member that a concept gains is added to the
 // complete types here (describe() counts those of a mechanism), so that no wrapper forgets it.
 #include "../../examples/python/include/passive_haptics_python/any_mechanism.hpp"
 #include "../../examples/python/include/passive_haptics_python/any_shape.hpp"

@@ -54,7 +54,7 @@ class rejected_samples {
   }
   /// All samples that arrived.
   std::uint64_t arrived() const noexcept { return all_.arrived; }
-  /// Those of them that were rejected.
+  /// All samples that were rejected.
   std::uint64_t rejected() const noexcept { return all_.rejected; }
 
  private:

@@ -1,5 +1,5 @@
 /// @file
-/// How long faults of a device's transfers may last.
+/// The results of a device's transfers, and whether their faults last too long.
 #pragma once
 
 #include <passive_haptics/driver/checks/rejected_samples.hpp>

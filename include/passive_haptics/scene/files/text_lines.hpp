@@ -22,7 +22,7 @@
 
 namespace passive_haptics::detail {
 
-/// Whether a word is this keyword, in small letters or capitals; `keyword` is in small letters.
+/// True if a word is this keyword, in small letters or capitals; `keyword` is in small letters.
 inline bool is_keyword(std::string_view word, std::string_view keyword) {
   return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
                     [](char c, char letter) { return (c >= 'A' && c <= 'Z' ? c + 32 : c) == letter; });
@@ -48,7 +48,7 @@ inline std::string foreign_file_error(std::string_view bytes) {
   return "an HTML page, not the file, expected the file itself; download that";
 }
 
-/// Whether std::from_chars reads this type. In libc++ before 20 it does not read floating-point types.
+/// True if std::from_chars reads this type. In libc++ before 20 it does not read floating-point types.
 template <class T>
 concept has_from_chars = requires(const char* p, T& value) { std::from_chars(p, p, value); };
 
@@ -108,9 +108,9 @@ class text_lines {
  public:
   static constexpr std::string_view padding{"\0\x1a \t\r\n\v\f", 8};  ///< Bytes that mean nothing at the end.
 
-  /// Of a text in memory.
+  /// Reads a text in memory.
   explicit text_lines(std::string text) : bytes_(std::move(text)) {}
-  /// Of a stream that is read piece by piece. A line has at most `longest` bytes.
+  /// Reads a stream piece by piece. A line has at most `longest` bytes.
   text_lines(std::istream& in, std::size_t longest) : in_(&in), longest_(longest) {}
 
   /// More zero bytes at the end are an error: if a text has no end of its own, lines may be lost there.
@@ -141,13 +141,13 @@ class text_lines {
   std::string_view line() const { return line_; }
   /// Its number, from 1; at the end of the text that of the line that would follow.
   std::size_t number() const { return number_; }
-  /// Whether nothing follows this line, not even its end.
+  /// True if nothing follows this line, not even its end.
   bool is_last() const { return is_last_; }
   /// The error of this line; empty if there is none.
   const std::string& error() const { return error_; }
-  /// How many bytes fill up the end of the text, once it was reached.
+  /// The number of bytes that fill up the end of the text, once it was reached.
   std::size_t padding_size() const { return padding_size_; }
-  /// What of the text is in memory, and where in it the next line begins.
+  /// The part of the text that is in memory, and the position in it at which the next line begins.
   const std::string& bytes() const { return bytes_; }
   std::size_t position() const { return at_; }
 
