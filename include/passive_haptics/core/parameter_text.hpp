@@ -40,7 +40,7 @@ constexpr range usual_range(std::string_view unit) {
 constexpr range plausible_magnitude(const member_description& member) {
   struct magnitudes {
     std::string_view unit;
-    double small, large;
+    double min, max;
   };
   constexpr magnitudes of_units[] = {{"m", 1e-9, 100},   {"rad", 0, 2 * std::numbers::pi},
                                      {"kg", 1e-9, 1000}, {"kg m^2", 1e-15, 1000},
@@ -49,11 +49,12 @@ constexpr range plausible_magnitude(const member_description& member) {
                                      {"N", 1e-9, 1e6},   {"N m", 1e-12, 1e4},
                                      {"A", 1e-6, 1000},  {"A/s", 1e-6, 1e6},
                                      {"N/m", 1e-6, 1e15}};
-  range plausible = range::between(member.small, member.large);
+  range plausible = range::between(member.min_magnitude, member.max_magnitude);
   for (const magnitudes& of : of_units) {
     if (of.unit != member.unit) continue;
-    if (member.small == 0 && member.hard.lower >= 0 && !member.hard.is_direction) plausible.lower = of.small;
-    if (member.large == range::infinity) plausible.upper = of.large;
+    if (member.min_magnitude == 0 && member.hard.lower >= 0 && !member.hard.is_direction)
+      plausible.lower = of.min;
+    if (member.max_magnitude == range::infinity) plausible.upper = of.max;
   }
   return plausible;
 }

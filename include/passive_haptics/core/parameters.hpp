@@ -20,7 +20,7 @@ struct member_description {
   range hard;                ///< Outside of it the value is an error.
   const char* choices = "";  ///< The names of an enumeration's values, which count from 0: "left, right".
   /// Other magnitudes, except 0, are mistakes unless the user allows the member: plausible_magnitude().
-  double small = 0, large = range::infinity;
+  double min_magnitude = 0, max_magnitude = range::infinity;
   const char* at_zero = "";  ///< The effect of a value of 0, for remarks(): "the brake is off".
 };
 
@@ -37,13 +37,13 @@ struct member : member_description {
   /// A copy with a threshold: larger magnitudes require a confirmation of the user.
   constexpr member suspicious_above(double magnitude) const {
     member same = *this;
-    same.large = magnitude;
+    same.max_magnitude = magnitude;
     return same;
   }
   /// A copy with a threshold: smaller magnitudes, except 0, require a confirmation of the user.
   constexpr member suspicious_below(double magnitude) const {
     member same = *this;
-    same.small = magnitude;
+    same.min_magnitude = magnitude;
     return same;
   }
   /// A copy in which a value of 0 gets a remark with its effect.

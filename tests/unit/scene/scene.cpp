@@ -86,7 +86,7 @@ TEST(a_contact, is_of_nothing_by_default) {
   EXPECT_EQ(c.stiffness, 0);
   EXPECT_EQ(c.wall_velocity, ph::point<2>(0, 0));
   EXPECT_EQ(c.wall_number, 0);
-  EXPECT_EQ(c.sensed_at, ph::point<2>(0, 0));
+  EXPECT_TRUE(std::isnan(c.sensed_at[0]) && std::isnan(c.sensed_at[1]));
   EXPECT_TRUE(c.curvature.isZero(0));
 }
 
@@ -241,7 +241,7 @@ void expect_copies_of_all() {
   ph::contacts<2, Capacity> touched, other;
   EXPECT_TRUE(touched.empty());
   for (int k = 0; k < Capacity; ++k)
-    touched.push_back({.normal = {0, 1}, .depth = 1.0 + k, .wall_number = k});
+    touched.push_back({.normal = {0, 1}, .depth = 1.0 + k, .wall_number = k, .sensed_at = {2.0, double(k)}});
   const auto copy = touched;
   other.push_back({.depth = 9});
   other = touched;
@@ -253,7 +253,7 @@ void expect_copies_of_all() {
       EXPECT_EQ(same[k].depth, 1.0 + k);
       EXPECT_EQ(same[k].wall_number, k);
       EXPECT_EQ(same[k].normal, ph::point<2>(0, 1));
-      EXPECT_TRUE(same[k].wall_velocity.isZero(0) && same[k].sensed_at.isZero(0) &&
+      EXPECT_TRUE(same[k].wall_velocity.isZero(0) && same[k].sensed_at == ph::point<2>(2, k) &&
                   same[k].curvature.isZero(0));
     }
   }
