@@ -44,7 +44,7 @@ class program {
       if (released.what == ph::fault::none) released = {why};
       device_.release({why});
     };
-    return ph::control_loop().run(cycle, [] { return false; }, release);
+    return loop_.run(cycle, [] { return false; }, release);
   }
 
   bool supervised = true;
@@ -61,6 +61,7 @@ class program {
 
   ph::supervisor<port> watch_{port(port_parameters()), {.timeout = 0.010, .priority = 90}};
   safe device_{port(port_parameters()), sensor(sensor_parameters()), limits()};
+  ph::control_loop<> loop_;
   double expected_ = 0;
 };
 

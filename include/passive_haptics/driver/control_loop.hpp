@@ -58,7 +58,15 @@ class control_loop {
  public:
   /// Throws std::invalid_argument with the text of validate(p).
   explicit control_loop(const control_loop_parameters& p = {}, Clock clock = {})
-      : p_(require_valid(p)), clock_(std::move(clock)), period_(std::llround(1e9 * p.period)) {}
+      : p_(require_valid(p)), clock_(std::move(clock)), period_(std::llround(1e9 * p.period)) {
+#if defined(__cpp_exceptions)
+    // The first exception of a process loads the code that unwinds the stack, which takes as long as a cycle
+    try {
+      throw 0;
+    } catch (int) {
+    }
+#endif
+  }
 
   /// Runs until stop() is true or cycle(loop_cycle) is false. Before it returns, and if it runs late, the
   /// clock jumps or the machine was suspended for more than a period (LoopClock), it calls release(fault),
@@ -69,13 +77,6 @@ class control_loop {
   template <class Cycle, class Stop, class Release>
   loop_report run(Cycle&& cycle, Stop&& stop, Release&& release) {
     loop_report report;
-#if defined(__cpp_exceptions)
-    // The first exception of a process loads the code that unwinds the stack, which takes as long as a cycle
-    try {
-      throw 0;
-    } catch (int) {
-    }
-#endif
     const std::int64_t start = clock_.now();
     std::int64_t number = 0;
     int overruns = 0;
