@@ -19,8 +19,8 @@ struct member_description {
   const char* unit;          ///< "m", "1" for a ratio, "" where there is none.
   range hard;                ///< Outside of it the value is an error.
   const char* choices = "";  ///< The names of an enumeration's values, which count from 0: "left, right".
-  double min_magnitude = 0;  ///< Smaller ones, except 0, are mistakes unless the user allows the
-  double max_magnitude = range::infinity;  ///< member, as are greater ones: plausible_magnitude().
+  double min_magnitude = 0;  ///< A smaller magnitude, except 0, is a mistake unless allowed.
+  double max_magnitude = range::infinity;  ///< So is a greater one; plausible_magnitude() has both.
   const char* at_zero = "";                ///< The effect of a value of 0, for remarks(): "the brake is off".
 };
 
