@@ -150,7 +150,7 @@ TEST(hazards, follow_the_parameters) {
   EXPECT_DOUBLE_EQ(of("The supervisor dies"), cycle + 0.2 + cycle + ramped);
   EXPECT_DOUBLE_EQ(of("The device is lost"), cycle) << "at once, whatever the policy";
   p.at_release.policy = ph::release_policy::zero;
-  EXPECT_DOUBLE_EQ(of("The loop's process dies"), 0.0011);
+  EXPECT_DOUBLE_EQ(of("The loop's process dies"), 0.0021);
   p.process_end = 10;
   EXPECT_DOUBLE_EQ(of("The loop's process dies"), supervised) << "no heartbeat";
 }

@@ -28,8 +28,8 @@ struct driver_timing {
   /// and 0.1 ms to leave an idle state.
   double wake_up = 1.5e-4;
   /// How long the kernel takes to end a killed process [s]: it frees the memory before it closes the pipe,
-  /// about 0.07 ms for each MiB.
-  double process_end = 1e-3;
+  /// about 0.07 ms for each MiB; 2 ms suffice for 28 MiB, or for 8 MiB on a virtual machine.
+  double process_end = 2e-3;
 };
 
 /// One thing that can go wrong.
