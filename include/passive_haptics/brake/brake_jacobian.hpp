@@ -10,22 +10,6 @@
 
 namespace passive_haptics {
 
-template <class M>
-class brake_jacobian_evaluator;
-
-/// E = J T^+ (d x m, base frame), T^+ = T^-1 for square T: v = E w and, by virtual work, t = E^T F balances
-/// F. Needs no inverse of J, which may be singular. For redundant brakes T^+ = (T^T T)^-1 T^T, so t = E^T F
-/// has the least norm of all torques that balance F. For fewer brakes than joints T^+ = T^T (T
-/// T^T)^-1: then v = E w holds while joints without a brake rest, and t = E^T F balances those F that leave
-/// these joints without torque.
-///
-/// A diagonal_matrix where J and T are; J itself where the mechanism names no transmission. Not finite where
-/// J is undefined or T singular. Cost: T^+ and a product; a loop keeps a brake_jacobian_evaluator instead.
-template <class M>
-auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
-  return brake_jacobian_evaluator<M>(mechanism)(mechanism_pose<M>(mechanism, q));
-}
-
 /// Brake torques t = E^T F [N m] that balance the force F [N] at the end effector.
 ///
 /// @equation{2}
@@ -93,5 +77,18 @@ class brake_jacobian_evaluator {
   }
   [[no_unique_address]] decltype(inverse_of_constant(std::declval<const M&>())) inverse_;
 };
+
+/// E = J T^+ (d x m, base frame), T^+ = T^-1 for square T: v = E w and, by virtual work, t = E^T F balances
+/// F. Needs no inverse of J, which may be singular. For redundant brakes T^+ = (T^T T)^-1 T^T, so t = E^T F
+/// has the least norm of all torques that balance F. For fewer brakes than joints T^+ = T^T (T
+/// T^T)^-1: then v = E w holds while joints without a brake rest, and t = E^T F balances those F that leave
+/// these joints without torque.
+///
+/// A diagonal_matrix where J and T are; J itself where the mechanism names no transmission. Not finite where
+/// J is undefined or T singular. Cost: T^+ and a product; a loop keeps a brake_jacobian_evaluator instead.
+template <class M>
+auto brake_jacobian(const M& mechanism, const joint_vector<M>& q) {
+  return brake_jacobian_evaluator<M>(mechanism)(mechanism_pose<M>(mechanism, q));
+}
 
 }  // namespace passive_haptics
