@@ -8,6 +8,7 @@
 #include <passive_haptics/control/laws/velocity/brake_lag.hpp>
 #include <passive_haptics/control/laws/velocity/least_power.hpp>
 #include <passive_haptics/control/laws/velocity/settled_torques.hpp>
+#include <passive_haptics/control/laws/velocity/stopping_torques.hpp>
 #include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
@@ -107,21 +108,36 @@ class velocity_direct_control {
     const task_vector<M> Fh = static_cast<T>(p_.force_share) * device.hand_force;
     for (int j = 0; j < touched.size(); ++j)
       walls[std::size_t(j)] = demand_of(touched[j], device, dynamics, Fh, dt, remembered);
+    const int count = touched.size();
+    [[maybe_unused]] const auto stopping = [&](const weighted_motion<M>& motion) {
+      return stop(device, dynamics, motion, remembered);
+    };
+    if constexpr (Capacity > 1)
+      if (count > 1) {
+        const weighted_motion<M> motion(dynamics, device.hand_force);
+        if (passive_haptics::is_cornered(dynamics, motion, walls, count, velocity_lag<T>(device.brakes)))
+          return stopping(motion);
+      }
     if constexpr (Settles<M>) {
       const auto found = passive_haptics::settled_torques_for<M>(
-          device, dynamics, walls, touched.size(), static_cast<T>(p_.force_share), remembered.start);
-      for (auto j = std::size_t(0); j < std::size_t(touched.size()); ++j)
+          device, dynamics, walls, count, static_cast<T>(p_.force_share), remembered.start);
+      for (auto j = std::size_t(0); j < std::size_t(count); ++j)
         learn(walls[j], found.made[j], found.largest[j], found.sticks, dt);
       return passive_haptics::torques_to_command(
           device, found.capacity, passive_haptics::lag_shares(device.brakes, p_.horizon), remembered.brakes);
     }
-    const brake_vector<M> w = rates_with(walls, touched.size(), dynamics);
-    const bool alone = touched.size() == 1;
+    // One wall decides by itself; of several those that demand a force
+    const int demanding = count == 1 ? 1 : demanding_first(walls, count);
+    const brake_vector<M> w = rates_with(walls, demanding, dynamics);
+    const bool alone = demanding == 1;
     const auto brakes = passive_haptics::torque_ranges_of(
         device, dynamics, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
     const auto u = passive_haptics::torque_units_of<M>(brake_vector<M>(-brakes.sign), device.brakes);
-    brake_vector<M> t = least_power_torques(walls, touched.size(), brakes, w, u);
-    for (int j = 0; j < touched.size(); ++j) learn(walls[std::size_t(j)], brakes, t, dt);
+    brake_vector<M> t = least_power_torques(walls, demanding, brakes, w, u);
+    for (int j = 0; j < count; ++j) learn(walls[std::size_t(j)], brakes, t, dt);
+    if constexpr (Capacity > 1)
+      if (count > 1 && enters_undisplayed(walls, count, brakes, t))
+        return stopping(weighted_motion<M>(dynamics, device.hand_force));
     const bool sinks = alone && walls[0].speed_error > T(0);
     for (int i = 0; i < m; ++i)
       if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
@@ -146,6 +162,9 @@ class velocity_direct_control {
     T feedforward;  // f_ff [N]
     T force;        // f [N]
     contact_state* state;
+
+    // The handle may not go further into it
+    bool is_closed() const { return force > T(0) || state->depth > 0; }
   };
 
   // Low-passed joint rates [rad/s or m/s]
@@ -183,7 +202,7 @@ class velocity_direct_control {
     const auto along = passive_haptics::response_along(as<T>(n), dynamics, Fh);
     const T speed_error = static_cast<T>(v_ref - outward);
     const T feedforward = -along.inertia * (static_cast<T>(curving) + along.free);
-    const T damping = along.inertia / static_cast<T>(p_.velocity_lag_for(slowest_lag(device.brakes)));
+    const T damping = along.inertia / velocity_lag<T>(device.brakes);
     const T force = feedforward + static_cast<T>(state.bias) + damping * speed_error;
     return wall_demand<T, D, M::brake_count>{
         along, speed_error, static_cast<T>(-outward), damping, feedforward, force, &state};
@@ -192,6 +211,53 @@ class velocity_direct_control {
   template <class B>
   static double slowest_lag(const B& brakes) {
     return static_cast<double>(brakes.time_constant.maxCoeff());
+  }
+
+  // tau_v [s]
+  template <class T, class B>
+  T velocity_lag(const B& brakes) const {
+    return static_cast<T>(p_.velocity_lag_for(slowest_lag(brakes)));
+  }
+
+  // Brings walls that demand a force to the front; how many these are
+  template <class Walls>
+  static int demanding_first(Walls& walls, int count) {
+    const auto end =
+        std::partition(walls.begin(), walls.begin() + count, [](const auto& wall) { return wall.force > 0; });
+    return static_cast<int>(end - walls.begin());
+  }
+
+  // Whether the handle enters all walls that are closed, two or more, and one of them gets less than half of
+  // what it demands
+  template <class Walls, class T, int Brakes>
+  static bool enters_undisplayed(const Walls& walls, int count, const torque_range<T, Brakes>& brakes,
+                                 const vector<T, Brakes>& t) {
+    const vector<T, Brakes> torque = brakes.sign.cwiseProduct(t);
+    int closed = 0;
+    bool misses = false;
+    for (int j = 0; j < count; ++j) {
+      const auto& wall = walls[std::size_t(j)];
+      if (!wall.is_closed()) continue;
+      if (!(wall.stop_speed > T(0))) return false;
+      ++closed;
+      misses = misses || wall.along.inertia * wall.along.g.dot(torque) < T(0.5) * wall.force;
+    }
+    return closed > 1 && misses;
+  }
+
+  // Every brake stops the motion. One at rest stays so: to let it go quickly would be of no use.
+  template <class M, class Device>
+  brake_vector<M> stop(const Device& device, const pose_dynamics<M>& dynamics,
+                       const weighted_motion<M>& motion, memory& remembered) const {
+    using T = typename M::scalar;
+    auto share = passive_haptics::lag_shares(device.brakes, p_.horizon);
+    unrolled<M::brake_count>([&](auto i) {
+      if (!slips(dynamics.rates[i], rate_dead_band_of<T>(device.brakes, i))) share[i] = T(1);
+    });
+    return passive_haptics::torques_to_command(
+        device,
+        passive_haptics::stopping_torques(dynamics, motion, device.brakes, velocity_lag<T>(device.brakes)),
+        share, remembered.brakes);
   }
 
   // w* = w + sum_j g_j p_j, the rates when normal impulses p have brought the handle to v_ref at each wall:
