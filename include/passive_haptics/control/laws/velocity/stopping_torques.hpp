@@ -9,6 +9,7 @@
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/force/torques/torque_units.hpp>
 
 #include <algorithm>
 #include <array>
@@ -59,9 +60,9 @@ bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& mot
 }
 
 /// Magnitudes [N m] of the brake torques that stop device and hand in a time [s], as nearly as brakes can:
-/// the least |M^-1/2 (T^T t + J^T Fh - c) + M^1/2 qd / time|, of these the least |t|. A brake at rest gets
-/// twice what holds it, as sensor and inertia may be off: what it does not need it does not make. Cost: two
-/// levels of core/linear/least_squares_by_priority.hpp.
+/// the least |M^-1/2 (T^T t + J^T Fh - c) + M^1/2 qd / time|, of these the least |t / u|. A brake at rest
+/// gets twice what holds it, as sensor and inertia may be off: what it does not need it does not make. Cost:
+/// two levels of core/linear/least_squares_by_priority.hpp.
 template <class M, class Brakes, class T = typename M::scalar>
 brake_vector<M> stopping_torques(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                                  const Brakes& brakes, T time) {
@@ -77,9 +78,10 @@ brake_vector<M> stopping_torques(const pose_dynamics<M>& dynamics, const weighte
   }
   const matrix<T, n, m> per_torque = dynamics.mass.half_solve(dynamics.Tt);
   const joint_vector<M> wanted = -motion.push - motion.now / time;
-  const brake_vector<M> t =
-      least_squares_by_priority(lower, upper, least_squares_level{per_torque, wanted},
-                                least_squares_level{matrix<T, m, m>(matrix<T, m, m>::Identity())});
+  const auto u = passive_haptics::torque_units_of<M>(brake_vector<M>(brake_vector<M>::Zero()), brakes);
+  const matrix<T, m, m> parts = passive_haptics::parts_per_torque<T, m>(u).asDiagonal();
+  const brake_vector<M> t = least_squares_by_priority(lower, upper, least_squares_level{per_torque, wanted},
+                                                      least_squares_level{parts});
   brake_vector<M> magnitude;
   for (int i = 0; i < m; ++i)
     magnitude[i] = std::min(share[i] * std::abs(t[i]), torque_bound_of<T>(brakes, i, t[i]));
