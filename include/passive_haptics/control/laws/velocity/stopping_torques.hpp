@@ -59,33 +59,29 @@ bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& mot
   return left.norm() <= most_left * y.norm();
 }
 
-/// Magnitudes [N m] of the brake torques that stop device and hand in a time [s], as nearly as brakes can:
-/// the least |M^-1/2 (T^T t + J^T Fh - c) + M^1/2 qd / time|, of these the least |t / u|. A brake at rest
-/// gets twice what holds it, as sensor and inertia may be off: what it does not need it does not make. Cost:
-/// two levels of core/linear/least_squares_by_priority.hpp.
+/// Magnitudes [N m] of the brake torques that stop device and hand in a time [s] and hold more than hand and
+/// gravity do, as sensor and inertia may be off: what a brake at rest does not need it does not make. The
+/// least |M^-1/2 (T^T t + held (J^T Fh - c)) + M^1/2 qd / time| within the limits and the signs of brakes that
+/// turn, of these the least |t / u|. Cost: two levels of core/linear/least_squares_by_priority.hpp.
 template <class M, class Brakes, class T = typename M::scalar>
 brake_vector<M> stopping_torques(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                                  const Brakes& brakes, T time) {
   constexpr int n = M::dof, m = M::brake_count;
-  constexpr T max_held(2);
-  brake_vector<M> lower, upper, share;
+  constexpr T held(1.4);
+  brake_vector<M> lower, upper;
   for (int i = 0; i < m; ++i) {
     const T w = dynamics.rates[i];
     const bool turns = slips(w, rate_dead_band_of<T>(brakes, i));
     lower[i] = turns && w < T(0) ? T(0) : -torque_bound_of<T>(brakes, i, T(-1));
     upper[i] = turns && w > T(0) ? T(0) : torque_bound_of<T>(brakes, i, T(1));
-    share[i] = turns ? T(1) : max_held;
   }
   const matrix<T, n, m> per_torque = dynamics.mass.half_solve(dynamics.Tt);
-  const joint_vector<M> wanted = -motion.push - motion.now / time;
+  const joint_vector<M> wanted = -held * motion.push - motion.now / time;
   const auto u = passive_haptics::torque_units_of<M>(brake_vector<M>(brake_vector<M>::Zero()), brakes);
   const matrix<T, m, m> parts = passive_haptics::parts_per_torque<T, m>(u).asDiagonal();
-  const brake_vector<M> t = least_squares_by_priority(lower, upper, least_squares_level{per_torque, wanted},
-                                                      least_squares_level{parts});
-  brake_vector<M> magnitude;
-  for (int i = 0; i < m; ++i)
-    magnitude[i] = std::min(share[i] * std::abs(t[i]), torque_bound_of<T>(brakes, i, t[i]));
-  return magnitude;
+  return least_squares_by_priority(lower, upper, least_squares_level{per_torque, wanted},
+                                   least_squares_level{parts})
+      .cwiseAbs();
 }
 
 }  // namespace passive_haptics

@@ -227,11 +227,12 @@ class velocity_direct_control {
     return static_cast<int>(end - walls.begin());
   }
 
-  // Whether the handle enters all walls that are closed, two or more, and one of them gets less than half of
+  // Whether a handle that moves enters all walls that are closed, two or more, and one of them gets less than half of
   // what it demands
   template <class Walls, class T, int Brakes>
   static bool enters_undisplayed(const Walls& walls, int count, const torque_range<T, Brakes>& brakes,
                                  const vector<T, Brakes>& t) {
+    if (brakes.at_rest.all()) return false;
     const vector<T, Brakes> torque = brakes.sign.cwiseProduct(t);
     int closed = 0;
     bool misses = false;
