@@ -114,10 +114,19 @@ TYPED_TEST(several_contacts, are_those_that_ask_for_a_force) {
   }
 }
 
-// Each law in a corner of walls 3 and 4, of which one may only be near. The handle moves in, so that both
-// brakes of the table slip: what they make is -s_i capacity_i.
+// More than the limits below.
+struct strong_torques {
+  static constexpr bool commands_torques = true;
+  template <class Situation, class Contacts>
+  auto torque(const Situation& now, const Contacts&) const noexcept {
+    return (-200 * now.s).eval();
+  }
+};
+
+// Each law in a corner of walls 3 and 4, which are touched, near or, without a margin, absent. The handle
+// moves in, so that both brakes of the table slip: what they make is -s_i capacity_i.
 template <class L>
-void expect_reports(bool first_is_touched, bool second_is_touched, double limit) {
+void expect_reports(bool first_is_touched, bool second_is_touched, bool has_margin, double limit) {
   using M = ph::xy_table<double>;
   ph::contacts<2, 2> touched;
   std::vector<ph::contact<2>> expected;
@@ -127,7 +136,7 @@ void expect_reports(bool first_is_touched, bool second_is_touched, double limit)
     wall.wall_number = is_first ? 3 : 4;
     if (is_first ? first_is_touched : second_is_touched) expected.push_back(wall);
     else wall.depth = -1e-4;
-    touched.push_back(wall);
+    if (has_margin || wall.depth > 0) touched.push_back(wall);
   }
   ph::brakes_of<M> brakes;
   brakes.torque_limit.setConstant(limit);
@@ -158,16 +167,19 @@ template <class... L>
 void expect_reports_of_each() {
   for (const double limit : {2.0, 100.0})
     for (const bool first : {true, false})
-      for (const bool second : {true, false}) {
-        SCOPED_TRACE(::testing::Message() << "limit " << limit << ", touched " << first << second);
-        (expect_reports<L>(first, second, limit), ...);
-      }
+      for (const bool second : {true, false})
+        for (const bool margin : {true, false}) {
+          SCOPED_TRACE(::testing::Message()
+                       << "limit " << limit << ", touched " << first << second << ", margin " << margin);
+          (expect_reports<L>(first, second, margin, limit), ...);
+        }
 }
 
 TEST(corner, reports_each_touched_wall_under_every_law) {
   expect_reports_of_each<ph::no_direct_control, ph::direct_control, ph::velocity_direct_control,
                          ph::coercive_force_approximation, ph::single_degree_of_freedom_control,
-                         ph::velocity_ratio_control, ph::on_off_control, ph::bang_bang_control>();
+                         ph::velocity_ratio_control, ph::on_off_control, ph::bang_bang_control,
+                         strong_torques>();
 }
 
 // The limits hold, and that one is reached is said.
