@@ -126,7 +126,8 @@ struct strong_torques {
 // Each law in a corner of walls 3 and 4, which are touched, near or, without a margin, absent. The handle
 // moves in, so that both brakes of the table slip: what they make is -s_i capacity_i.
 template <class L>
-void expect_reports(bool first_is_touched, bool second_is_touched, bool has_margin, double limit) {
+void expect_reports(bool first_is_touched, bool second_is_touched, bool has_margin, double limit,
+                    ph::saturation policy) {
   using M = ph::xy_table<double>;
   ph::contacts<2, 2> touched;
   std::vector<ph::contact<2>> expected;
@@ -141,9 +142,11 @@ void expect_reports(bool first_is_touched, bool second_is_touched, bool has_marg
   ph::brakes_of<M> brakes;
   brakes.torque_limit.setConstant(limit);
   const auto state = state_of<M>({0, 0}, {-0.05, -0.1}, {-1, -2});
+  ph::step_options<double> options;
+  options.limits = policy;
   const auto check = [&](const auto& walls) {
     ph::step_memory<L> memory;
-    const auto result = ph::step(M(), brakes, walls, L(), state, memory);
+    const auto result = ph::step(M(), brakes, walls, L(), state, memory, options);
     ASSERT_EQ(result.outcome, ph::status::ok);
     ASSERT_EQ(result.contact_count, static_cast<int>(expected.size()));
     const ph::point<2> F = -result.signs.cwiseProduct(result.capacity);
@@ -171,7 +174,8 @@ void expect_reports_of_each() {
         for (const bool margin : {true, false}) {
           SCOPED_TRACE(::testing::Message()
                        << "limit " << limit << ", touched " << first << second << ", margin " << margin);
-          (expect_reports<L>(first, second, margin, limit), ...);
+          (expect_reports<L>(first, second, margin, limit, ph::saturation::keep_direction), ...);
+          (expect_reports<L>(first, second, margin, limit, ph::saturation::clamp_each), ...);
         }
 }
 

@@ -77,10 +77,8 @@ struct one_wall {
     auto result = passive_haptics::result_of<Result>(device, touched, touched[0].wall_number, Fd, done, t);
     if constexpr (HasReports<Result>)
       if (result.outcome == status::ok) {
-        vector<T, d> F = done.Fc_scaled.force;
-        if (done.td.limited) F = passive_haptics::force_map_of(device.pose, device.E).G * done.td.torque;
         const bool gives_way = nulls_normal_force<L> && outward(Fd, device.v) > T(0);
-        passive_haptics::report_contacts(result, touched, F, [&](int) {
+        passive_haptics::report_contacts(result, touched, commanded_force(device, done), [&](int) {
           return contact_report<T>{.wanted = done.alpha * Fd.magnitude, .has_priority = gives_way};
         });
       }
@@ -88,6 +86,16 @@ struct one_wall {
   }
 
  private:
+  // F of td: a share of Fc', unless each brake was cut by itself
+  template <class Device>
+  vector<T, d> commanded_force(const Device& device, const steps& done) const {
+    if (!done.td.limited) return done.Fc_scaled.force;
+    if (setup.options.limits == saturation::clamp_each)
+      return passive_haptics::force_map_of(device.pose, device.E).G * done.td.torque;
+    return done.td.torque.cwiseAbs().maxCoeff() / done.Fc_scaled.torque.cwiseAbs().maxCoeff() *
+           done.Fc_scaled.force;
+  }
+
   template <class Device>
   saturated_torque<T, m> limited(const vector<T, m>& t, const Device& device) const {
     return passive_haptics::within_limits(t, device.brakes, setup.options.limits);
