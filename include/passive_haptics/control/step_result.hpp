@@ -83,7 +83,8 @@ struct step_result : settled_part<M> {
   }
 };
 
-/// Result of a step for a scene in which up to MaxContacts walls can be touched at once.
+/// Result of a step for a scene in which up to MaxContacts > 1 walls can be touched at once. The result for a
+/// scene of one wall has no reports.
 template <class M, int MaxContacts>
 struct step_result_of_contacts : step_result<M> {
   /// The first contact_count are of this cycle.

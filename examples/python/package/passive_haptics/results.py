@@ -62,7 +62,7 @@ class contact_report(typing.NamedTuple):
     wall_number: int
     """Wall of the scene."""
     wanted: float
-    """Normal force that the law requires, under a law of torques the one that these make before the limits [N]."""
+    """Normal force that the law requires [N]; of a law of torques the one that these make before the limits."""
     displayed: float
     """Normal force that is commanded [N]."""
     has_priority: bool
