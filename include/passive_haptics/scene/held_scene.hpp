@@ -40,7 +40,10 @@ class held_scene {
     if (!(time - sampled_at_ < period_ - slack) || time < sampled_at_) {
       contacts_ = sense(scene_, x);
       sampled_at_ = time;
+    } else {
+      for (auto& c : contacts_) c.sensed_at += (time - carried_to_) * c.wall_velocity;
     }
+    carried_to_ = time;
     return contacts_;
   }
 
@@ -74,6 +77,7 @@ class held_scene {
   Scene scene_;
   double period_;
   double sampled_at_ = -std::numeric_limits<double>::infinity();
+  double carried_to_ = 0;  // the time at which sensed_at of the contacts is [s]
   contacts_type contacts_{};
 };
 
