@@ -22,6 +22,8 @@ struct hold_parameters {
 };
 
 /// Zero-order hold of a scene: a virtual environment that updates at its own rate, as a faster loop sees it.
+/// Between two samples only contact::sensed_at changes: it moves with the wall, by its velocity times the age
+/// of the sample, so that a law that carries the contact on by the handle's motion uses the relative motion.
 template <class Scene>
 class held_scene {
  public:

@@ -15,11 +15,11 @@ namespace passive_haptics {
 ///
 /// **The memory that a contact continues.** A wall number does not identify a contact: the faces of a mesh
 /// share one, and at the seam of two walls the hand slides on along one surface while the number changes. A
-/// memory is therefore found by wall and normal. Each cycle pairs its contacts with the memories of the cycle
-/// before, the pair with the most similar normals first. Another wall's memory is continued only within 30
-/// degrees, where a force learned along the normal is right to 13 %, and only if the wall's own is not as
-/// similar or has turned by more than that. A contact without a partner begins with a fresh memory; a memory
-/// without one is forgotten.
+/// memory therefore belongs to a wall and a normal. Each cycle pairs its contacts with the memories of the
+/// cycle before, the most similar normals first. A contact continues a memory of its own wall however far the
+/// normal has turned, and one of another wall if the normals differ by less than 30 degrees: a force learned
+/// along one is then right along the other to 13 %. Between both, its own wall counts as much as these
+/// 30 degrees do. A contact without a partner begins with a fresh memory; a memory without one is forgotten.
 template <class Memory, int Capacity>
 class contact_memory {
  public:
@@ -30,8 +30,9 @@ class contact_memory {
   void begin_cycle(const Contacts& touched) {
     const int before = size_;
     size_ = std::min(touched.size(), Capacity);
-    const bool continues = size_ == 1 && before == 1 && touched[0].wall_number == slots_[0].wall;  // the pair
-    if (!continues) pair(touched, before);
+    int paired = 0;  // contacts as before, in most cycles all
+    while (paired < std::min(size_, before) && slots_[std::size_t(paired)].is_of(touched[paired])) ++paired;
+    if (paired < size_) pair_from(paired, touched, before);
     for (int j = 0; j < size_; ++j) slots_[std::size_t(j)].set_contact(touched[j]);
   }
 
@@ -42,8 +43,10 @@ class contact_memory {
   void clear() { size_ = 0; }
 
  private:
-  static constexpr int max_dimension = 3;        // as of a mechanism's task
-  static constexpr double least_cosine = 0.866;  // between the normals of a contact and another wall's memory
+  static constexpr int max_dimension = 3;      // as of a mechanism's task
+  static constexpr double min_cosine = 0.866;  // between a contact's normal and that of another wall's memory
+  static constexpr double same_cosine = 0.999;  // between the normals of one face in two cycles
+  static constexpr double unlike = -1;          // similarity of a contact that cannot continue a memory
 
   struct slot {
     int wall = 0;
@@ -55,28 +58,36 @@ class contact_memory {
       wall = c.wall_number;
       for (int i = 0; i < int(c.normal.size()); ++i) normal[std::size_t(i)] = float(c.normal[i]);
     }
-    // Not above `unlike` if the contact cannot continue this memory
+    template <class Contact>
+    double cosine(const Contact& c) const {
+      double sum = 0;
+      for (int i = 0; i < int(c.normal.size()); ++i) sum += c.normal[i] * double(normal[std::size_t(i)]);
+      return sum;
+    }
+    template <class Contact>
+    bool is_of(const Contact& c) const {
+      return c.wall_number == wall && cosine(c) > same_cosine;
+    }
     template <class Contact>
     double similarity(const Contact& c) const {
-      double cosine = 0;
-      for (int i = 0; i < int(c.normal.size()); ++i) cosine += c.normal[i] * double(normal[std::size_t(i)]);
-      if (c.wall_number == wall) return cosine + 1 - least_cosine;
-      return cosine > least_cosine ? cosine : unlike;
+      const double of_normals = cosine(c);
+      if (c.wall_number == wall) return of_normals + 1 - min_cosine;
+      return of_normals > min_cosine ? of_normals : unlike;
     }
   };
-  static constexpr double unlike = -1;
 
+  static unsigned all_between(int first, int end) { return (1u << end) - (1u << first); }
   static bool holds(unsigned set, int k) { return (set >> k & 1u) != 0; }
 
-  // Brings the memory of each contact to its place
+  // Brings the memory of each contact from the `first` on to its place
   template <class Contacts>
-  void pair(const Contacts& touched, int before) {
-    unsigned open = (1u << size_) - 1, known = (1u << before) - 1;  // contacts and memories without a partner
+  [[gnu::noinline]] void pair_from(int first, const Contacts& touched, int before) {
+    unsigned open = all_between(first, size_), known = all_between(first, before);  // those without a partner
     for (;;) {
       double most = unlike;
       int contact = 0, memory = 0;
-      for (int j = 0; j < size_; ++j) {
-        for (int k = 0; k < before; ++k) {
+      for (int j = first; j < size_; ++j) {
+        for (int k = first; k < before; ++k) {
           if (!holds(open, j) || !holds(known, k)) continue;
           const double similarity = slots_[std::size_t(k)].similarity(touched[j]);
           if (!(similarity > most)) continue;
@@ -90,7 +101,7 @@ class contact_memory {
       open &= ~(1u << contact);
       known &= ~(1u << (holds(known, contact) ? contact : memory));  // what was there is at `memory` now
     }
-    for (int j = 0; j < size_; ++j)
+    for (int j = first; j < size_; ++j)
       if (holds(open, j)) slots_[std::size_t(j)].memory = {};
   }
 
