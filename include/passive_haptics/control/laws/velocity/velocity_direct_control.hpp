@@ -43,8 +43,14 @@ namespace passive_haptics {
 /// of its rate once the handle no longer sinks: the rate now may only be that of the landing (torque_range).
 ///
 /// **The depth of rest** d_ref is rest_depth on fine encoders; on coarse ones, whose counts let the depth
-/// jump, it is a multiple of these jumps. The less is known of lags and dead times, the deeper it has to be:
+/// jump, it is a multiple of these jumps. A jump is a change of the depth that the normal velocity does not
+/// explain. An encoder jumps by no more than the handle was seen to move in that cycle, as a distance changes
+/// by no more than its point moves. The rest is the scene's and lifts nothing: another face, a wall that was
+/// moved, a new sample of a slow scene. The less is known of lags and dead times, the deeper d_ref has to be:
 /// docs/results.md has the separations for 1 to 4 mm.
+///
+/// **Memory.** b and the jumps belong to a contact. contact_memory says which one it continues when the hand
+/// passes to another face or wall.
 ///
 /// **The margin.** A handle that comes at 0.1 m/s is over a millimetre deep before lagging brakes hold it. So
 /// that they begin before, scenes give contacts from margin() on: approach_speed (1 / k_d + 3 T_b), T_b that
@@ -63,7 +69,7 @@ class velocity_direct_control {
   static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
   static constexpr int most_contacts = 8;          ///< Walls that it remembers at once.
 
-  /// Of one wall.
+  /// Of one contact.
   struct contact_state {
     double depth = std::numeric_limits<double>::quiet_NaN();  ///< In the cycle before [m]; NaN if none.
     double jump = 0;  ///< The largest jump of the depth, slowly forgotten [m].
@@ -71,12 +77,13 @@ class velocity_direct_control {
   };
   /// What it remembers.
   struct memory {
-    contact_memory<contact_state, most_contacts> walls;       ///< Each wall's.
+    contact_memory<contact_state, most_contacts> walls;       ///< Each contact's.
     brake_lag_model brakes;                                   ///< What the brakes make.
     approximation_start start;                                ///< n > d: the brakes that come to rest.
     bool moving = false;                                      ///< Rates and time are known.
     double time = 0;                                          ///< Of the cycle before [s].
     std::array<double, brake_lag_model::max_brakes> rates{};  ///< Of the joints, low-passed [rad/s or m/s].
+    std::array<double, 3> position{};                         ///< Of the handle in the cycle before [m].
   };
 
   /// Throws std::invalid_argument with the text of validate(p).
@@ -103,11 +110,12 @@ class velocity_direct_control {
     remembered.moving = true;
     remembered.time = device.time;
     remembered.brakes.advance(device.time, device.brakes.time_constant);
-    remembered.walls.begin_cycle();
+    remembered.walls.begin_cycle(touched);
+    const double moved = moved_since_last(device.x, remembered);
     std::array<wall_demand<T, D, m>, std::size_t(Capacity)> walls;
     const task_vector<M> Fh = static_cast<T>(p_.force_share) * device.hand_force;
     for (int j = 0; j < touched.size(); ++j)
-      walls[std::size_t(j)] = demand_of(touched[j], device, dynamics, Fh, dt, remembered);
+      walls[std::size_t(j)] = demand_of(touched[j], device, dynamics, Fh, dt, moved, remembered.walls[j]);
     const int count = touched.size();
     [[maybe_unused]] const auto stopping = [&](const weighted_motion<M>& motion) {
       return stop(device, dynamics, motion, remembered);
@@ -182,19 +190,30 @@ class velocity_direct_control {
     return smooth;
   }
 
+  // How far the handle was seen to move since the cycle before [m]
+  template <int D>
+  static double moved_since_last(const point<D>& x, memory& remembered) {
+    double square = 0;
+    for (int i = 0; i < D; ++i) {
+      double& before = remembered.position[std::size_t(i)];
+      square += (x[i] - before) * (x[i] - before);
+      before = x[i];
+    }
+    return std::sqrt(square);
+  }
+
   template <class M, int D, class Device>
   auto demand_of(const contact<D>& c, const Device& device, const pose_dynamics<M>& dynamics,
-                 const task_vector<M>& Fh, double dt, memory& remembered) const {
+                 const task_vector<M>& Fh, double dt, double moved_by, contact_state& state) const {
     using T = typename M::scalar;
     const point<D> moved = device.x - c.sensed_at, relative = as<double>(dynamics.velocity) - c.wall_velocity;
     const point<D> n = (c.normal + c.curvature * moved).normalized();
     const double depth = c.depth - moved.dot(c.normal + 0.5 * (c.curvature * moved));
     const double outward = n.dot(relative), curving = relative.dot(c.curvature * relative);
 
-    contact_state& state = remembered.walls.of(c.wall_number);
-    // A jump is what the depth changed by more than its motion explains; a NaN, of the first cycle, is none
-    state.jump = std::max(state.jump * (1 - std::min(dt / p_.jump_time, 1.0)),
-                          std::abs(depth - state.depth) - 2 * dt * std::abs(outward));
+    // Of an encoder; NaN, of the first cycle, is none
+    const double jump = std::min(std::abs(depth - state.depth) - 2 * dt * std::abs(outward), moved_by);
+    state.jump = std::max(state.jump * (1 - std::min(dt / p_.jump_time, 1.0)), jump);
     state.depth = depth;
     const double d_ref = std::max(p_.rest_depth, std::min(p_.depth_per_jump * state.jump, p_.deepest_rest));
     const double v_ref = std::clamp(p_.depth_gain * (depth - d_ref), -p_.velocity_limit, p_.velocity_limit);
