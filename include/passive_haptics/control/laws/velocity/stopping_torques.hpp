@@ -61,8 +61,8 @@ bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& mot
 
 /// Magnitudes [N m] of the brake torques that stop device and hand in a time [s] and hold more than hand and
 /// gravity do, as sensor and inertia may be off: what a brake at rest does not need it does not make. The
-/// least |M^-1/2 (T^T t + held (J^T Fh - c)) + M^1/2 qd / time| within the limits and the signs of brakes that
-/// turn, of these the least |t / u|. Cost: two levels of core/linear/least_squares_by_priority.hpp.
+/// least |M^-1/2 (T^T t + held (J^T Fh - c)) + M^1/2 qd / time| within the limits and the signs of brakes
+/// that turn, of these the least |t / u|. Cost: two levels of core/linear/least_squares_by_priority.hpp.
 template <class M, class Brakes, class T = typename M::scalar>
 brake_vector<M> stopping_torques(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                                  const Brakes& brakes, T time) {

@@ -126,16 +126,19 @@ class velocity_direct_control {
         if (passive_haptics::is_cornered(dynamics, motion, walls, count, velocity_lag<T>(device.brakes)))
           return stopping(motion);
       }
+    // One wall decides by itself; of several those that demand a force
+    const int demanding = count == 1 ? 1 : demanding_first(walls, count);
     if constexpr (Settles<M>) {
       const auto found = passive_haptics::settled_torques_for<M>(
-          device, dynamics, walls, count, static_cast<T>(p_.force_share), remembered.start);
-      for (auto j = std::size_t(0); j < std::size_t(count); ++j)
-        learn(walls[j], found.made[j], found.largest[j], found.sticks, dt);
+          device, dynamics, walls, demanding, static_cast<T>(p_.force_share), remembered.start);
+      for (auto j = std::size_t(0); j < std::size_t(count); ++j) {
+        const bool demands = j < std::size_t(demanding);
+        learn(walls[j], found.made[j], demands ? found.largest[j] : std::numeric_limits<T>::infinity(),
+              found.sticks, dt);
+      }
       return passive_haptics::torques_to_command(
           device, found.capacity, passive_haptics::lag_shares(device.brakes, p_.horizon), remembered.brakes);
     }
-    // One wall decides by itself; of several those that demand a force
-    const int demanding = count == 1 ? 1 : demanding_first(walls, count);
     const brake_vector<M> w = rates_with(walls, demanding, dynamics);
     const bool alone = demanding == 1;
     const auto brakes = passive_haptics::torque_ranges_of(
@@ -246,8 +249,8 @@ class velocity_direct_control {
     return static_cast<int>(end - walls.begin());
   }
 
-  // Whether a handle that moves enters all walls that are closed, two or more, and one of them gets less than half of
-  // what it demands
+  // Whether a handle that moves enters all walls that are closed, two or more, and one of them gets less than
+  // half of what it demands
   template <class Walls, class T, int Brakes>
   static bool enters_undisplayed(const Walls& walls, int count, const torque_range<T, Brakes>& brakes,
                                  const vector<T, Brakes>& t) {
