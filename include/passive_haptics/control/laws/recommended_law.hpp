@@ -22,7 +22,9 @@ concept meets_needs_of_velocity_control = Dynamics<M> && HandForceState<State, M
 /// and lags. Else on_off_control, which needs none of them, with the lag of the slowest brake as its lead.
 ///
 /// Of all laws these two separate least from a wall (docs/results.md, table of laws and brakes): 0 times on
-/// each of eight kinds of brakes, and 0 to 8 times, where direct_control separates 5 to 25 times. State: that
+/// each of eight kinds of brakes, and 0 to 8 times, where direct_control separates 5 to 25 times. In a corner
+/// of walls both hold what locked brakes hold (the same page). Without a force sensor only on_off_control
+/// does: a sensorless_controller lets brakes that hold go to find out where the hand wants to go. State: that
 /// which the loop gives the controller, `recommended_law<State>(mechanism, brakes)`.
 template <class State, class M, class B>
 auto recommended_law(const M&, [[maybe_unused]] const B& brakes) {

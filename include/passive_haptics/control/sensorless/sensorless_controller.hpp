@@ -37,7 +37,8 @@ struct sensorless_parameters {
 /// command is higher than the law's, until the brakes make what the law counts on.
 ///
 /// A hand that presses without moving along sinks by its probes: in simulation (the paper's device, 2 N) 0.1
-/// mm/s under direct_control, 0.3 mm/s under velocity_direct_control.
+/// mm/s under direct_control, 0.3 mm/s under velocity_direct_control. In a corner each wall sinks so: there
+/// on_off_control, which needs no hand force, holds (docs/results.md).
 ///
 /// For mechanisms that model Dynamics. Errors: as controller; a cycle that is not later than the one before
 /// ends with status::time_not_rising under any law. Cost: that of the law and of the observer.

@@ -42,6 +42,16 @@ namespace passive_haptics {
 /// makes: gains and a sensor that are off may hide what holds it. The way in which a brake can push is that
 /// of its rate once the handle no longer sinks: the rate now may only be that of the landing (torque_range).
 ///
+/// **Several walls.** A wall whose f is not above 0 constrains nothing: one that is merely near changes
+/// nothing along another. Those with f > 0 get their forces together, as nearly as the brakes can. A brake
+/// at rest then takes its sign from the torque that holds it; w*, the rates that the walls ask for, decides
+/// only for one wall, as near a corner it is an imagined motion into the shallower one. Where the walls leave
+/// the handle no way to go (is_cornered), every brake stops it (stopping_torques), for to hold is right
+/// whatever each brake does for each wall; b waits. So they do for a handle that moves into all walls while
+/// one of these gets less than half of its f: near a fold no brake may have a force along a normal, and all
+/// together still stop the motion. A hand that pulls out leaves this state with the first cycle that reads
+/// it.
+///
 /// **The depth of rest** d_ref is rest_depth on fine encoders; on coarse ones, whose counts let the depth
 /// jump, it is a multiple of these jumps. A jump is a change of the depth that the normal velocity does not
 /// explain. An encoder jumps by no more than the handle was seen to move in that cycle, as a distance changes
@@ -58,7 +68,7 @@ namespace passive_haptics {
 /// where it was sensed; with a margin it is known in time.
 ///
 /// Needs the hand force, the inertia and the brakes' lag. Cost: a Cholesky of n x n; one more solution with
-/// it where a brake is at rest; for several walls a prioritised least squares.
+/// it where a brake is at rest; for several walls a projection onto a cone and a prioritised least squares.
 class velocity_direct_control {
  public:
   static constexpr bool needs_hand_force = true;   ///< Needs a force sensor at the handle.
