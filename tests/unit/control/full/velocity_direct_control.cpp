@@ -508,7 +508,7 @@ TEST(velocity_direct_control, holds_a_handle_at_rest_in_a_corner) {
   const auto held =
       ph::step(table(), brakes, corner, law(), state_of<table>({0, 0}, {-sinking, -sinking}, -push), memory);
   for (int i = 0; i < 2; ++i)
-    EXPECT_NEAR(held.capacity[i], sinking * force_per_speed(p) + 1.4 * push[i], 1e-6);
+    EXPECT_NEAR(held.capacity[i], sinking * force_per_speed(p) + 1.3 * push[i], 1e-6);
 }
 
 // Which way a brake pushes is told by its rate once the handle has stopped sinking, w* = w - Lambda_n g n . v

@@ -67,7 +67,7 @@ template <class M, class Brakes, class T = typename M::scalar>
 brake_vector<M> stopping_torques(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                                  const Brakes& brakes, T time) {
   constexpr int n = M::dof, m = M::brake_count;
-  constexpr T held(1.4);
+  constexpr T held(1.3);
   brake_vector<M> lower, upper;
   for (int i = 0; i < m; ++i) {
     const T w = dynamics.rates[i];
