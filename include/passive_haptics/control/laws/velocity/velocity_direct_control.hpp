@@ -10,6 +10,7 @@
 #include <passive_haptics/control/laws/velocity/settled_torques.hpp>
 #include <passive_haptics/control/laws/velocity/stopping_torques.hpp>
 #include <passive_haptics/control/laws/velocity/torque_range.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_contact_state.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/scene/contacts.hpp>
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace passive_haptics {
 
@@ -53,14 +53,9 @@ namespace passive_haptics {
 /// it.
 ///
 /// **The depth of rest** d_ref is rest_depth on fine encoders; on coarse ones, whose counts let the depth
-/// jump, it is a multiple of these jumps. A jump is a change of the depth that the normal velocity does not
-/// explain. An encoder jumps by no more than the handle was seen to move in that cycle, as a distance changes
-/// by no more than its point moves. The rest is the scene's and lifts nothing: another face, a wall that was
-/// moved, a new sample of a slow scene. The less is known of lags and dead times, the deeper d_ref has to be:
-/// docs/results.md has the separations for 1 to 4 mm.
-///
-/// **Memory.** b and the jumps belong to a contact. contact_memory says which one it continues when the hand
-/// passes to another face or wall.
+/// jump, it is a multiple of these jumps (velocity_contact_state). The less is known of lags and dead times,
+/// the deeper it has to be: docs/results.md has the separations for 1 to 4 mm. b and the jumps belong to a
+/// contact; contact_memory says which one it continues when the hand passes to another face or wall.
 ///
 /// **The margin.** A handle that comes at 0.1 m/s is over a millimetre deep before lagging brakes hold it. So
 /// that they begin before, scenes give contacts from margin() on: approach_speed (1 / k_d + 3 T_b), T_b that
@@ -79,12 +74,7 @@ class velocity_direct_control {
   static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
   static constexpr int most_contacts = 8;          ///< Walls that it remembers at once.
 
-  /// Of one contact.
-  struct contact_state {
-    double depth = std::numeric_limits<double>::quiet_NaN();  ///< In the cycle before [m]; NaN if none.
-    double jump = 0;  ///< The largest jump of the depth, slowly forgotten [m].
-    double bias = 0;  ///< b [N]
-  };
+  using contact_state = velocity_contact_state;  ///< Of one contact.
   /// What it remembers.
   struct memory {
     contact_memory<contact_state, most_contacts> walls;       ///< Each contact's.
@@ -93,7 +83,7 @@ class velocity_direct_control {
     bool moving = false;                                      ///< Rates and time are known.
     double time = 0;                                          ///< Of the cycle before [s].
     std::array<double, brake_lag_model::max_brakes> rates{};  ///< Of the joints, low-passed [rad/s or m/s].
-    std::array<double, 3> position{};                         ///< Of the handle in the cycle before [m].
+    seen_position position;                                   ///< Of the handle.
   };
 
   /// Throws std::invalid_argument with the text of validate(p).
@@ -121,7 +111,7 @@ class velocity_direct_control {
     remembered.time = device.time;
     remembered.brakes.advance(device.time, device.brakes.time_constant);
     remembered.walls.begin_cycle(touched);
-    const double moved = moved_since_last(device.x, remembered);
+    const double moved = remembered.position.move_to(device.x);
     std::array<wall_demand<T, D, m>, std::size_t(Capacity)> walls;
     const task_vector<M> Fh = static_cast<T>(p_.force_share) * device.hand_force;
     for (int j = 0; j < touched.size(); ++j)
@@ -203,18 +193,6 @@ class velocity_direct_control {
     return smooth;
   }
 
-  // How far the handle was seen to move since the cycle before [m]
-  template <int D>
-  static double moved_since_last(const point<D>& x, memory& remembered) {
-    double square = 0;
-    for (int i = 0; i < D; ++i) {
-      double& before = remembered.position[std::size_t(i)];
-      square += (x[i] - before) * (x[i] - before);
-      before = x[i];
-    }
-    return std::sqrt(square);
-  }
-
   template <class M, int D, class Device>
   auto demand_of(const contact<D>& c, const Device& device, const pose_dynamics<M>& dynamics,
                  const task_vector<M>& Fh, double dt, double moved_by, contact_state& state) const {
@@ -223,12 +201,7 @@ class velocity_direct_control {
     const point<D> n = (c.normal + c.curvature * moved).normalized();
     const double depth = c.depth - moved.dot(c.normal + 0.5 * (c.curvature * moved));
     const double outward = n.dot(relative), curving = relative.dot(c.curvature * relative);
-
-    // Of an encoder; NaN, of the first cycle, is none
-    const double jump = std::min(std::abs(depth - state.depth) - 2 * dt * std::abs(outward), moved_by);
-    state.jump = std::max(state.jump * (1 - std::min(dt / p_.jump_time, 1.0)), jump);
-    state.depth = depth;
-    const double d_ref = std::max(p_.rest_depth, std::min(p_.depth_per_jump * state.jump, p_.deepest_rest));
+    const double d_ref = state.rest_depth(depth, outward, moved_by, dt, p_);
     const double v_ref = std::clamp(p_.depth_gain * (depth - d_ref), -p_.velocity_limit, p_.velocity_limit);
 
     const auto along = passive_haptics::response_along(as<T>(n), dynamics, Fh);
