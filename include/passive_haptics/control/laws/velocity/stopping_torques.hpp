@@ -5,6 +5,7 @@
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
+#include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
@@ -24,9 +25,9 @@ struct weighted_motion {
   joint_vector<M> now;   ///< M^1/2 qd [J^1/2]
   joint_vector<M> push;  ///< M^-1/2 (J^T Fh - c), what hand and gravity add to it each second [J^1/2 / s].
 
-  /// With the hand doing Fh [N]. Cost: one solution with half of M.
-  weighted_motion(const pose_dynamics<M>& dynamics, const task_vector<M>& Fh)
-      : now(dynamics.mass.half_product(dynamics.qd)),
+  /// At joint rates qd, the hand doing Fh [N]. Cost: one solution with half of M.
+  weighted_motion(const pose_dynamics<M>& dynamics, const joint_vector<M>& qd, const task_vector<M>& Fh)
+      : now(dynamics.mass.half_product(qd)),
         push(dynamics.mass.half_solve(joint_vector<M>(transposed_times(dynamics.J, Fh) - dynamics.bias))) {}
 };
 
@@ -57,6 +58,25 @@ bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& mot
     left -= handle.without_row_space(left);
   }
   return left.norm() <= most_left * y.norm();
+}
+
+/// True if a handle that moves enters all walls that are closed, two or more, and brake torques of magnitudes
+/// t give one of these less than half of the force that it demands.
+template <class Wall, std::size_t Capacity, class T, int Brakes>
+bool enters_undisplayed(const std::array<Wall, Capacity>& walls, int count,
+                        const torque_range<T, Brakes>& brakes, const vector<T, Brakes>& t) {
+  if (brakes.at_rest.all()) return false;
+  const vector<T, Brakes> torque = brakes.sign.cwiseProduct(t);
+  int closed = 0;
+  bool misses = false;
+  for (int j = 0; j < count; ++j) {
+    const Wall& wall = walls[std::size_t(j)];
+    if (!wall.is_closed()) continue;
+    if (!(wall.stop_speed > T(0))) return false;
+    ++closed;
+    misses = misses || wall.along.inertia * wall.along.g.dot(torque) < T(0.5) * wall.force;
+  }
+  return closed > 1 && misses;
 }
 
 /// Magnitudes [N m] of the brake torques that stop device and hand in a time [s] and hold more than hand and

@@ -12,6 +12,7 @@
 #include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_contact_state.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
+#include <passive_haptics/control/laws/velocity/wall_demand.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
@@ -105,8 +106,8 @@ class velocity_direct_control {
     using T = typename M::scalar;
     constexpr int m = M::brake_count;
     const double dt = remembered.moving ? device.time - remembered.time : 0.0;
-    const pose_dynamics<M> dynamics(device.pose, smooth_rates<M>(device.qd, dt, remembered),
-                                    static_cast<T>(p_.hand_mass));
+    const joint_vector<M> qd = smooth_rates<M>(device.qd, dt, remembered);
+    const pose_dynamics<M> dynamics(device.pose, qd, static_cast<T>(p_.hand_mass));
     remembered.moving = true;
     remembered.time = device.time;
     remembered.brakes.advance(device.time, device.brakes.time_constant);
@@ -114,32 +115,33 @@ class velocity_direct_control {
     const double moved = remembered.position.move_to(device.x);
     std::array<wall_demand<T, D, m>, std::size_t(Capacity)> walls;
     const task_vector<M> Fh = static_cast<T>(p_.force_share) * device.hand_force;
+    const T lag = velocity_lag<T>(device.brakes);
     for (int j = 0; j < touched.size(); ++j)
-      walls[std::size_t(j)] = demand_of(touched[j], device, dynamics, Fh, dt, moved, remembered.walls[j]);
+      walls[std::size_t(j)] = passive_haptics::demand_of(touched[j], device, dynamics, Fh, dt, moved,
+                                                         remembered.walls[j], p_, lag);
     const int count = touched.size();
     [[maybe_unused]] const auto stopping = [&](const weighted_motion<M>& motion) {
       return stop(device, dynamics, motion, remembered);
     };
     if constexpr (Capacity > 1)
       if (count > 1) {
-        const weighted_motion<M> motion(dynamics, device.hand_force);
-        if (passive_haptics::is_cornered(dynamics, motion, walls, count, velocity_lag<T>(device.brakes)))
-          return stopping(motion);
+        const weighted_motion<M> motion(dynamics, qd, device.hand_force);
+        if (passive_haptics::is_cornered(dynamics, motion, walls, count, lag)) return stopping(motion);
       }
     // One wall decides by itself; of several those that demand a force
-    const int demanding = count == 1 ? 1 : demanding_first(walls, count);
+    const int demanding = count == 1 ? 1 : passive_haptics::demanding_first(walls, count);
     if constexpr (Settles<M>) {
       const auto found = passive_haptics::settled_torques_for<M>(
           device, dynamics, walls, demanding, static_cast<T>(p_.force_share), remembered.start);
       for (auto j = std::size_t(0); j < std::size_t(count); ++j) {
         const bool demands = j < std::size_t(demanding);
-        learn(walls[j], found.made[j], demands ? found.largest[j] : std::numeric_limits<T>::infinity(),
-              found.sticks, dt);
+        walls[j].learn(found.made[j], demands ? found.largest[j] : std::numeric_limits<T>::infinity(),
+                       found.sticks, dt, p_);
       }
       return passive_haptics::torques_to_command(
           device, found.capacity, passive_haptics::lag_shares(device.brakes, p_.horizon), remembered.brakes);
     }
-    const brake_vector<M> w = rates_with(walls, demanding, dynamics);
+    const brake_vector<M> w = passive_haptics::landing_rates(walls, demanding, dynamics);
     const bool alone = demanding == 1;
     const auto brakes = passive_haptics::torque_ranges_of(
         device, dynamics, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
@@ -147,8 +149,8 @@ class velocity_direct_control {
     brake_vector<M> t = least_power_torques(walls, demanding, brakes, w, u);
     for (int j = 0; j < count; ++j) learn(walls[std::size_t(j)], brakes, t, dt);
     if constexpr (Capacity > 1)
-      if (count > 1 && enters_undisplayed(walls, count, brakes, t))
-        return stopping(weighted_motion<M>(dynamics, device.hand_force));
+      if (count > 1 && passive_haptics::enters_undisplayed(walls, count, brakes, t))
+        return stopping(weighted_motion<M>(dynamics, qd, device.hand_force));
     const bool sinks = alone && walls[0].speed_error > T(0);
     for (int i = 0; i < m; ++i)
       if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
@@ -163,21 +165,6 @@ class velocity_direct_control {
   }
 
  private:
-  // What a wall demands of the brakes.
-  template <class T, int D, int Brakes>
-  struct wall_demand {
-    normal_response<T, D, Brakes> along;
-    T speed_error;  // v_ref - n . v [m/s]: > 0 where the handle shall leave faster
-    T stop_speed;   // -n . v [m/s]
-    T damping;      // Lambda_n / tau_v [N s/m]
-    T feedforward;  // f_ff [N]
-    T force;        // f [N]
-    contact_state* state;
-
-    // The handle may not go further into it
-    bool is_closed() const { return force > T(0) || state->depth > 0; }
-  };
-
   // Low-passed joint rates [rad/s or m/s]
   template <class M>
   joint_vector<M> smooth_rates(const joint_vector<M>& qd, double dt, memory& remembered) const {
@@ -193,26 +180,6 @@ class velocity_direct_control {
     return smooth;
   }
 
-  template <class M, int D, class Device>
-  auto demand_of(const contact<D>& c, const Device& device, const pose_dynamics<M>& dynamics,
-                 const task_vector<M>& Fh, double dt, double moved_by, contact_state& state) const {
-    using T = typename M::scalar;
-    const point<D> moved = device.x - c.sensed_at, relative = as<double>(dynamics.velocity) - c.wall_velocity;
-    const point<D> n = (c.normal + c.curvature * moved).normalized();
-    const double depth = c.depth - moved.dot(c.normal + 0.5 * (c.curvature * moved));
-    const double outward = n.dot(relative), curving = relative.dot(c.curvature * relative);
-    const double d_ref = state.rest_depth(depth, outward, moved_by, dt, p_);
-    const double v_ref = std::clamp(p_.depth_gain * (depth - d_ref), -p_.velocity_limit, p_.velocity_limit);
-
-    const auto along = passive_haptics::response_along(as<T>(n), dynamics, Fh);
-    const T speed_error = static_cast<T>(v_ref - outward);
-    const T feedforward = -along.inertia * (static_cast<T>(curving) + along.free);
-    const T damping = along.inertia / velocity_lag<T>(device.brakes);
-    const T force = feedforward + static_cast<T>(state.bias) + damping * speed_error;
-    return wall_demand<T, D, M::brake_count>{
-        along, speed_error, static_cast<T>(-outward), damping, feedforward, force, &state};
-  }
-
   template <class B>
   static double slowest_lag(const B& brakes) {
     return static_cast<double>(brakes.time_constant.maxCoeff());
@@ -222,33 +189,6 @@ class velocity_direct_control {
   template <class T, class B>
   T velocity_lag(const B& brakes) const {
     return static_cast<T>(p_.velocity_lag_for(slowest_lag(brakes)));
-  }
-
-  // Brings walls that demand a force to the front; how many these are
-  template <class Walls>
-  static int demanding_first(Walls& walls, int count) {
-    const auto end =
-        std::partition(walls.begin(), walls.begin() + count, [](const auto& wall) { return wall.force > 0; });
-    return static_cast<int>(end - walls.begin());
-  }
-
-  // Whether a handle that moves enters all walls that are closed, two or more, and one of them gets less than
-  // half of what it demands
-  template <class Walls, class T, int Brakes>
-  static bool enters_undisplayed(const Walls& walls, int count, const torque_range<T, Brakes>& brakes,
-                                 const vector<T, Brakes>& t) {
-    if (brakes.at_rest.all()) return false;
-    const vector<T, Brakes> torque = brakes.sign.cwiseProduct(t);
-    int closed = 0;
-    bool misses = false;
-    for (int j = 0; j < count; ++j) {
-      const auto& wall = walls[std::size_t(j)];
-      if (!wall.is_closed()) continue;
-      if (!(wall.stop_speed > T(0))) return false;
-      ++closed;
-      misses = misses || wall.along.inertia * wall.along.g.dot(torque) < T(0.5) * wall.force;
-    }
-    return closed > 1 && misses;
   }
 
   // Every brake stops the motion. One at rest stays so: to let it go quickly would be of no use.
@@ -266,26 +206,6 @@ class velocity_direct_control {
         share, remembered.brakes);
   }
 
-  // w* = w + sum_j g_j p_j, the rates when normal impulses p have brought the handle to v_ref at each wall:
-  // n_i . (sum_j J M^-1 J^T n_j p_j) = slow_i, by Gauss-Seidel, exact for one wall.
-  template <class M, class Walls>
-  brake_vector<M> rates_with(const Walls& walls, int count, const pose_dynamics<M>& dynamics) const {
-    using T = typename M::scalar;
-    constexpr int sweeps = 4;
-    brake_vector<M> w = dynamics.rates;
-    task_vector<M> gained = task_vector<M>::Zero();  // velocity
-    for (int sweep = 0; sweep < (count > 1 ? sweeps : 1); ++sweep) {
-      for (int j = 0; j < count; ++j) {
-        const auto& wall = walls[std::size_t(j)];
-        const T p = wall.along.inertia *
-                    (std::min(wall.speed_error, wall.stop_speed) - wall.along.normal.dot(gained));
-        gained += wall.along.per_newton * p;
-        w += wall.along.g * p;
-      }
-    }
-    return w;
-  }
-
   // The bias, after torques of these magnitudes [N m]
   template <class Wall, class T, int Brakes>
   void learn(const Wall& wall, const torque_range<T, Brakes>& brakes, const vector<T, Brakes>& t,
@@ -298,22 +218,7 @@ class velocity_direct_control {
       if (gain[i] > T(0)) largest += gain[i] * brakes.largest[i];  // a limit may be infinite
       if (gain[i] > T(0) && t[i] > T(0) && !brakes.at_rest[i]) sticks = false;
     });
-    learn(wall, made, largest, sticks, dt);
-  }
-
-  // The bias, after a normal force of at most `largest` [N]
-  template <class Wall, class T>
-  void learn(const Wall& wall, T made, T largest, bool sticks, double dt) const {
-    double& bias = wall.state->bias;
-    const double feedforward = static_cast<double>(wall.feedforward);
-    const double rate = static_cast<double>(wall.damping * wall.speed_error) / p_.integral_time;
-    const bool saturated = made < T(0.999) * wall.force;
-    const double speed_error = static_cast<double>(wall.speed_error);
-    const double let_go = std::min(-dt * speed_error / p_.release_length, 1.0) * (feedforward + bias);
-    if (speed_error < 0) bias += sticks ? std::min(dt * rate, -let_go) : dt * rate;
-    else if (!saturated && !sticks) bias += dt * rate;
-    bias = std::clamp(bias, -std::max(feedforward, 0.0),
-                      std::max(static_cast<double>(largest) - feedforward, 0.0));
+    wall.learn(made, largest, sticks, dt, p_);
   }
 
   velocity_direct_control_parameters p_;
