@@ -38,7 +38,7 @@ template <class M, class Wall, std::size_t Capacity, class T = typename M::scala
 bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                  const std::array<Wall, Capacity>& walls, int count, T ahead) {
   constexpr int n = M::dof, capacity = static_cast<int>(Capacity);
-  constexpr T most_left(0.1);
+  constexpr T most_left = T(0.1);
   matrix<T, n, capacity> into = matrix<T, n, capacity>::Zero();
   int closed = 0;
   for (int j = 0; j < count; ++j) {
@@ -70,7 +70,7 @@ template <class M, class Brakes, class T = typename M::scalar>
 brake_vector<M> stopping_torques(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                                  const Brakes& brakes, T time) {
   constexpr int n = M::dof, m = M::brake_count;
-  constexpr T held(1.4);
+  constexpr T held = T(1.4);
   brake_vector<M> lower, upper, unlimited;  // the last: of brakes at rest
   for (int i = 0; i < m; ++i) {
     const T w = dynamics.rates[i];
