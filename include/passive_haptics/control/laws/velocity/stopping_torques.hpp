@@ -49,7 +49,7 @@ bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& mot
   }
   if (closed < 2) return false;
   joint_vector<M> y = motion.now + ahead * motion.push, left = project_onto_half_spaces(into, y).point;
-  if constexpr (n > M::task_dimension) {  // nobody asks where the self-motion goes
+  if constexpr (n > M::task_dimension) {  // the self-motion may go on
     const orthogonal_decomposition<T, M::task_dimension, n> handle(
         matrix<T, M::task_dimension, n>(
             transposed(dynamics.mass.half_solve(matrix<T, n, M::task_dimension>(transposed(dynamics.J))))),
