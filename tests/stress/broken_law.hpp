@@ -86,13 +86,12 @@ bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const
   }
 }
 
-// The law that a step with so many contacts broke, in words; nullptr if none.
+// The law that the torques of a step broke, in words; nullptr if none.
 template <class M>
-const char* broken_law(const M& mechanism, const ph::brakes_of<M>& brakes, const ph::device_state<M>& state,
-                       int contact_count, const ph::step_result<M>& result) {
+const char* broken_law_of_torques(const M& mechanism, const ph::brakes_of<M>& brakes,
+                                  const ph::device_state<M>& state, const ph::step_result<M>& result) {
   using T = typename M::scalar;
-  const auto &t = result.torque, &capacity = result.capacity, &c = result.cone_coefficients;
-  const auto& F = result.control_force;
+  const auto &t = result.torque, &capacity = result.capacity;
   if (result.outcome != ph::status::ok)
     return capacity.isZero(T(0)) && t.isZero(T(0)) ? nullptr : "a fault releases all brakes";
   if (!ph::all_finite(t) || !ph::all_finite(capacity)) return "torque and capacity are finite";
@@ -108,6 +107,18 @@ const char* broken_law(const M& mechanism, const ph::brakes_of<M>& brakes, const
     if (result.signs[i] != ph::sgn(w[i])) return "a slipping brake has the sign of its rate";
     if (t[i] * w[i] > T(0)) return "a slipping brake takes power";
   }
+  return nullptr;
+}
+
+// The law that a step with so many contacts broke, by a law that scales forces.
+template <class M>
+const char* broken_law(const M& mechanism, const ph::brakes_of<M>& brakes, const ph::device_state<M>& state,
+                       int contact_count, const ph::step_result<M>& result) {
+  using T = typename M::scalar;
+  if (const char* law = broken_law_of_torques(mechanism, brakes, state, result)) return law;
+  if (result.outcome != ph::status::ok || result.wall_number < 0) return nullptr;
+  const auto& c = result.cone_coefficients;
+  const auto& F = result.control_force;
   if (!(result.alpha >= T(0) && result.alpha <= T(1))) return "0 <= alpha <= 1";
   if (!ph::all_finite(result.desired_force) || !ph::all_finite(F)) return "forces are finite";
   if (!std::isfinite(result.approximation_cosine)) return "the cosine is finite";
@@ -126,6 +137,15 @@ const char* broken_law(const M& mechanism, const ph::brakes_of<M>& brakes, const
   return force_is_feasible<M>(mechanism, brakes, state.q, projected, result)
              ? nullptr
              : "the displayed force is in the cone";
+}
+
+// The one that a step by this law broke.
+template <class L, class M>
+const char* broken_law_of(const M& mechanism, const ph::brakes_of<M>& brakes,
+                          const ph::device_state<M>& state, int contact_count,
+                          const ph::step_result<M>& result) {
+  if constexpr (ph::ScalingLaw<L>) return broken_law(mechanism, brakes, state, contact_count, result);
+  else return broken_law_of_torques(mechanism, brakes, state, result);
 }
 
 }  // namespace stress

@@ -6,6 +6,7 @@
 #include "hard_cases.hpp"
 
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 
 #include <gtest/gtest.h>
 
@@ -47,8 +48,10 @@ class gauntlet {
       SCOPED_TRACE(::testing::Message() << "PASSIVE_HAPTICS_STRESS_SEED=" << k);
       const M& mechanism = device(k);
       const auto c = hard_cases<M, walls>(mechanism, lower, upper, k).draw();
-      check(mechanism, c, 1, step<ph::no_direct_control, 1>(mechanism, c));
-      if (several) check(mechanism, c, c.touched.size(), step<ph::direct_control, walls>(mechanism, c));
+      check<ph::no_direct_control, 1>(mechanism, c);
+      if (several) check<ph::direct_control, walls>(mechanism, c);
+      if constexpr (ph::Dynamics<M>)
+        if (several) check<ph::velocity_direct_control, walls>(mechanism, c);
     }
   }
 
@@ -58,17 +61,13 @@ class gauntlet {
   static constexpr int walls = 3;
 
   template <class L, int Capacity>
-  static ph::step_result<M> step(const M& mechanism, const cycle<M, walls>& c) {
+  void check(const M& mechanism, const cycle<M, walls>& c) {
     ph::step_memory<L> memory;
     ph::contacts<M::task_dimension, Capacity> touched;
     for (const auto& wall : c.touched) touched.push_back(wall);
-    return ph::step(mechanism, c.brakes, touched, L{}, c.state, memory, c.options);
-  }
-
-  void check(const M& mechanism, const cycle<M, walls>& c, int contact_count,
-             const ph::step_result<M>& result) {
+    const auto result = ph::step(mechanism, c.brakes, touched, L{}, c.state, memory, c.options);
     seen_.add(result);
-    if (const char* law = broken_law(mechanism, c.brakes, c.state, contact_count, result)) {
+    if (const char* law = broken_law_of<L>(mechanism, c.brakes, c.state, touched.size(), result)) {
       FAIL() << law << ", but\n"
              << c << "\nsigns " << result.signs.transpose() << ", torque " << result.torque.transpose()
              << ", capacity " << result.capacity.transpose() << ", control force "

@@ -84,6 +84,7 @@ class hard_cases {
       if (one_in(2))
         wall.wall_velocity = random_.positive(1e-6, 1e3) * random_.template direction<double, d>();
       wall.wall_number = j;
+      wall.sensed_at = mechanism_.position(c.state.q).template cast<double>();
       c.touched.push_back(wall);
     }
     return c;

@@ -4,6 +4,7 @@
 #include "broken_law.hpp"
 #include "devices.hpp"
 
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/testing/fault_properties.hpp>
 
 namespace stress {
@@ -28,6 +29,7 @@ TYPED_TEST(special_values, in_any_position_break_no_law) {
   int faults = 0, lawful = 0;
   ph::testing::for_each_sample<TypeParam>(mechanism, seed, 2, [&](ph::testing::step_sample<M> sample) {
     ph::contact<d> wall = sample.wall(), other = sample.wall();
+    wall.sensed_at = other.sensed_at = ph::as<double>(mechanism.position(sample.state.q));
     other.normal = ph::point<d>(-wall.normal.reverse());
     ph::step_options<T> options;
     const auto run = [&](const std::string& name, auto& value) {
@@ -38,18 +40,22 @@ TYPED_TEST(special_values, in_any_position_break_no_law) {
             limits::min(), limits::epsilon(), limits::max(), limits::lowest()}) {
         value = static_cast<X>(special);
         SCOPED_TRACE(::testing::Message() << "seed " << seed << ", " << name << " = " << special);
-        for (const bool first : {true, false}) {
-          ph::contacts<d, 2> touched;
-          touched.push_back(first ? wall : other);
-          touched.push_back(first ? other : wall);
-          ph::step_memory<ph::direct_control> memory;
-          const auto result = ph::step(mechanism, sample.brakes, touched, ph::direct_control{}, sample.state,
-                                       memory, options);
-          const char* law = broken_law(mechanism, sample.brakes, sample.state, 2, result);
-          EXPECT_EQ(law, nullptr) << law;
-          EXPECT_TRUE(std::isfinite(special) || result.outcome != ph::status::ok);
-          ++(result.outcome == ph::status::ok ? lawful : faults);
-        }
+        const auto check = [&]<class L>(const L& control) {
+          for (const bool first : {true, false}) {
+            ph::contacts<d, 2> touched;
+            touched.push_back(first ? wall : other);
+            touched.push_back(first ? other : wall);
+            ph::step_memory<L> memory;
+            const auto result =
+                ph::step(mechanism, sample.brakes, touched, control, sample.state, memory, options);
+            const char* law = broken_law_of<L>(mechanism, sample.brakes, sample.state, 2, result);
+            EXPECT_EQ(law, nullptr) << law;
+            EXPECT_TRUE(std::isfinite(special) || result.outcome != ph::status::ok);
+            ++(result.outcome == ph::status::ok ? lawful : faults);
+          }
+        };
+        check(ph::direct_control());
+        if constexpr (ph::Dynamics<M>) check(ph::velocity_direct_control());
       }
       value = good;
     };

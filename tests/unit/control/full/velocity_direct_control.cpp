@@ -511,6 +511,60 @@ TEST(velocity_direct_control, holds_a_handle_at_rest_in_a_corner) {
     EXPECT_NEAR(held.capacity[i], sinking * force_per_speed(p) + 1.3 * push[i], 1e-6);
 }
 
+// Deeper than it shall rest, it creeps in, so that neither brake can push it out.
+TEST(velocity_direct_control, lets_a_hand_pull_a_handle_at_rest_out_of_a_corner) {
+  const auto capacity = [](double creep, double dead_band) {
+    auto brakes = without_lag();
+    brakes.rate_dead_band.setConstant(dead_band);
+    ph::contacts<2, 2> corner;
+    for (const int i : {0, 1})
+      corner.push_back(
+          {.normal = pair::Unit(i), .depth = 4e-3, .stiffness = 1e7, .wall_number = i, .sensed_at = {0, 0}});
+    ph::step_memory<law> memory;
+    const auto state = state_of<table>({0, 0}, {-creep, -creep}, {3, 3});
+    return pair(ph::step(table(), brakes, corner, law(), state, memory).capacity);
+  };
+  EXPECT_EQ(capacity(1e-3, 2e-3), pair(0, 0));
+  EXPECT_GT(capacity(1e-3, 1e-9).minCoeff(), 0) << "brakes that turn slow it down";
+}
+
+// A wall that is near, and left, beside the floor: neither what the brakes do nor what is learned is changed.
+TEST(velocity_direct_control, does_not_see_a_near_wall_that_demands_nothing) {
+  using M = ph::tendon_two_link<double>;
+  const M arm;
+  const auto brakes = ph::brakes_of<M>();
+  constexpr unsigned seed = 59;
+  ph::testing::random_source random(seed);
+  int braked = 0;
+  for (int k = 0; k < 200; ++k) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed << ", trial " << k);
+    const pair q(random.uniform(-3.0, 3.0), random.uniform(0.5, 2.6)),
+        push = random.normal_vector<double, 2>();
+    const ph::matrix<double, 2, 2> J = arm.jacobian(q);
+    const pair n = random.direction<double, 2>(), along(-n[1], n[0]);
+    const double depth = random.uniform(0.0, 3e-3);
+    ph::step_memory<law> of_one, of_two;
+    for (int cycle = 0; cycle < 5; ++cycle) {
+      const pair v = 0.1 * std::abs(random.normal<double>()) * along + random.uniform(-0.02, 0.02) * n;
+      ph::device_state<M> state{.time = 1e-3 * cycle, .q = q, .qd = J.inverse() * v, .hand_force = push};
+      const ph::contact<2> floor{
+          .normal = n, .depth = depth, .stiffness = 1e7, .wall_number = 1, .sensed_at = arm.position(q)};
+      auto near_by = floor;
+      near_by.normal = along;
+      near_by.depth = -8e-3;
+      near_by.wall_number = 2;
+      ph::contacts<2, 1> one;
+      ph::contacts<2, 2> two;
+      one.push_back(floor);
+      for (const bool is_floor : {k % 2 == 0, k % 2 == 1}) two.push_back(is_floor ? floor : near_by);
+      const auto expected = ph::step(arm, brakes, one, law(), state, of_one);
+      EXPECT_EQ(ph::step(arm, brakes, two, law(), state, of_two).capacity, expected.capacity);
+      braked += !expected.capacity.isZero(0);
+    }
+  }
+  EXPECT_GT(braked, 200);
+}
+
 // Which way a brake pushes is told by its rate once the handle has stopped sinking, w* = w - Lambda_n g n . v
 // (g = T M^-1 J^T n), or sinks only to the depth of rest. Of brakes that push out then, the one with the
 // least power |w*| / |g| for each acceleration makes all of the force.
@@ -751,6 +805,69 @@ TEST(holding_torques, hold) {
   EXPECT_GT(std::abs(beside[0]), weak[0]);
   beside[0] = std::copysign(weak[0], beside[0]);
   EXPECT_NEAR(arm.transmission().row(1).dot(device.mass.solve(pair(drive + device.Tt * beside))), 0, 1e-9);
+}
+
+// A wall as is_cornered sees it.
+struct plain_wall {
+  struct {
+    ph::vector<double, 3> normal;
+  } along;
+  bool closed = true;
+  bool is_closed() const { return closed; }
+};
+
+TEST(is_cornered, if_two_walls_or_more_leave_no_way) {
+  using M = ph::delta<double>;
+  using V = ph::vector<double, 3>;
+  const M delta;
+  const V n(0, 0.6, 0.8), other(0, -0.6, 0.8), third(1, 0, 0), still = V::Zero();
+  const ph::mechanism_pose<M> pose(delta, V(0.3, 0.4, 0.5));
+  const auto cornered = [&](const V& v, const V& Fh, std::initializer_list<V> normals, bool closed = true) {
+    std::array<plain_wall, 3> walls;
+    int count = 0;
+    for (const V& normal : normals) walls[std::size_t(count++)].along.normal = normal;
+    walls[1].closed = closed;
+    const ph::pose_dynamics<M> device(pose, V(delta.jacobian(pose.q()).inverse() * v), 0.4);
+    return ph::is_cornered(device, ph::weighted_motion<M>(device, Fh), walls, count, 0.01);
+  };
+  const V into = -2 * n - other, along(0.1, 0, 0);
+  EXPECT_TRUE(cornered(still, into, {n, other}));
+  EXPECT_FALSE(cornered(along, still, {n, other})) << "along the valley";
+  EXPECT_FALSE(cornered(along, into, {n, other})) << "along the valley, pressed in";
+  EXPECT_TRUE(cornered(-along, into, {n, other, third})) << "to the end of the valley";
+  EXPECT_FALSE(cornered(still, -into, {n, other})) << "out";
+  EXPECT_FALSE(cornered(still, -n, {n})) << "one wall";
+  EXPECT_FALSE(cornered(still, -n, {n, other}, false)) << "the other one is only near";
+}
+
+// Brakes at rest, as a brake that turns may push one way only.
+TEST(stopping_torques, stop_a_device_in_their_time_and_hold_the_hand) {
+  using M = ph::tendon_two_link<double>;
+  constexpr unsigned seed = 60;
+  constexpr double time = 0.0075, held = 1.4;
+  ph::testing::random_source random(seed);
+  const M arm;
+  ph::brakes_of<M> brakes;
+  brakes.rate_dead_band.setConstant(1e9);
+  for (int k = 0; k < 100; ++k) {
+    const pair q(random.uniform(-3.0, 3.0), random.uniform(0.5, 2.6)), qd = random.normal_vector<double, 2>(),
+                                                                       Fh = random.normal_vector<double, 2>();
+    const ph::pose_dynamics<M> device({arm, q}, qd, 0.4);
+    const ph::matrix<double, 2, 2> mass = arm.mass_matrix(q) + 0.4 * device.J.transpose() * device.J;
+    const pair needed =
+        device.Tt.inverse() * (mass * qd / time + held * (device.J.transpose() * Fh - device.bias));
+    const auto stopping = [&](double limit) {
+      brakes.torque_limit.setConstant(limit);
+      return ph::stopping_torques(device, ph::weighted_motion<M>(device, Fh), brakes, time);
+    };
+    const pair magnitude = needed.cwiseAbs();
+    EXPECT_LE((stopping(1e9) - magnitude).norm(), 1e-9 * needed.norm()) << "seed " << seed << ", trial " << k;
+    const double weak = 0.7 * magnitude.maxCoeff();
+    EXPECT_EQ(stopping(weak).maxCoeff(), weak);
+    EXPECT_GE(stopping(weak).minCoeff(), (1 - 1e-9) * std::min(magnitude.minCoeff(), weak))
+        << "beside one at its limit";
+    EXPECT_EQ(stopping(0), pair(0, 0));
+  }
 }
 
 TEST(brake_lag_model, follows_a_first_order_lag_and_inverts_it) {

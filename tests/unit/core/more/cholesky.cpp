@@ -1,3 +1,4 @@
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/linear/cholesky.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -64,6 +65,8 @@ void expect_solutions() {
       const T ratio = half.col(c).squaredNorm() / B.col(c).dot(X.col(c));
       EXPECT_LT(std::abs(ratio - 1), 100 * epsilon) << A << "\n\n" << B;
     }
+    const ph::vector<T, N> x = X.col(0);
+    EXPECT_LT(std::abs(factors.half_product(x).squaredNorm() / x.dot(A * x) - 1), T(1e4) * epsilon) << A;
   }
 }
 

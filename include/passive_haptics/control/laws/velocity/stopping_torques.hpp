@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -38,7 +39,7 @@ template <class M, class Wall, std::size_t Capacity, class T = typename M::scala
 bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                  const std::array<Wall, Capacity>& walls, int count, T ahead) {
   constexpr int n = M::dof, capacity = static_cast<int>(Capacity);
-  constexpr T most_left(0.1);
+  constexpr T most_left = T(0.1);
   matrix<T, n, capacity> into = matrix<T, n, capacity>::Zero();
   int closed = 0;
   for (int j = 0; j < count; ++j) {
@@ -49,7 +50,7 @@ bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& mot
   }
   if (closed < 2) return false;
   joint_vector<M> y = motion.now + ahead * motion.push, left = project_onto_half_spaces(into, y).point;
-  if constexpr (n > M::task_dimension) {  // nobody asks where the self-motion goes
+  if constexpr (n > M::task_dimension) {  // the self-motion may go on
     const orthogonal_decomposition<T, M::task_dimension, n> handle(
         matrix<T, M::task_dimension, n>(
             transposed(dynamics.mass.half_solve(matrix<T, n, M::task_dimension>(transposed(dynamics.J))))),
@@ -82,26 +83,37 @@ bool enters_undisplayed(const std::array<Wall, Capacity>& walls, int count,
 /// Magnitudes [N m] of the brake torques that stop device and hand in a time [s] and hold more than hand and
 /// gravity do, as sensor and inertia may be off: what a brake at rest does not need it does not make. The
 /// least |M^-1/2 (T^T t + held (J^T Fh - c)) + M^1/2 qd / time| within the limits and the signs of brakes
-/// that turn, of these the least |t / u|. Cost: two levels of core/linear/least_squares_by_priority.hpp.
+/// that turn, of these the least |t / u|. If a brake at rest is at its limit, the others at rest get no less
+/// than if none of them had one: that it cannot make its surplus is no reason to let another go.
+/// Cost: two levels of core/linear/least_squares_by_priority.hpp, twice if a brake at rest is at its limit.
 template <class M, class Brakes, class T = typename M::scalar>
 brake_vector<M> stopping_torques(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                                  const Brakes& brakes, T time) {
   constexpr int n = M::dof, m = M::brake_count;
-  constexpr T held(1.3);
-  brake_vector<M> lower, upper;
+  constexpr T held = T(1.3);
+  brake_vector<M> lower, upper, unlimited;  // the last: of brakes at rest
   for (int i = 0; i < m; ++i) {
     const T w = dynamics.rates[i];
     const bool turns = slips(w, rate_dead_band_of<T>(brakes, i));
     lower[i] = turns && w < T(0) ? T(0) : -torque_bound_of<T>(brakes, i, T(-1));
     upper[i] = turns && w > T(0) ? T(0) : torque_bound_of<T>(brakes, i, T(1));
+    unlimited[i] = turns ? T(0) : std::numeric_limits<T>::infinity();
   }
   const matrix<T, n, m> per_torque = dynamics.mass.half_solve(dynamics.Tt);
   const joint_vector<M> wanted = -held * motion.push - motion.now / time;
   const auto u = passive_haptics::torque_units_of<M>(brake_vector<M>(brake_vector<M>::Zero()), brakes);
   const matrix<T, m, m> parts = passive_haptics::parts_per_torque<T, m>(u).asDiagonal();
-  return least_squares_by_priority(lower, upper, least_squares_level{per_torque, wanted},
-                                   least_squares_level{parts})
-      .cwiseAbs();
+  const auto within = [&](const brake_vector<M>& low, const brake_vector<M>& high) -> brake_vector<M> {
+    return least_squares_by_priority(low, high, least_squares_level{per_torque, wanted},
+                                     least_squares_level{parts});
+  };
+  const brake_vector<M> t = within(lower, upper);
+  bool is_short = false;
+  for (int i = 0; i < m; ++i)
+    is_short = is_short || (unlimited[i] > T(0) && !(lower[i] < t[i] && t[i] < upper[i]));
+  if (!is_short) return t.cwiseAbs();
+  const brake_vector<M> strong = within(lower - unlimited, upper + unlimited).cwiseMax(lower).cwiseMin(upper);
+  return t.cwiseAbs().cwiseMax(strong.cwiseAbs());
 }
 
 }  // namespace passive_haptics
