@@ -87,21 +87,25 @@ T holding_force(const normal_response<T, D, Brakes>& along, const vector<T, D>& 
 /// The torques for walls as velocity_direct_control has them: with a response `along` the normal, a `force`
 /// [N] that they want, and speeds. The handle shall go with v', once it has the normal velocities that the
 /// walls want and follows the hand along them. At rest no wall gets more than twice what holds the handle, so
-/// that a hand that pulls out is free: what the wall has learned was for another push.
+/// that a hand that pulls out is free: what the wall has learned was for another push. The same applies if
+/// two of the `near_walls` are closed, and to a wall that the handle leaves while another one is near. The
+/// first `count` of these demand a force.
 template <Settles M, class Device, class Wall, std::size_t Capacity, class T = typename M::scalar>
 auto settled_torques_for(const Device& device, const pose_dynamics<M>& dynamics,
-                         const std::array<Wall, Capacity>& walls, int count, T force_share,
+                         const std::array<Wall, Capacity>& walls, int near_walls, int count, T force_share,
                          approximation_start& start) {
   constexpr int m = M::brake_count, sweeps = 4;
   constexpr T max_held(2);
   bool rests = true;
   for (int i = 0; i < m; ++i)
     rests = rests && !slips(dynamics.rates[i], passive_haptics::rate_dead_band_of<T>(device.brakes, i));
+  const auto closed = std::count_if(walls.begin(), walls.begin() + near_walls,
+                                    [](const Wall& wall) { return wall.is_closed(); });
   std::array<contact_demand<T, M::task_dimension>, Capacity> demands;
   for (std::size_t j = 0; j < std::size_t(count); ++j) {
     const auto& along = walls[j].along;
     T wanted = std::max(walls[j].force, T(0));
-    if (rests) {
+    if (rests || closed > 1 || (near_walls > 1 && walls[j].stop_speed <= T(0))) {
       const T holding = passive_haptics::holding_force(along, device.hand_force, force_share);
       wanted = std::min(wanted, std::max(max_held * holding, T(0)));
     }

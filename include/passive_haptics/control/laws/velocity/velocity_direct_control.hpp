@@ -132,7 +132,7 @@ class velocity_direct_control {
     const int demanding = count == 1 ? 1 : passive_haptics::demanding_first(walls, count);
     if constexpr (Settles<M>) {
       const auto found = passive_haptics::settled_torques_for<M>(
-          device, dynamics, walls, demanding, static_cast<T>(p_.force_share), remembered.start);
+          device, dynamics, walls, count, demanding, static_cast<T>(p_.force_share), remembered.start);
       for (auto j = std::size_t(0); j < std::size_t(count); ++j) {
         const bool demands = j < std::size_t(demanding);
         walls[j].learn(found.made[j], demands ? found.largest[j] : std::numeric_limits<T>::infinity(),
