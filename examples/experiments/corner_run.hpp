@@ -1,18 +1,38 @@
-// A hand in a corner, in closed loop: what it does to the walls.
+// A hand in a corner, in closed loop: how deep it gets into the walls, and whether it gets out.
 #pragma once
 
 #include "corner.hpp"
 
+#include <array>
 #include <functional>
-#include <limits>
 
 namespace experiments {
 
-constexpr double time_step = 1e-4;  // [s]
+// A hand and a device that a run varies.
+struct corner_hand {
+  double rise = 0;      // of the push, up to 21 N and to what nine tenths of the limits hold [N/s]
+  double strength = 0;  // torque limits for those that locked brakes need [1]; 0: the device's own
+  double gain = 1;      // of the force sensor [1]
+  bool pulls_out = false;
+};
+
+// What one hand did.
+struct corner_result {
+  bool arrived = false;  // touched a second wall, or passed
+  double first = 0,
+         first_alone = 0;  // largest depth in the first wall until then, and without the others [m]
+  double deepest = 0, deepest_locked = 0;  // in any wall after that; with locked brakes [m]
+  bool held = false;                       // locked brakes hold
+  bool sinks = false, left = false;        // under the law; a wall that was touched is left
+  int separations = 0;
+  // Ways in which it pulls; of these as soon, and as light, as out of one wall or of brakes that are released
+  int pulls = 0, in_time = 0, no_heavier = 0;
+};
 
 // Device, sensors and control; a copy goes on from the same moment.
 template <class M>
 struct closed_loop {
+  static constexpr double time_step = 1e-4;  // [s]; ten to a cycle
   using capacities = std::function<ph::brake_vector<M>(const ph::device_state<M>&)>;
   capacities control;
   ph::simulated_device<M> plant;
@@ -23,136 +43,225 @@ struct closed_loop {
 
   double time() const { return static_cast<double>(steps) * time_step; }
   void advance(const ph::task_vector<M>& muscle_force) {
-    if (steps++ % 10 == 0) {
+    if (steps % 10 == 0) {
       encoders.read(plant.q(), plant.qd());
       capacity = control({time(), encoders.q(), encoders.qd(), sensor.read()});
     }
+    ++steps;
     plant.advance(time_step, capacity, muscle_force);
     sensor.advance(time_step, plant.sensed_force());
   }
 };
 
-// Of one hand, from the touch of the second wall on.
-struct push_figures {
-  double deepest = 0;  // in any wall [m]
-  double sink = 0;     // growth of a wall's depth in the last second [m]
-  int separations = 0;
-  bool left = false;  // a wall that was touched is left in the last second
-};
-
-struct corner_result {
-  bool arrived = false;               // touched a second wall
-  double first = 0, first_alone = 0;  // largest depth of wall 0 before that; without the other walls [m]
-  push_figures law, locked;
-};
-
-// Depths of the handle in walls, and when it leaves them.
+// Makes the control of a run.
 template <class M>
+using control_maker =
+    std::function<typename closed_loop<M>::capacities(const corner<M>&, const ph::brakes_of<M>&)>;
+
+// Depths in walls, and when they are left.
 class wall_watch {
  public:
-  explicit wall_watch(const corner<M>& c) : c_(&c), state_(c.out.size()) {}
-  double depth(std::size_t wall, const ph::task_vector<M>& x) const {
-    return -c_->out[wall].dot(x - c_->apex);
+  void add(std::size_t wall, double depth) {
+    state& w = walls_[wall];
+    w.depth = depth;
+    w.deepest = std::max(w.deepest, depth);
+    w.touched = w.touched || depth > 0;
+    if (depth > gap) w.inside = true;
+    if (depth > -gap) return;
+    left_ = left_ || w.touched;
+    separations_ += w.inside;
+    w.inside = false;
   }
-  void add(const ph::task_vector<M>& x) {
-    for (std::size_t j = 0; j < state_.size(); ++j) {
-      wall& w = state_[j];
-      w.depth = depth(j, x);
-      w.deepest = std::max(w.deepest, w.depth);
-      if (w.depth > 0) w.touched = true;
-      if (w.depth > gap) w.in = true;
-      if (w.depth < -gap && w.in) w.in = false, ++separations;
-    }
+  // From here on count deepest(), growth() and left().
+  void mark() {
+    for (state& w : walls_) w.marked = w.deepest = w.depth;
+    left_ = false;
   }
-  struct wall {
-    double depth = 0, deepest = 0;
-    bool touched = false, in = false;
-  };
-  const wall& operator[](std::size_t j) const { return state_[j]; }
-  std::size_t size() const { return state_.size(); }
-  bool second_touched() const {
-    return std::any_of(state_.begin() + 1, state_.end(), [](const wall& w) { return w.touched; });
+  double growth() const {
+    double most = 0;
+    for (const state& w : walls_) most = std::max(most, w.depth - w.marked);
+    return most;
   }
-  static constexpr double gap = ph::contact_meter::hysteresis;
-  int separations = 0;
+  double deepest() const { return std::max({walls_[0].deepest, walls_[1].deepest, walls_[2].deepest}); }
+  double deepest(std::size_t wall) const { return walls_[wall].deepest; }
+  bool second_touched() const { return walls_[1].touched || walls_[2].touched; }
+  bool left() const { return left_; }
+  int separations() const { return separations_; }
 
  private:
-  const corner<M>* c_;
-  std::vector<wall> state_;
+  static constexpr double gap = ph::contact_meter::hysteresis;
+  struct state {
+    double depth = 0, deepest = 0, marked = 0;
+    bool touched = false, inside = false;
+  };
+  std::array<state, 3> walls_;
+  bool left_ = false;
+  int separations_ = 0;
 };
 
-// The scene of a corner, with the walls [from, to) of it; others are 10 m away.
+// One corner with one law.
 template <class M>
-auto corner_scene(const corner<M>& c, std::size_t from, std::size_t to) {
-  constexpr int d = M::task_dimension;
-  const auto wall = [&](std::size_t j) {
-    const auto n = j < c.out.size() ? c.out[j] : c.out[0];
-    const bool there = from <= j && j < to && j < c.out.size();
-    return ph::wall(ph::half_space<d>(there ? c.apex : ph::point<d>(c.apex - 10 * n), n));
-  };
-  if constexpr (d == 2) return ph::scene(wall(0), wall(1));
-  else return ph::scene(wall(0), wall(1), wall(2));
-}
-
-// `controls(scene, brakes)` makes the control of a run.
-template <class M, class Controls>
-corner_result follow_corner(const corner_device<M>& device, const corner<M>& c, Controls&& controls) {
+class corner_run {
+ public:
   using V = ph::task_vector<M>;
-  const ph::brakes_of<M>& brakes = device.brakes;
-  const auto loop_with = [&](std::size_t to) {
-    return closed_loop<M>{controls(corner_scene(c, 0, to), brakes),
-                          ph::simulated_device<M>(device.mechanism, brakes, 0.5, c.q),
-                          ph::joint_encoders<M>(device.mechanism, {device.count, 50}, 1e-3),
-                          ph::force_sensor<double, M::task_dimension>()};
+  corner_run(const corner_device<M>& device, const corner<M>& c, const corner_hand& hand,
+             control_maker<M> make)
+      : device_(device), corner_(c), hand_(hand), make_(std::move(make)) {
+    if (hand_.strength > 0) {
+      device_.brakes.torque_limit *= hand_.strength * corner_.need;
+      corner_.need = 1 / hand_.strength;
+    }
+  }
+
+  corner_result result() {
+    corner_result r;
+    moment now{loop_at(corner_, corner_.q), {}};
+    while (now.loop.time() < longest && !(r.arrived = has_arrived(now))) glide(corner_, now);
+    r.first = now.walls.deepest(0);
+    const corner<M> first = corner_.only(0);
+    moment alone{loop_at(first, corner_.q), {}};
+    while (alone.loop.steps < now.loop.steps) glide(first, alone);
+    r.first_alone = std::max(alone.walls.deepest(0), corner_.edge ? behind_edge() : 0);
+    if (r.arrived && !corner_.passes) stay(now, r);
+    r.separations = now.walls.separations();
+    return r;
+  }
+
+ private:
+  static constexpr double longest = 4, pushing = 3;  // [s]
+  static constexpr double damping = 20;              // of a hand that pushes or pulls [N s/m]
+  struct moment {
+    closed_loop<M> loop;
+    wall_watch walls;
+    V force = V::Zero();
   };
-  const V way = c.apex - c.start, direction = way - c.out[0] * c.out[0].dot(way);
-  const ph::following_hand<double, M::task_dimension> hand(direction, c.start);
-  V force = V::Zero();
-  const auto glide = [&](closed_loop<M>& loop, wall_watch<M>& walls) {
-    const V x = loop.plant.position();
-    force = hand.force(loop.time(), x, loop.plant.velocity(), c.out[0], walls.depth(0, x));
-    loop.advance(force);
-    walls.add(loop.plant.position());
+  struct way_out {
+    double wait = 1;  // until the handle has moved by 0.5 mm [s]
+    double felt = 0;  // mean force against the hand in the first 0.1 s [N]
   };
 
-  corner_result result;
-  auto loop = loop_with(c.out.size());
-  wall_watch<M> walls(c), wall(c);
-  const double longest = 4;  // [s]
-  while (!walls.second_touched() && loop.time() < longest) glide(loop, walls);
-  result.arrived = walls.second_touched();
-  result.first = walls[0].deepest;
-  const V last = force;
-  for (auto alone = loop_with(1); alone.steps < loop.steps;) glide(alone, wall);
-  result.first_alone = wall[0].deepest;
-  if (!result.arrived) return result;
-
-  const long touched = loop.steps, end = touched + 30000, late = end - 10000;
-  const auto go_on = [&](closed_loop<M>& now, wall_watch<M>& seen, long until, push_figures& f) {
-    static thread_local std::vector<double> before;
-    while (now.steps < until) {
-      const double share = std::min(1.0, static_cast<double>(now.steps - touched) * time_step / 0.1);
-      now.advance((1 - share) * last + share * (2 * c.push - 20 * now.plant.velocity()));
-      seen.add(now.plant.position());
-      if (now.steps == late) {
-        before.clear();
-        for (std::size_t j = 0; j < seen.size(); ++j) before.push_back(seen[j].depth);
+  closed_loop<M> loop_at(const corner<M>& c, const ph::joint_vector<M>& q) const {
+    return {make_(c, device_.brakes), ph::simulated_device<M>(device_.mechanism, device_.brakes, 0.5, q),
+            ph::joint_encoders<M>(device_.mechanism, {device_.count, 50}, 1e-3),
+            ph::force_sensor<double, M::task_dimension>({.scale = hand_.gain})};
+  }
+  void advance(const corner<M>& c, moment& now, const V& force) const {
+    now.force = force;
+    now.loop.advance(force);
+    // Where the hand passes, the first wall alone counts
+    for (std::size_t j = 0; j < (c.passes ? 1 : c.walls.size()); ++j)
+      now.walls.add(j, c.depth(j, now.loop.plant.position()));
+  }
+  bool has_arrived(const moment& now) const {
+    if (!corner_.passes) return now.walls.second_touched();
+    return corner_.direction.dot(now.loop.plant.position() - corner_.apex) > device_.where.path_length / 2;
+  }
+  void glide(const corner<M>& c, moment& now) const {
+    const ph::following_hand<double, M::task_dimension> hand(c.direction, c.start);
+    const V x = now.loop.plant.position();
+    advance(c, now, hand.force(now.loop.time(), x, now.loop.plant.velocity(), c.normal(0, x), c.depth(0, x)));
+  }
+  // The largest depth in the face behind an edge, without the other one [m].
+  double behind_edge() const {
+    corner<M> second = corner_.only(1);
+    std::swap(second.walls[0], second.walls[1]);
+    second.start = second.apex + corner_gap * second.normal(0, second.apex);
+    ph::joint_vector<M> q = corner_.q;
+    move_to<M>(device_, second.start, q);
+    moment now{loop_at(second, q), {}};
+    while (now.loop.time() < longest && !has_arrived(now)) glide(second, now);
+    return now.walls.deepest(0);
+  }
+  // Between the normals, until a time after the touch.
+  void push(moment& now, const moment& touch, double until) const {
+    for (double t = 0; (t = now.loop.time() - touch.loop.time()) < until - 1e-9;) {
+      const double share = std::min(1.0, t / 0.1);
+      const double most = hand_.rise > 0 ? std::min(21.0, 0.9 * corner_push / corner_.need) : corner_push;
+      const V pushed = std::min(most, corner_push + hand_.rise * t) * corner_.push;
+      advance(corner_, now,
+              (1 - share) * touch.force + share * (pushed - damping * now.loop.plant.velocity()));
+    }
+  }
+  void stay(moment& now, corner_result& r) const {
+    // A push that rises may cost depth at any time
+    const double from = hand_.rise > 0 ? 0.2 : pushing - 1,
+                 growth = hand_.rise > 0 ? 0.5e-3 : 0.2e-3;  // [s], [m]
+    const moment touch = now;
+    now.walls.mark();
+    push(now, touch, 0.005);
+    moment locked = now;
+    locked.loop.control = [limit = device_.brakes.torque_limit](const auto&) { return limit; };
+    for (moment* one : {&locked, &now}) {
+      if (one == &now && hand_.pulls_out) {
+        push(now, touch, 1);
+        pull_out(now, r);
       }
-      for (std::size_t j = 0; j < seen.size(); ++j) {
-        f.deepest = std::max(f.deepest, seen[j].depth);
-        if (now.steps >= late && seen[j].touched && seen[j].depth < -seen.gap) f.left = true;
-        if (now.steps == end) f.sink = std::max(f.sink, seen[j].depth - before[j]);
+      push(*one, touch, from);
+      double& deepest = one == &now ? r.deepest : r.deepest_locked;
+      deepest = one->walls.deepest();
+      one->walls.mark();
+      push(*one, touch, pushing);
+      deepest = std::max(deepest, one->walls.deepest());
+    }
+    r.held = locked.walls.growth() < 0.05 * growth;
+    r.sinks = now.walls.growth() > growth;
+    r.left = now.walls.left();
+  }
+  // Along the bisector and along each wall, away from the others.
+  void pull_out(const moment& now, corner_result& r) const {
+    V bisector = V::Zero();
+    std::vector<V> ways{bisector};
+    for (int j = 0; j < corner_.count; ++j) bisector += corner_.walls[std::size_t(j)].gradient(corner_.apex);
+    ways[0] = bisector.normalized();
+    for (int j = 0; j < corner_.count; ++j) {
+      const V n = corner_.walls[std::size_t(j)].gradient(corner_.apex);
+      ways.push_back((bisector - n * n.dot(bisector)).normalized());
+    }
+    closed_loop<M> released = now.loop;  // no law is faster
+    released.control = [](const auto&) { return ph::brake_vector<M>(ph::brake_vector<M>::Zero()); };
+    std::vector<way_out> at_most;
+    for (const V& way : ways) at_most.push_back(pull(released, way));
+    for (int j = 0; j < corner_.count; ++j) {
+      const moment at_one = at_wall(std::size_t(j));
+      for (std::size_t k = 0; k < ways.size(); ++k) {
+        const way_out one = pull(at_one.loop, ways[k]);
+        at_most[k] = {std::max(at_most[k].wait, one.wait), std::max(at_most[k].felt, one.felt)};
       }
     }
-    f.separations = seen.separations;
-  };
-  go_on(loop, walls, touched + 50, result.law);
-  auto locked = loop;
-  auto seen = walls;
-  locked.control = [&](const auto&) { return brakes.torque_limit; };
-  go_on(locked, seen, end, result.locked);
-  go_on(loop, walls, end, result.law);
-  return result;
-}
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      const way_out out = pull(now.loop, ways[k]);
+      ++r.pulls;
+      r.in_time += out.wait <= at_most[k].wait + 0.020;
+      r.no_heavier += out.felt <= at_most[k].felt + 0.05 * corner_push;
+    }
+  }
+  // A second of pushing straight into one wall.
+  moment at_wall(std::size_t j) const {
+    const corner<M> one = corner_.only(j);
+    const V n = one.normal(j, one.apex);
+    ph::joint_vector<M> q = corner_.q;
+    move_to<M>(device_, one.apex + corner_gap * n, q);
+    moment now{loop_at(one, q), {}};
+    while (now.loop.time() < 1) advance(one, now, -corner_push * n - damping * now.loop.plant.velocity());
+    return now;
+  }
+  static way_out pull(closed_loop<M> loop, const V& way) {
+    constexpr double moved = 0.5e-3, feeling = 0.1;  // [m], [s]
+    way_out out;
+    const V x = loop.plant.position();
+    const double start = loop.time();
+    for (double t = 0; t < feeling || (t < 1 && out.wait == 1); t = loop.time() - start) {
+      loop.advance(corner_push * way - damping * loop.plant.velocity());
+      if (out.wait == 1 && way.dot(loop.plant.position() - x) > moved) out.wait = t;
+      if (t < feeling) out.felt += loop.plant.sensed_force().dot(way) * loop.time_step / feeling;
+    }
+    return out;
+  }
+
+  corner_device<M> device_;
+  corner<M> corner_;
+  corner_hand hand_;
+  control_maker<M> make_;
+};
 
 }  // namespace experiments

@@ -1,12 +1,14 @@
-// Corners of half-spaces in a hand's closed loop, under every law.
+// Corners of two and three planes, and what else may be near a wall, in a hand's closed loop under every law.
 #pragma once
 
-#include <cstddef>
-#include <string>
+#include "markdown.hpp"
+#include "numbered.hpp"
 
 namespace experiments {
 
-// A table of Markdown, with this number of corners for each device.
-std::string corner_table(std::size_t count);
+inline constexpr number_range default_corners{0, 59};
+
+// Three tables of docs/results.md from the corners of these numbers; each row is printed as it comes.
+page_tables follow_corners(const number_range& which);
 
 }  // namespace experiments
