@@ -129,6 +129,7 @@ corner<M> draw_corner(const corner_device<M>& device, const obstacle& o, std::ui
     corner<M> c;
     for (int i = 0; i < M::dof; ++i) c.q[i] = between(device.where.lower[i], device.where.upper[i]);
     c.apex = device.mechanism.position(c.q);
+    if (!c.apex.allFinite()) continue;
     const V n = any_direction(), u = any_direction(), side = (u - n * n.dot(u)).normalized();
     const double turn = ph::radians(180 - between(o.least_angle, o.largest_angle));
     std::vector<V> normals{n};
