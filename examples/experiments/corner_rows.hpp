@@ -3,8 +3,7 @@
 
 #include "batch.hpp"
 #include "corner_run.hpp"
-#include "markdown.hpp"
-#include "numbered.hpp"
+#include "corners.hpp"
 
 #include <cstdio>
 
@@ -58,24 +57,15 @@ struct corner_row {
   int leaving() const {
     return count([](const auto& r) { return r.held && r.left; });
   }
-  int absent() const {
-    return count([](const auto& r) { return !r.arrived; });
-  }
-  int first_deeper() const {
-    return count([](const auto& r) { return r.first > r.first_alone + 0.3e-3; });
-  }
   int total(int corner_result::* member) const {
     int sum = 0;
     for (const auto& r : hands) sum += r.*member;
     return sum;
   }
-  // Of a figure of those in which locked brakes hold, or of all that pass.
   template <class F>
   double quantile(double share, F&& figure) const {
     std::vector<double> values;
-    for (const auto& r : hands)
-      if (r.held || r.deepest_locked == 0) values.push_back(figure(r));
-    if (values.empty()) return 0;
+    for (const auto& r : hands) values.push_back(figure(r));
     std::sort(values.begin(), values.end());
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
   }
@@ -102,14 +92,15 @@ class corner_columns {
         follow({.walls = walls_}, {.pulls_out = true}, maker(device_.mechanism, control), 1);
     const double law = row.quantile(0.95, [](const auto& r) { return r.deepest; }),
                  locked = row.quantile(0.95, [](const auto& r) { return r.deepest_locked; });
-    const double pulls = std::max(row.total(&corner_result::pulls), 1);
-    const std::string line =
-        markdown_row({device_.name, name, written("%d", row.held()), written("%d", row.sinking()),
-                      written("%d", row.leaving()), written("%d", row.total(&corner_result::separations)),
-                      written("%.1f / %.1f", 1e3 * law, 1e3 * locked), written("%.2f", law / locked),
-                      written("%d", row.first_deeper()),
-                      written("%.0f / %.0f", 100 * row.total(&corner_result::in_time) / pulls,
-                              100 * row.total(&corner_result::no_heavier) / pulls)});
+    const auto share = [&](int corner_result::* member) {
+      return 100.0 * row.total(member) / std::max(row.total(&corner_result::pulls), 1);
+    };
+    const std::string line = markdown_row(
+        {device_.name, name, written("%d", row.held()), written("%d", row.sinking()),
+         written("%d", row.leaving()), written("%d", row.total(&corner_result::separations)),
+         written("%.1f / %.1f", 1e3 * law, 1e3 * locked), written("%.2f", law / locked),
+         written("%d", row.count([](const auto& r) { return r.first > r.first_alone + 0.3e-3; })),
+         written("%.0f / %.0f", share(&corner_result::in_time), share(&corner_result::no_heavier))});
     std::fputs(line.c_str(), stdout);
     std::fflush(stdout);
     tables_.by_law += line;
@@ -127,7 +118,7 @@ class corner_columns {
     const auto add_corner = [&](const char* name, double least, double largest, const corner_hand& hand) {
       const auto row =
           follow({.least_angle = least, .largest_angle = largest, .walls = walls_}, hand, make, share);
-      add(tables_.corners, corner, name, written("%d, %d of %d", row.sinking(), row.leaving(), row.held()));
+      add(tables_.corners, corner, name, written("%d / %d of %d", row.sinking(), row.leaving(), row.held()));
     };
     add_corner("30 to 60 deg", 30, 60, {});
     add_corner("150 to 170 deg", 150, 170, {});
@@ -141,8 +132,9 @@ class corner_columns {
       const auto row = follow(what, {}, make, share);
       const auto ratio = [](const auto& r) { return r.first / r.first_alone; };
       add(tables_.others, other, name,
-          written("%.2f / %.2f, %d, %d", row.quantile(0.5, ratio), row.quantile(0.95, ratio),
-                  row.total(&corner_result::separations), row.absent()));
+          written("%.2f / %.2f / %d / %d", row.quantile(0.5, ratio), row.quantile(0.95, ratio),
+                  row.total(&corner_result::separations),
+                  row.count([](const auto& r) { return !r.arrived; })));
     };
     using enum obstacle::kind;
     add_other("slot, half width 3 mm", {.what = opposite_wall, .distance = 6e-3});
@@ -156,11 +148,10 @@ class corner_columns {
   static constexpr double share = 0.5;  // of the corners, in variations
   corner_row follow(const obstacle& what, const corner_hand& hand, const control_maker<M>& make,
                     double part) {
-    constexpr std::uint64_t seed = 59;
     const auto [first, last] = tables_.which;
     const auto count = static_cast<std::size_t>(std::ceil(part * static_cast<double>(last - first + 1)));
     return {on_all_cores(device_.name, count, [&](std::size_t k) {
-      return corner_run<M>(device_, draw_corner(device_, what, seed, first + k), hand, make).result();
+      return corner_run<M>(device_, draw_corner(device_, what, corner_seed, first + k), hand, make).result();
     })};
   }
 

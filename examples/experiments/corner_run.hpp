@@ -21,7 +21,7 @@ struct corner_result {
   bool arrived = false;  // touched a second wall, or passed
   double first = 0,
          first_alone = 0;  // largest depth in the first wall until then, and without the others [m]
-  double deepest = 0, deepest_locked = 0;  // in any wall after that; with locked brakes [m]
+  double deepest = 0, deepest_locked = 0;  // in any wall; with brakes locked from the touch on [m]
   bool held = false;                       // locked brakes hold
   bool sinks = false, left = false;        // under the law; a wall that was touched is left
   int separations = 0;
@@ -58,47 +58,6 @@ template <class M>
 using control_maker =
     std::function<typename closed_loop<M>::capacities(const corner<M>&, const ph::brakes_of<M>&)>;
 
-// Depths in walls, and when they are left.
-class wall_watch {
- public:
-  void add(std::size_t wall, double depth) {
-    state& w = walls_[wall];
-    w.depth = depth;
-    w.deepest = std::max(w.deepest, depth);
-    w.touched = w.touched || depth > 0;
-    if (depth > gap) w.inside = true;
-    if (depth > -gap) return;
-    left_ = left_ || w.touched;
-    separations_ += w.inside;
-    w.inside = false;
-  }
-  // From here on count deepest(), growth() and left().
-  void mark() {
-    for (state& w : walls_) w.marked = w.deepest = w.depth;
-    left_ = false;
-  }
-  double growth() const {
-    double most = 0;
-    for (const state& w : walls_) most = std::max(most, w.depth - w.marked);
-    return most;
-  }
-  double deepest() const { return std::max({walls_[0].deepest, walls_[1].deepest, walls_[2].deepest}); }
-  double deepest(std::size_t wall) const { return walls_[wall].deepest; }
-  bool second_touched() const { return walls_[1].touched || walls_[2].touched; }
-  bool left() const { return left_; }
-  int separations() const { return separations_; }
-
- private:
-  static constexpr double gap = ph::contact_meter::hysteresis;
-  struct state {
-    double depth = 0, deepest = 0, marked = 0;
-    bool touched = false, inside = false;
-  };
-  std::array<state, 3> walls_;
-  bool left_ = false;
-  int separations_ = 0;
-};
-
 // One corner with one law.
 template <class M>
 class corner_run {
@@ -115,15 +74,15 @@ class corner_run {
 
   corner_result result() {
     corner_result r;
-    moment now{loop_at(corner_, corner_.q), {}};
+    moment now{loop_at(corner_, corner_.q)};
     while (now.loop.time() < longest && !(r.arrived = has_arrived(now))) glide(corner_, now);
-    r.first = now.walls.deepest(0);
+    r.first = now.deepest[0];
     const corner<M> first = corner_.only(0);
-    moment alone{loop_at(first, corner_.q), {}};
+    moment alone{loop_at(first, corner_.q)};
     while (alone.loop.steps < now.loop.steps) glide(first, alone);
-    r.first_alone = std::max(alone.walls.deepest(0), corner_.edge ? behind_edge() : 0);
+    r.first_alone = std::max(alone.deepest[0], corner_.edge ? behind_edge() : 0);
     if (r.arrived && !corner_.passes) stay(now, r);
-    r.separations = now.walls.separations();
+    for (const ph::contact_meter& meter : now.meters) r.separations += meter.result().separations;
     return r;
   }
 
@@ -132,8 +91,10 @@ class corner_run {
   static constexpr double damping = 20;              // of a hand that pushes or pulls [N s/m]
   struct moment {
     closed_loop<M> loop;
-    wall_watch walls;
     V force = V::Zero();
+    std::vector<ph::contact_meter> meters = std::vector(3, ph::contact_meter(1, closed_loop<M>::time_step));
+    ph::vector<double, 3> depth = ph::vector<double, 3>::Zero(), deepest = depth;  // in each wall [m]
+    bool left = false;                                                             // a wall that was touched
   };
   struct way_out {
     double wait = 1;  // until the handle has moved by 0.5 mm [s]
@@ -149,11 +110,16 @@ class corner_run {
     now.force = force;
     now.loop.advance(force);
     // Where the hand passes, the first wall alone counts
-    for (std::size_t j = 0; j < (c.passes ? 1 : c.walls.size()); ++j)
-      now.walls.add(j, c.depth(j, now.loop.plant.position()));
+    for (int j = 0; j < (c.passes ? 1 : 3); ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      const double depth = now.depth[j] = c.depth(k, now.loop.plant.position());
+      now.meters[k].add({.depth = depth});
+      now.deepest[j] = std::max(now.deepest[j], depth);
+      now.left = now.left || (now.deepest[j] > 0 && depth < -ph::contact_meter::hysteresis);
+    }
   }
   bool has_arrived(const moment& now) const {
-    if (!corner_.passes) return now.walls.second_touched();
+    if (!corner_.passes) return now.deepest.tail(2).maxCoeff() > 0;
     return corner_.direction.dot(now.loop.plant.position() - corner_.apex) > device_.where.path_length / 2;
   }
   void glide(const corner<M>& c, moment& now) const {
@@ -168,9 +134,9 @@ class corner_run {
     second.start = second.apex + corner_gap * second.normal(0, second.apex);
     ph::joint_vector<M> q = corner_.q;
     move_to<M>(device_, second.start, q);
-    moment now{loop_at(second, q), {}};
+    moment now{loop_at(second, q)};
     while (now.loop.time() < longest && !has_arrived(now)) glide(second, now);
-    return now.walls.deepest(0);
+    return now.deepest[0];
   }
   // Between the normals, until a time after the touch.
   void push(moment& now, const moment& touch, double until) const {
@@ -187,25 +153,25 @@ class corner_run {
     const double from = hand_.rise > 0 ? 0.2 : pushing - 1,
                  growth = hand_.rise > 0 ? 0.5e-3 : 0.2e-3;  // [s], [m]
     const moment touch = now;
-    now.walls.mark();
     push(now, touch, 0.005);
     moment locked = now;
     locked.loop.control = [limit = device_.brakes.torque_limit](const auto&) { return limit; };
-    for (moment* one : {&locked, &now}) {
-      if (one == &now && hand_.pulls_out) {
-        push(now, touch, 1);
-        pull_out(now, r);
-      }
-      push(*one, touch, from);
-      double& deepest = one == &now ? r.deepest : r.deepest_locked;
-      deepest = one->walls.deepest();
-      one->walls.mark();
-      push(*one, touch, pushing);
-      deepest = std::max(deepest, one->walls.deepest());
+    if (hand_.pulls_out) {
+      push(now, touch, 1);
+      pull_out(now, r);
     }
-    r.held = locked.walls.growth() < 0.05 * growth;
-    r.sinks = now.walls.growth() > growth;
-    r.left = now.walls.left();
+    const auto grows_by = [&](moment& one) {
+      push(one, touch, from);
+      one.left = false;
+      const ph::vector<double, 3> depth = one.depth;
+      push(one, touch, pushing);
+      return (one.depth - depth).maxCoeff();
+    };
+    r.held = grows_by(locked) < 0.05 * growth;
+    r.sinks = grows_by(now) > growth;
+    r.left = now.left;
+    r.deepest = now.deepest.maxCoeff();
+    r.deepest_locked = locked.deepest.maxCoeff();
   }
   // Along the bisector and along each wall, away from the others.
   void pull_out(const moment& now, corner_result& r) const {
@@ -241,7 +207,7 @@ class corner_run {
     const V n = one.normal(j, one.apex);
     ph::joint_vector<M> q = corner_.q;
     move_to<M>(device_, one.apex + corner_gap * n, q);
-    moment now{loop_at(one, q), {}};
+    moment now{loop_at(one, q)};
     while (now.loop.time() < 1) advance(one, now, -corner_push * n - damping * now.loop.plant.velocity());
     return now;
   }
