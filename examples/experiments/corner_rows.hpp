@@ -92,7 +92,7 @@ class corner_columns {
         follow({.walls = walls_}, {.pulls_out = true}, maker(device_.mechanism, control), 1);
     const double law = row.quantile(0.95, [](const auto& r) { return r.deepest; }),
                  locked = row.quantile(0.95, [](const auto& r) { return r.deepest_locked; });
-    const auto share = [&](int corner_result::* member) {
+    const auto percent = [&](int corner_result::* member) {
       return 100.0 * row.total(member) / std::max(row.total(&corner_result::pulls), 1);
     };
     const std::string line = markdown_row(
@@ -100,7 +100,7 @@ class corner_columns {
          written("%d", row.leaving()), written("%d", row.total(&corner_result::separations)),
          written("%.1f / %.1f", 1e3 * law, 1e3 * locked), written("%.2f", law / locked),
          written("%d", row.count([](const auto& r) { return r.first > r.first_alone + 0.3e-3; })),
-         written("%.0f / %.0f", share(&corner_result::in_time), share(&corner_result::no_heavier))});
+         written("%.0f / %.0f", percent(&corner_result::in_time), percent(&corner_result::no_heavier))});
     std::fputs(line.c_str(), stdout);
     std::fflush(stdout);
     tables_.by_law += line;
