@@ -25,7 +25,7 @@ struct without_sensor {
   }
 };
 
-// Of edges only where they are asked for: they are another scene, so another controller to compile.
+// Edges: whether corners may be convex edges, which are another scene, so another controller to compile.
 template <bool Edges = false, class M, class Control>
 control_maker<M> maker(const M& mechanism, const Control& control_of) {
   return [=](const corner<M>& c, const ph::brakes_of<M>& brakes) -> typename closed_loop<M>::capacities {
