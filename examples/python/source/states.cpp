@@ -157,8 +157,9 @@ void bind_result(py::module_& module) {
                     "Array: s* once the self-motion has settled; empty of a device that has none.")
       .def_readonly("settled_velocity", &R::settled_velocity,
                     "Array: v' [m/s], to which s* belongs; empty of a device that has none.")
-      .def_property_readonly("contacts", &reports,
-                             "list[contact_report]: Of several contacts, each; empty at one wall.")
+      .def_property_readonly(
+          "contacts", &reports,
+          "list[contact_report]: Each touched wall, under any law; empty if the scene has one wall.")
       .def("__repr__",
            [](const R& r) {
              const py::dict all = contents(r);

@@ -10,6 +10,9 @@
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 
+#include <cstddef>
+#include <type_traits>
+
 namespace passive_haptics {
 
 /// The status of a cycle in which no wall demands a force: ok in free space, else what is wrong with the
@@ -108,6 +111,24 @@ PASSIVE_HAPTICS_PART Result result_of(const Device& device, const Walls& touched
     }
   }
   return result;
+}
+
+/// A result with a report of each touched wall.
+template <class Result>
+concept HasReports = requires(Result result) { result.contact_count; };
+
+/// Reports the walls that demand a force. F [N]: of the commanded torques; wanted(j): the report of wall j
+/// without its number and displayed force.
+template <HasReports Result, class Walls, class T, int D, class Wanted>
+void report_contacts(Result& result, const Walls& touched, const vector<T, D>& F, const Wanted& wanted) {
+  for (int j = 0; j < touched.size(); ++j) {
+    const auto Fd = force_of<T>(touched[j]);
+    if (!is_nonzero(Fd)) continue;
+    contact_report<T>& report = result.contacts[static_cast<std::size_t>(result.contact_count++)];
+    report = wanted(j);
+    report.wall_number = touched[j].wall_number;
+    report.displayed = Fd.direction.dot(F);
+  }
 }
 
 }  // namespace passive_haptics

@@ -14,13 +14,15 @@
 
 namespace passive_haptics {
 
-/// What became of one of several contacts.
+/// One touched wall, and the normal force that it gets.
 template <class T>
 struct contact_report {
-  int wall_number = -1;       ///< Wall of the scene.
-  T wanted = T(0);            ///< Normal force that the law wanted [N].
-  T displayed = T(0);         ///< Normal force n_j . F that is commanded [N].
-  bool has_priority = false;  ///< Met before the others: it was being left, and the law gives way.
+  int wall_number = -1;  ///< Wall of the scene.
+  /// Normal force that the law requires [N]: alpha_j |Fd_j|. Under a TorqueLaw n_j . F of its torques before
+  /// the limits, which is < 0 where they push the handle into this wall.
+  T wanted = T(0);
+  T displayed = T(0);         ///< Normal force n_j . F of the commanded torques [N].
+  bool has_priority = false;  ///< The hand is leaving this wall, and the law gives way: met before others.
 };
 
 /// What a driver needs of a cycle.
@@ -81,12 +83,15 @@ struct step_result : settled_part<M> {
   }
 };
 
-/// Result of a step for a scene in which up to MaxContacts walls can be touched at once.
+/// Result of a step for a scene in which up to MaxContacts > 1 walls can be touched at once. The result for a
+/// scene of one wall has no reports.
 template <class M, int MaxContacts>
 struct step_result_of_contacts : step_result<M> {
-  /// Of several contacts, each; see contact_count.
+  /// The first contact_count are of this cycle.
   std::array<contact_report<typename M::scalar>, static_cast<std::size_t>(MaxContacts)> contacts{};
-  int contact_count = 0;  ///< Reports in contacts: 0 unless several walls were touched.
+  /// Touched walls, under any law: those that demand a force. A wall within the margin of a law, or without
+  /// stiffness, is not counted.
+  int contact_count = 0;
 };
 
 namespace detail {

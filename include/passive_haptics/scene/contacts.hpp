@@ -23,8 +23,8 @@ struct contact {
   double stiffness = 0;                       ///< Of the wall [N/m].
   point<D> wall_velocity = point<D>::Zero();  ///< Of the touched surface [m/s].
   int wall_number = 0;                        ///< Which wall of the scene.
-  /// Where the end effector was when the wall was sensed [m]. NaN until it is set, which a law that reads it
-  /// rejects.
+  /// Where the end effector was when the wall was sensed [m], moved along with the wall since then. NaN until
+  /// it is set, which a law that reads it rejects.
   point<D> sensed_at = point<D>::Constant(std::numeric_limits<double>::quiet_NaN());
   /// Hessian H of the wall's distance [1/m]. Along the surface at velocity v, n . a = -v^T H v keeps the
   /// depth. Zero for planes, and for shapes that do not provide their curvature.

@@ -22,6 +22,8 @@ struct hold_parameters {
 };
 
 /// Zero-order hold of a scene: a virtual environment that updates at its own rate, as a faster loop sees it.
+/// Between two samples only contact::sensed_at changes: it moves with the wall, by its velocity times the age
+/// of the sample, so that a law that carries the contact on by the handle's motion uses the relative motion.
 template <class Scene>
 class held_scene {
  public:
@@ -40,7 +42,10 @@ class held_scene {
     if (!(time - sampled_at_ < period_ - slack) || time < sampled_at_) {
       contacts_ = sense(scene_, x);
       sampled_at_ = time;
+    } else {
+      for (auto& c : contacts_) c.sensed_at += (time - carried_to_) * c.wall_velocity;
     }
+    carried_to_ = time;
     return contacts_;
   }
 
@@ -74,6 +79,7 @@ class held_scene {
   Scene scene_;
   double period_;
   double sampled_at_ = -std::numeric_limits<double>::infinity();
+  double carried_to_ = 0;  // the time at which sensed_at of the contacts is [s]
   contacts_type contacts_{};
 };
 

@@ -39,14 +39,14 @@ std::vector<tracked::touch<3>> felt(std::initializer_list<int> facets, const ph:
 }
 
 // 2 deep behind the floor and 1.7 behind the ramp: the way to in front of both is 1.53125 up and 0.78125 from
-// the ramp.
-TEST(an_obtuse_corner, shares_the_way_out_of_it_between_its_surfaces) {
+// the ramp. The floor's depth is all of its own, the ramp's twice its share.
+TEST(an_obtuse_corner, lets_a_surface_begin_with_depth_zero) {
   const auto touched = felt({0, 1, 2}, {0.625, 0, -2});
   ASSERT_EQ(touched.size(), 2u);
   EXPECT_TRUE(touched[0].normal.isApprox(up, 1e-15));
-  EXPECT_NEAR(touched[0].depth, 1.53125, 1e-14);
+  EXPECT_NEAR(touched[0].depth, 2, 1e-14);
   EXPECT_TRUE(touched[1].normal.isApprox(from_ramp, 1e-14));
-  EXPECT_NEAR(touched[1].depth, 0.78125, 1e-14);
+  EXPECT_NEAR(touched[1].depth, 1.5625, 1e-14);
 }
 
 TEST(a_smooth_surface, has_a_direction_wherever_it_is_touched) {

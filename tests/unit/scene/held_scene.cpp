@@ -5,6 +5,7 @@
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/shapes/moving.hpp>
 
 #include <limits>
 
@@ -79,6 +80,16 @@ TEST(held_scene, samples_at_once_whatever_the_origin_of_time) {
     ph::held_scene held(walls, 1.0);
     EXPECT_EQ(shown(held, 1, origin), 1) << origin;
   }
+}
+
+// As a law carries a contact on by what the handle moved since, it does so by what the wall moved.
+TEST(held_scene, carries_where_it_was_sensed_along_with_a_wall_that_moves) {
+  ph::moving floor(ph::half_space<2>({0, 0}, {0, 1}));
+  floor.set_motion({0, 0}, {2, 3});
+  ph::held_scene held(ph::scene(ph::wall(floor)), 1.0);
+  for (const double time : {0.0, 0.25, 0.75, 0.5})
+    EXPECT_EQ(sense(held, {5, -1}, 10 + time)[0].sensed_at, ph::point<2>(5 + 2 * time, -1 + 3 * time));
+  EXPECT_EQ(sense(held, {6, -1}, 11)[0].sensed_at, ph::point<2>(6, -1));
 }
 
 TEST(held_scene, recovers_from_a_time_that_is_not_finite) {

@@ -63,10 +63,10 @@ struct result_values {
   numbers signs;                                         ///< s
   numbers settled_signs;                                 ///< s*; empty where nothing settles.
   numbers settled_velocity;                              ///< v' [m/s]; empty where nothing settles.
-  std::vector<ph::contact_report<double>> contacts;      ///< Of several contacts, each.
+  std::vector<ph::contact_report<double>> contacts;      ///< Each touched wall.
 };
 
-/// The values of a step_result, with the reports of several contacts where there are any.
+/// The values of a step_result, with the reports of touched walls if the scene has several.
 template <class R>
 result_values values_of(const R& r) {
   result_values v{r.capacity,

@@ -500,7 +500,7 @@ class step_result(metaclass=_class):
         """Torques that make Fc [N m]."""
     @property
     def contacts(self) -> list[contact_report]:
-        """Of several contacts, each; empty at one wall."""
+        """Each touched wall, under any law; empty if the scene has one wall."""
     @property
     def control_force(self) -> Array:
         """Fc [N], base frame, before alpha and limits."""

@@ -57,16 +57,16 @@ class display_class(enum.IntEnum):
 
 
 class contact_report(typing.NamedTuple):
-    """What became of one of several contacts."""
+    """One touched wall, and the normal force that it gets."""
 
     wall_number: int
     """Wall of the scene."""
     wanted: float
-    """Normal force that the law wanted [N]."""
+    """Normal force that the law requires [N]; of a law of torques the one that these make before the limits."""
     displayed: float
     """Normal force that is commanded [N]."""
     has_priority: bool
-    """Met before the others: it was being left, and the law gives way."""
+    """The hand is leaving this wall, and the law gives way: met before others."""
 
 
 class wall_limits(typing.NamedTuple):

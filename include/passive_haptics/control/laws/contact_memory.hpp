@@ -1,56 +1,112 @@
 /// @file
-/// What a law remembers of each wall while it is touched.
+/// What a law remembers of each contact while it is touched.
 #pragma once
 
+#include <passive_haptics/scene/contacts.hpp>
+
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace passive_haptics {
 
-/// Memories of up to Capacity walls touched at once, found by the wall's number. A wall that was not touched
-/// in the cycle before begins with a fresh one. A law that has it names its Capacity as `most_contacts`.
+/// Memories of up to Capacity contacts touched at once. A law that has it names its Capacity as
+/// `most_contacts`.
+///
+/// **The memory that a contact continues.** A wall number does not identify a contact: the faces of a mesh
+/// share one, and at the seam of two walls the hand slides on along one surface while the number changes. A
+/// memory therefore belongs to a wall and a normal. Each cycle pairs its contacts with the memories of the
+/// cycle before, the most similar normals first. A contact continues a memory of its own wall however far the
+/// normal has turned, and one of another wall if the normals differ by less than 30 degrees: a force learned
+/// along one is then right along the other to 13 %. Between both, its own wall counts as much as these
+/// 30 degrees do. A contact without a partner begins with a fresh memory; a memory without one is forgotten.
 template <class Memory, int Capacity>
 class contact_memory {
  public:
-  static constexpr int capacity = Capacity;  ///< Walls at once.
+  static constexpr int capacity = Capacity;  ///< Contacts at once.
 
-  /// To be called at the beginning of a cycle: forgets walls that were not touched in the last one.
-  void begin_cycle() {
-    for (slot& s : slots_) {
-      s.known = s.touched;
-      s.touched = false;
-    }
+  /// To be called at the beginning of a cycle, with its contacts. Those beyond Capacity share a memory.
+  template <class Contacts>
+  void begin_cycle(const Contacts& touched) {
+    const int before = size_;
+    size_ = std::min(touched.size(), Capacity);
+    int paired = 0;  // contacts as before, in most cycles all
+    while (paired < std::min(size_, before) && slots_[std::size_t(paired)].is_of(touched[paired])) ++paired;
+    if (paired < size_) pair_from(paired, touched, before);
+    for (int j = 0; j < size_; ++j) slots_[std::size_t(j)].set_contact(touched[j]);
   }
 
-  /// The memory of this wall. Where no memory is free, it is taken from a wall that is not touched in this
-  /// cycle so far. Not for more than Capacity walls in a cycle.
-  Memory& of(int wall) {
-    slot *free = nullptr, *untouched = nullptr;
-    for (slot& s : slots_) {
-      if ((s.known || s.touched) && s.wall == wall) {
-        s.touched = true;
-        return s.memory;
-      }
-      if (free == nullptr && !s.known && !s.touched) free = &s;
-      if (untouched == nullptr && !s.touched) untouched = &s;
-    }
-    if (free == nullptr) free = untouched != nullptr ? untouched : &slots_.back();
-    *free = {.wall = wall, .touched = true};
-    return free->memory;
-  }
+  /// The memory of contact j of this cycle.
+  Memory& operator[](int j) { return slots_[std::size_t(std::min(j, Capacity - 1))].memory; }
 
-  /// Forgets all walls.
-  void clear() {
-    for (slot& s : slots_) s.known = s.touched = false;
-  }
+  /// Forgets all contacts.
+  void clear() { size_ = 0; }
 
  private:
+  static constexpr int max_dimension = 3;      // as of a mechanism's task
+  static constexpr double min_cosine = 0.866;  // between a contact's normal and that of another wall's memory
+  static constexpr double same_cosine = 0.999;  // between the normals of one face in two cycles
+  static constexpr double unlike = -1;          // similarity of a contact that cannot continue a memory
+
   struct slot {
     int wall = 0;
-    bool known = false;    // touched in the cycle before
-    bool touched = false;  // touched in this one
+    std::array<float, max_dimension> normal = {};  // exact enough to compare
     Memory memory = {};
+
+    template <class Contact>
+    void set_contact(const Contact& c) {
+      wall = c.wall_number;
+      for (int i = 0; i < int(c.normal.size()); ++i) normal[std::size_t(i)] = float(c.normal[i]);
+    }
+    template <class Contact>
+    double cosine(const Contact& c) const {
+      double sum = 0;
+      for (int i = 0; i < int(c.normal.size()); ++i) sum += c.normal[i] * double(normal[std::size_t(i)]);
+      return sum;
+    }
+    template <class Contact>
+    bool is_of(const Contact& c) const {
+      return c.wall_number == wall && cosine(c) > same_cosine;
+    }
+    template <class Contact>
+    double similarity(const Contact& c) const {
+      const double of_normals = cosine(c);
+      if (c.wall_number == wall) return of_normals + 1 - min_cosine;
+      return of_normals > min_cosine ? of_normals : unlike;
+    }
   };
+
+  static unsigned all_between(int first, int end) { return (1u << end) - (1u << first); }
+  static bool holds(unsigned set, int k) { return (set >> k & 1u) != 0; }
+
+  // Brings the memory of each contact from the `first` on to its place
+  template <class Contacts>
+  [[gnu::noinline]] void pair_from(int first, const Contacts& touched, int before) {
+    unsigned open = all_between(first, size_), known = all_between(first, before);  // those without a partner
+    for (;;) {
+      double most = unlike;
+      int contact = 0, memory = 0;
+      for (int j = first; j < size_; ++j) {
+        for (int k = first; k < before; ++k) {
+          if (!holds(open, j) || !holds(known, k)) continue;
+          const double similarity = slots_[std::size_t(k)].similarity(touched[j]);
+          if (!(similarity > most)) continue;
+          most = similarity;
+          contact = j;
+          memory = k;
+        }
+      }
+      if (most == unlike) break;
+      std::swap(slots_[std::size_t(contact)], slots_[std::size_t(memory)]);
+      open &= ~(1u << contact);
+      known &= ~(1u << (holds(known, contact) ? contact : memory));  // what was there is at `memory` now
+    }
+    for (int j = first; j < size_; ++j)
+      if (holds(open, j)) slots_[std::size_t(j)].memory = {};
+  }
+
   std::array<slot, static_cast<std::size_t>(Capacity)> slots_{};
+  int size_ = 0;  // contacts of this cycle
 };
 
 }  // namespace passive_haptics

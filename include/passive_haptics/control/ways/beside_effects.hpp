@@ -88,9 +88,9 @@ struct beside_effects {
                                      step_memory<L>& memory) const {
     Result result;
     if (walls.demands_force()) {
-      auto of_walls = done.walls;
-      of_walls.td = done.td;
-      result = walls.result(device, of_walls, t, memory);
+      result = walls.result(device, done.walls, t, memory);
+      if (result.outcome == status::ok) result.capacity = done.td.torque.cwiseAbs();
+      if constexpr (requires { result.saturated; }) result.saturated = result.saturated || done.td.limited;
     } else {
       result = released<Result>(passive_haptics::status_without_force<M>(device.x, touched.walls));
       result.capacity = done.td.torque.cwiseAbs();

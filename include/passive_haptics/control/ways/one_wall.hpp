@@ -5,6 +5,7 @@
 #include <passive_haptics/control/cycle_result.hpp>
 #include <passive_haptics/control/way.hpp>
 #include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/force/torques/force_map.hpp>
 
 namespace passive_haptics {
 
@@ -72,10 +73,29 @@ struct one_wall {
   template <class Device>
   PASSIVE_HAPTICS_PART Result result(const Device& device, const steps& done, const brake_vector<M>& t,
                                      step_memory<L>&) const {
-    return passive_haptics::result_of<Result>(device, touched, touched[0].wall_number, demanded(), done, t);
+    const auto Fd = demanded();
+    auto result = passive_haptics::result_of<Result>(device, touched, touched[0].wall_number, Fd, done, t);
+    if constexpr (HasReports<Result>)
+      if (result.outcome == status::ok) {
+        const bool gives_way = nulls_normal_force<L> && outward(Fd, device.v) > T(0);
+        passive_haptics::report_contacts(result, touched, commanded_force(device, done), [&](int) {
+          return contact_report<T>{.wanted = done.alpha * Fd.magnitude, .has_priority = gives_way};
+        });
+      }
+    return result;
   }
 
  private:
+  // F of td: a share of Fc', unless each brake was cut by itself
+  template <class Device>
+  vector<T, d> commanded_force(const Device& device, const steps& done) const {
+    if (!done.td.limited) return done.Fc_scaled.force;
+    if (setup.options.limits == saturation::clamp_each)
+      return passive_haptics::force_map_of(device.pose, device.E).G * done.td.torque;
+    return done.td.torque.cwiseAbs().maxCoeff() / done.Fc_scaled.torque.cwiseAbs().maxCoeff() *
+           done.Fc_scaled.force;
+  }
+
   template <class Device>
   saturated_torque<T, m> limited(const vector<T, m>& t, const Device& device) const {
     return passive_haptics::within_limits(t, device.brakes, setup.options.limits);

@@ -85,19 +85,22 @@ struct several_walls {
       return passive_haptics::result_of<Result>(device, touched, touched[governing].wall_number,
                                                 Fd(governing), one, t);
     };
-    if constexpr (!has_reports) {
+    if constexpr (!HasReports<Result>) {
       return of_governing(done.Fc_scaled);
     } else {
       if (!all_finite(done.Fc_scaled.torque)) return released<Result>(status::result_not_finite);
       Result result = of_governing(unscaled_force(device, done));
-      if (result.outcome == status::ok) add_reports(result, device, done);
+      if (result.outcome != status::ok) return result;
+      result.saturated = passive_haptics::any_at_limit(done.td.torque, device.brakes);
+      passive_haptics::report_contacts(result, touched, done.Fc_scaled.force, [&](int j) {
+        return contact_report<T>{.wanted = done.scale.alpha[j] * Fd(j).magnitude,
+                                 .has_priority = done.scale.has_priority[static_cast<std::size_t>(j)]};
+      });
       return result;
     }
   }
 
  private:
-  static constexpr bool has_reports = requires(Result result) { result.contacts; };
-
   template <class Device>
   scales scales_of(const Device& device) const {
     scales all;
@@ -165,19 +168,6 @@ struct several_walls {
     const status outcome = check_command<T>(touched, done.scale.leaving, are_shares, magnitude);
     if (outcome != status::ok) return outcome;
     return all_finite(done.map.G) ? status::ok : status::pose_undefined;
-  }
-
-  template <class Device>
-  void add_reports(Result& result, const Device& device, const steps& done) const {
-    result.saturated = passive_haptics::any_at_limit(done.td.torque, device.brakes);
-    result.contact_count = touched.size();
-    for (int j = 0; j < touched.size(); ++j) {
-      const auto k = static_cast<std::size_t>(j);
-      const auto wanted = Fd(j);
-      result.contacts[k] = {touched[j].wall_number,
-                            is_nonzero(wanted) ? done.scale.alpha[j] * wanted.magnitude : T(0),
-                            wanted.direction.dot(done.Fc_scaled.force), done.scale.has_priority[k]};
-    }
   }
 
   // Fc before alpha and limits, exact where each wall gets all that it demands. Near a singular pose rounding

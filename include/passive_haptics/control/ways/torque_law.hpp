@@ -82,6 +82,16 @@ struct torques_of_law {
     if constexpr (is_account)
       result.power = is_nonzero(Fd) ? classify_power(Fd.direction.dot(device.v), can_be_displayed(device))
                                     : power_class::none;
+    if constexpr (HasReports<Result>) {
+      force_of_brakes<M> F = as_force.Fc;
+      if (done.td.limited) {
+        F.torque = done.td.torque;
+        find_force(F, device, done.memory);
+      }
+      passive_haptics::report_contacts(result, touched, F.force, [&](int j) {
+        return contact_report<T>{.wanted = force_of<T>(touched[j]).direction.dot(as_force.Fc.force)};
+      });
+    }
     return result;
   }
 

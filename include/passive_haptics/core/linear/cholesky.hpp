@@ -60,6 +60,16 @@ class cholesky {
     return X;
   }
 
+  /// (L D^1/2)^T x, whose square is x^T A x. A positive definite.
+  vector<T, N> half_product(const vector<T, N>& x) const {
+    vector<T, N> y = x;
+    for (int i = 0; i < N; ++i) {
+      for (int k = i + 1; k < N; ++k) y[i] += l_(k, i) * x[k];
+      y[i] *= std::sqrt(pivot_[i]);
+    }
+    return y;
+  }
+
  private:
   T over_pivot(T x, int i) const { return pivot_[i] == T(0) ? x * T(0) : x / pivot_[i]; }  // a NaN stays
 

@@ -83,9 +83,10 @@ class proxy_contacts {
     return group;
   }
 
-  // Normal and depth are those of the way to in front of the group's own planes. The depth is no more than
-  // the group's share of the whole displacement: at an obtuse edge a second surface that is reached at some
-  // depth of the first then begins with depth zero.
+  // Normal and depth are those of the way to in front of the group's own planes, as of half-spaces. The depth
+  // is no more than twice the group's share of the whole displacement: at an obtuse edge a second surface
+  // that is reached at some depth of the first then begins with depth zero, and has all of its depth where
+  // the shares are equal.
   template <class Add>
   void add_group(half_space_set group, const vector<double, max_facets>& shares, Add&& add) const {
     matrix<double, D, max_facets> N = normals_;
@@ -98,12 +99,12 @@ class proxy_contacts {
     if (!(depths.maxCoeff() > 0)) return;
     const int first = std::countr_zero(group), number = numbers_[static_cast<std::size_t>(first)];
     if (group == 1u << first) {
-      add(point<D>(N.col(first)), std::min(depths[first], shares[first]), number);
+      add(point<D>(N.col(first)), std::min(depths[first], 2 * shares[first]), number);
       return;
     }
     const point<D> way = N * shares_of_displacement<D, max_facets>(N, depths);
     const double depth = way.norm();
-    if (depth > 0) add(point<D>(way / depth), std::min(depth, (N * shares).norm()), number);
+    if (depth > 0) add(point<D>(way / depth), std::min(depth, 2 * (N * shares).norm()), number);
   }
 
   std::array<double, std::size_t(max_facets)> crease_cosines_{};

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iostream>
 #include <stdexcept>
 #include <utility>
@@ -152,11 +153,12 @@ struct held_slide {
     p.depth_per_jump = 0;
     return p;
   }
-  double cycle(double depth, double v, double Fh = 0, int wall = 0) {
+  // Over a floor at this height [m]
+  double cycle(double depth, double v, double Fh = 0, double height = 0) {
     ph::contacts<2, 1> touched;
     if (depth > 0) touched.push_back(floor_at(0, -depth));
-    for (auto& c : touched) c.wall_number = wall;
-    auto state = state_of<table>({0, -depth}, {0, v}, {0, Fh});
+    for (auto& c : touched) c.sensed_at[1] += height;
+    auto state = state_of<table>({0, height - depth}, {0, v}, {0, Fh});
     state.time = time += 1e-3;
     return ph::step(table(), brakes, touched, control, state, memory).capacity[1];
   }
@@ -176,9 +178,6 @@ TEST(velocity_direct_control, learns_the_force_that_is_missing) {
   for (int k = 0; k < 50; ++k) slide.cycle(p.rest_depth, -0.05);
   slide.cycle(-1, 0);
   EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05), first, 1e-9) << "a wall that was left is forgotten";
-  for (int k = 0; k < 50; ++k) slide.cycle(p.rest_depth, -0.05);
-  slide.cycle(p.rest_depth, -0.05, 0, 1);
-  EXPECT_NEAR(slide.cycle(p.rest_depth, -0.05), first, 1e-9) << "also where another one was touched";
 }
 
 // What the brakes cannot make is not learned, and what was learned is kept within what they can.
@@ -287,6 +286,19 @@ TEST(velocity_direct_control, rests_deeper_where_it_sees_coarsely) {
     const double wanted = p.depth_gain * (depth + jump - 2 * v * dt - rest);
     EXPECT_NEAR(f, (wanted - v) * force_per_speed(p), 1e-9) << jump;
   }
+}
+
+// A floor that rises by itself is no count of the encoders.
+TEST(velocity_direct_control, rests_no_deeper_where_the_wall_jumps) {
+  held_slide slide;
+  slide.p.depth_per_jump = constants().depth_per_jump;
+  slide.p.integral_time = 1e9;  // nothing is learned
+  slide.control = law(slide.p);
+  constexpr double v = -0.05, rise = 2e-3, moved = 1e-4;
+  const double depth = slide.p.rest_depth;
+  slide.cycle(depth, v);
+  const double f = slide.cycle(depth + rise + moved, v, 0, rise);
+  EXPECT_NEAR(f, (slide.p.depth_gain * (rise + moved) - v) * force_per_speed(slide.p), 1e-6);
 }
 
 // A jump is forgotten in jump_time, and a pause of more than that forgets no more than all.
@@ -481,7 +493,8 @@ TEST(velocity_direct_control, keeps_to_six_brakes_at_two_walls) {
   EXPECT_GT(displayed, 100);
 }
 
-// Each brake there is at rest: what pushes it tells its sign, not the velocity that is stopped at both walls.
+// Each brake there is at rest: what pushes it tells its sign, not the velocity that is stopped at both walls,
+// and it is told twice what stops the handle.
 TEST(velocity_direct_control, holds_a_handle_at_rest_in_a_corner) {
   const constants p;
   constexpr double sinking = 0.005;
@@ -495,7 +508,7 @@ TEST(velocity_direct_control, holds_a_handle_at_rest_in_a_corner) {
   const auto held =
       ph::step(table(), brakes, corner, law(), state_of<table>({0, 0}, {-sinking, -sinking}, -push), memory);
   for (int i = 0; i < 2; ++i)
-    EXPECT_NEAR(held.capacity[i], sinking * force_per_speed(p) + push[i] * p.force_share, 1e-6);
+    EXPECT_NEAR(held.capacity[i], 2 * (sinking * force_per_speed(p) + push[i]), 1e-6);
 }
 
 // Which way a brake pushes is told by its rate once the handle has stopped sinking, w* = w - Lambda_n g n . v
@@ -772,38 +785,55 @@ TEST(brake_lag_model, follows_a_first_order_lag_and_inverts_it) {
   EXPECT_EQ(fresh.torque(0), before) << "time runs backwards";
 }
 
+// The contacts of a cycle: a wall number and the angle of the normal [degrees] each.
+ph::contacts<2, 8> touched_at(std::initializer_list<std::pair<int, double>> walls) {
+  ph::contacts<2, 8> touched;
+  for (const auto& [wall, angle] : walls)
+    touched.push_back(
+        {.normal = {std::cos(ph::radians(angle)), std::sin(ph::radians(angle))}, .wall_number = wall});
+  return touched;
+}
+
 TEST(contact_memory, is_a_walls_own_while_it_is_touched) {
-  ph::contact_memory<int, 2> memory;
-  memory.begin_cycle();
-  memory.of(7) = 70;
-  memory.of(9) = 90;
-  memory.begin_cycle();
-  EXPECT_EQ(memory.of(9), 90);
-  memory.begin_cycle();
-  EXPECT_EQ(memory.of(7), 0) << "it was not touched in between";
-  EXPECT_EQ(memory.of(9), 90);
-  memory.clear();
-  EXPECT_EQ(memory.of(9), 0);
-}
-
-TEST(contact_memory, is_each_walls_own_from_the_first) {
   ph::contact_memory<int, 8> memory;
-  memory.of(3) = 30;
-  memory.of(5) = 50;
-  EXPECT_EQ(memory.of(3), 30);
-  EXPECT_EQ(memory.of(5), 50);
+  memory.begin_cycle(touched_at({{7, 90}, {9, 90}}));
+  memory[0] = 70;
+  memory[1] = 90;
+  memory.begin_cycle(touched_at({{9, 90}, {7, 90}}));
+  EXPECT_EQ(memory[0], 90);
+  EXPECT_EQ(memory[1], 70);
+  memory.begin_cycle(touched_at({{9, 80}}));
+  memory.begin_cycle(touched_at({{7, 90}, {9, 75}}));
+  EXPECT_EQ(memory[0], 0) << "it was not touched in between";
+  EXPECT_EQ(memory[1], 90);
+  memory.clear();
+  memory.begin_cycle(touched_at({{9, 75}}));
+  EXPECT_EQ(memory[0], 0);
 }
 
-TEST(contact_memory, that_is_full_is_taken_from_a_wall_that_is_touched_no_more) {
-  ph::contact_memory<int, 3> memory;
-  memory.begin_cycle();
-  for (const int wall : {7, 8, 9}) memory.of(wall) = wall;
-  memory.begin_cycle();
-  EXPECT_EQ(memory.of(9), 9);
-  EXPECT_EQ(memory.of(8), 8);
-  EXPECT_EQ(memory.of(5), 0) << "in place of 7";
-  memory.begin_cycle();
-  for (const int wall : {1, 2, 3}) EXPECT_EQ(memory.of(wall), 0) << "all others in place of all";
+TEST(contact_memory, is_each_faces_own_of_one_wall) {
+  ph::contact_memory<int, 8> memory;
+  memory.begin_cycle(touched_at({{7, 60}}));
+  memory[0] = 60;
+  memory.begin_cycle(touched_at({{7, 120}, {7, 62}}));
+  EXPECT_EQ(memory[0], 0) << "another face of the same wall";
+  EXPECT_EQ(memory[1], 60);
+  memory[0] = 120;
+  memory.begin_cycle(touched_at({{7, 150}}));
+  EXPECT_EQ(memory[0], 120) << "the nearest normal, however far it turned";
+}
+
+// Between two blocks side by side: the second is near, with its flank, before its top takes over.
+TEST(contact_memory, goes_on_across_a_seam) {
+  ph::contact_memory<int, 8> memory;
+  memory.begin_cycle(touched_at({{1, 90}, {2, 180}}));
+  memory[0] = 90;
+  memory[1] = 180;
+  memory.begin_cycle(touched_at({{1, 0}, {2, 91}}));
+  EXPECT_EQ(memory[0], 0);
+  EXPECT_EQ(memory[1], 90);
+  memory.begin_cycle(touched_at({{3, 130}}));
+  EXPECT_EQ(memory[0], 0) << "no seam but an edge";
 }
 
 // Beyond most_contacts a law would share a memory between two walls.

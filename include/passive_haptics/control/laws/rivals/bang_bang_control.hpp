@@ -86,8 +86,8 @@ struct bang_bang_control {
     const vector<T, D> v = device.E * w - as<T>(c.wall_velocity);
     const T speed = length_of(v), slope = speed > T(0) ? n.dot(v) / speed : T(0);
 
-    remembered.walls.begin_cycle();
-    steering& wall = remembered.walls.of(c.wall_number);
+    remembered.walls.begin_cycle(single_contact<D>{c});
+    steering& wall = remembered.walls[0];
     wall.turn = w.isZero(T(0)) ? 0 : turned(wall.turn, c.depth, static_cast<double>(slope));
 
     const brake_vector<M> outward = brake_torque(device.E, n).cwiseProduct(w);  // parts of n . v

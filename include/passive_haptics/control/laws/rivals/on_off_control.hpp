@@ -67,10 +67,11 @@ struct on_off_control {
     std::array<contact_demand<T, D>, static_cast<std::size_t>(Capacity)> demands;
     std::array<desired_force<T, D>, static_cast<std::size_t>(Capacity)> on;
     int count = 0;
-    remembered.walls.begin_cycle();
-    for (const auto& c : touched) {
+    remembered.walls.begin_cycle(touched);
+    for (int j = 0; j < touched.size(); ++j) {
+      const auto& c = touched[j];
       const auto Fd = force_of<T>(c);
-      relay& wall = remembered.walls.of(c.wall_number);
+      relay& wall = remembered.walls[j];
       wall.on = switched(wall.on, c.depth, static_cast<double>(outward(Fd, device.v)));
       if (!wall.on) continue;
       on[static_cast<std::size_t>(count)] = Fd;

@@ -73,8 +73,8 @@ struct single_degree_of_freedom_control {
         M::brake_count >= M::dof && M::dof == M::task_dimension && M::dof >= 2,
         "passive_haptics: single_degree_of_freedom_control needs brake_count >= dof == task_dimension >= 2.");
     const auto& c = touched[governing_contact(touched)];
-    remembered.walls.begin_cycle();
-    int& locked = remembered.walls.of(c.wall_number).brake;
+    remembered.walls.begin_cycle(single_contact<D>{c});
+    int& locked = remembered.walls[0].brake;
     locked = choose(slopes(device, c), passive_haptics::brakes_off(device.s, device.brakes),
                     c.depth - parameters.reference_depth, locked);
 

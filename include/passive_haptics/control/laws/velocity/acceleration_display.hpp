@@ -22,6 +22,7 @@ struct pose_dynamics {
   matrix<T, n, m> Tt;       ///< T^T, joint torques of brake torques.
   cholesky<T, n> mass;      ///< M, with J^T m_h J of the hand.
   joint_vector<M> bias;     ///< c [N m]
+  joint_vector<M> qd;       ///< Joint rates [rad/s or m/s].
   task_vector<M> drift;     ///< Jd qd [m/s^2]
   task_vector<M> velocity;  ///< J qd [m/s]
   brake_vector<M> rates;    ///< T qd [rad/s or m/s]
@@ -32,6 +33,7 @@ struct pose_dynamics {
         Tt(pose.transposed_transmission()),
         mass(matrix<T, n, n>(pose.mass_matrix() + hand * transposed_times(J, J))),
         bias(pose.bias_torque(qd)),
+        qd(qd),
         drift(pose.bias_acceleration(qd)),
         velocity(J * qd),
         rates(transposed_times(Tt, qd)) {}

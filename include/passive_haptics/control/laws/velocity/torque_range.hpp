@@ -105,7 +105,7 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
   unrolled<m>([&](auto i) {
     const T band = rate_dead_band_of<T>(device.brakes, i);
     const bool turns = g == nullptr && !range.at_rest[i];
-    const T rate = turns ? dynamics.rates[i] : (slips(w[i], band) ? w[i] : -holding[i]);
+    const T rate = turns ? dynamics.rates[i] : (g != nullptr && slips(w[i], band) ? w[i] : -holding[i]);
     range.sign[i] = rate > T(0) ? T(-1) : T(1);
     range.sign_is_lasting[i] = true;
     if (g != nullptr && range.sign[i] * (*g)[i] <= T(0) && dynamics.rates[i] * (*g)[i] < T(0)) {

@@ -8,6 +8,7 @@
 #include <passive_haptics/control/laws/velocity/brake_lag.hpp>
 #include <passive_haptics/control/laws/velocity/least_power.hpp>
 #include <passive_haptics/control/laws/velocity/settled_torques.hpp>
+#include <passive_haptics/control/laws/velocity/stopping_torques.hpp>
 #include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
@@ -42,8 +43,14 @@ namespace passive_haptics {
 /// of its rate once the handle no longer sinks: the rate now may only be that of the landing (torque_range).
 ///
 /// **The depth of rest** d_ref is rest_depth on fine encoders; on coarse ones, whose counts let the depth
-/// jump, it is a multiple of these jumps. The less is known of lags and dead times, the deeper it has to be:
+/// jump, it is a multiple of these jumps. A jump is a change of the depth that the normal velocity does not
+/// explain. An encoder jumps by no more than the handle was seen to move in that cycle, as a distance changes
+/// by no more than its point moves. The rest is the scene's and lifts nothing: another face, a wall that was
+/// moved, a new sample of a slow scene. The less is known of lags and dead times, the deeper d_ref has to be:
 /// docs/results.md has the separations for 1 to 4 mm.
+///
+/// **Memory.** b and the jumps belong to a contact. contact_memory says which one it continues when the hand
+/// passes to another face or wall.
 ///
 /// **The margin.** A handle that comes at 0.1 m/s is over a millimetre deep before lagging brakes hold it. So
 /// that they begin before, scenes give contacts from margin() on: approach_speed (1 / k_d + 3 T_b), T_b that
@@ -62,7 +69,7 @@ class velocity_direct_control {
   static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
   static constexpr int most_contacts = 8;          ///< Walls that it remembers at once.
 
-  /// Of one wall.
+  /// Of one contact.
   struct contact_state {
     double depth = std::numeric_limits<double>::quiet_NaN();  ///< In the cycle before [m]; NaN if none.
     double jump = 0;  ///< The largest jump of the depth, slowly forgotten [m].
@@ -70,12 +77,13 @@ class velocity_direct_control {
   };
   /// What it remembers.
   struct memory {
-    contact_memory<contact_state, most_contacts> walls;       ///< Each wall's.
+    contact_memory<contact_state, most_contacts> walls;       ///< Each contact's.
     brake_lag_model brakes;                                   ///< What the brakes make.
     approximation_start start;                                ///< n > d: the brakes that come to rest.
     bool moving = false;                                      ///< Rates and time are known.
     double time = 0;                                          ///< Of the cycle before [s].
     std::array<double, brake_lag_model::max_brakes> rates{};  ///< Of the joints, low-passed [rad/s or m/s].
+    std::array<double, 3> position{};                         ///< Of the handle in the cycle before [m].
   };
 
   /// Throws std::invalid_argument with the text of validate(p).
@@ -102,26 +110,45 @@ class velocity_direct_control {
     remembered.moving = true;
     remembered.time = device.time;
     remembered.brakes.advance(device.time, device.brakes.time_constant);
-    remembered.walls.begin_cycle();
+    remembered.walls.begin_cycle(touched);
+    const double moved = moved_since_last(device.x, remembered);
     std::array<wall_demand<T, D, m>, std::size_t(Capacity)> walls;
     const task_vector<M> Fh = static_cast<T>(p_.force_share) * device.hand_force;
     for (int j = 0; j < touched.size(); ++j)
-      walls[std::size_t(j)] = demand_of(touched[j], device, dynamics, Fh, dt, remembered);
+      walls[std::size_t(j)] = demand_of(touched[j], device, dynamics, Fh, dt, moved, remembered.walls[j]);
+    const int count = touched.size();
+    [[maybe_unused]] const auto stopping = [&](const weighted_motion<M>& motion) {
+      return stop(device, dynamics, motion, remembered);
+    };
+    if constexpr (Capacity > 1)
+      if (count > 1) {
+        const weighted_motion<M> motion(dynamics, device.hand_force);
+        if (passive_haptics::is_cornered(dynamics, motion, walls, count, velocity_lag<T>(device.brakes)))
+          return stopping(motion);
+      }
+    // One wall decides by itself; of several those that demand a force
+    const int demanding = count == 1 ? 1 : demanding_first(walls, count);
     if constexpr (Settles<M>) {
       const auto found = passive_haptics::settled_torques_for<M>(
-          device, dynamics, walls, touched.size(), static_cast<T>(p_.force_share), remembered.start);
-      for (auto j = std::size_t(0); j < std::size_t(touched.size()); ++j)
-        learn(walls[j], found.made[j], found.largest[j], found.sticks, dt);
+          device, dynamics, walls, demanding, static_cast<T>(p_.force_share), remembered.start);
+      for (auto j = std::size_t(0); j < std::size_t(count); ++j) {
+        const bool demands = j < std::size_t(demanding);
+        learn(walls[j], found.made[j], demands ? found.largest[j] : std::numeric_limits<T>::infinity(),
+              found.sticks, dt);
+      }
       return passive_haptics::torques_to_command(
           device, found.capacity, passive_haptics::lag_shares(device.brakes, p_.horizon), remembered.brakes);
     }
-    const brake_vector<M> w = rates_with(walls, touched.size(), dynamics);
-    const bool alone = touched.size() == 1;
+    const brake_vector<M> w = rates_with(walls, demanding, dynamics);
+    const bool alone = demanding == 1;
     const auto brakes = passive_haptics::torque_ranges_of(
         device, dynamics, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
     const auto u = passive_haptics::torque_units_of<M>(brake_vector<M>(-brakes.sign), device.brakes);
-    brake_vector<M> t = least_power_torques(walls, touched.size(), brakes, w, u);
-    for (int j = 0; j < touched.size(); ++j) learn(walls[std::size_t(j)], brakes, t, dt);
+    brake_vector<M> t = least_power_torques(walls, demanding, brakes, w, u);
+    for (int j = 0; j < count; ++j) learn(walls[std::size_t(j)], brakes, t, dt);
+    if constexpr (Capacity > 1)
+      if (count > 1 && enters_undisplayed(walls, count, brakes, t))
+        return stopping(weighted_motion<M>(dynamics, device.hand_force));
     const bool sinks = alone && walls[0].speed_error > T(0);
     for (int i = 0; i < m; ++i)
       if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
@@ -146,6 +173,9 @@ class velocity_direct_control {
     T feedforward;  // f_ff [N]
     T force;        // f [N]
     contact_state* state;
+
+    // The handle may not go further into it
+    bool is_closed() const { return force > T(0) || state->depth > 0; }
   };
 
   // Low-passed joint rates [rad/s or m/s]
@@ -163,19 +193,30 @@ class velocity_direct_control {
     return smooth;
   }
 
+  // How far the handle was seen to move since the cycle before [m]
+  template <int D>
+  static double moved_since_last(const point<D>& x, memory& remembered) {
+    double square = 0;
+    for (int i = 0; i < D; ++i) {
+      double& before = remembered.position[std::size_t(i)];
+      square += (x[i] - before) * (x[i] - before);
+      before = x[i];
+    }
+    return std::sqrt(square);
+  }
+
   template <class M, int D, class Device>
   auto demand_of(const contact<D>& c, const Device& device, const pose_dynamics<M>& dynamics,
-                 const task_vector<M>& Fh, double dt, memory& remembered) const {
+                 const task_vector<M>& Fh, double dt, double moved_by, contact_state& state) const {
     using T = typename M::scalar;
     const point<D> moved = device.x - c.sensed_at, relative = as<double>(dynamics.velocity) - c.wall_velocity;
     const point<D> n = (c.normal + c.curvature * moved).normalized();
     const double depth = c.depth - moved.dot(c.normal + 0.5 * (c.curvature * moved));
     const double outward = n.dot(relative), curving = relative.dot(c.curvature * relative);
 
-    contact_state& state = remembered.walls.of(c.wall_number);
-    // A jump is what the depth changed by more than its motion explains; a NaN, of the first cycle, is none
-    state.jump = std::max(state.jump * (1 - std::min(dt / p_.jump_time, 1.0)),
-                          std::abs(depth - state.depth) - 2 * dt * std::abs(outward));
+    // Of an encoder; NaN, of the first cycle, is none
+    const double jump = std::min(std::abs(depth - state.depth) - 2 * dt * std::abs(outward), moved_by);
+    state.jump = std::max(state.jump * (1 - std::min(dt / p_.jump_time, 1.0)), jump);
     state.depth = depth;
     const double d_ref = std::max(p_.rest_depth, std::min(p_.depth_per_jump * state.jump, p_.deepest_rest));
     const double v_ref = std::clamp(p_.depth_gain * (depth - d_ref), -p_.velocity_limit, p_.velocity_limit);
@@ -183,7 +224,7 @@ class velocity_direct_control {
     const auto along = passive_haptics::response_along(as<T>(n), dynamics, Fh);
     const T speed_error = static_cast<T>(v_ref - outward);
     const T feedforward = -along.inertia * (static_cast<T>(curving) + along.free);
-    const T damping = along.inertia / static_cast<T>(p_.velocity_lag_for(slowest_lag(device.brakes)));
+    const T damping = along.inertia / velocity_lag<T>(device.brakes);
     const T force = feedforward + static_cast<T>(state.bias) + damping * speed_error;
     return wall_demand<T, D, M::brake_count>{
         along, speed_error, static_cast<T>(-outward), damping, feedforward, force, &state};
@@ -192,6 +233,54 @@ class velocity_direct_control {
   template <class B>
   static double slowest_lag(const B& brakes) {
     return static_cast<double>(brakes.time_constant.maxCoeff());
+  }
+
+  // tau_v [s]
+  template <class T, class B>
+  T velocity_lag(const B& brakes) const {
+    return static_cast<T>(p_.velocity_lag_for(slowest_lag(brakes)));
+  }
+
+  // Brings walls that demand a force to the front; how many these are
+  template <class Walls>
+  static int demanding_first(Walls& walls, int count) {
+    const auto end =
+        std::partition(walls.begin(), walls.begin() + count, [](const auto& wall) { return wall.force > 0; });
+    return static_cast<int>(end - walls.begin());
+  }
+
+  // Whether a handle that moves enters all walls that are closed, two or more, and one of them gets less than
+  // half of what it demands
+  template <class Walls, class T, int Brakes>
+  static bool enters_undisplayed(const Walls& walls, int count, const torque_range<T, Brakes>& brakes,
+                                 const vector<T, Brakes>& t) {
+    if (brakes.at_rest.all()) return false;
+    const vector<T, Brakes> torque = brakes.sign.cwiseProduct(t);
+    int closed = 0;
+    bool misses = false;
+    for (int j = 0; j < count; ++j) {
+      const auto& wall = walls[std::size_t(j)];
+      if (!wall.is_closed()) continue;
+      if (!(wall.stop_speed > T(0))) return false;
+      ++closed;
+      misses = misses || wall.along.inertia * wall.along.g.dot(torque) < T(0.5) * wall.force;
+    }
+    return closed > 1 && misses;
+  }
+
+  // Every brake stops the motion. One at rest stays so: to let it go quickly would be of no use.
+  template <class M, class Device>
+  brake_vector<M> stop(const Device& device, const pose_dynamics<M>& dynamics,
+                       const weighted_motion<M>& motion, memory& remembered) const {
+    using T = typename M::scalar;
+    auto share = passive_haptics::lag_shares(device.brakes, p_.horizon);
+    unrolled<M::brake_count>([&](auto i) {
+      if (!slips(dynamics.rates[i], rate_dead_band_of<T>(device.brakes, i))) share[i] = T(1);
+    });
+    return passive_haptics::torques_to_command(
+        device,
+        passive_haptics::stopping_torques(dynamics, motion, device.brakes, velocity_lag<T>(device.brakes)),
+        share, remembered.brakes);
   }
 
   // w* = w + sum_j g_j p_j, the rates when normal impulses p have brought the handle to v_ref at each wall:
