@@ -12,6 +12,7 @@ namespace experiments {
 // Laws on a device with and without a force sensor.
 template <class Law>
 struct with_sensor {
+  explicit with_sensor(Law l) : law(l) {}
   Law law;
   auto operator()(const auto& mechanism, const auto& brakes, auto scene) const {
     return ph::controller(mechanism, brakes, scene, law);
@@ -19,6 +20,7 @@ struct with_sensor {
 };
 template <class Law>
 struct without_sensor {
+  explicit without_sensor(Law l) : law(l) {}
   Law law;
   auto operator()(const auto& mechanism, const auto& brakes, auto scene) const {
     return ph::sensorless_controller(mechanism, brakes, scene, law);
@@ -148,8 +150,8 @@ class corner_columns {
   static constexpr double share = 0.5;  // of the corners, in variations
   corner_row follow(const obstacle& what, const corner_hand& hand, const control_maker<M>& make,
                     double part) {
-    const auto [first, last] = tables_.which;
-    const auto count = static_cast<std::size_t>(std::ceil(part * static_cast<double>(last - first + 1)));
+    const std::uint64_t first = tables_.which.first, all = tables_.which.last - first + 1;
+    const auto count = static_cast<std::size_t>(std::ceil(part * static_cast<double>(all)));
     return {on_all_cores(device_.name, count, [&](std::size_t k) {
       return corner_run<M>(device_, draw_corner(device_, what, corner_seed, first + k), hand, make).result();
     })};
