@@ -3,6 +3,7 @@
 #include "experiments/arms.hpp"
 #include "experiments/batch.hpp"
 #include "experiments/brakes.hpp"
+#include "experiments/corners.hpp"
 #include "experiments/felt_forces.hpp"
 #include "experiments/markdown.hpp"
 #include "experiments/numbered_options.hpp"
@@ -565,15 +566,22 @@ bool is_printed(const page_tables& tables) {
 
 int main(int argc, char** argv) try {
   std::filesystem::path directory = ".";
+  std::string section;
   bool all_arms = false;
   example::command_line line(
       "experiments",
       "The paper's experiments and more, minutes of them: a table, experiments.csv and pictures.");
+  line.choice("section", section, {"corners"}, "only this section, some minutes; no other run has it");
   line.flag("--arms", all_arms, "no more than the whole table of arms, some minutes; else a sample of it");
   numbered_options numbered;
   numbered.add_to(line);
   line.output(directory);
   line.parse(argc, argv);
+  if (!section.empty()) {
+    const bool other_corners = numbered.are_given();
+    const page_tables tables = follow_corners(other_corners ? numbered.range() : default_corners);
+    return other_corners || is_printed(tables) ? 0 : 1;
+  }
   if (numbered.are_given()) {
     numbered.carry_out(directory);
     return 0;

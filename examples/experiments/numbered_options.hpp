@@ -19,10 +19,10 @@ class numbered_options {
   // Runs the experiments, or merges files of them, and leaves one file in this folder. Throws
   // std::invalid_argument.
   void carry_out(const std::filesystem::path& directory) const;
-
- private:
+  // Throws std::invalid_argument where it is not given, or not whole.
   number_range range() const;
 
+ private:
   std::optional<std::uint64_t> first_, last_;
   std::vector<std::string> parts_;
 };
