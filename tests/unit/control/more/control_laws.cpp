@@ -34,11 +34,7 @@ ph::contact<2> slanted(double depth, double stiffness = 1000) {
   return {.normal = V2(0.6, -0.8), .depth = depth, .stiffness = stiffness};
 }
 
-// The same as this wall of the scene, or moving.
-ph::contact<2> number(int wall, ph::contact<2> c) {
-  c.wall_number = wall;
-  return c;
-}
+// The same, moving.
 ph::contact<2> moving(const V2& velocity, ph::contact<2> c) {
   c.wall_velocity = velocity;
   return c;
@@ -226,12 +222,10 @@ TEST(single_degree_of_freedom, keeps_its_brake_within_the_band) {
   law.law.released(law.memory.law, 0);
   EXPECT_EQ(law(v, {0, 0}, slanted(1e-3)).torque, y_locked) << "after free space the flattest";
   EXPECT_EQ(law(v, {0, 0}, slanted(0.7e-3)).torque, x_locked);
-  EXPECT_EQ(law(v, {0, 0}, number(5, slanted(1e-3))).torque, y_locked) << "another wall: the flattest";
-  EXPECT_EQ(law(v, {0, 0}, slanted(1e-3)).torque, y_locked) << "and so where it was left";
   EXPECT_EQ(law({-0.1, 0.1}, {0, 0}, slanted(2e-3)).torque, V2(10, -10));
   EXPECT_EQ(law({-0.1, 0.06}, {0, 0}, slanted(1e-3)).torque, V2(0, -10)) << "after all the flattest";
   law({-0.1, 0.1}, {0, 0}, slanted(2e-3));
-  EXPECT_EQ(law({-0.1, 0.1}, {0, 0}, number(0, above(1e-3))).torque, V2(0, -10)) << "along the wall";
+  EXPECT_EQ(law({-0.1, 0.1}, {0, 0}, above(1e-3)).torque, V2(0, -10)) << "along the wall";
   law({-0.1, 0.1}, {0, 0}, slanted(2e-3));
   const ph::contact<2> beside{.normal = {1, 0}, .depth = 1e-3, .stiffness = 1000};
   EXPECT_EQ(law({-0.1, 0.1}, {0, 0}, beside).torque, V2(10, 0)) << "along the wall";
@@ -369,8 +363,6 @@ TEST(on_off, switches_with_hysteresis_about_the_depth_to_come) {
   law.law.released(law.memory.law, 0);
   EXPECT_FALSE(works(1.05e-3, 0)) << "off again after free space";
   EXPECT_TRUE(works(1.15e-3, 0));
-  EXPECT_TRUE(law({0, 0}, {0, 1}, number(5, above(1.05e-3))).capacity.isZero(0)) << "each wall has its own";
-  EXPECT_FALSE(works(1.05e-3, 0)) << "off again where it was left";
   EXPECT_GT(law({0, 0}, {0, 1}, moving({0, -0.1}, above(0.5e-3))).capacity[1], 0) << "the wall comes";
 }
 
@@ -462,8 +454,6 @@ TEST(bang_bang, turns_until_the_error_has_changed_its_sign) {
   law.law.released(law.memory.law, 0);
   EXPECT_EQ(locked(-0.1), V2(0, 0)) << "after free space straight on";
   EXPECT_EQ(locked(-0.3), V2(0, 10));
-  law(motion(-0.1), {0, 0}, number(5, above(1e-3)));
-  EXPECT_EQ(locked(-0.1), V2(0, 0)) << "and where another wall was touched";
 }
 
 TEST(bang_bang, sees_the_motion_from_a_wall_that_moves) {
