@@ -45,7 +45,7 @@ namespace passive_haptics {
 ///
 /// **Several walls.** A wall whose f is not above 0 constrains nothing: one that is merely near changes
 /// nothing along another. Those with f > 0 get their forces together, as nearly as the brakes can. A brake
-/// at rest then takes its sign from the torque that holds it; w*, the rates that the walls ask for, decides
+/// at rest then takes its sign from the torque that holds it; w*, the rates that the walls want, decides
 /// only for one wall, as near a corner it is an imagined motion into the shallower one. Where the walls leave
 /// the handle no way to go (is_cornered), every brake stops it (stopping_torques), for to hold is right
 /// whatever each brake does for each wall; b waits. So they do for a handle that moves into all walls while
