@@ -1,5 +1,4 @@
-// Several walls at an arm whose self-motion settles: the best set of brakes at rest, and a corner in which a
-// hand pushes.
+// Several walls at an arm whose self-motion settles: the best set of brakes at rest, and a hand in a corner.
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
@@ -10,6 +9,8 @@
 #include <passive_haptics/plant/simulated_device.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
+
+#include <Eigen/LU>
 
 #include <gtest/gtest.h>
 
@@ -177,6 +178,48 @@ void expect_corner_held(const M& mechanism, const ph::joint_vector<M>& q) {
 TEST(settled_walls, hold_a_hand_in_a_corner) {
   expect_corner_held(planar_arm<3>(), {0.4, 0.9, 0.7});
   expect_corner_held(planar_arm<4>(), {0.4, 0.7, 0.6, 0.5});
+}
+
+// 10 mm deep in the floor, 1 mm off the side, the hand pulls out of the floor along the side.
+TEST(settled_walls, let_a_hand_leave_a_wall_beside_another_one) {
+  const auto mechanism = planar_arm<3>();
+  const ph::joint_vector<arm<3>> q{0.4, 0.9, 0.7};
+  const ph::point<2> x = mechanism.position(q);
+  const ph::half_space<2> floor(x + ph::point<2>(0, 10e-3), {0, 1}), side(x - ph::point<2>(1e-3, 0), {1, 0});
+  ph::brakes_of<arm<3>> brakes;
+  ph::controller control(mechanism, brakes, ph::scene(ph::wall(floor, 1e6), ph::wall(side, 1e6)),
+                         ph::velocity_direct_control());
+  const ph::jacobian_matrix<arm<3>> J(ph::jacobian(mechanism, q));
+  const ph::joint_vector<arm<3>> qd =
+      J.transpose() * ph::matrix<double, 2, 2>(J * J.transpose()).inverse() * ph::vector<double, 2>(0, 0.03);
+  EXPECT_EQ(control(ph::device_state<arm<3>>{0, q, qd, {-0.5, 1}}).capacity.maxCoeff(), 0);
+}
+
+// A flick along the floor, towards a side 30 mm away, that ends halfway: the sensor reads nothing then.
+TEST(settled_walls, stop_a_hand_that_coasts_into_a_corner) {
+  const auto mechanism = planar_arm<4>();
+  const ph::joint_vector<arm<4>> q{0.4, 0.7, 0.6, 0.5};
+  const ph::point<2> x = mechanism.position(q);
+  const ph::half_space<2> floor(x - ph::point<2>(0, 0.2e-3), {0, 1}),
+      side(x - ph::point<2>(30e-3, 0), {1, 0});
+  ph::brakes_of<arm<4>> brakes;
+  brakes.torque_limit.setConstant(2);
+  ph::simulated_device<arm<4>> device(mechanism, brakes, 0.5, q);
+  ph::controller control(mechanism, brakes, ph::scene(ph::wall(floor, 1e6), ph::wall(side, 1e6)),
+                         ph::velocity_direct_control());
+  double deepest = 0;
+  bool coasts = false;
+  ph::brake_vector<arm<4>> capacity = ph::brake_vector<arm<4>>::Zero();
+  for (int k = 0; k < 10000; ++k) {
+    if (k % 10 == 0)
+      capacity = control(ph::device_state<arm<4>>{k * 1e-4, device.q(), device.qd(), device.sensed_force()})
+                     .capacity;
+    coasts = coasts || side.distance(device.position()) < 15e-3;
+    device.advance(1e-4, capacity, {coasts ? 0.0 : -2.0, -1});
+    deepest = std::max(deepest, -side.distance(device.position()));
+  }
+  EXPECT_TRUE(coasts);
+  EXPECT_LT(deepest, 1e-3);
 }
 
 }  // namespace

@@ -87,9 +87,10 @@ T holding_force(const normal_response<T, D, Brakes>& along, const vector<T, D>& 
 /// The torques for walls as velocity_direct_control has them: with a response `along` the normal, a `force`
 /// [N] that they want, and speeds. The handle shall go with v', once it has the normal velocities that the
 /// walls want and follows the hand along them. At rest no wall gets more than twice what holds the handle, so
-/// that a hand that pulls out is free: what the wall has learned was for another push. The same applies if
-/// two of the `near_walls` are closed, and to a wall that the handle leaves while another one is near. The
-/// first `count` of these demand a force.
+/// that a hand that pulls out is free: what the wall has learned was for another push. Where two of the
+/// `near_walls` are closed, and where the handle leaves a wall while another one is near, the same applies to
+/// a handle that moves; a wall then also gets what stops it, as the sensor does not see a hand that coasts.
+/// The first `count` of the near walls demand a force.
 template <Settles M, class Device, class Wall, std::size_t Capacity, class T = typename M::scalar>
 auto settled_torques_for(const Device& device, const pose_dynamics<M>& dynamics,
                          const std::array<Wall, Capacity>& walls, int near_walls, int count, T force_share,
@@ -106,8 +107,9 @@ auto settled_torques_for(const Device& device, const pose_dynamics<M>& dynamics,
     const auto& along = walls[j].along;
     T wanted = std::max(walls[j].force, T(0));
     if (rests || closed > 1 || (near_walls > 1 && walls[j].stop_speed <= T(0))) {
-      const T holding = passive_haptics::holding_force(along, device.hand_force, force_share);
-      wanted = std::min(wanted, std::max(max_held * holding, T(0)));
+      const T holding = passive_haptics::holding_force(along, device.hand_force, force_share),
+              stopping = rests ? T(0) : walls[j].damping * std::max(walls[j].stop_speed, T(0));
+      wanted = std::min(wanted, std::max(max_held * holding, T(0)) + stopping);
     }
     demands[j] = {along.normal, wanted, false};
   }
