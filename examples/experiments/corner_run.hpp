@@ -165,7 +165,7 @@ class corner_run {
       one.left = false;
       const ph::vector<double, 3> depth = one.depth;
       push(one, touch, pushing);
-      return (one.depth - depth).maxCoeff();
+      return (one.depth.cwiseMax(0.0) - depth.cwiseMax(0.0)).maxCoeff();  // of a wall that is touched
     };
     r.held = grows_by(locked) < 0.05 * growth;
     r.sinks = grows_by(now) > growth;
