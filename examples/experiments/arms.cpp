@@ -32,11 +32,12 @@ std::string key_of(const std::string& line) {
 
 // A line in which what was not measured is that of another line.
 std::string filled(const std::string& line, const std::string& other) {
-  std::istringstream words(line), others(other);
-  std::string filled, word, there;
+  const std::string key = key_of(line);
+  std::istringstream words(line.substr(key.size())), others(other.substr(key_of(other).size()));
+  std::string filled = key, word, there;
   while (words >> word) {
     others >> there;
-    filled += (filled.empty() ? "" : " ") + (word == "-" ? there : word);
+    filled += " " + (word == "-" ? there : word);
   }
   return filled + "\n";
 }
