@@ -33,7 +33,7 @@ struct corner_device {
   double count = 2 * std::numbers::pi / 8192;  // of the encoders [rad or m]
 };
 
-// What the hand meets while it glides along a wall.
+// The obstacle that the hand meets while it glides along a wall.
 struct obstacle {
   enum class kind { meeting_walls, convex_edge, opposite_wall, wall_below } what = kind::meeting_walls;
   double least_angle = 60, largest_angle = 150;  // of a corner or an edge [deg]

@@ -108,7 +108,7 @@ class corner_columns {
     tables_.by_law += line;
   }
 
-  // What else there may be, under one law.
+  // Other obstacles, under one law.
   template <class Control>
   void add_variations(const Control& control) {
     const auto make = maker<true>(device_.mechanism, control);

@@ -16,7 +16,7 @@ struct corner_hand {
   bool pulls_out = false;
 };
 
-// What one hand did.
+// The figures of one hand.
 struct corner_result {
   bool arrived = false;  // touched a second wall, or passed
   double first = 0,
@@ -109,7 +109,7 @@ class corner_run {
   void advance(const corner<M>& c, moment& now, const V& force) const {
     now.force = force;
     now.loop.advance(force);
-    // Where the hand passes, the first wall alone counts
+    // If the hand passes, only the first wall counts
     for (int j = 0; j < (c.passes ? 1 : 3); ++j) {
       const auto k = static_cast<std::size_t>(j);
       const double depth = now.depth[j] = c.depth(k, now.loop.plant.position());

@@ -41,7 +41,7 @@ ph::brake_vector<M> torques_that_hold(const ph::pose_dynamics<M>& device, const 
                                        ph::least_squares_level{square(square::Identity())});
 }
 
-// Whether brakes of these capacities hold a hand that does F.
+// True if brakes of these capacities hold a hand that does F.
 template <class M>
 bool can_hold(const ph::pose_dynamics<M>& device, const ph::task_vector<M>& F,
               const ph::brake_vector<M>& capacity) {

@@ -1,5 +1,5 @@
 /// @file
-/// What a law remembers of each contact while it is touched.
+/// Memory that a law has of each contact while it is touched.
 #pragma once
 
 #include <passive_haptics/scene/contacts.hpp>

@@ -60,7 +60,7 @@ class cholesky {
     return X;
   }
 
-  /// (L D^1/2)^T x, whose square is x^T A x. A positive definite.
+  /// (L D^1/2)^T x; its square is x^T A x. A positive definite.
   vector<T, N> half_product(const vector<T, N>& x) const {
     vector<T, N> y = x;
     for (int i = 0; i < N; ++i) {

@@ -493,8 +493,8 @@ TEST(velocity_direct_control, keeps_to_six_brakes_at_two_walls) {
   EXPECT_GT(displayed, 100);
 }
 
-// Each brake there is at rest: what pushes it tells its sign, not the velocity that is stopped at both walls,
-// and it is told more than holds the hand.
+// Each brake there is at rest: its sign is that of the push on it, not of the velocity that is stopped at
+// both walls, and it gets more than holds the hand.
 TEST(velocity_direct_control, holds_a_handle_at_rest_in_a_corner) {
   const constants p;
   constexpr double sinking = 0.005;
@@ -528,7 +528,7 @@ TEST(velocity_direct_control, lets_a_hand_pull_a_handle_at_rest_out_of_a_corner)
   EXPECT_GT(capacity(1e-3, 1e-9).minCoeff(), 0) << "brakes that turn slow it down";
 }
 
-// A wall that is near, and left, beside the floor: neither what the brakes do nor what is learned is changed.
+// A wall near the floor that is left: neither the torques nor the bias of the floor change.
 TEST(velocity_direct_control, does_not_see_a_near_wall_that_demands_nothing) {
   using M = ph::tendon_two_link<double>;
   const M arm;

@@ -20,7 +20,7 @@
 
 namespace passive_haptics {
 
-/// A motion of device and hand in coordinates y = M^1/2 qd, whose square is twice the kinetic energy.
+/// A motion of device and hand in coordinates y = M^1/2 qd: y^T y is twice the kinetic energy.
 template <class M>
 struct weighted_motion {
   joint_vector<M> now;   ///< M^1/2 qd [J^1/2]

@@ -1,5 +1,5 @@
 /// @file
-/// What velocity_direct_control remembers of a contact, and how far the handle was seen to move.
+/// Memory of one contact under velocity_direct_control, and the way that the handle was seen to make.
 #pragma once
 
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>

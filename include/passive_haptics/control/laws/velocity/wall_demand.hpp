@@ -13,16 +13,16 @@
 
 namespace passive_haptics {
 
-/// What a wall demands of the brakes.
+/// Demand of a wall on the brakes.
 template <class T, int D, int Brakes>
 struct wall_demand {
-  normal_response<T, D, Brakes> along;  ///< What the brakes do along its normal.
+  normal_response<T, D, Brakes> along;  ///< Response of the device along its normal.
   T speed_error;                        ///< v_ref - n . v [m/s]: > 0 where the handle shall leave faster.
   T stop_speed;                         ///< -n . v [m/s]
   T damping;                            ///< Lambda_n / tau_v [N s/m]
   T feedforward;                        ///< f_ff [N]
   T force;                              ///< f [N]
-  velocity_contact_state* state;        ///< What is remembered of the contact.
+  velocity_contact_state* state;        ///< Memory of the contact.
 
   /// True if the handle may not go further into the wall: it is touched, or wants a force before.
   bool is_closed() const { return force > T(0) || state->depth > 0; }
