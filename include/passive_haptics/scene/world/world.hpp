@@ -204,7 +204,7 @@ class world {
     const double clearance = surface->clearance(at, hint);
     if (nearest != not_seen) nearest = hint;
     else if (const point<D> entry = surface->entry(at); entry != at) proxy_.start_at(entry + m.now);
-    return std::max(0.0, clearance - reach_);
+    return std::max(0.0, clearance - std::max(margin_, reach_));
   }
 
   double look(int item, const point<D>& x) {
