@@ -130,10 +130,14 @@ class proxy_way {
   // s with n . s >= 0.
   point<D> along_facets(const point<D>& x) {
     active_ = 0;
-    if (tracker_.facet_count == 0) return x - p_;
     matrix<double, D, max_facets> B = matrix<double, D, max_facets>::Zero();
     for (int k = 0; k < tracker_.facet_count; ++k) B.col(k) = -rise_over(resting(k));
     const point<D> wanted = x - p_;
+    if (tracker_.facet_count <= 1) {
+      const double into = B.col(0).dot(wanted);
+      active_ = into > 0 ? 1 : 0;
+      return into > 0 ? point<D>(wanted - into * B.col(0)) : wanted;
+    }
     const double length = wanted.norm();
     if (!(length > 0)) return wanted;
     const auto projection = project_onto_half_spaces<double, D, max_facets>(B, wanted / length);
