@@ -36,8 +36,8 @@ struct sensorless_parameters {
 /// velocity_ratio_control) do not get it. A law does not see that its brakes are probed: after a probe the
 /// command is higher than the law's, until the brakes make what the law counts on.
 ///
-/// A hand that presses without moving along sinks by its probes: in simulation (the paper's device, 2 N) 0.1
-/// mm/s under direct_control, 0.3 mm/s under velocity_direct_control. In a corner each wall sinks so: there
+/// A hand that presses without moving along sinks by its probes: 2 N by 0.1 to 0.3 mm/s if the rates are
+/// exact, and more with coarse encoders (docs/guide/control.md). In a corner each wall sinks so: there
 /// on_off_control, which needs no hand force, holds (docs/results.md).
 ///
 /// For mechanisms that model Dynamics. Errors: as controller; a cycle that is not later than the one before
