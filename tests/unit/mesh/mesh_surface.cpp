@@ -78,18 +78,6 @@ TYPED_TEST(a_mesh_surface, stops_what_comes_from_the_front) {
   EXPECT_TRUE(h.felt.empty());
 }
 
-TYPED_TEST(a_mesh_surface, keeps_its_proxy_where_the_handle_moves_by_less_than_a_lip) {
-  constexpr int D = TestFixture::dimension;
-  handle<D> h(surface_of(plate<D>()));
-  h.go(at_height<D>(0.5));
-  h.go(at_height<D>(-0.3));
-  const ph::point<D> before = h.proxy(), aside = ph::point<D>::UnitX();
-  h.go(at_height<D>(-0.3) + 0.5 * lip * aside);
-  EXPECT_EQ(h.proxy(), before);
-  h.go(at_height<D>(-0.3) + 2 * lip * aside);
-  EXPECT_NEAR((h.proxy() - before)[0], 2 * lip, 1e-6 * lip);
-}
-
 TYPED_TEST(a_mesh_surface, has_slabs_that_stop_what_falls_alone) {
   constexpr int D = TestFixture::dimension;
   const ph::mesh<D> m(plate<D>());

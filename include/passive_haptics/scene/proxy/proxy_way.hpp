@@ -82,6 +82,7 @@ class proxy_way {
 
   /// As near to x as the surfaces let it.
   void go_to(const point<D>& x) {
+    if (goes_straight_over(x)) return;
     for (int move = 0; move < max_moves; ++move) {
       leave_facets();
       const point<D> step = along_facets(x);
@@ -114,6 +115,26 @@ class proxy_way {
 
   facet_of_surface& resting(int k) { return tracker_.facets[static_cast<std::size_t>(k)]; }
   void keep(const point<D>& at) { point<D>::Map(tracker_.position.data()) = at; }
+
+  // Goes to the place over x on the one facet on which the proxy rests, if the straight way there is free: it
+  // enters neither this shape, as round an edge or through a thin one, nor what else is near. Mostly this is
+  // all
+  bool goes_straight_over(const point<D>& x) {
+    constexpr double low = 10;  // skins: a step along a solid ball comes in by length^2 / (8 radius)
+    if (tracker_.facet_count != 1) return false;
+    const auto* s = surface_of(surfaces_, resting(0).surface);
+    if (s == nullptr) return false;
+    const auto over = s->plane(resting(0).facet, x);
+    const double skin = s->surface->skin(), height = over.height(x);
+    const point<D> goal = x + (skin - height) * over.normal;
+    if (!(height < skin) || !(over.height(p_) > -low * skin) ||
+        !s->surface->holds(resting(0).facet, goal - s->displacement) ||
+        first_stop(goal - p_, false).facet.facet >= 0)
+      return false;
+    tracker_.held = true;
+    keep(goal);
+    return true;
+  }
 
   // Facets that the proxy has slid off hold it no longer.
   void leave_facets() {
