@@ -4,7 +4,7 @@
 
 namespace ph = passive_haptics;
 
-// A shape of one's own: a ripple in the floor, 1-Lipschitz after division by the largest slope.
+// A custom shape: a ripple in the floor, 1-Lipschitz after division by the largest slope.
 struct ripple {
   static constexpr int dimension = 2;
   double distance(const ph::point<2>& x) const {
