@@ -69,6 +69,9 @@ class capsule {
     return detail::hessian_of_length<D>(from_segment(x), P);
   }
 
+  /// The diameter [m].
+  double thickness() const { return 2 * radius_; }
+
   /// The box about the ends, wider by the radius.
   bounding_box<D> bounds() const {
     bounding_box<D> box{from_, from_};

@@ -138,6 +138,13 @@ TEST(meshes_side_by_side, a_box_beside_a_mesh_is_one_floor) {
       across);
 }
 
+// Also where no mesh is near: boxes that meet face to face, and a plate half as thick as the hand is deep.
+TEST(meshes_side_by_side, boxes_and_a_plate_are_one_floor) {
+  expect_one_floor("boxes", world_of({box(0, 0, 0.1, 0.2), box(0.1, 0, 0.2, 0.2)}), across);
+  const ph::box<3> plate(at(0.1, 0.1, -pressed / 4), at(0.1, 0.1, pressed / 4));
+  expect_one_floor("plate", world_of({ph::wall(plate)}), over_a_corner);
+}
+
 // A half-space that bears the floor on one side, and one that is the corner beside it.
 TEST(meshes_side_by_side, a_half_space_beside_a_mesh) {
   const ph::any_wall<3> floor = ph::wall(ph::half_space<3>({0, 0, 0}, {0, 0, 1}));
