@@ -82,9 +82,9 @@ outcome hold_and_pull_back(const M& device, const hand<M>& h, const Scene& scene
     const auto told = control(ph::sensorless_device_state<M>{1e-3 * k, plant.q(), plant.qd()});
     EXPECT_EQ(told.outcome, ph::status::ok);
     const ph::task_vector<M> out = on_wall ? h.n : ph::task_vector<M>(-h.u);
-    const ph::task_vector<M> force =
-        k < reversal ? ph::task_vector<M>(h.push * h.u - (on_wall ? h.press : 0) * h.n)
-                     : ph::task_vector<M>(h.push * out);
+    const ph::task_vector<M> force = k < reversal
+                                         ? ph::task_vector<M>(h.push * h.u - (on_wall ? h.press : 0) * h.n)
+                                         : ph::task_vector<M>(h.push * out);
     for (int i = 0; i < 10; ++i)
       plant.advance(1e-4, told.capacity, ph::task_vector<M>(force - 5 * plant.velocity()));
   }
@@ -92,9 +92,8 @@ outcome hold_and_pull_back(const M& device, const hand<M>& h, const Scene& scene
 }
 
 template <class E>
-concept OnWallsOnly = requires(const E e, ph::contacts<E::dimension, 1> c, ph::vector<double, E::dimension> v) {
-  e.force_at(c, v, v);
-};
+concept OnWallsOnly = requires(const E e, ph::contacts<E::dimension, 1> c,
+                               ph::vector<double, E::dimension> v) { e.force_at(c, v, v); };
 
 template <int Brakes>
 struct level_five_bar : closed_chains::lopsided_five_bar<double, Brakes> {
@@ -124,8 +123,13 @@ TYPED_TEST(effects_without_a_sensor, hold_a_push_and_let_the_hand_back) {
     const ph::joint_vector<M> q = random.between<double, M::dof>(TypeParam::lower(), TypeParam::upper());
     const ph::mechanism_pose<M> pose(device, q);
     const auto axes = random.orthogonal_directions<d>();
-    const hand<M> h{q, pose.position(), axes.col(0), axes.col(1), random.uniform(1.0, 3.0),
-                    random.uniform(1.0, 3.0), random.uniform(0.8, 1.6)};
+    const hand<M> h{q,
+                    pose.position(),
+                    axes.col(0),
+                    axes.col(1),
+                    random.uniform(1.0, 3.0),
+                    random.uniform(1.0, 3.0),
+                    random.uniform(0.8, 1.6)};
     const ph::wall floor(ph::half_space<d>(h.x, h.n), 1e4);
     int number = 0;
     const auto check = [&]<class E>(const E& effect) {
@@ -150,8 +154,8 @@ TYPED_TEST(effects_without_a_sensor, hold_a_push_and_let_the_hand_back) {
     };
     std::apply([&](const auto&... each) { (check(each), ...); }, all_effects(device, h));
   }
-  std::printf("held with %.2f mm/s, back within %.3f s (stated %.3f), off the wall within %.3f s\n", creep, back,
-              stated, off_the_wall);
+  std::printf("held with %.2f mm/s, back within %.3f s (stated %.3f), off the wall within %.3f s\n", creep,
+              back, stated, off_the_wall);
 }
 
 }  // namespace
