@@ -70,9 +70,10 @@ class sensorless_controller {
       controller_.reset();
       result = released<result_type>(hand.outcome);
     }
-    make_up(state.time, result);
+    expect(state.time, result.capacity);
     if (result.outcome == status::ok && holds_something(result)) probe(state.time, state.q, state.qd, result);
     else forget_rest();
+    make_up(result);
     remember(result.capacity);
     return result;
   }
@@ -124,14 +125,20 @@ class sensorless_controller {
     return hand.force + hand.generators * hidden;
   }
 
-  // A law counts on what its brakes make. After a probe, commands are raised until the brakes are back at the
-  // torque that the law assumes.
-  void make_up(double time, result_type& result) {
+  void expect(double time, const brake_vector<M>& capacity) {
     for (brake_lag_model* model : {&expected_, &actual_}) model->advance(time, brakes().time_constant);
     unrolled<m>([&](auto i) {
+      counted_on_[i] = expected_.torque(i);
+      expected_.command(i, capacity[i], brakes().torque_limit[i]);
+    });
+  }
+
+  // A law counts on what its brakes make. After a probe, commands are raised until the brakes are back at the
+  // torque that the law assumes.
+  void make_up(result_type& result) {
+    unrolled<m>([&](auto i) {
       const scalar lag = brakes().time_constant[i], limit = brakes().torque_limit[i], u = result.capacity[i];
-      const double missing = expected_.torque(i) - actual_.torque(i);
-      expected_.command(i, u, limit);
+      const double missing = counted_on_[i] - actual_.torque(i);
       if (!(u > scalar(0) && lag > scalar(0) && missing > negligible * static_cast<double>(limit))) return;
       const double more = missing * (1 / lag_share(make_up_time, static_cast<double>(lag)) - 1);
       result.capacity[i] = std::min(limit, u + static_cast<scalar>(more));
@@ -177,8 +184,8 @@ class sensorless_controller {
         update(one, observer_.estimate().generators.col(i) * side_[i],
                of_effects != scalar(0) && rest_since_[i] < time ? rest : -1);
         const bool no_effects = one.now() != probe_phase::watching;
-        if (no_walls) hold(i, of_walls, no_effects ? scalar(0) : of_effects, result);
-        else if (no_effects) hold(i, of_effects, of_walls, result);
+        if (no_walls || no_effects)
+          hold(i, (no_walls ? scalar(0) : of_walls) + (no_effects ? scalar(0) : of_effects), result);
       } else if (no_walls) {
         result.capacity[i] = result.torque[i] = 0;
       }
@@ -186,11 +193,11 @@ class sensorless_controller {
     if (round_ended) rest_since_.setConstant(time);
   }
 
-  // Brake i without the torque that is released, with another as far as its sign allows
-  static void hold(int i, scalar released, scalar kept, result_type& result) {
-    if (released == scalar(0)) return;
-    result.capacity[i] = result.signs[i] * kept > scalar(0) ? scalar(0) : std::abs(kept);
+  // What a probe leaves of a brake's torque, as far as its sign allows
+  void hold(int i, scalar torque, result_type& result) {
+    result.capacity[i] = result.signs[i] * torque > scalar(0) ? scalar(0) : std::abs(torque);
     result.torque[i] = -result.signs[i] * result.capacity[i];
+    counted_on_[i] = std::min(counted_on_[i], static_cast<double>(result.capacity[i]));
   }
 
   // For how long some brake has been at rest [s]; 0 during a round of probes
@@ -219,6 +226,7 @@ class sensorless_controller {
   release_probe<d> probe_;  // of walls
   std::array<release_probe<d>, has_effects ? m : 0> effect_probes_{};
   brake_lag_model expected_, actual_;  // what brakes would make of its commands, and what they make
+  vector<double, m> counted_on_ = vector<double, m>::Zero();  // torques that the law counts on [N m]
   brake_vector<M> last_capacity_ = brake_vector<M>::Zero();
   brake_vector<M> assumed_hand_torque_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
   vector<double, M::brake_count> rest_since_ =
