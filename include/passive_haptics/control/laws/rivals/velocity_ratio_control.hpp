@@ -5,6 +5,7 @@
 
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/laws/rivals/intended_rates.hpp>
+#include <passive_haptics/control/laws/rivals/touch_margin.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/parameters.hpp>
@@ -59,6 +60,12 @@ struct velocity_ratio_control {
 
   velocity_ratio_parameters parameters = {};  ///< The constants.
 
+  /// How far off a wall its contact is needed [m].
+  template <class B>
+  double margin(const B&) const noexcept {
+    return touch_margin;
+  }
+
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
   brake_vector<M> torque(const brake_situation<M, EMatrix, B>& device,
@@ -67,6 +74,7 @@ struct velocity_ratio_control {
     static_assert(M::brake_count == M::dof,
                   "passive_haptics: velocity_ratio_control needs brake_count == dof.");
     const contact<D> c = carried_to(device.x, touched[governing_contact(touched)]);
+    if (c.depth <= 0) return brake_vector<M>::Zero();
     const brake_vector<M> w = intended_rates(device), wanted = wanted_rates(device, c, w);
 
     T slowest = std::numeric_limits<T>::infinity();  // lambda
