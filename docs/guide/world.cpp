@@ -14,8 +14,6 @@ int main() {
   ph::world_walls<3> walls;  // as many as you like, of any shapes
   for (int i = 0; i < 1000; ++i)
     walls.add(ph::wall(ph::ball<3>({0.01 * (i % 10), 0.01 * (i / 10 % 10), -0.3 - 0.01 * (i / 100)}, 0.003)));
-  walls.add(
-      ph::wall(ph::mesh_surface<3>(ph::triangle_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}))));
   const int lid = walls.add_moving(ph::wall(ph::half_space<3>({0, 0, -0.4}, {0, 0, 1}), 1e5));
   const ph::world<3> world(walls);
 

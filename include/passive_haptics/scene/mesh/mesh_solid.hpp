@@ -29,9 +29,9 @@ std::string validate(const mesh_solid_parameters<D>& p) {
 /// distance(x) = +- |x - nearest point|, with the sign of (x - nearest point) . pseudonormal there. Exact on
 /// both sides.
 ///
-/// In a scene it gives one contact at most, as every shape, and none for what has been passed through: for
-/// thin walls and corners that are touched from inside take mesh_surface. In a world its facets stop the
-/// handle's proxy, so that solids side by side are one.
+/// In a scene it gives one contact at most, as every shape: for corners that are touched from inside use
+/// mesh_surface. In a world its facets stop the handle's proxy, so that it may be thin, and solids side by
+/// side are one.
 template <int D>
 class mesh_solid : public mesh_stops<D> {
  public:
