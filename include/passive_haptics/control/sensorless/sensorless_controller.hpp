@@ -26,8 +26,8 @@ struct sensorless_parameters {
   }
 };
 
-/// A controller whose law gets the force of a momentum_observer in place of a sensor's, and which probes
-/// brakes that hold (release_probe), so that no hand stays locked inside a wall.
+/// A controller with a law that gets the force of a momentum_observer instead of a sensor's, and which probes
+/// brakes that hold (release_probe), so that no hand stays locked inside a wall or an effect.
 ///
 /// A brake at rest has sign 0 and may hold either way, as for any state without a hand force. Of all forces
 /// that the estimate allows, the law gets the one by which the hand does to brakes at rest what it last did
@@ -39,6 +39,12 @@ struct sensorless_parameters {
 /// A hand that presses without moving along sinks by its probes: in simulation (the paper's device, 2 N) 0.1
 /// mm/s under direct_control, 0.3 mm/s under velocity_direct_control. In a corner each wall sinks so: there
 /// on_off_control, which needs no hand force, holds (docs/results.md).
+///
+/// With effects (with_effects) the same round of probes tests what holds for walls and, for each brake, what
+/// holds for effects: a probe of one cause releases nothing that holds for the other. A hand that pushes 1 to
+/// 3 N against an effect creeps by 0.1 to 0.4 mm/s (at most 0.6 where J is well conditioned), and is free
+/// within worst_release_time once it pulls back (docs/guide/effects.md). Limit: a hand that leaves a wall
+/// obliquely, or slides along one that it presses, may need several rounds, with and without effects.
 ///
 /// For mechanisms that model Dynamics. Errors: as controller; a cycle that is not later than the one before
 /// ends with status::time_not_rising under any law. Cost: that of the law and of the observer.
@@ -80,8 +86,11 @@ class sensorless_controller {
 
   /// The estimate of the last cycle, and how far it may be off.
   const hand_force_estimate<M>& hand() const { return observer_.estimate(); }
-  /// What the probe did in the last cycle.
-  probe_phase probing() const { return probe_.now(); }
+  /// Phase of the probes in the last cycle: probing if one of them is, else released if one is.
+  probe_phase probing() const {
+    if (any_probe_is(probe_phase::probing)) return probe_phase::probing;
+    return any_probe_is(probe_phase::released) ? probe_phase::released : probe_phase::watching;
+  }
   /// Forgets the motion so far.
   void reset() {
     observer_.reset();
@@ -158,8 +167,8 @@ class sensorless_controller {
     return in_wall(result);
   }
 
-  // All that holds is probed in the same round: walls together, the effects of each brake by itself. A probe
-  // releases what holds for its cause, and looks which way the handle goes along that force.
+  // One round probes all that holds: the walls together, and for each brake the effects. A probe releases the
+  // torque for its cause and watches the handle along the force of that torque.
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {
     const double rest = update_rest(time, passive_haptics::brake_rates(mechanism(), q, qd));
     const auto x = as<double>(mechanism().position(q));
@@ -209,9 +218,12 @@ class sensorless_controller {
       if (time - rested_[i] > longest_slip || rest_since_[i] > time) rest_since_[i] = time;
       rest = std::max(rest, time - rest_since_[i]);
     });
-    const auto probes = [](const auto& p) { return p.now() == probe_phase::probing; };
-    const bool round = probes(probe_) || std::any_of(effect_probes_.begin(), effect_probes_.end(), probes);
-    return round ? 0 : rest;
+    return any_probe_is(probe_phase::probing) ? 0 : rest;
+  }
+
+  bool any_probe_is(probe_phase phase) const {
+    const auto has_phase = [&](const auto& one) { return one.now() == phase; };
+    return has_phase(probe_) || std::any_of(effect_probes_.begin(), effect_probes_.end(), has_phase);
   }
 
   void forget_rest() {
