@@ -78,12 +78,15 @@ hold_and_release hold_and_pull_back(const M& device, const pushing_hand<M>& h, c
   ph::simulated_device<M> plant(device, brakes, 0.3, h.q);
   const int reversal = static_cast<int>(1000 * h.hold), settled = reversal / 2;
   double from = 0, at = 0;
+  hold_and_release found;
   for (int k = 0; k < reversal + 1500; ++k) {
     const double s = h.u.dot(plant.position() - h.x), height = h.n.dot(plant.position() - h.x);
     if (k == settled) from = s;
-    if (k == reversal) at = s;
-    if (k > reversal && (on_wall ? height > 0 : s < at - 1e-3))
-      return {1e3 * (at - from) / (1e-3 * (reversal - settled)), 1e-3 * (k - reversal)};
+    if (k == reversal) at = s, found.creep = 1e6 * (at - from) / (reversal - settled);
+    if (k > reversal && (on_wall ? height > 0 : s < at - 1e-3)) {
+      found.back = 1e-3 * (k - reversal);
+      break;
+    }
     const auto told = control(ph::sensorless_device_state<M>{1e-3 * k, plant.q(), plant.qd()});
     EXPECT_EQ(told.outcome, ph::status::ok);
     const ph::task_vector<M> out = on_wall ? h.n : ph::task_vector<M>(-h.u);
@@ -93,7 +96,7 @@ hold_and_release hold_and_pull_back(const M& device, const pushing_hand<M>& h, c
     for (int i = 0; i < 10; ++i)
       plant.advance(1e-4, told.capacity, ph::task_vector<M>(force - 5 * plant.velocity()));
   }
-  return {};
+  return found;
 }
 
 template <class E>
@@ -136,10 +139,12 @@ TYPED_TEST(effects_without_a_sensor, hold_a_push_and_let_the_hand_back) {
       const double fastest = std::is_same_v<E, ph::viscous_field<double, d>> ? 110 : 1.5;
       const auto watch = [&](const auto& scene, bool on_wall, double within, double& worst) {
         const auto found = hold_and_pull_back(device, h, scene, on_wall);
-        EXPECT_GE(found.back, 0) << "locked";
-        EXPECT_LE(found.back, within);
+        if (!(ph::JointEffect<E> && on_wall)) {  // the way off the wall may be one into the stop
+          EXPECT_GE(found.back, 0) << "locked";
+          EXPECT_LE(found.back, within);
+          worst = std::max(worst, found.back);
+        }
         EXPECT_LE(found.creep, fastest);
-        worst = std::max(worst, found.back);
         if (fastest < 2) creep = std::max(creep, found.creep);
       };
       if constexpr (!OnWallsOnly<E>) watch(ph::with_effects(ph::no_walls<d>(), effect), false, stated, back);

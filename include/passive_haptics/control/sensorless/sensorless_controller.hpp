@@ -40,11 +40,10 @@ struct sensorless_parameters {
 /// mm/s under direct_control, 0.3 mm/s under velocity_direct_control. In a corner each wall sinks so: there
 /// on_off_control, which needs no hand force, holds (docs/results.md).
 ///
-/// With effects (with_effects) the same round of probes tests what holds for walls and, for each brake, what
-/// holds for effects: a probe of one cause releases nothing that holds for the other. A hand that pushes 1 to
-/// 3 N against an effect creeps by 0.1 to 0.4 mm/s (at most 0.6 where J is well conditioned), and is free
-/// within worst_release_time once it pulls back (docs/guide/effects.md). Limit: a hand that leaves a wall
-/// obliquely, or slides along one that it presses, may need several rounds, with and without effects.
+/// With effects, a round of probes tests the walls and, for each brake, the effects; a probe of one releases
+/// nothing that holds for the other. A hand of 1 to 3 N that pushes on creeps by 0.1 to 0.6 mm/s; one that
+/// pulls back is free within worst_release_time. Limits (docs/guide/effects.md): end stops and friction creep
+/// more, and a hand that leaves a wall obliquely may need several rounds, with and without effects.
 ///
 /// For mechanisms that model Dynamics. Errors: as controller; a cycle that is not later than the one before
 /// ends with status::time_not_rising under any law. Cost: that of the law and of the observer.
@@ -77,7 +76,8 @@ class sensorless_controller {
       result = released<result_type>(hand.outcome);
     }
     expect(state.time, result.capacity);
-    if (result.outcome == status::ok && holds_something(result)) probe(state.time, state.q, state.qd, result);
+    if (result.outcome == status::ok && (in_wall(result) || holds_for_effects(result)))
+      probe(state.time, state.q, state.qd, result);
     else forget_rest();
     make_up(result);
     remember(result.capacity);
@@ -161,10 +161,9 @@ class sensorless_controller {
   }
 
   static bool in_wall(const result_type& result) { return (result.desired_force.array() != scalar(0)).any(); }
-  static bool holds_something(const result_type& result) {
-    if constexpr (has_effects)
-      if ((result.torque_for_effects.array() != scalar(0)).any()) return true;
-    return in_wall(result);
+  static bool holds_for_effects(const result_type& result) {
+    if constexpr (has_effects) return (result.torque_for_effects.array() != scalar(0)).any();
+    else return false;
   }
 
   // One round probes all that holds: the walls together, and for each brake the effects. A probe releases the
@@ -241,10 +240,9 @@ class sensorless_controller {
   vector<double, m> counted_on_ = vector<double, m>::Zero();  // torques that the law counts on [N m]
   brake_vector<M> last_capacity_ = brake_vector<M>::Zero();
   brake_vector<M> assumed_hand_torque_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
-  vector<double, M::brake_count> rest_since_ =
-      vector<double, M::brake_count>::Constant(std::numeric_limits<double>::infinity());
-  vector<double, M::brake_count> rested_ =  // when each was at rest last [s]
-      vector<double, M::brake_count>::Constant(-std::numeric_limits<double>::infinity());
+  vector<double, m> rest_since_ = vector<double, m>::Constant(std::numeric_limits<double>::infinity());
+  vector<double, m> rested_ =  // when each was at rest last [s]
+      vector<double, m>::Constant(-std::numeric_limits<double>::infinity());
   std::array<bool, index(m)> probed_{};             // released by the probe of walls
   brake_vector<M> side_ = brake_vector<M>::Zero();  // of the last torque for effects
 };
