@@ -235,7 +235,7 @@ class sensorless_controller {
   momentum_observer<M> observer_;
   controller<M, S, L> controller_;
   release_probe<d> probe_;  // of walls
-  std::array<release_probe<d>, has_effects ? m : 0> effect_probes_{};
+  std::array<release_probe<d>, index(has_effects ? m : 0)> effect_probes_{};
   brake_lag_model expected_, actual_;  // what brakes would make of its commands, and what they make
   vector<double, m> counted_on_ = vector<double, m>::Zero();  // torques that the law counts on [N m]
   brake_vector<M> last_capacity_ = brake_vector<M>::Zero();
