@@ -18,9 +18,8 @@ namespace passive_haptics {
 /// **A wall that moves towards the hand.** Brakes hold, they do not push: the work against the push F_n of
 /// the hand comes from the hand's own pull F_t along the wall, F_t v_t >= F_n v_wall. A hand that pulls less
 /// stops, and the wall runs into it at v_wall until it pulls enough: at 1 cm/s 2 to 6 mm, at 2 cm/s 5 to 9 mm
-/// deep where the device deflects well, without end where no brake can turn the motion outward. No law can do
-/// better than stop the hand before. A wall that moves away, or along its surface, is followed as one at
-/// rest.
+/// deep where the device deflects well, without end where no brake can turn the motion outward. A wall
+/// that moves away, or along its surface, is followed as one at rest.
 template <class S>
 class moving : public shape_wrapper<S> {
  public:
