@@ -1,0 +1,126 @@
+#include "scenes.hpp"
+
+#include "batch.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace experiments {
+
+namespace {
+
+constexpr std::size_t scene_hands = 10;
+
+// Cells of one kind of scene, of both devices.
+struct numbered_cell {
+  std::size_t bench, specimen, law;
+};
+
+class scene_tables {
+ public:
+  scene_tables() : benches_{planar_bench(), spatial_bench()} {
+    for (std::size_t b = 0; b < benches_.size(); ++b)
+      for (const auto& s : benches_[b].specimens)
+        if (std::find(names_.begin(), names_.end(), s.name) == names_.end()) names_.push_back(s.name);
+  }
+
+  void fill() {
+    for (const scene_kind& kind : scene_kinds) {
+      const std::vector<numbered_cell> cells = cells_of(kind);
+      const auto results = on_all_cores(kind.name, cells.size(), [&](std::size_t k) {
+        return benches_[cells[k].bench].run(kind, cells[k].specimen, cells[k].law, scene_hands);
+      });
+      for (std::size_t k = 0; k < cells.size(); ++k) judge(kind, cells[k], results[k]);
+      std::printf("\n%s: depth ratio %s / %s, separations in brackets, worse ones in bold\n\n%s", kind.name,
+                  benches_[0].device.c_str(), benches_[1].device.c_str(), table(kind).c_str());
+      std::fflush(stdout);
+    }
+  }
+
+  std::string worse_cells() const { return worse_head() + worse_; }
+  int unexplained() const { return unexplained_; }
+
+ private:
+  struct judged {
+    scene_figures figures;
+    double ratio = 0;
+    std::string worse;
+  };
+  scene_cell cell_of(const scene_kind& kind, const numbered_cell& c) const {
+    return {benches_[c.bench], kind, benches_[c.bench].specimens[c.specimen], benches_[c.bench].laws[c.law]};
+  }
+  std::vector<numbered_cell> cells_of(const scene_kind& kind) const {
+    std::vector<numbered_cell> cells;
+    for (std::size_t b = 0; b < benches_.size(); ++b)
+      for (std::size_t s = 0; s < benches_[b].specimens.size(); ++s)
+        for (std::size_t l = 0; l < benches_[b].laws.size(); ++l)
+          if (unfit(cell_of(kind, {b, s, l})).empty()) cells.push_back({b, s, l});
+    return cells;
+  }
+  void judge(const scene_kind& kind, const numbered_cell& c, const scene_figures& figures) {
+    const scene_cell cell = cell_of(kind, c);
+    const auto& all = cell.bench.specimens;
+    const auto first = std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.meant == cell.specimen.meant; });
+    judged now{figures, 1, ""};
+    if (const auto found = results_.find({scene_kinds[0].name, c.bench, first->name, c.law}); found != results_.end()) {
+      now.ratio = figures.deepest / found->second.figures.deepest;
+      now.worse = worse_than(found->second.figures, figures);
+    }
+    if (!now.worse.empty()) {
+      const std::string reason = reason_for(cell, now.worse);
+      unexplained_ += reason == "unexplained";
+      worse_ += markdown_row({cell.bench.device, cell.specimen.name, kind.name,
+                              cell.law.name + (cell.law.has_sensor ? "" : ", no sensor"), now.worse,
+                              written("%.2f", now.ratio), written("%d", figures.separations),
+                              written("%.2f", 1e3 * figures.deepest), written("%.2f", 1e3 * figures.deviation),
+                              written("%.2f", figures.drag), written("%.0f", 1e3 * figures.leave),
+                              written("%d / %d / %d", figures.arrived, figures.through, figures.not_left), reason});
+    }
+    results_[{kind.name, c.bench, cell.specimen.name, c.law}] = now;
+  }
+  static std::string worse_head() {
+    return markdown_head({"device", "shape", "scene", "law", "worse", "depth ratio", "separations", "deepest [mm]",
+                          "deviation [mm]", "drag [N]", "to leave [ms]", "arrived / through / not left", "reason"});
+  }
+  std::string text_of(const scene_kind& kind, std::size_t b, const std::string& name, std::size_t law) const {
+    const auto found = results_.find({kind.name, b, name, law});
+    if (found == results_.end()) return "-";
+    const judged& j = found->second;
+    std::string text = written("%.1f", j.ratio);
+    if (j.figures.separations > 0) text += written(" (%d)", j.figures.separations);
+    return j.worse.empty() ? text : "**" + text + "**";
+  }
+  std::string table(const scene_kind& kind) const {
+    std::vector<std::string> head{"shape"};
+    for (const auto& l : benches_[0].laws) head.push_back(l.name + (l.has_sensor ? "" : ", no sensor"));
+    std::string all = markdown_head(head);
+    for (const auto& name : names_) {
+      std::vector<std::string> row{name};
+      for (std::size_t l = 0; l < benches_[0].laws.size(); ++l)
+        row.push_back(text_of(kind, 0, name, l) + " / " + text_of(kind, 1, name, l));
+      all += markdown_row(row);
+    }
+    return all;
+  }
+
+  std::vector<scene_bench> benches_;
+  std::vector<std::string> names_;
+  std::map<std::tuple<std::string, std::size_t, std::string, std::size_t>, judged> results_;
+  std::string worse_;
+  int unexplained_ = 0;
+};
+
+}  // namespace
+
+page_tables follow_scenes(int& unexplained) {
+  scene_tables tables;
+  tables.fill();
+  std::printf("\nWorse than the half-space or the analytic shape\n\n%s", tables.worse_cells().c_str());
+  unexplained = tables.unexplained();
+  return {};
+}
+
+}  // namespace experiments

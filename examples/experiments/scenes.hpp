@@ -1,0 +1,91 @@
+// Every shape in every kind of scene under every law, in a hand's closed loop: figures, verdicts and the
+// table of limits.
+#pragma once
+
+#include "markdown.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace experiments {
+
+// A kind of scene.
+struct scene_kind {
+  const char* name;
+  double speed = 0;  // of the wall out of itself [m/s]
+  bool is_world = false, is_slow = false, has_bar = false, has_mesh = false;
+};
+inline constexpr std::array<scene_kind, 9> scene_kinds{{
+    {.name = "alone"},
+    {.name = "below a bar", .has_bar = true},
+    {.name = "world", .is_world = true},
+    {.name = "world with a mesh", .is_world = true, .has_mesh = true},
+    {.name = "20 Hz", .is_slow = true},
+    {.name = "world, 20 Hz", .is_world = true, .is_slow = true},
+    {.name = "moves away", .speed = -0.02},
+    {.name = "moves away in a world with a mesh", .speed = -0.02, .is_world = true, .has_mesh = true},
+    {.name = "moves towards the hand", .speed = 0.02},
+}};
+
+// The surface that a specimen is meant to be: it leads the hand, and is what the specimen is compared with.
+enum class surface { plane, solid, hollow, edge };
+
+// A row of the tables.
+struct scene_specimen {
+  std::string name;
+  surface meant = surface::plane;
+  bool is_thin = false;     // half of its thickness is less than a hand's depth
+  bool is_surface = false;  // a mesh_surface, which needs a world
+  bool is_mesh = false;
+  int walls = 1;
+};
+
+// A column.
+struct scene_law {
+  std::string name;
+  bool has_sensor = true;
+  int most_walls = 1000;  // that it takes
+};
+
+// The figures of one hand, or the worst of several.
+struct scene_figures {
+  int hands = 0, arrived = 0, through = 0, not_left = 0, separations = 0;
+  double deepest = 0, deviation = 0, drag = 0, leave = 0;  // [m], [m], [N], [s]
+
+  void add(const scene_figures& other);
+};
+
+// A device with its laws: what a program runs, whichever mechanism it is.
+struct scene_bench {
+  std::string device;
+  std::vector<scene_specimen> specimens;
+  std::vector<scene_law> laws;
+  // Of hands 0 to hands - 1 at specimen i under law j.
+  std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, std::size_t hands)> run;
+};
+scene_bench planar_bench();
+scene_bench spatial_bench();
+
+// One cell.
+struct scene_cell {
+  const scene_bench& bench;
+  const scene_kind& kind;
+  const scene_specimen& specimen;
+  const scene_law& law;
+};
+// Why there is no such scene; empty if there is one.
+std::string unfit(const scene_cell& cell);
+// What is worse than at the reference, the first specimen of the same surface alone; empty if nothing is.
+std::string worse_than(const scene_figures& reference, const scene_figures& figures);
+// Why a cell may be worse: the first row of the table of limits that holds; "unexplained" if none does.
+std::string reason_for(const scene_cell& cell, const std::string& worse);
+
+// Fills and prints all tables; the page's ones. `unexplained` counts the cells that are worse without a
+// reason.
+page_tables follow_scenes(int& unexplained);
+
+}  // namespace experiments
