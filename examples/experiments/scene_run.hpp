@@ -151,9 +151,9 @@ template <class M>
 scene_bench bench_of(const scene_device<M>& device, const std::vector<law_column<M>>& laws) {
   const auto specimens = all_specimens<M::task_dimension>();
   scene_bench bench{device.name, {specimens.begin(), specimens.end()}, {laws.begin(), laws.end()}, {}};
-  bench.run = [=](const scene_kind& kind, std::size_t i, std::size_t j, std::size_t hands) {
+  bench.run = [=](const scene_kind& kind, std::size_t i, std::size_t j, const number_range& hands) {
     scene_figures worst;
-    for (std::size_t k = 0; k < hands; ++k) worst.add(follow_scene(device, specimens[i], kind, laws[j], k));
+    for (std::uint64_t k = hands.first; k <= hands.last; ++k) worst.add(follow_scene(device, specimens[i], kind, laws[j], k));
     return worst;
   };
   return bench;

@@ -12,8 +12,6 @@ namespace experiments {
 
 namespace {
 
-constexpr std::size_t scene_hands = 10;
-
 // Cells of one kind of scene, of both devices.
 struct numbered_cell {
   std::size_t bench, specimen, law;
@@ -21,7 +19,7 @@ struct numbered_cell {
 
 class scene_tables {
  public:
-  scene_tables() : benches_{planar_bench(), spatial_bench()} {
+  explicit scene_tables(const number_range& hands) : hands_(hands), benches_{planar_bench(), spatial_bench()} {
     for (std::size_t b = 0; b < benches_.size(); ++b)
       for (const auto& s : benches_[b].specimens)
         if (std::find(names_.begin(), names_.end(), s.name) == names_.end()) names_.push_back(s.name);
@@ -31,16 +29,16 @@ class scene_tables {
     for (const scene_kind& kind : scene_kinds) {
       const std::vector<numbered_cell> cells = cells_of(kind);
       const auto results = on_all_cores(kind.name, cells.size(), [&](std::size_t k) {
-        return benches_[cells[k].bench].run(kind, cells[k].specimen, cells[k].law, scene_hands);
+        return benches_[cells[k].bench].run(kind, cells[k].specimen, cells[k].law, hands_);
       });
+      worse_.clear();
       for (std::size_t k = 0; k < cells.size(); ++k) judge(kind, cells[k], results[k]);
-      std::printf("\n%s: depth ratio %s / %s, separations in brackets, worse ones in bold\n\n%s", kind.name,
-                  benches_[0].device.c_str(), benches_[1].device.c_str(), table(kind).c_str());
+      std::printf("\n%s: depth ratio %s / %s, separations in brackets, worse ones in bold\n\n%s\n%s", kind.name,
+                  benches_[0].device.c_str(), benches_[1].device.c_str(), table(kind).c_str(), (worse_head() + worse_).c_str());
       std::fflush(stdout);
     }
   }
 
-  std::string worse_cells() const { return worse_head() + worse_; }
   int unexplained() const { return unexplained_; }
 
  private:
@@ -65,7 +63,8 @@ class scene_tables {
     const auto& all = cell.bench.specimens;
     const auto first = std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.meant == cell.specimen.meant; });
     judged now{figures, 1, ""};
-    if (const auto found = results_.find({scene_kinds[0].name, c.bench, first->name, c.law}); found != results_.end()) {
+    const char* where = &*first == &cell.specimen ? scene_kinds[0].name : kind.name;
+    if (const auto found = results_.find({where, c.bench, first->name, c.law}); found != results_.end()) {
       now.ratio = figures.deepest / found->second.figures.deepest;
       now.worse = worse_than(found->second.figures, figures);
     }
@@ -106,6 +105,7 @@ class scene_tables {
     return all;
   }
 
+  number_range hands_;
   std::vector<scene_bench> benches_;
   std::vector<std::string> names_;
   std::map<std::tuple<std::string, std::size_t, std::string, std::size_t>, judged> results_;
@@ -115,10 +115,9 @@ class scene_tables {
 
 }  // namespace
 
-page_tables follow_scenes(int& unexplained) {
-  scene_tables tables;
+page_tables follow_scenes(const number_range& hands, int& unexplained) {
+  scene_tables tables(hands);
   tables.fill();
-  std::printf("\nWorse than the half-space or the analytic shape\n\n%s", tables.worse_cells().c_str());
   unexplained = tables.unexplained();
   return {};
 }

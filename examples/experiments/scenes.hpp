@@ -3,10 +3,10 @@
 #pragma once
 
 #include "markdown.hpp"
+#include "numbered.hpp"
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -64,8 +64,8 @@ struct scene_bench {
   std::string device;
   std::vector<scene_specimen> specimens;
   std::vector<scene_law> laws;
-  // Of hands 0 to hands - 1 at specimen i under law j.
-  std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, std::size_t hands)> run;
+  // Of these hands at specimen i under law j.
+  std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, const number_range& hands)> run;
 };
 scene_bench planar_bench();
 scene_bench spatial_bench();
@@ -79,13 +79,16 @@ struct scene_cell {
 };
 // Why there is no such scene; empty if there is one.
 std::string unfit(const scene_cell& cell);
-// What is worse than at the reference, the first specimen of the same surface alone; empty if nothing is.
+// What is worse than at the reference: the first specimen of the same surface in the same kind of scene, and of
+// that one alone. Empty if nothing is.
 std::string worse_than(const scene_figures& reference, const scene_figures& figures);
 // Why a cell may be worse: the first row of the table of limits that holds; "unexplained" if none does.
 std::string reason_for(const scene_cell& cell, const std::string& worse);
 
-// Fills and prints all tables; the page's ones. `unexplained` counts the cells that are worse without a
-// reason.
-page_tables follow_scenes(int& unexplained);
+inline constexpr number_range default_scene_hands{0, 9};
+
+// Prints the table of each kind of scene and the cells that are worse than their reference; returns the tables
+// of docs/results.md. `unexplained` counts worse cells without a reason.
+page_tables follow_scenes(const number_range& hands, int& unexplained);
 
 }  // namespace experiments

@@ -188,8 +188,8 @@ inline constexpr auto specimens = std::make_tuple(
              }},
     specimen{"box of 3 mm", surface::plane, [](const auto& p) { return p.box(0, -0.025, 1.5, 0.025); }, true},
     specimen{"capsule of 3 mm", surface::plane,
-             [](const auto& p) {
-               return decltype(p.bar(0, 0, 0))(p.point(-1.5, -0.025), p.point(1.5, -0.025), 0.025 * p.radius);
+             [](const place<2>& p) {
+               return ph::capsule<2>(p.point(-1.5, -0.025), p.point(1.5, -0.025), 0.025 * p.radius);
              },
              true},
     specimen{"capsule", surface::solid, [](const auto& p) { return p.bar(-1, 1, -2); }},
