@@ -7,8 +7,8 @@
 #include <passive_haptics/scene/shapes/moving.hpp>
 #include <passive_haptics/scene/world/world.hpp>
 
-#include <python/include/passive_haptics_python/any_scene.hpp>
-#include <python/include/passive_haptics_python/any_shape.hpp>
+#include <passive_haptics_python/any_scene.hpp>
+#include <passive_haptics_python/any_shape.hpp>
 
 #include <functional>
 #include <memory>

@@ -85,6 +85,18 @@ struct carried_shape {
   ph::point<D> gradient(const ph::point<D>& x) const { return of.meant->gradient(x - displacement); }
 };
 
+// Where the handle is at x.
+template <class M>
+ph::joint_vector<M> joints_at(const scene_device<M>& device, const ph::task_vector<M>& x) {
+  ph::joint_vector<M> q = device.home;
+  for (int i = 0; i < 50; ++i)
+    q -= ph::jacobian_matrix<M>(ph::jacobian(device.mechanism, q))
+             .partialPivLu()
+             .solve(ph::task_vector<M>(device.mechanism.position(q) - x));
+  if (!((device.mechanism.position(q) - x).norm() < 1e-9)) throw std::logic_error(device.name + ": out of reach");
+  return q;
+}
+
 // Hand number k at a specimen: it glides 50 mm along it, then pulls out with 2 N.
 template <class M>
 scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::task_dimension>& specimen,
@@ -103,11 +115,7 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
   for (int i = 0; i < 50; ++i) x += (gap - placed.meant->distance(x)) * placed.meant->gradient(x);
   const V n = placed.meant->gradient(x), along = (where.along - n * n.dot(where.along)).normalized();
   x += displacement;
-  ph::joint_vector<M> q = device.home;
-  for (int i = 0; i < 50; ++i)
-    q -= ph::jacobian_matrix<M>(ph::jacobian(device.mechanism, q)).partialPivLu().solve(ph::task_vector<M>(device.mechanism.position(q) - x));
-  if (!((device.mechanism.position(q) - x).norm() < 1e-9)) throw std::logic_error(specimen.name + " is out of reach");
-
+  const ph::joint_vector<M> q = joints_at(device, x);
   ph::simulated_device<M> plant(device.mechanism, device.brakes, p.mass, q);
   plant.set_motion(q, ph::jacobian_matrix<M>(ph::jacobian(device.mechanism, q)).partialPivLu().solve(ph::task_vector<M>(p.speed * along - approach * n)));
   scene_figures figures{.hands = 1};
@@ -144,44 +152,6 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
   figures.leave = leaving.duration;
   figures.not_left = !leaving.arrived;
   return figures;
-}
-
-// The device with these laws.
-template <class M>
-scene_bench bench_of(const scene_device<M>& device, const std::vector<law_column<M>>& laws) {
-  const auto specimens = all_specimens<M::task_dimension>();
-  scene_bench bench{device.name, {specimens.begin(), specimens.end()}, {laws.begin(), laws.end()}, {}};
-  bench.run = [=](const scene_kind& kind, std::size_t i, std::size_t j, const number_range& hands) {
-    scene_figures worst;
-    for (std::uint64_t k = hands.first; k <= hands.last; ++k) worst.add(follow_scene(device, specimens[i], kind, laws[j], k));
-    return worst;
-  };
-  return bench;
-}
-
-// Every law, with and without a force sensor.
-template <class M>
-scene_bench bench_of_all_laws(const scene_device<M>& device) {
-  std::vector<law_column<M>> laws;
-  const auto add = [&](const char* name, const auto& law) {
-    laws.push_back(column<M>(name, true, law));
-    laws.push_back(column<M>(name, false, law));
-  };
-  add("velocity_direct_control", ph::velocity_direct_control());
-  add("on_off_control", on_off_with_lead(device.brakes));
-  add("direct_control", ph::direct_control());
-  add("saturated_direct_control", ph::saturated_direct_control());
-  add("no_direct_control", ph::no_direct_control());
-  laws.push_back(column<M>("coercive_force_approximation", false, ph::coercive_force_approximation()));
-  laws.push_back(column<M>("bang_bang_control", false, ph::bang_bang_control()));
-  laws.push_back(column<M>("single_degree_of_freedom_control", true, ph::single_degree_of_freedom_control()));
-  laws.push_back(column<M>("velocity_ratio_control", true, ph::velocity_ratio_control()));
-  return bench_of(device, laws);
-}
-
-inline scene_device<ph::tendon_two_link<double>> planar_scene_device() {
-  const ph::tendon_two_link<double> arm;
-  return {"tendon_two_link", arm, {{0.105, 0.222}, {0, -1}, {1, 0}}, arm.inverse({0.1, 0.2}, ph::elbow::left).q};
 }
 
 }  // namespace experiments

@@ -39,6 +39,39 @@ class scene_tables {
     }
   }
 
+  // Effects, alone and along a wall.
+  std::string fill_effects() {
+    std::string all = markdown_head({"effect", "scene", "law", "moved [mm]", "creeps [mm/s]", "leaves after [ms]",
+                                     "never left", "deepest in the wall [mm]"});
+    struct effect_cell {
+      std::size_t bench, effect, law;
+      bool has_wall;
+    };
+    std::vector<effect_cell> cells;
+    for (std::size_t e = 0; e < benches_[0].effects.size(); ++e)
+      for (const bool has_wall : {false, true})
+        for (std::size_t l = 0; l < benches_[0].effect_laws.size(); ++l)
+          for (std::size_t b = 0; b < benches_.size(); ++b) cells.push_back({b, e, l, has_wall});
+    const auto results = on_all_cores("effects", cells.size(), [&](std::size_t k) {
+      const auto& c = cells[k];
+      return benches_[c.bench].run_effect(c.has_wall, c.effect, c.law, hands_);
+    });
+    for (std::size_t k = 0; k < cells.size(); k += 2) {
+      const auto& c = cells[k];
+      const auto& l = benches_[0].effect_laws[c.law];
+      const effect_figures &a = results[k], &b = results[k + 1];
+      all += markdown_row({benches_[0].effects[c.effect].name, c.has_wall ? "along a wall" : "alone",
+                           l.name + (l.has_sensor ? "" : ", no sensor"),
+                           written("%.1f / %.1f", 1e3 * a.moved, 1e3 * b.moved),
+                           written("%.1f / %.1f", 1e3 * a.creep, 1e3 * b.creep),
+                           written("%.0f / %.0f", 1e3 * a.leave, 1e3 * b.leave),
+                           written("%d / %d", a.not_left, b.not_left),
+                           c.has_wall ? written("%.1f / %.1f", 1e3 * a.deepest, 1e3 * b.deepest) : ""});
+    }
+    std::printf("\nEffects, %s / %s\n\n%s", benches_[0].device.c_str(), benches_[1].device.c_str(), all.c_str());
+    return all;
+  }
+
   int unexplained() const { return unexplained_; }
 
  private:
@@ -117,9 +150,10 @@ class scene_tables {
 
 page_tables follow_scenes(const number_range& hands, int& unexplained) {
   scene_tables tables(hands);
+  const std::string effects = tables.fill_effects();
   tables.fill();
   unexplained = tables.unexplained();
-  return {};
+  return {{"effects_felt", effects}};
 }
 
 }  // namespace experiments

@@ -59,6 +59,19 @@ struct scene_figures {
   void add(const scene_figures& other);
 };
 
+// An effect, and whether it holds a hand.
+struct scene_effect {
+  std::string name;
+  bool holds;
+};
+// The figures of one hand that pushes against an effect, or the worst of several.
+struct effect_figures {
+  int hands = 0, not_left = 0;
+  double moved = 0, creep = 0, deepest = 0, leave = 0;  // [m], [m/s], in the wall [m], [s]
+
+  void add(const effect_figures& other);
+};
+
 // A device with its laws: what a program runs, whichever mechanism it is.
 struct scene_bench {
   std::string device;
@@ -66,6 +79,10 @@ struct scene_bench {
   std::vector<scene_law> laws;
   // Of these hands at specimen i under law j.
   std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, const number_range& hands)> run;
+  std::vector<scene_effect> effects = {};
+  std::vector<scene_law> effect_laws = {};
+  // Of these hands at effect i under law j.
+  std::function<effect_figures(bool has_wall, std::size_t i, std::size_t j, const number_range& hands)> run_effect = {};
 };
 scene_bench planar_bench();
 scene_bench spatial_bench();

@@ -1,7 +1,7 @@
-#include "scene_run.hpp"
+#include "scene_bench.hpp"
 
 namespace experiments {
 
-scene_bench planar_bench() { return bench_of_all_laws(planar_scene_device()); }
+scene_bench planar_bench() { return bench_of_all(planar_scene_device()); }
 
 }  // namespace experiments
