@@ -71,12 +71,13 @@ std::vector<effect_row<M>> all_effects() {
   return all;
 }
 
-// Hand number k: pushes with 2 N for a second, with 2 N into the wall as well where there is one, and then
-// the other way.
+// Hand number k pushes with 2 N for a second, at a wall also with 2 N into it, and then wants back: at a wall
+// out of it, too.
 template <class M, class Sensor>
 effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>& effect, const Sensor& control_of,
                              bool has_wall, std::size_t k) {
   constexpr int D = M::task_dimension;
+  using V = ph::point<D>;
   place<D> where = device.where;
   auto between = evenly(scene_seed + 2, k);
   if constexpr (D == 3) where.along = Eigen::AngleAxisd(between(0, 2 * std::numbers::pi), where.normal) * where.along;
@@ -113,7 +114,8 @@ effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>&
   figures.creep = second.second / 0.5;
   figures.deepest = std::max(first.first.depth_max, second.first.depth_max);
   const double turned = now;
-  const auto back = go(-where.along, 0.5e-3, 2);
+  p.push = 0;
+  const auto back = go(has_wall ? V((where.normal - where.along).normalized()) : V(-where.along), 0.5e-3, 2);
   figures.leave = now - turned;
   figures.not_left = !back.first.arrived;
   return figures;
