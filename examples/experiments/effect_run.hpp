@@ -77,7 +77,6 @@ template <class M, class Sensor>
 effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>& effect, const Sensor& control_of,
                              bool has_wall, std::size_t k) {
   constexpr int D = M::task_dimension;
-  using V = ph::point<D>;
   place<D> where = device.where;
   auto between = evenly(scene_seed + 2, k);
   if constexpr (D == 3) where.along = Eigen::AngleAxisd(between(0, 2 * std::numbers::pi), where.normal) * where.along;
@@ -114,8 +113,8 @@ effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>&
   figures.creep = second.second / 0.5;
   figures.deepest = std::max(first.first.depth_max, second.first.depth_max);
   const double turned = now;
-  p.push = 0;
-  const auto back = go(has_wall ? V((where.normal - where.along).normalized()) : V(-where.along), 0.5e-3, 2);
+  p.push = -p.push;
+  const auto back = go(-where.along, 0.5e-3, 2);
   figures.leave = now - turned;
   figures.not_left = !back.first.arrived;
   return figures;
