@@ -74,6 +74,8 @@ class held_scene {
 
   /// The scene, for example to move a wall of it before it is sampled.
   Scene& scene() { return scene_; }
+  /// The scene.
+  const Scene& scene() const { return scene_; }
 
  private:
   Scene scene_;

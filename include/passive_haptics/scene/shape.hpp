@@ -5,6 +5,7 @@
 #include <passive_haptics/core/matrix.hpp>
 
 #include <concepts>
+#include <limits>
 
 namespace passive_haptics {
 
@@ -33,7 +34,9 @@ concept names_dimension = requires { requires(std::integral_constant<int, S::dim
 /// Optional, in addition to the members of MovingShape, CurvedShape and BoundedShape:
 ///   - `static constexpr bool has_unit_gradient = true`: the gradient has length 1 by construction. A scene
 ///     checks each gradient of a shape without it;
-///   - `void extrapolate(double seconds)`: carries a moving shape on for this time [s] (moving.hpp).
+///   - `void extrapolate(double seconds)`: carries a moving shape on for this time [s] (moving.hpp);
+///   - `double thickness() const`: the smallest distance between two opposite sides [m], for a shape that is
+///     thinner than its bounds.
 /// A shape that is made of another one keeps them (shape_wrapper.hpp).
 template <class S>
 concept Shape = detail::names_dimension<S> && requires(const S shape, const point<S::dimension> x) {
@@ -73,6 +76,20 @@ template <Shape S>
 matrix<double, S::dimension, S::dimension> surface_curvature(const S& shape, const point<S::dimension>& x) {
   if constexpr (CurvedShape<S>) return shape.hessian(x);
   else return matrix<double, S::dimension, S::dimension>::Zero();
+}
+
+/// Smallest distance [m] between two opposite sides of a shape; of one without thickness() the smallest
+/// extent of its bounds, without bounds infinite.
+template <Shape S>
+double thickness_of(const S& shape) {
+  if constexpr (requires { shape.thickness(); }) {
+    return shape.thickness();
+  } else if constexpr (requires { shape.bounds(); }) {
+    const auto bounds = shape.bounds();
+    return (bounds.upper - bounds.lower).minCoeff();
+  } else {
+    return std::numeric_limits<double>::infinity();
+  }
 }
 
 }  // namespace passive_haptics

@@ -1,6 +1,7 @@
 // A proxy on a mesh: what stops it, what it feels, and that it never gets to the other side.
 #include <passive_haptics/scene/mesh/mesh_solid.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
+#include <passive_haptics/scene/world/world.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
@@ -75,18 +76,6 @@ TYPED_TEST(a_mesh_surface, stops_what_comes_from_the_front) {
   EXPECT_EQ(h.proxy(), at_height<D>(0.01));
   EXPECT_EQ(h.go(at_height<D>(2 * skin)), 0) << "next it may touch";
   EXPECT_TRUE(h.felt.empty());
-}
-
-TYPED_TEST(a_mesh_surface, keeps_its_proxy_where_the_handle_moves_by_less_than_a_lip) {
-  constexpr int D = TestFixture::dimension;
-  handle<D> h(surface_of(plate<D>()));
-  h.go(at_height<D>(0.5));
-  h.go(at_height<D>(-0.3));
-  const ph::point<D> before = h.proxy(), aside = ph::point<D>::UnitX();
-  h.go(at_height<D>(-0.3) + 0.5 * lip * aside);
-  EXPECT_EQ(h.proxy(), before);
-  h.go(at_height<D>(-0.3) + 2 * lip * aside);
-  EXPECT_NEAR((h.proxy() - before)[0], 2 * lip, 1e-6 * lip);
 }
 
 TYPED_TEST(a_mesh_surface, has_slabs_that_stop_what_falls_alone) {
@@ -630,6 +619,55 @@ TYPED_TEST(a_mesh_surface, says_how_far_the_handle_may_go) {
   }
   EXPECT_GT(touched, 500);
   EXPECT_LT(calls - touched, 4000);
+}
+
+// Passes through a random point of a random facet, up to 60 degrees oblique: from the first cycle behind the
+// facet on, each has a contact.
+template <int D>
+int stopped_passes(const ph::mesh_parameters<D>& m, double margin, double step, int passes) {
+  random_source random(seed);
+  ph::world_walls<D> walls;
+  walls.add(ph::wall(surface_of(m)));
+  const ph::world<D> unseen(walls);
+  int stopped = 0;
+  for (int k = 0; k < passes; ++k) {
+    const auto corners = m.corners(static_cast<std::size_t>(random.uniform(0.0, double(m.facets.size()))));
+    const ph::point<D> normal = ph::detail::normal_of(corners);
+    ph::vector<double, D> weights = random.template direction<double, D>().cwiseAbs2();
+    weights = (weights.array() + 0.1).matrix() / (1 + 0.1 * D);  // beside no rim
+    ph::point<D> place = ph::point<D>::Zero(), way;
+    for (int i = 0; i < D; ++i) place += weights[i] * corners[static_cast<std::size_t>(i)];
+    do way = random.template direction<double, D>();
+    while (-way.dot(normal) < 0.5);
+    ph::world<D> w = unseen;
+    w.set_margin(margin);
+    const double before = random.uniform(4.0, 5.0);  // steps
+    bool stops = true;
+    for (int cycle = 0; cycle < 15; ++cycle) {
+      const bool touched = !ph::sense(w, ph::point<D>(place + step * (cycle - before) * way)).empty();
+      if (cycle >= 5) stops &= touched;
+    }
+    stopped += stops;
+  }
+  return stopped;
+}
+
+TYPED_TEST(a_mesh_surface, stops_each_pass_in_a_world_whatever_its_margin) {
+  constexpr int D = TestFixture::dimension, passes = 200;
+  const auto ball = [] {
+    const auto radius = [](const auto&) { return 0.1; };
+    if constexpr (D == 2) return sample_meshes::ring(24, radius);
+    else return sample_meshes::globe(24, 12, radius);
+  }();
+  for (const double margin : {0.0, 1e-5, 1e-4, 1e-3, 0.011}) {
+    for (const double step : {1e-6, 1e-5, 1e-4, 1e-3}) {
+      int shape = 0;
+      for (const auto& m : {plate<D>(), ball, sample_meshes::inside_out(ball)})
+        EXPECT_EQ(stopped_passes<D>(m, margin, step, passes), passes)
+            << "seed " << seed << ", shape " << shape++ << ", margin " << margin << " m, step " << step
+            << " m";
+    }
+  }
 }
 
 // Two planes that face each other, and nothing between them: each gets what it can.

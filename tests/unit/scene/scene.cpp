@@ -1,16 +1,26 @@
 // Scenes: what is touched, how deep, in which order.
 #include "../support.hpp"
 
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/force/desired_force.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
+#include <passive_haptics/scene/shapes/box.hpp>
+#include <passive_haptics/scene/shapes/capsule.hpp>
+#include <passive_haptics/scene/shapes/complement.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/scene/shapes/moving.hpp>
+#include <passive_haptics/scene/shapes/offset.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <bit>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -265,6 +275,34 @@ TEST(contacts, are_copied_whole) {
   expect_copies_of_all<1>();
   expect_copies_of_all<2>();
   expect_copies_of_all<5>();
+}
+
+// As a controller under a law that rests the hand at 2 mm reports it; empty if it accepts the scene.
+template <class Scene>
+std::string rejection_of(const Scene& scene) {
+  using M = ph::tendon_two_link<double>;
+  try {
+    ph::controller(M(), ph::brakes_of<M>(), scene, ph::velocity_direct_control());
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(a_controller, rejects_a_wall_through_which_its_law_presses) {
+  const ph::rectangle plate({0, 0}, {0.1, 0.0025}), block({0, 0}, {0.1, 0.003});
+  const std::string text =
+      "thickness of wall 1 of a scene [m] = 0.005, expected >= 0.006, three times the rest_depth of the law; "
+      "a world holds a thinner wall";
+  const auto scene_with = [](const auto& shape) { return ph::scene(ph::wall(floor_below), ph::wall(shape)); };
+  EXPECT_NE(rejection_of(scene_with(plate)).find(text), std::string::npos) << rejection_of(scene_with(plate));
+  EXPECT_NE(rejection_of(ph::held_scene(scene_with(ph::moving(plate)), 0.05)).find(text), std::string::npos);
+  EXPECT_NE(rejection_of(scene_with(ph::capsule<2>({0, 0}, {1, 1}, 0.0025))).find(text), std::string::npos);
+  EXPECT_NE(rejection_of(scene_with(ph::offset(block, -0.0005))).find(text), std::string::npos);
+  EXPECT_EQ(rejection_of(scene_with(ph::offset(plate, 0.001))), "");
+  EXPECT_EQ(rejection_of(scene_with(block)), "");
+  EXPECT_EQ(rejection_of(scene_with(ph::complement(plate))), "");
+  EXPECT_EQ(rejection_of(scene_with(ph::disc({0, 0}, 0.001, ph::filling::hollow))), "");
 }
 
 }  // namespace

@@ -31,14 +31,14 @@ class proxy_contacts {
   proxy_contacts(std::span<const placed_surface<S>> surfaces, const proxy_tracker<D>& tracker,
                  const point<D>& x) {
     const point<D> p(tracker.position.data());
-    int k = 0;
     for (const facet_of_surface& f : tracker.resting()) {
       const auto* s = surface_of(surfaces, f.surface);
       const auto plane = s->plane(f.facet, p);
-      normals_.col(k) = plane.normal;
-      depths_[k] = -plane.height(x);
-      crease_cosines_[static_cast<std::size_t>(k)] = s->surface->crease_cosine();
-      numbers_[static_cast<std::size_t>(k++)] = f.surface;
+      const auto k = static_cast<std::size_t>(count_);
+      normals_.col(count_) = plane.normal;
+      depths_[count_++] = -plane.height(x);
+      crease_cosines_[k] = s->surface->crease_cosine();
+      numbers_[k] = f.surface;
     }
   }
 
@@ -47,6 +47,7 @@ class proxy_contacts {
   template <class Add>
   void add_to(Add&& add) const {
     if (!(depths_.maxCoeff() > 0)) return;
+    if (count_ == 1) return add(point<D>(normals_.col(0)), depths_[0], numbers_[0]);
     const auto shares = shares_of_displacement<D, max_facets>(normals_, depths_);
     half_space_set left = 0;
     for (int k = 0; k < max_facets; ++k) {
@@ -107,6 +108,7 @@ class proxy_contacts {
     if (depth > 0) add(point<D>(way / depth), std::min(depth, 2 * (N * shares).norm()), number);
   }
 
+  int count_ = 0;
   std::array<double, std::size_t(max_facets)> crease_cosines_{};
   std::array<int, std::size_t(max_facets)> numbers_{};
   matrix<double, D, max_facets> normals_ = matrix<double, D, max_facets>::Zero();

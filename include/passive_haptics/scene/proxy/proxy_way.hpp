@@ -82,10 +82,10 @@ class proxy_way {
 
   /// As near to x as the surfaces let it.
   void go_to(const point<D>& x) {
+    if (goes_straight_over(x)) return;
     for (int move = 0; move < max_moves; ++move) {
       leave_facets();
-      const point<D> wanted = x - p_;
-      const point<D> step = along_facets(wanted);
+      const point<D> step = along_facets(x);
       const bool free = active_ == 0;
       if (!free && !(step.norm() > lip_)) break;
       const auto [time, facet] = first_stop(step, false);
@@ -98,7 +98,6 @@ class proxy_way {
       p_ += time * step;
       if (facet.facet >= 0) rest_on(facet);
     }
-    rise();
     tracker_.held = true;
     keep(p_);
   }
@@ -116,8 +115,25 @@ class proxy_way {
 
   facet_of_surface& resting(int k) { return tracker_.facets[static_cast<std::size_t>(k)]; }
   void keep(const point<D>& at) { point<D>::Map(tracker_.position.data()) = at; }
-  proxy_plane<D> plane(const facet_of_surface& f) const {
-    return surface_of(surfaces_, f.surface)->plane(f.facet, p_);
+
+  // Goes to the place over x on the one facet on which the proxy rests, if the straight way there is free: it
+  // enters neither this shape, as round an edge or through a thin one, nor what else is near. Mostly this is
+  // all
+  bool goes_straight_over(const point<D>& x) {
+    constexpr double low = 10;  // skins: a step along a solid ball comes in by length^2 / (8 radius)
+    if (tracker_.facet_count != 1) return false;
+    const auto* s = surface_of(surfaces_, resting(0).surface);
+    if (s == nullptr) return false;
+    const auto over = s->plane(resting(0).facet, x);
+    const double skin = s->surface->skin(), height = over.height(x);
+    const point<D> goal = x + (skin - height) * over.normal;
+    if (!(height < skin) || !(over.height(p_) > -low * skin) ||
+        !s->surface->holds(resting(0).facet, goal - s->displacement) ||
+        first_stop(goal - p_, false).facet.facet >= 0)
+      return false;
+    tracker_.held = true;
+    keep(goal);
+    return true;
   }
 
   // Facets that the proxy has slid off hold it no longer.
@@ -131,14 +147,20 @@ class proxy_way {
         static_cast<int>(std::remove_if(begin, begin + tracker_.facet_count, left) - begin);
   }
 
-  // The part of the wanted step that enters no facet on which the proxy rests: its projection on { s : n . s
-  // >= 0 }.
-  point<D> along_facets(const point<D>& wanted) {
+  // The part of the way to x that enters no facet on which the proxy rests: its projection on the directions
+  // s with n . s >= 0.
+  point<D> along_facets(const point<D>& x) {
     active_ = 0;
-    const double length = wanted.norm();
-    if (tracker_.facet_count == 0 || !(length > 0)) return wanted;
     matrix<double, D, max_facets> B = matrix<double, D, max_facets>::Zero();
-    for (int k = 0; k < tracker_.facet_count; ++k) B.col(k) = -plane(resting(k)).normal;
+    for (int k = 0; k < tracker_.facet_count; ++k) B.col(k) = -rise_over(resting(k));
+    const point<D> wanted = x - p_;
+    if (tracker_.facet_count <= 1) {
+      const double into = B.col(0).dot(wanted);
+      active_ = into > 0 ? 1 : 0;
+      return into > 0 ? point<D>(wanted - into * B.col(0)) : wanted;
+    }
+    const double length = wanted.norm();
+    if (!(length > 0)) return wanted;
     const auto projection = project_onto_half_spaces<double, D, max_facets>(B, wanted / length);
     active_ = projection.active;
     return active_ == 0 ? wanted : point<D>(length * projection.point);
@@ -168,18 +190,19 @@ class proxy_way {
     return first;
   }
 
-  // Round a convex edge the height over the next facet is the lower the sharper the edge is: back to the
-  // skin.
-  void rise() {
+  // Goes back to a skin over a facet on which the proxy rests, if it is lower; returns the normal. The
+  // sharper a convex edge is, the lower it comes in over the next facet; and each step along a hollow shape
+  // enters it
+  point<D> rise_over(const facet_of_surface& f) {
     constexpr double low = 0.9;  // of the skin
-    for (int k = 0; k < tracker_.facet_count; ++k) {
-      const auto* s = surface_of(surfaces_, resting(k).surface);
-      const auto plane = s->plane(resting(k).facet, p_);
-      const double skin = s->surface->skin(), height = plane.height(p_);
-      if (!(height < low * skin)) continue;
+    const auto* s = surface_of(surfaces_, f.surface);
+    const auto plane = s->plane(f.facet, p_);
+    const double skin = s->surface->skin(), height = plane.height(p_);
+    if (height < low * skin) {
       const point<D> step = (skin - height) * plane.normal;
       p_ += first_stop(step, true).time * step;
     }
+    return plane.normal;
   }
 
   std::span<const placed_surface<S>> surfaces_;

@@ -33,11 +33,10 @@ class shape_surface {
     // A step along a curved surface falls away from it or a little into it
     const double least = resting.empty() ? skin_ : 0.5 * skin_;
     const auto gap_at = [&](double time) { return shape_.distance(p + time * step) - least; };
-    double outside = 0, inside = 1, gap = gap_at(outside);
-    const double overlap = gap_at(inside);
-    if (!(overlap < -lip)) return {};
-    double left = gap, right = overlap;  // what the place between is guessed by
-    int replaced = 0;                    // the end that was replaced last
+    double outside = 0, inside = 1, right = gap_at(inside);  // what the place between is guessed by
+    if (!(right < -lip)) return {};
+    double gap = gap_at(outside), left = gap;
+    int replaced = 0;  // the end that was replaced last
     for (int look = 0; look < most_looks && gap > lip; ++look) {
       const double time = outside + (inside - outside) * left / (left - right), gap_there = gap_at(time);
       if (gap_there >= 0) {

@@ -74,6 +74,9 @@ class box {
     return axes_ * side.cwiseProduct(detail::direction_or<D>(q.cwiseMax(0), face));
   }
 
+  /// The smallest extent [m].
+  double thickness() const { return 2 * half_extents_.minCoeff(); }
+
   /// The 2 D faces as walls whose common inside is the box: axis 0 positive and negative, axis 1, ...
   std::array<half_space<D>, std::size_t(2 * D)> faces() const {
     const auto face = [this](int k) {

@@ -58,6 +58,9 @@ class capsule {
     return detail::direction_or<D>(from_segment(x), detail::any_perpendicular<D>(axis_));
   }
 
+  /// The diameter [m].
+  double thickness() const { return 2 * radius_; }
+
   /// The box about the ends, wider by the radius.
   bounding_box<D> bounds() const {
     bounding_box<D> box{from_, from_};

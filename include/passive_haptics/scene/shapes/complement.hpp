@@ -24,6 +24,9 @@ class complement : public shape_wrapper<S> {
   /// Gradient of the shape, negated.
   point<dimension> gradient(const point<dimension>& x) const { return -this->shape_.gradient(x); }
 
+  /// Infinite: what surrounds a hollow has one side.
+  static constexpr double thickness() { return std::numeric_limits<double>::infinity(); }
+
   /// Hessian of the shape, negated [1/m].
   matrix<double, dimension, dimension> hessian(const point<dimension>& x) const
     requires CurvedShape<S>

@@ -38,6 +38,9 @@ class offset : public shape_wrapper<S> {
   /// Signed distance [m]; that of the shape and a subtraction.
   double distance(const point<dimension>& x) const { return this->shape_.distance(x) - growth_; }
 
+  /// Thickness of the shape, grown on both sides [m].
+  double thickness() const { return thickness_of(this->shape_) + 2 * growth_; }
+
   /// The bounds of the shape, wider by the growth; those of a shrunk one are not narrower.
   bounding_box<dimension> bounds() const
     requires BoundedShape<S>

@@ -35,6 +35,9 @@ class shape_wrapper {
     return shape_.hessian(x);
   }
 
+  /// Thickness of the shape [m].
+  double thickness() const { return thickness_of(shape_); }
+
   /// Carries the shape on for this time [s].
   void extrapolate(double seconds)
     requires requires(S& s) { s.extrapolate(seconds); }

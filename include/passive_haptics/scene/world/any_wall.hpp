@@ -38,7 +38,8 @@ class any_wall {
   /// Whether the wall has an inside from which a handle is pushed out: a Shape.
   bool is_solid() const { return held_->is_solid(); }
 
-  /// Whether the wall needs a proxy of the handle: a mesh.
+  /// Whether the wall needs a proxy of the handle: a mesh, or a plate or bar through which a hand would
+  /// press.
   bool needs_proxy() const { return held_->needs_proxy(); }
 
   /// What stops a proxy; nullptr for a TrackedShape that is no ProxySurface.
@@ -94,7 +95,12 @@ class any_wall {
 
     const bounding_box<D>& bounds() const override { return box; }
     bool is_solid() const override { return Shape<S>; }
-    bool needs_proxy() const override { return ProxySurface<S>; }
+    bool needs_proxy() const override {
+      constexpr double thin = 0.01;  // [m], five times the rest_depth of the recommended law
+      constexpr double wide = 0.02;  // [m]; off what is smaller a hand slips
+      if constexpr (ProxySurface<S> || !Shape<S>) return ProxySurface<S>;
+      else return thickness_of(held.shape) < thin && (box.upper - box.lower).maxCoeff() > wide;
+    }
     const any_proxy_surface<D>* surface() const override { return stops.surface(); }
     contact<D> contact_by_proxy(const point<D>& p) const override {
       if constexpr (ProxySurface<S> || !Shape<S>) return {.stiffness = held.stiffness()};

@@ -15,17 +15,21 @@
 
 namespace passive_haptics {
 
-/// Many walls, of which a cycle looks at those that the handle can have reached since it last looked: the
-/// contacts are those of a scan over all of them (neighbour_list.hpp). At most Capacity contacts, those of
-/// the largest forces.
+/// Many walls, of which a cycle looks at those that the handle can have reached since it last looked: without
+/// a proxy the contacts are those of a scan over all of them (neighbour_list.hpp). At most Capacity contacts,
+/// those of the largest forces.
 ///
 /// The walls are shared by copies and never change; each copy has its own memory of the handle. Shapes that
 /// stay where they are and have finite bounds lie in a tree; the others (unbounded, moving and thin ones) are
 /// compared one by one in each cycle that is not skipped: keep them few. Cost: a comparison where nothing can
 /// have been reached; else neighbour_list.hpp. Construction O(n log n); it alone allocates.
 ///
-/// A world with a mesh keeps a proxy of the handle, which all meshes and the shapes beside them stop
-/// (handle_proxy.hpp): walls side by side are felt as one.
+/// A world keeps a proxy of the handle, which all walls stop (handle_proxy.hpp), if one of them needs it: a
+/// mesh, a plate or bar thinner than 1 cm, or two solids that stay where they are with bounds that meet face
+/// to face. A thin wall then holds at any depth, and walls side by side are felt as one; a ball or a wire
+/// lets the hand slip round it. Solids side by side that are rotated or move are not recognised: make one of
+/// them a mesh_solid. Cost, with one wall near: about 1100 to 1900 instructions more in contact, 800 more
+/// within the margin.
 template <int D, int Capacity = D + 1>
 class world {
  public:
@@ -204,7 +208,7 @@ class world {
     const double clearance = surface->clearance(at, hint);
     if (nearest != not_seen) nearest = hint;
     else if (const point<D> entry = surface->entry(at); entry != at) proxy_.start_at(entry + m.now);
-    return std::max(0.0, clearance - reach_);
+    return std::max(0.0, clearance - std::max(margin_, reach_));
   }
 
   double look(int item, const point<D>& x) {

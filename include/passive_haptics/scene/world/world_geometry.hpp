@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -83,10 +84,13 @@ struct world_geometry {
       const std::size_t units = (w.wall.tracker_size() + sizeof(tracker_bytes) - 1) / sizeof(tracker_bytes);
       trackers.push_back(trackers.back() + units);
     }
+    const auto is_one = [](const any_wall<D>& wall) { return wall.needs_proxy(); };
+    needs_proxy =
+        std::any_of(walls.all().begin(), walls.all().end(), is_one) ||
+        std::any_of(boxes.begin(), boxes.end(), [&](const auto& b) { return has_beside(b, boxes); });
     for (const any_wall<D>& wall : walls.all()) {
-      if (!wall.needs_proxy()) continue;
-      needs_proxy = true;
-      extent = std::max(extent, detail::largest_coordinate(wall.bounds()));
+      const double largest = detail::largest_coordinate(wall.bounds());
+      if (std::isfinite(largest)) extent = std::max(extent, largest);
     }
   }
 
@@ -114,8 +118,25 @@ struct world_geometry {
   std::vector<int> moving;             ///< Their numbers.
   std::vector<std::size_t> trackers{
       0};                    ///< Where the tracker of each of the others begins, and the last ends.
-  bool needs_proxy = false;  ///< For a mesh.
-  double extent = 0;         ///< Largest coordinate of the meshes [m].
+  bool needs_proxy = false;  ///< For a mesh, a thin wall, or two that meet face to face.
+  double extent = 0;         ///< Largest coordinate of the bounded walls [m].
+
+ private:
+  // Whether one of the boxes meets b face to face: inside two such boxes the sides at the seam are nearest,
+  // which do not push out
+  bool has_beside(const bounding_box<D>& b, const std::vector<bounding_box<D>>& boxes) const {
+    constexpr double wide = 1e-3;              // [m], of a face; a hand is pushed out of what is smaller
+    const double touch = 1e-9 * tree.scale();  // [m]
+    const double radius = (b.upper - b.lower).norm() / 2 + touch;
+    bool found = false;
+    const auto look = [&](int place, double) {
+      const bounding_box<D>& other = boxes[static_cast<std::size_t>(tree.item(place))];
+      const point<D> common = b.upper.cwiseMin(other.upper) - b.lower.cwiseMax(other.lower);
+      found |= std::abs(common.minCoeff()) <= touch && (common.array() > wide).count() == D - 1;
+    };
+    tree.visit_within(squared_distance_from<D>((b.lower + b.upper) / 2), radius * radius, look);
+    return found;
+  }
 };
 
 }  // namespace passive_haptics::detail

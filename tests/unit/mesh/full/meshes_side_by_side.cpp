@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -137,6 +138,13 @@ TEST(meshes_side_by_side, a_box_beside_a_mesh_is_one_floor) {
       across);
 }
 
+// Also where no mesh is near: boxes that meet face to face, and a plate half as thick as the hand is deep.
+TEST(meshes_side_by_side, boxes_and_a_plate_are_one_floor) {
+  expect_one_floor("boxes", world_of({box(0, 0, 0.1, 0.2), box(0.1, 0, 0.2, 0.2)}), across);
+  const ph::box<3> plate(at(0.1, 0.1, -pressed / 4), at(0.1, 0.1, pressed / 4));
+  expect_one_floor("plate", world_of({ph::wall(plate)}), over_a_corner);
+}
+
 // A half-space that bears the floor on one side, and one that is the corner beside it.
 TEST(meshes_side_by_side, a_half_space_beside_a_mesh) {
   const ph::any_wall<3> floor = ph::wall(ph::half_space<3>({0, 0, 0}, {0, 0, 1}));
@@ -240,23 +248,24 @@ TEST(meshes_side_by_side, a_hand_behind_a_sheet_that_moves_with_it_is_free) {
   }
 }
 
-// A ball in a world with a mesh is what it is without.
-TEST(meshes_side_by_side, a_shape_far_from_a_mesh_is_felt_as_ever) {
-  const ph::any_wall<3> ball = ph::wall(ph::ball<3>({0, 0, 0}, 0.05));
-  ph::world<3> alone = world_of({ball}), beside = world_of({ball, surface(sheet(1, 1, 1.2, 1.2))});
-  ph::testing::random_source random(seed);
-  at x(0, 0, 0.06);
-  int touched = 0;
-  for (int k = 0; k < 20000; ++k) {
-    x += 2e-4 * random.direction<double, 3>();
-    if (x.norm() < 0.047) x *= 0.0475 / x.norm();
-    if (x.norm() > 0.052) x *= 0.051 / x.norm();
-    const at push = felt(beside, x);
-    ASSERT_LT((push - felt(alone, x)).norm(), 1e-8)
-        << "seed " << seed << ", cycle " << k << " at " << x.transpose();
-    touched += !push.isZero(0);
+// In a world with a mesh far off a ball is felt as itself, from outside and, hollow, from within.
+TEST(meshes_side_by_side, a_ball_far_from_a_mesh_is_felt_as_ever) {
+  for (const ph::filling fill : {ph::filling::solid, ph::filling::hollow}) {
+    const ph::ball<3> ball({0, 0, 0}, 0.05, fill);
+    ph::world<3> world = world_of({ph::wall(ball), surface(sheet(1, 1, 1.2, 1.2))});
+    ph::testing::random_source random(seed);
+    at x(0, 0, 0.05);
+    int touched = 0;
+    for (int k = 0; k < 20000; ++k) {
+      x += 2e-4 * random.direction<double, 3>();
+      x *= std::clamp(x.norm(), 0.047, 0.053) / x.norm();
+      const at expected = std::max(0.0, -ball.distance(x)) * ball.gradient(x);
+      ASSERT_LT((felt(world, x) - expected).norm(), 1e-8)
+          << "seed " << seed << ", cycle " << k << " at " << x.transpose();
+      touched += !expected.isZero(0);
+    }
+    EXPECT_GT(touched, 1000);
   }
-  EXPECT_GT(touched, 1000);
 }
 
 // One mesh, cut in two along edges: what a random hand feels is equal.
