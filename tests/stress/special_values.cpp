@@ -29,7 +29,6 @@ TYPED_TEST(special_values, in_any_position_break_no_law) {
   int faults = 0, lawful = 0;
   ph::testing::for_each_sample<TypeParam>(mechanism, seed, 2, [&](ph::testing::step_sample<M> sample) {
     ph::contact<d> wall = sample.wall(), other = sample.wall();
-    wall.sensed_at = other.sensed_at = ph::as<double>(mechanism.position(sample.state.q));
     other.normal = ph::point<d>(-wall.normal.reverse());
     ph::step_options<T> options;
     const auto run = [&](const std::string& name, auto& value) {

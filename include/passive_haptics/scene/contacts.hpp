@@ -31,6 +31,23 @@ struct contact {
   matrix<double, D, D> curvature = matrix<double, D, D>::Zero();
 };
 
+/// The contact as the handle has it at x [m], carried there from where it was sensed: with u = x - sensed_at
+/// and l = sqrt(1 + |H u|^2),
+///
+///     normal = (n + H u) / l,   depth = depth_sensed - u . (n + H u / (1 + l)).
+///
+/// That is right to second order, and exact along a circle or ball from any way along it on. Unchanged where
+/// it was sensed.
+template <int D>
+contact<D> carried_to(const point<D>& x, contact<D> c) {
+  const point<D> moved = x - c.sensed_at, turn = c.curvature * moved;
+  const double length = std::sqrt(1 + turn.squaredNorm());
+  c.depth -= moved.dot(c.normal + turn / (1 + length));
+  c.normal = (c.normal + turn) / length;
+  c.sensed_at = x;
+  return c;
+}
+
 /// Whether a direction has length 1, to 1e-6: a program that computes normals in float is that exact.
 template <int D>
 bool is_unit(const point<D>& direction) {

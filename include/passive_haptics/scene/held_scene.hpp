@@ -23,7 +23,12 @@ struct hold_parameters {
 
 /// Zero-order hold of a scene: a virtual environment that updates at its own rate, as a faster loop sees it.
 /// Between two samples only contact::sensed_at changes: it moves with the wall, by its velocity times the age
-/// of the sample, so that a law that carries the contact on by the handle's motion uses the relative motion.
+/// of the sample, so that a law that carries the contact on by the handle's motion (carried_to) uses the
+/// relative motion.
+///
+/// A law without a margin meets a wall up to a period after the touch, so a hand at speed v sinks v * period
+/// deeper: 5 mm for 0.1 m/s at 20 Hz. Between two samples nothing shows the next face of a polygon or mesh;
+/// of a room with edges give each face as a wall (walls_of).
 template <class Scene>
 class held_scene {
  public:

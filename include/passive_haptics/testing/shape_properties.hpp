@@ -99,8 +99,8 @@ TYPED_TEST_P(shape_properties, gradient_is_the_derivative_of_distance) {
   ASSERT_GE(smooth, this->point_count * d * 9 / 10);
 }
 
-/// The Hessian of a shape that provides it is the derivative of the gradient, and leaves the gradient alone.
-/// Points where differences with two steps disagree are left out.
+/// The Hessian of a shape that provides it is the derivative of the gradient, is symmetric and has the
+/// gradient in its null space. Points where differences with two steps disagree are left out.
 TYPED_TEST_P(shape_properties, hessian_is_the_derivative_of_the_gradient) {
   constexpr int d = TestFixture::dimension;
   if constexpr (CurvedShape<typename TypeParam::shape>) {
@@ -109,7 +109,9 @@ TYPED_TEST_P(shape_properties, hessian_is_the_derivative_of_the_gradient) {
     this->for_each_point([&](const point<d>& x, auto&) {
       const matrix<double, d, d> H = this->shape.hessian(x);
       const double tolerance = 1e-6 * (1 + H.norm());
-      ASSERT_LE((H * this->shape.gradient(x)).norm(), rounding_tolerance<double>(d) * (1 + H.norm()));
+      const double rounding = rounding_tolerance<double>(d) * (1 + H.norm());
+      ASSERT_LE((H * this->shape.gradient(x)).norm(), rounding);
+      ASSERT_LE((H - H.transpose()).norm(), rounding);
       for (int i = 0; i < d; ++i) {
         const auto along = [&](double s) { return this->shape.gradient(x + s * point<d>::Unit(i)); };
         const point<d> change = central_difference(along, h);

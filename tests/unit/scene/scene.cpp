@@ -100,6 +100,31 @@ TEST(a_contact, is_of_nothing_by_default) {
   EXPECT_TRUE(c.curvature.isZero(0));
 }
 
+// As sensed there, to third order of the way; a plane, and a circle along it, to rounding.
+TEST(a_contact, is_carried_to_where_the_handle_is) {
+  const auto expect_as_sensed = [](const auto& shape, const auto& from, const auto& way, double tolerance) {
+    const ph::wall w(shape);
+    const std::remove_cvref_t<decltype(from)> to = from + way;
+    const auto carried = ph::carried_to(to, ph::contact_of(w, from, shape.distance(from)));
+    const auto sensed = ph::contact_of(w, to, shape.distance(to));
+    EXPECT_NEAR(carried.depth, sensed.depth, tolerance);
+    EXPECT_LT((carried.normal - sensed.normal).norm(), std::sqrt(tolerance));
+    EXPECT_NEAR(carried.normal.norm(), 1, 1e-15);
+    EXPECT_EQ(carried.sensed_at, to);
+  };
+  using P2 = ph::point<2>;
+  using P3 = ph::point<3>;
+  expect_as_sensed(ph::half_space<2>(P2(0, 0), P2(3, 4)), P2(1, -2), P2(0.3, 0.5), 1e-15);
+  for (const auto filling : {ph::filling::solid, ph::filling::hollow})
+    expect_as_sensed(ph::disc(P2(0, 0), 1, filling), P2(0, 1.1), P2(2, 0), 1e-15);
+  const double h = 1e-3;
+  expect_as_sensed(ph::ball<3>(P3(0, 0, 0), 0.5), P3(0.1, 0.2, 0.3), h * P3(1, -2, 1), 50 * h * h * h);
+  expect_as_sensed(ph::capsule<3>(P3(0, 0, 0), P3(0, 0, 1), 0.5), P3(0.2, 0.3, 0.4), h * P3(1, -2, 1),
+                   50 * h * h * h);
+  expect_as_sensed(ph::offset(ph::box<2>(P2(0, 0), P2(1, 1)), 0.5), P2(1.2, 1.3), h * P2(2, -1),
+                   50 * h * h * h);
+}
+
 TEST(a_scene, names_its_walls_in_order) {
   const auto walls = ph::scene(ph::wall(floor_below, 3), ph::wall(ph::disc({0, 0}, 1), 5));
   std::vector<std::pair<int, double>> seen;

@@ -4,8 +4,7 @@
 
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
-
-#include <cmath>
+#include <passive_haptics/scene/shapes/directions.hpp>
 
 namespace passive_haptics {
 
@@ -78,10 +77,7 @@ class ball {
 
   /// (I - n n^T) / |x - c| if solid, its negative if hollow [1/m]; zero at the centre.
   matrix<double, D, D> hessian(const point<D>& x) const {
-    const point<D> r = x - centre_;
-    const double square = r.squaredNorm();
-    if (!(square > 0)) return matrix<double, D, D>::Zero();
-    return sign_ / std::sqrt(square) * (matrix<double, D, D>::Identity() - r * r.transpose() / square);
+    return sign_ * detail::hessian_of_length<D>(x - centre_, matrix<double, D, D>::Identity());
   }
 
   /// The cube about a solid ball; a hollow one is everywhere.

@@ -77,6 +77,17 @@ class box {
   /// The smallest extent [m].
   double thickness() const { return 2 * half_extents_.minCoeff(); }
 
+  /// Zero inside and in front of a face; beyond an edge or corner (P - n n^T) / distance(x), where P is the
+  /// projection onto the directions in which x is beyond the box [1/m].
+  matrix<double, D, D> hessian(const point<D>& x) const {
+    const point<D> at = local(x);
+    const point<D> q = beyond_faces(at).cwiseMax(0);
+    const point<D> is_beyond = (q.array() > 0).template cast<double>();
+    if (is_beyond.sum() < 2) return matrix<double, D, D>::Zero();
+    const point<D> r = (at.array() < 0).select(-q, q);
+    return axes_ * detail::hessian_of_length<D>(r, is_beyond.asDiagonal()) * axes_.transpose();
+  }
+
   /// The 2 D faces as walls whose common inside is the box: axis 0 positive and negative, axis 1, ...
   std::array<half_space<D>, std::size_t(2 * D)> faces() const {
     const auto face = [this](int k) {

@@ -61,6 +61,17 @@ class capsule {
   /// The diameter [m].
   double thickness() const { return 2 * radius_; }
 
+  /// (P - n n^T) / |x - c| [1/m]; P = I about an end, I - a a^T about the segment along the unit vector a.
+  matrix<double, D, D> hessian(const point<D>& x) const {
+    const double along = axis_.dot(x - from_);
+    matrix<double, D, D> P = matrix<double, D, D>::Identity();
+    if (along > 0 && along < length_) {
+      if constexpr (D == 2) return matrix<double, D, D>::Zero();
+      P -= axis_ * axis_.transpose();
+    }
+    return detail::hessian_of_length<D>(from_segment(x), P);
+  }
+
   /// The box about the ends, wider by the radius.
   bounding_box<D> bounds() const {
     bounding_box<D> box{from_, from_};

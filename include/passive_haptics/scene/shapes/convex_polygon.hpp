@@ -103,6 +103,13 @@ class convex_polygon {
   /// Unit vector away from the nearest point of the surface, to the free side.
   point<2> gradient(const point<2>& x) const { return nearest(x).gradient; }
 
+  /// (I - n n^T) / distance(x) where a corner is nearest from outside [1/m], else zero; cost as distance.
+  matrix<double, 2, 2> hessian(const point<2>& x) const {
+    const result at = nearest(x);
+    if (!at.is_corner) return matrix<double, 2, 2>::Zero();
+    return detail::hessian_of_length<2>(at.distance * at.gradient, matrix<double, 2, 2>::Identity());
+  }
+
   /// The edges as walls whose common inside is the polygon, in the order of the corners they start at.
   std::array<half_space<2>, corner_count> faces() const {
     const auto walls = [](const auto&... e) { return std::array{half_space<2>(e.start, e.normal)...}; };
@@ -124,21 +131,23 @@ class convex_polygon {
   struct result {
     double distance;
     point<2> gradient;
+    bool is_corner;
   };
 
   template <class Point>  // template: instantiated only where used
   result nearest(const Point& x) const {
-    result inside{-std::numeric_limits<double>::infinity(), Point::Zero()};
-    result outside{std::numeric_limits<double>::infinity(), {1, 0}};
+    result inside{-std::numeric_limits<double>::infinity(), Point::Zero(), false};
+    result outside{std::numeric_limits<double>::infinity(), {1, 0}, false};
     for (const edge& e : edges_) {
       const Point r = x - e.start;
       const double over = e.normal.dot(r), s = e.along.dot(r);
-      if (!(over <= inside.distance)) inside = {over, e.normal};
-      if (!(over > 0)) continue;                             // from outside, the nearest edge is in sight
-      if (s >= 0 && s <= e.length) return {over, e.normal};  // all of the polygon lies behind this edge
+      if (!(over <= inside.distance)) inside = {over, e.normal, false};
+      if (!(over > 0)) continue;  // from outside, the nearest edge is in sight
+      if (s >= 0 && s <= e.length)
+        return {over, e.normal, false};  // all of the polygon lies behind this edge
       const Point from_corner = s < 0 ? r : Point(r - e.length * e.along);
       const double d = from_corner.norm();
-      if (d < outside.distance) outside = {d, detail::direction_or<2>(from_corner, e.normal)};
+      if (d < outside.distance) outside = {d, detail::direction_or<2>(from_corner, e.normal), true};
     }
     return inside.distance > 0 ? outside : inside;
   }

@@ -3,15 +3,15 @@
 #pragma once
 
 #include <passive_haptics/core/linear/least_distance.hpp>
+#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 #include <passive_haptics/core/parameters.hpp>
-#include <passive_haptics/scene/shape.hpp>
+#include <passive_haptics/scene/shapes/directions.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <array>
 #include <concepts>
 #include <string>
 #include <tuple>
-#include <utility>
 
 namespace passive_haptics {
 
@@ -97,16 +97,38 @@ class convex_polytope {
   }
 
   /// Signed distance [m]; K D multiplications inside, outside a cone projection as well.
-  double distance(const point<D>& x) const { return nearest(x).first; }
+  double distance(const point<D>& x) const { return nearest(x).distance; }
 
   /// Unit vector away from the nearest point of the surface, to the free side; cost as distance.
-  point<D> gradient(const point<D>& x) const { return nearest(x).second; }
+  point<D> gradient(const point<D>& x) const { return nearest(x).gradient; }
+
+  /// (P - n n^T) / distance(x) where an edge or corner is nearest from outside, else zero [1/m]; P is the
+  /// projection onto the normals of the faces that meet there. Cost as distance, and their Gram-Schmidt.
+  matrix<double, D, D> hessian(const point<D>& x) const {
+    const result at = nearest(x);
+    matrix<double, D, D> Q = matrix<double, D, D>::Zero();  // orthonormal, of these normals
+    int rank = 0;
+    for (int i = 0; i < K; ++i) {
+      if (!(at.multipliers[i] > 0) || rank == D) continue;
+      point<D> n = normals_.col(i);
+      orthogonalise(n, Q, rank);
+      Q.col(rank++) = n.normalized();
+    }
+    if (rank < 2) return matrix<double, D, D>::Zero();
+    return detail::hessian_of_length<D>(at.distance * at.gradient, Q * Q.transpose());
+  }
 
   /// The half-spaces whose common inside is the polytope.
   const std::array<half_space<D>, face_count>& faces() const { return faces_; }
 
  private:
-  std::pair<double, point<D>> nearest(const point<D>& x) const {
+  struct result {
+    double distance;
+    point<D> gradient;
+    vector<double, K> multipliers;  // > 0 for the faces that meet at the nearest edge or corner
+  };
+
+  result nearest(const point<D>& x) const {
     const vector<double, K> g = detail::distances_from(faces_, x);
     int nearest_plane = 0;
     const double largest = g.maxCoeff(&nearest_plane);
@@ -114,9 +136,9 @@ class convex_polytope {
       // To the nearest point leads the shortest way to behind all planes
       const least_distance<double, D, K> least(normals_, g);
       const double length = least.way.norm(), distance = least.multipliers.dot(g) / length;
-      if (distance > largest) return {distance, least.way / length};
+      if (distance > largest) return {distance, least.way / length, least.multipliers};
     }
-    return {largest, normals_.col(nearest_plane)};
+    return {largest, normals_.col(nearest_plane), vector<double, K>::Zero()};
   }
 
   std::array<half_space<D>, face_count> faces_;

@@ -80,7 +80,8 @@ step_sample<typename Case::mechanism> random_sample(
                             .stiffness = random.positive(1.0, 1e9),
                             .wall_velocity = random.coin() ? point<d>(0.1 * random.normal_vector<double, d>())
                                                            : point<d>(point<d>::Zero()),
-                            .wall_number = 0});
+                            .wall_number = 0,
+                            .sensed_at = as<double>(mechanism.position(sample.state.q))});
   return sample;
 }
 

@@ -13,6 +13,7 @@
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
 #include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -27,11 +28,11 @@ using V2 = Eigen::Vector2d;
 
 // The wall is above, free below.
 ph::contact<2> above(double depth, double stiffness = 1000) {
-  return {.normal = {0, -1}, .depth = depth, .stiffness = stiffness};
+  return {.normal = {0, -1}, .depth = depth, .stiffness = stiffness, .sensed_at = {0, 0}};
 }
 // Out of this wall is to the right and mostly down.
 ph::contact<2> slanted(double depth, double stiffness = 1000) {
-  return {.normal = V2(0.6, -0.8), .depth = depth, .stiffness = stiffness};
+  return {.normal = V2(0.6, -0.8), .depth = depth, .stiffness = stiffness, .sensed_at = {0, 0}};
 }
 
 // The same, moving.
@@ -227,7 +228,7 @@ TEST(single_degree_of_freedom, keeps_its_brake_within_the_band) {
   law({-0.1, 0.1}, {0, 0}, slanted(2e-3));
   EXPECT_EQ(law({-0.1, 0.1}, {0, 0}, above(1e-3)).torque, V2(0, -10)) << "along the wall";
   law({-0.1, 0.1}, {0, 0}, slanted(2e-3));
-  const ph::contact<2> beside{.normal = {1, 0}, .depth = 1e-3, .stiffness = 1000};
+  const ph::contact<2> beside{.normal = {1, 0}, .depth = 1e-3, .stiffness = 1000, .sensed_at = {0, 0}};
   EXPECT_EQ(law({-0.1, 0.1}, {0, 0}, beside).torque, V2(10, 0)) << "along the wall";
 }
 
@@ -292,8 +293,10 @@ TEST(single_degree_of_freedom, of_four_brakes_locks_for_the_flattest_path_in_any
     const V2 q(random.uniform(1.7, 2.6), random.uniform(0.5, 1.4));
     const V2 qd(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0));
     const double angle = random.uniform(-3.0, 3.0);
-    const ph::contact<2> wall{
-        .normal = V2(std::cos(angle), std::sin(angle)), .depth = 1e-3, .stiffness = 1e4};
+    const ph::contact<2> wall{.normal = V2(std::cos(angle), std::sin(angle)),
+                              .depth = 1e-3,
+                              .stiffness = 1e4,
+                              .sensed_at = chain.position(q)};
     V2::Index flattest = 0;
     Eigen::Vector4d slope;
     for (int i = 0; i < 4; ++i) {
@@ -526,6 +529,30 @@ TYPED_TEST(along_the_wall, the_hand_arrives_near_its_surface) {
     EXPECT_LT(figures.depth_range, rate > 100 ? 4e-3 : 8e-3) << rate << " Hz";
     EXPECT_LT(figures.retarding_force, 3) << rate << " Hz";
   }
+}
+
+// Its relay judges the depth at the handle, of which a slow scene gives an old one.
+TEST(on_off, is_as_deep_at_20_Hz_as_at_1_kHz) {
+  using device_type = ph::tendon_two_link<double>;
+  const device_type arm;
+  const ph::brakes_of<device_type> brakes;
+  const auto q = arm.inverse({0.045, 0.221}, ph::elbow::left).q;
+  const auto follow = [&](const auto& wall, double rate) {
+    ph::controller control(arm, brakes, ph::held_scene(ph::scene(ph::wall(wall)), 1 / rate),
+                           ph::on_off_control());
+    const ph::following_hand<double, 2> hand({1, 0}, arm.position(q));
+    ph::simulated_device<device_type> device(arm, brakes, hand.parameters().mass, q);
+    device.set_motion(q, ph::jacobian(arm, q).inverse() * V2(0.05, 0.1));
+    return ph::follow_wall(device, control, wall, hand, {});
+  };
+  const auto expect_same = [&](const auto& wall) {
+    const auto fast = follow(wall, 1000), slow = follow(wall, 20);
+    EXPECT_EQ(slow.separations, fast.separations);
+    EXPECT_LT(slow.depth_max, 1.1 * fast.depth_max);
+    EXPECT_LT(slow.depth_std, 1.2 * fast.depth_std);
+  };
+  expect_same(ph::half_space<2>({0, 0.225}, {0, -1}));
+  expect_same(ph::disc({0.11, -0.1}, 0.325, ph::filling::hollow));
 }
 
 // Figures of the same hand along the same wall, with 2 or with P-TER's 4 brakes of a five-bar.

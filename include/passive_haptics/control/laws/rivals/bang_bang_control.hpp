@@ -58,6 +58,7 @@ struct bang_bang_parameters {
 /// with a fixed radius as soon as it brakes. That proof does not reach a device with inertia and lag.
 struct bang_bang_control {
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
+  static constexpr bool needs_sensed_at = true;     ///< Carries a held contact on to where the handle is.
   static constexpr bool needs_torque_limit = true;  ///< As the capacity of a locked brake.
   static constexpr int most_contacts = 8;           ///< Walls that it remembers at once.
   static constexpr int max_brakes = 16;             ///< Of a device.
@@ -80,7 +81,7 @@ struct bang_bang_control {
                          memory& remembered) const noexcept {
     using T = typename M::scalar;
     static_assert(M::brake_count <= max_brakes, "passive_haptics: bang_bang_control steers 16 brakes.");
-    const auto& c = touched[governing_contact(touched)];
+    const contact<D> c = carried_to(device.x, touched[governing_contact(touched)]);
     const vector<T, D> n = as<T>(c.normal);
     const brake_vector<M> w = slipping_rates(device);
     const vector<T, D> v = device.E * w - as<T>(c.wall_velocity);

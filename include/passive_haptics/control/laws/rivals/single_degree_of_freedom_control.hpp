@@ -51,6 +51,7 @@ struct single_degree_of_freedom_parameters {
 struct single_degree_of_freedom_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
+  static constexpr bool needs_sensed_at = true;     ///< Carries a held contact on to where the handle is.
   static constexpr bool needs_torque_limit = true;  ///< As the capacity of a locked brake.
   static constexpr int most_contacts = 8;           ///< Walls that it remembers at once.
 
@@ -72,7 +73,7 @@ struct single_degree_of_freedom_control {
     static_assert(
         M::brake_count >= M::dof && M::dof == M::task_dimension && M::dof >= 2,
         "passive_haptics: single_degree_of_freedom_control needs brake_count >= dof == task_dimension >= 2.");
-    const auto& c = touched[governing_contact(touched)];
+    const contact<D> c = carried_to(device.x, touched[governing_contact(touched)]);
     remembered.walls.begin_cycle(single_contact<D>{c});
     int& locked = remembered.walls[0].brake;
     locked = choose(slopes(device, c), passive_haptics::brakes_off(device.s, device.brakes),

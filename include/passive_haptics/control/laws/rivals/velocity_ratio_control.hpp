@@ -54,6 +54,7 @@ struct velocity_ratio_parameters {
 struct velocity_ratio_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
   static constexpr bool commands_torques = true;    ///< It is a TorqueLaw.
+  static constexpr bool needs_sensed_at = true;     ///< Carries a held contact on to where the handle is.
   static constexpr bool needs_torque_limit = true;  ///< As the capacity of a locked brake.
 
   velocity_ratio_parameters parameters = {};  ///< The constants.
@@ -65,7 +66,7 @@ struct velocity_ratio_control {
     using T = typename M::scalar;
     static_assert(M::brake_count == M::dof,
                   "passive_haptics: velocity_ratio_control needs brake_count == dof.");
-    const auto& c = touched[governing_contact(touched)];
+    const contact<D> c = carried_to(device.x, touched[governing_contact(touched)]);
     const brake_vector<M> w = intended_rates(device), wanted = wanted_rates(device, c, w);
 
     T slowest = std::numeric_limits<T>::infinity();  // lambda

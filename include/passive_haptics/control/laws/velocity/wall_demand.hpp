@@ -44,16 +44,15 @@ struct wall_demand {
 /// The demand of a contact, dt [s] after the cycle before, the handle having moved by `moved_by` [m] since.
 /// Fh: the share of the hand's force that is fed forward [N]. lag: tau_v [s].
 template <class M, int D, class Device, class T = typename M::scalar>
-wall_demand<T, D, M::brake_count> demand_of(const contact<D>& c, const Device& device,
+wall_demand<T, D, M::brake_count> demand_of(const contact<D>& sensed, const Device& device,
                                             const pose_dynamics<M>& dynamics, const task_vector<M>& Fh,
                                             double dt, double moved_by, velocity_contact_state& state,
                                             const velocity_direct_control_parameters& p, T lag) {
-  const point<D> moved = device.x - c.sensed_at, relative = as<double>(dynamics.velocity) - c.wall_velocity;
-  const point<D> n = (c.normal + c.curvature * moved).normalized();
-  const double depth = c.depth - moved.dot(c.normal + 0.5 * (c.curvature * moved));
+  const contact<D> c = carried_to(device.x, sensed);
+  const point<D> n = c.normal.normalized(), relative = as<double>(dynamics.velocity) - c.wall_velocity;
   const double outward = n.dot(relative), curving = relative.dot(c.curvature * relative);
-  const double d_ref = state.rest_depth(depth, outward, moved_by, dt, p);
-  const double v_ref = std::clamp(p.depth_gain * (depth - d_ref), -p.velocity_limit, p.velocity_limit);
+  const double d_ref = state.rest_depth(c.depth, outward, moved_by, dt, p);
+  const double v_ref = std::clamp(p.depth_gain * (c.depth - d_ref), -p.velocity_limit, p.velocity_limit);
 
   const auto along = passive_haptics::response_along(as<T>(n), dynamics, Fh);
   const T speed_error = static_cast<T>(v_ref - outward);
