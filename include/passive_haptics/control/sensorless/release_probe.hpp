@@ -50,8 +50,9 @@ class release_probe {
     released,  ///< All brakes are released.
   };
 
+  release_probe() = default;  ///< With the default parameters.
   /// Throws std::invalid_argument with the text of validate(p).
-  explicit release_probe(const release_probe_parameters& p = {}) : p_(require_valid(p)) {}
+  explicit release_probe(const release_probe_parameters& p) : p_(require_valid(p)) {}
 
   /// One cycle in contact: time [s], handle x [m], the wall's normal n, and for how long some brake has been
   /// at rest [s].

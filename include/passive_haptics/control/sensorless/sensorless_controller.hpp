@@ -56,7 +56,9 @@ class sensorless_controller {
       : observer_(mechanism, brakes, p.observer),
         controller_(std::move(mechanism), with_unknown_pushes(brakes), std::move(scene), std::move(law),
                     options),
-        probe_(p.probe) {}
+        probe_(p.probe) {
+    effect_probes_.fill(probe_);
+  }
 
   /// One control cycle. Only time, q and qd of the state are read.
   template <class State>
@@ -68,10 +70,10 @@ class sensorless_controller {
       controller_.reset();
       result = released<result_type>(hand.outcome);
     }
-    make_up(state.time, result);
-    const bool in_wall = (result.desired_force.array() != scalar(0)).any();
-    if (result.outcome == status::ok && in_wall) probe(state.time, state.q, state.qd, result);
+    expect(state.time, result.capacity);
+    if (result.outcome == status::ok && holds_something(result)) probe(state.time, state.q, state.qd, result);
     else forget_rest();
+    make_up(result);
     remember(result.capacity);
     return result;
   }
@@ -95,6 +97,9 @@ class sensorless_controller {
 
  private:
   using scalar = typename M::scalar;
+  static constexpr int d = M::task_dimension, m = M::brake_count;
+  static constexpr bool has_effects = requires(const result_type& r) { r.torque_for_effects; };
+  static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
   static constexpr double make_up_time = 0.002;  // [s]: two cycles at 1 kHz
   static constexpr double negligible = 1e-3;     // of a brake's limit
   static constexpr double longest_slip = 0.02;   // of a brake that rests but for moments: it creeps [s]
@@ -120,14 +125,20 @@ class sensorless_controller {
     return hand.force + hand.generators * hidden;
   }
 
+  void expect(double time, const brake_vector<M>& capacity) {
+    for (brake_lag_model* model : {&expected_, &actual_}) model->advance(time, brakes().time_constant);
+    unrolled<m>([&](auto i) {
+      counted_on_[i] = expected_.torque(i);
+      expected_.command(i, capacity[i], brakes().torque_limit[i]);
+    });
+  }
+
   // A law counts on what its brakes make. After a probe, commands are raised until the brakes are back at the
   // torque that the law assumes.
-  void make_up(double time, result_type& result) {
-    for (brake_lag_model* model : {&expected_, &actual_}) model->advance(time, brakes().time_constant);
-    unrolled<M::brake_count>([&](auto i) {
+  void make_up(result_type& result) {
+    unrolled<m>([&](auto i) {
       const scalar lag = brakes().time_constant[i], limit = brakes().torque_limit[i], u = result.capacity[i];
-      const double missing = expected_.torque(i) - actual_.torque(i);
-      expected_.command(i, u, limit);
+      const double missing = counted_on_[i] - actual_.torque(i);
       if (!(u > scalar(0) && lag > scalar(0) && missing > negligible * static_cast<double>(limit))) return;
       const double more = missing * (1 / lag_share(make_up_time, static_cast<double>(lag)) - 1);
       result.capacity[i] = std::min(limit, u + static_cast<scalar>(more));
@@ -137,13 +148,60 @@ class sensorless_controller {
 
   void remember(const brake_vector<M>& capacity) {
     last_capacity_ = capacity;
-    unrolled<M::brake_count>(
-        [&](auto i) { actual_.command(i, last_capacity_[i], brakes().torque_limit[i]); });
+    unrolled<m>([&](auto i) { actual_.command(i, last_capacity_[i], brakes().torque_limit[i]); });
   }
 
+  static bool in_wall(const result_type& result) { return (result.desired_force.array() != scalar(0)).any(); }
+  static bool holds_something(const result_type& result) {
+    if constexpr (has_effects)
+      if ((result.torque_for_effects.array() != scalar(0)).any()) return true;
+    return in_wall(result);
+  }
+
+  // All that holds is probed in the same round: walls together, the effects of each brake by itself. A probe
+  // releases what holds for its cause, and looks which way the handle goes along that force.
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {
-    constexpr int m = M::brake_count;
-    const brake_vector<M> w = passive_haptics::brake_rates(mechanism(), q, qd);
+    const double rest = update_rest(time, passive_haptics::brake_rates(mechanism(), q, qd));
+    const auto x = as<double>(mechanism().position(q));
+    bool round_ended = false;
+    const auto update = [&](release_probe<d>& one, const task_vector<M>& force, double rested) {
+      const probe_phase before = one.now(),
+                        now = one.update(time, x, direction_of(as<double>(force)), rested);
+      round_ended = round_ended || (before != now && now == probe_phase::watching);
+      return before != now && now == probe_phase::probing;
+    };
+    if (!in_wall(result)) probe_.clear();
+    else if (update(probe_, result.desired_force, rest))
+      unrolled<m>([&](auto i) { probed_[index(i)] = rest_since_[i] < time; });
+    const probe_phase walls = probe_.now();
+    unrolled<m>([&](auto i) {
+      const bool no_walls =
+          walls == probe_phase::released || (walls == probe_phase::probing && probed_[index(i)]);
+      if constexpr (has_effects) {
+        const scalar of_walls = result.torque_for_walls[i], of_effects = result.torque_for_effects[i];
+        if (of_effects != scalar(0)) side_[i] = sgn(of_effects);
+        release_probe<d>& one = effect_probes_[index(i)];
+        update(one, observer_.estimate().generators.col(i) * side_[i],
+               of_effects != scalar(0) && rest_since_[i] < time ? rest : -1);
+        const bool no_effects = one.now() != probe_phase::watching;
+        if (no_walls || no_effects)
+          hold(i, (no_walls ? scalar(0) : of_walls) + (no_effects ? scalar(0) : of_effects), result);
+      } else if (no_walls) {
+        result.capacity[i] = result.torque[i] = 0;
+      }
+    });
+    if (round_ended) rest_since_.setConstant(time);
+  }
+
+  // What a probe leaves of a brake's torque, as far as its sign allows
+  void hold(int i, scalar torque, result_type& result) {
+    result.capacity[i] = result.signs[i] * torque > scalar(0) ? scalar(0) : std::abs(torque);
+    result.torque[i] = -result.signs[i] * result.capacity[i];
+    counted_on_[i] = std::min(counted_on_[i], static_cast<double>(result.capacity[i]));
+  }
+
+  // For how long some brake has been at rest [s]; 0 during a round of probes
+  double update_rest(double time, const brake_vector<M>& w) {
     double rest = 0;
     unrolled<m>([&](auto i) {
       // Whatever the command is now: a law that switches at rest holds by the mean of its commands
@@ -151,40 +209,32 @@ class sensorless_controller {
       if (time - rested_[i] > longest_slip || rest_since_[i] > time) rest_since_[i] = time;
       rest = std::max(rest, time - rest_since_[i]);
     });
-    const auto x = as<double>(mechanism().position(q));
-    const point<M::task_dimension> n = direction_of(as<double>(result.desired_force));
-    const probe_phase before = probe_.now(), phase = probe_.update(time, x, n, rest);
-    if (phase == probe_phase::watching) {
-      if (before != phase) rest_since_.setConstant(time);
-      return;
-    }
-    unrolled<m>([&](auto i) {
-      if (phase == probe_phase::probing) {
-        bool& probed = probed_[static_cast<std::size_t>(i)];
-        if (before != phase) probed = rest_since_[i] < time;
-        if (!probed) return;
-      }
-      result.capacity[i] = result.torque[i] = 0;
-    });
+    const auto probes = [](const auto& p) { return p.now() == probe_phase::probing; };
+    const bool round = probes(probe_) || std::any_of(effect_probes_.begin(), effect_probes_.end(), probes);
+    return round ? 0 : rest;
   }
 
   void forget_rest() {
     probe_.clear();
+    for (auto& one : effect_probes_) one.clear();
     rest_since_.setConstant(std::numeric_limits<double>::infinity());
     rested_.setConstant(-std::numeric_limits<double>::infinity());
   }
 
   momentum_observer<M> observer_;
   controller<M, S, L> controller_;
-  release_probe<M::task_dimension> probe_;
+  release_probe<d> probe_;  // of walls
+  std::array<release_probe<d>, has_effects ? m : 0> effect_probes_{};
   brake_lag_model expected_, actual_;  // what brakes would make of its commands, and what they make
+  vector<double, m> counted_on_ = vector<double, m>::Zero();  // torques that the law counts on [N m]
   brake_vector<M> last_capacity_ = brake_vector<M>::Zero();
   brake_vector<M> assumed_hand_torque_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
   vector<double, M::brake_count> rest_since_ =
       vector<double, M::brake_count>::Constant(std::numeric_limits<double>::infinity());
   vector<double, M::brake_count> rested_ =  // when each was at rest last [s]
       vector<double, M::brake_count>::Constant(-std::numeric_limits<double>::infinity());
-  std::array<bool, static_cast<std::size_t>(M::brake_count)> probed_{};
+  std::array<bool, index(m)> probed_{};             // released by the probe of walls
+  brake_vector<M> side_ = brake_vector<M>::Zero();  // of the last torque for effects
 };
 
 }  // namespace passive_haptics

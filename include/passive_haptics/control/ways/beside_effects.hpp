@@ -107,6 +107,8 @@ struct beside_effects {
     if constexpr (requires { result.effect_force; }) {
       result.effect_force = done.effects.force;
       result.effect_torque = done.effects.torque;
+      result.torque_for_walls = done.walls.td.torque;
+      result.torque_for_effects = done.td.torque - done.walls.td.torque;
     }
     return result;
   }

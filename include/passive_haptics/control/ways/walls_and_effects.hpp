@@ -18,6 +18,10 @@ struct step_result_with_effects : step_result_for<M, Walls> {
   task_vector<M> effect_force = task_vector<M>::Zero();
   /// What effects on joints, such as end stops, want of the joints [N m].
   joint_vector<M> effect_torque = joint_vector<M>::Zero();
+  /// Desired torques of the brakes for the walls, as without effects [N m].
+  brake_vector<M> torque_for_walls = brake_vector<M>::Zero();
+  /// Desired torques of the brakes that effects add [N m]: capacity_i is the size of the sum of both.
+  brake_vector<M> torque_for_effects = brake_vector<M>::Zero();
 };
 
 namespace detail {
