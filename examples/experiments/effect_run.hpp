@@ -30,11 +30,20 @@ struct one_joint_effect final : passive_haptics_python::any_joint_effect<N> {
   ph::end_stops<double, N> effect;
 };
 
+// With the effects' part in its result, which a sensorless_controller probes.
+template <int D, int N>
+struct scene_of_effects : passive_haptics_python::scene_with_effects<D, N> {
+  using base = passive_haptics_python::scene_with_effects<D, N>;
+  using base::base;
+  using contacts_type =
+      std::remove_cvref_t<decltype(std::declval<base&>().touched_at(std::declval<const ph::point<D>&>(), 0.0))>;
+};
+
 // The list of effects: each holds a hand that pushes along p.along from p.at, or slows it; q: at p.at.
 template <class M>
 struct effect_row {
   static constexpr int D = M::task_dimension;
-  using scene = passive_haptics_python::scene_with_effects<D, M::dof>;
+  using scene = scene_of_effects<D, M::dof>;
   scene_effect row;
   std::function<void(scene&, const place<D>& p, const ph::joint_vector<M>& q)> add;
 };
