@@ -26,6 +26,8 @@ std::string unfit(const scene_cell& cell) {
   const bool is_slot = cell.specimen.walls > 1 && cell.specimen.name.find("slot") == 0;
   if (!cell.kind.is_world && cell.specimen.is_surface) return "a mesh_surface needs a world";
   if (cell.kind.has_bar && is_slot) return "a slot is narrower than the bar";
+  if (!cell.kind.is_world && cell.specimen.is_thin && cell.law.name == "velocity_direct_control")
+    return "a controller rejects walls that are thinner than three times the law's rest depth";
   const int walls = cell.specimen.walls + (cell.kind.has_bar || cell.kind.has_mesh);
   if (walls > cell.law.most_walls) return "the law takes one wall";
   return "";
