@@ -12,9 +12,9 @@ namespace passive_haptics {
 /// Fixed walls of any shapes and one dimension, made by scene(). Only the code for the shapes it names
 /// exists.
 ///
-/// A contact is that of the nearest side of its wall, so the hand comes out on the other side if it is
-/// pressed beyond the middle of a thin wall, and sinks at the seam of two walls side by side, where the
-/// nearest sides are those at the seam. A world holds in both cases.
+/// A contact is that of the nearest side of its wall. So a hand that is pressed beyond the middle of a thin
+/// wall comes out on the other side. At the seam of two walls side by side it sinks, because the nearest
+/// sides are those at the seam. A world holds in both cases.
 template <class First, class... Rest>
 class static_scene {
  public:

@@ -82,13 +82,13 @@ class proxy_way {
 
   /// As near to x as the surfaces let it.
   void go_to(const point<D>& x) {
-    if (goes_straight_over(x)) return;
+    if (goes_over(x)) return;
     for (int move = 0; move < max_moves; ++move) {
       leave_facets();
       const point<D> step = along_facets(x);
       const bool free = active_ == 0;
       if (!free && !(step.norm() > lip_)) break;
-      const auto [time, facet] = first_stop(step, false);
+      const auto [time, facet] = first_stop(p_, step, false);
       if (facet.facet < 0 && free) {
         tracker_.held = false;
         tracker_.facet_count = 0;
@@ -116,21 +116,27 @@ class proxy_way {
   facet_of_surface& resting(int k) { return tracker_.facets[static_cast<std::size_t>(k)]; }
   void keep(const point<D>& at) { point<D>::Map(tracker_.position.data()) = at; }
 
-  // Goes to the place over x on the one facet on which the proxy rests, if the straight way there is free: it
-  // enters neither this shape, as round an edge or through a thin one, nor what else is near. Mostly this is
-  // all
-  bool goes_straight_over(const point<D>& x) {
-    constexpr double low = 10;  // skins: a step along a solid ball comes in by length^2 / (8 radius)
+  // Goes to the place over x on the one facet on which the proxy rests, straight or round one edge of a
+  // shape, if nothing is in between. Mostly this is all
+  bool goes_over(const point<D>& x) {
+    constexpr double low = 10;           // skins: a step along a solid ball comes in by length^2 / (8 radius)
+    constexpr double other_side = -0.5;  // cosine of the turn: so a thin shape would be passed
     if (tracker_.facet_count != 1) return false;
     const auto* s = surface_of(surfaces_, resting(0).surface);
     if (s == nullptr) return false;
     const auto over = s->plane(resting(0).facet, x);
-    const double skin = s->surface->skin(), height = over.height(x);
+    const double skin = s->surface->skin(), height = over.height(x), rise = skin - over.height(p_);
     const point<D> goal = x + (skin - height) * over.normal;
-    if (!(height < skin) || !(over.height(p_) > -low * skin) ||
-        !s->surface->holds(resting(0).facet, goal - s->displacement) ||
-        first_stop(goal - p_, false).facet.facet >= 0)
-      return false;
+    if (!(height < skin) || !s->surface->holds(resting(0).facet, goal - s->displacement)) return false;
+    point<D> edge = p_;
+    if (rise > low * skin) {
+      const point<D> here = s->plane(resting(0).facet, p_).normal;
+      const double cosine = here.dot(over.normal);
+      if (!(cosine > other_side) || !(cosine < 1)) return false;
+      edge += rise / (1 - cosine * cosine) * (over.normal - cosine * here);
+      if (!is_free(p_, edge)) return false;
+    }
+    if (!is_free(edge, goal)) return false;
     tracker_.held = true;
     keep(goal);
     return true;
@@ -175,15 +181,20 @@ class proxy_way {
     resting(tracker_.facet_count++) = facet;
   }
 
+  // Whether nothing is in between, except the facets on which the proxy rests.
+  bool is_free(const point<D>& from, const point<D>& to) const {
+    return first_stop(from, to - from, false).facet.facet < 0;
+  }
+
   // What the step meets first. raised: a facet on which the proxy rests stops it as others do.
-  stop first_stop(const point<D>& step, bool raised) const {
+  stop first_stop(const point<D>& from, const point<D>& step, bool raised) const {
     stop first{1, {-1, -1}};
     for (const auto& s : surfaces_) {
       std::array<int, std::size_t(max_facets)> facets;
       std::size_t count = 0;
       for (const auto& f : tracker_.resting())
         if (!raised && f.surface == s.number) facets[count++] = f.facet;
-      const auto met = s.surface->first_stop(p_ - s.displacement, step, {facets.data(), count});
+      const auto met = s.surface->first_stop(from - s.displacement, step, {facets.data(), count});
       if (met.facet < 0 || !(met.time < first.time || first.facet.facet < 0)) continue;
       first = {met.time, {s.number, met.facet}};
     }
@@ -200,7 +211,7 @@ class proxy_way {
     const double skin = s->surface->skin(), height = plane.height(p_);
     if (height < low * skin) {
       const point<D> step = (skin - height) * plane.normal;
-      p_ += first_stop(step, true).time * step;
+      p_ += first_stop(p_, step, true).time * step;
     }
     return plane.normal;
   }

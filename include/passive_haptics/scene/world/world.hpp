@@ -16,20 +16,16 @@
 namespace passive_haptics {
 
 /// Many walls, of which a cycle looks at those that the handle can have reached since it last looked: without
-/// a proxy the contacts are those of a scan over all of them (neighbour_list.hpp). At most Capacity contacts,
-/// those of the largest forces.
+/// a proxy as a scan over all of them (neighbour_list.hpp). At most Capacity contacts, of the largest forces.
 ///
 /// The walls are shared by copies and never change; each copy has its own memory of the handle. Shapes that
-/// stay where they are and have finite bounds lie in a tree; the others (unbounded, moving and thin ones) are
-/// compared one by one in each cycle that is not skipped: keep them few. Cost: a comparison where nothing can
-/// have been reached; else neighbour_list.hpp. Construction O(n log n); it alone allocates.
+/// stay where they are and have finite bounds lie in a tree; each cycle that is not skipped compares all
+/// others (unbounded, moving, mesh_surface): keep them few. Construction O(n log n); it alone allocates.
 ///
-/// A world keeps a proxy of the handle, which all walls stop (handle_proxy.hpp), if one of them needs it: a
-/// mesh, a plate or bar thinner than 1 cm, or two solids that stay where they are with bounds that meet face
-/// to face. A thin wall then holds at any depth, and walls side by side are felt as one; a ball or a wire
-/// lets the hand slip round it. Solids side by side that are rotated or move are not recognised: make one of
-/// them a mesh_solid. Cost, with one wall near: about 1100 to 1900 instructions more in contact, 800 more
-/// within the margin.
+/// A world keeps a proxy of the handle (handle_proxy.hpp) if a wall needs it: a mesh, a plate or bar thinner
+/// than 1 cm, or two solids that stand still with bounds that meet face to face. Then thin walls hold at any
+/// depth, and walls side by side are felt as one, for up to 2000 instructions more in contact. Solids side by
+/// side that are rotated or move are not recognised: make one of them a mesh_solid.
 template <int D, int Capacity = D + 1>
 class world {
  public:
@@ -195,16 +191,16 @@ class world {
     const auto* surface = w.wall.surface();
     if (surface == nullptr) return look(item, x);
     const motion m = motion_of(item) ? *motion_of(item) : motion();
-    const point<D> at = x - m.now;
     proxy_.add({surface, m.now, item}, m.before_cycle(previous_));
     if (proxy_.rests_on(item)) return 0;
     if (surface->is_solid()) {
-      const double distance = sense_wall(w, item, x);
+      const double distance = sense_wall(w, item, x) + margin_;
       if (touched_.empty() || !(touched_[0].depth > 0)) add_touched(w.number, x);
-      return std::max(0.0, distance + margin_ - std::max(margin_, reach_));
+      return std::max(0.0, distance - std::max(margin_, reach_));
     }
     int& nearest = nearest_[geometry::place_of(item)];
     int hint = std::max(nearest, 0);
+    const point<D> at = x - m.now;
     const double clearance = surface->clearance(at, hint);
     if (nearest != not_seen) nearest = hint;
     else if (const point<D> entry = surface->entry(at); entry != at) proxy_.start_at(entry + m.now);
