@@ -26,9 +26,9 @@ struct hold_parameters {
 /// of the sample, so that a law that carries the contact on by the handle's motion (carried_to) uses the
 /// relative motion.
 ///
-/// A law without a margin meets a wall up to a period after the touch, so a hand at speed v sinks v * period
-/// deeper: 5 mm for 0.1 m/s at 20 Hz. Between two samples nothing shows the next face of a polygon or mesh;
-/// of a room with edges give each face as a wall (walls_of).
+/// A law without a margin, such as direct_control, meets a wall up to a period after the touch, so a hand at
+/// speed v sinks v * period deeper: 5 mm for 0.1 m/s at 20 Hz. Between two samples nothing shows the next
+/// face of a polygon or mesh; of a room with edges give each face as a wall (walls_of).
 template <class Scene>
 class held_scene {
  public:

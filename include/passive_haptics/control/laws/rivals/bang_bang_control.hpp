@@ -5,6 +5,7 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/rivals/intended_rates.hpp>
+#include <passive_haptics/control/laws/rivals/touch_margin.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/desired_force.hpp>
@@ -75,6 +76,12 @@ struct bang_bang_control {
 
   bang_bang_parameters parameters = {};  ///< The constants.
 
+  /// How far off a wall its contact is needed [m].
+  template <class B>
+  double margin(const B&) const noexcept {
+    return touch_margin;
+  }
+
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
   brake_vector<M> torque(const brake_situation<M, EMatrix, B>& device, const contacts<D, Capacity>& touched,
@@ -82,6 +89,10 @@ struct bang_bang_control {
     using T = typename M::scalar;
     static_assert(M::brake_count <= max_brakes, "passive_haptics: bang_bang_control steers 16 brakes.");
     const contact<D> c = carried_to(device.x, touched[governing_contact(touched)]);
+    if (c.depth <= 0) {
+      remembered.walls.clear();
+      return brake_vector<M>::Zero();
+    }
     const vector<T, D> n = as<T>(c.normal);
     const brake_vector<M> w = slipping_rates(device);
     const vector<T, D> v = device.E * w - as<T>(c.wall_velocity);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/laws/contact_memory.hpp>
+#include <passive_haptics/control/laws/rivals/touch_margin.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/core/parameters.hpp>
 
@@ -63,11 +64,10 @@ struct on_off_control {
 
   on_off_parameters parameters = {};  ///< The constants.
 
-  /// How far off a wall its contact is needed [m]: what a hand at 0.2 m/s covers between two samples at 20
-  /// Hz.
+  /// How far off a wall its contact is needed [m].
   template <class B>
   double margin(const B&) const noexcept {
-    return 10e-3;
+    return touch_margin;
   }
 
   /// Brake torques [N m].

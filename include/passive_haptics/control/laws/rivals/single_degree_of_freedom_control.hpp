@@ -6,6 +6,7 @@
 #include <passive_haptics/control/control_law.hpp>
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/rivals/intended_rates.hpp>
+#include <passive_haptics/control/laws/rivals/touch_margin.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/force/desired_force.hpp>
@@ -66,6 +67,12 @@ struct single_degree_of_freedom_control {
 
   single_degree_of_freedom_parameters parameters = {};  ///< The constants.
 
+  /// How far off a wall its contact is needed [m].
+  template <class B>
+  double margin(const B&) const noexcept {
+    return touch_margin;
+  }
+
   /// Brake torques [N m].
   template <class M, class EMatrix, int D, int Capacity, class B>
   brake_vector<M> torque(const brake_situation<M, EMatrix, B>& device, const contacts<D, Capacity>& touched,
@@ -74,6 +81,10 @@ struct single_degree_of_freedom_control {
         M::brake_count >= M::dof && M::dof == M::task_dimension && M::dof >= 2,
         "passive_haptics: single_degree_of_freedom_control needs brake_count >= dof == task_dimension >= 2.");
     const contact<D> c = carried_to(device.x, touched[governing_contact(touched)]);
+    if (c.depth <= 0) {
+      remembered.walls.clear();
+      return brake_vector<M>::Zero();
+    }
     remembered.walls.begin_cycle(single_contact<D>{c});
     int& locked = remembered.walls[0].brake;
     locked = choose(slopes(device, c), passive_haptics::brakes_off(device.s, device.brakes),
