@@ -35,8 +35,8 @@ template <int D, int N>
 struct scene_of_effects : passive_haptics_python::scene_with_effects<D, N> {
   using base = passive_haptics_python::scene_with_effects<D, N>;
   using base::base;
-  using contacts_type =
-      std::remove_cvref_t<decltype(std::declval<base&>().touched_at(std::declval<const ph::point<D>&>(), 0.0))>;
+  using contacts_type = std::remove_cvref_t<decltype(std::declval<base&>().touched_at(
+      std::declval<const ph::point<D>&>(), 0.0))>;
 };
 
 // The list of effects: each holds a hand that pushes along p.along from p.at, or slows it; q: at p.at.
@@ -57,9 +57,8 @@ std::vector<effect_row<M>> all_effects() {
                      s.on_handle().add(std::make_shared<one_effect<decltype(make(p))>>(make(p)));
                    }});
   };
-  add("viscous_field", false, [](const auto&) {
-    return ph::viscous_field<double, D>({20 * ph::matrix<double, D, D>::Identity()});
-  });
+  add("viscous_field", false,
+      [](const auto&) { return ph::viscous_field<double, D>({20 * ph::matrix<double, D, D>::Identity()}); });
   add("detents", true, [](const auto& p) {
     return ph::detents<double, D>({.origin = p.at, .direction = p.along, .spacing = 0.02, .strength = 6});
   });
@@ -73,8 +72,9 @@ std::vector<effect_row<M>> all_effects() {
   add("rough_walls", false, [](const auto&) { return ph::rough_walls<double, D>({.coefficient = 0.3}); });
   all.push_back({{"end_stops", true}, [](scene& s, const auto&, const ph::joint_vector<M>& q) {
                    using V = ph::joint_vector<M>;
-                   const ph::end_stops<double, M::dof> stops(
-                       {.lower = q - V::Constant(0.01), .upper = q + V::Constant(0.01), .stiffness = V::Constant(50)});
+                   const ph::end_stops<double, M::dof> stops({.lower = q - V::Constant(0.01),
+                                                              .upper = q + V::Constant(0.01),
+                                                              .stiffness = V::Constant(50)});
                    s.on_joints().add(std::make_shared<one_joint_effect<M::dof>>(stops));
                  }});
   return all;
@@ -83,16 +83,18 @@ std::vector<effect_row<M>> all_effects() {
 // Hand number k pushes with 2 N for a second, at a wall also with 2 N into it, and then wants back: at a wall
 // out of it, too.
 template <class M, class Sensor>
-effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>& effect, const Sensor& control_of,
-                             bool has_wall, std::size_t k) {
+effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>& effect,
+                             const Sensor& control_of, bool has_wall, std::size_t k) {
   constexpr int D = M::task_dimension;
   place<D> where = device.where;
   auto between = evenly(scene_seed + 2, k);
-  if constexpr (D == 3) where.along = Eigen::AngleAxisd(between(0, 2 * std::numbers::pi), where.normal) * where.along;
+  if constexpr (D == 3)
+    where.along = Eigen::AngleAxisd(between(0, 2 * std::numbers::pi), where.normal) * where.along;
   where.at += between(-5e-3, 5e-3) * where.along;
   const ph::joint_vector<M> q = joints_at(device, where.at);
   const auto wall = has_wall ? where.plane(0) : where.plane(-100);
-  typename effect_row<M>::scene scene(scene_of<D, D + 1>(scene_kinds[0], {{any_shape<D>(wall)}, {}, {}, {}}, where, 0));
+  typename effect_row<M>::scene scene(
+      scene_of<D, D + 1>(scene_kinds[0], {{any_shape<D>(wall)}, {}, {}, {}}, where, 0));
   effect.add(scene, where, q);
   auto controller = control_of(device.mechanism, device.brakes, scene);
   double now = 0, start = 0;
@@ -111,8 +113,9 @@ effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>&
   const auto go = [&](const ph::point<D>& way, double length, double longest) {
     const ph::following_hand<double, D> hand(way, plant.position(), p);
     const double from = hand.progress(plant.position());
-    const auto figures = ph::follow_wall(plant, control, where.plane(0), hand,
-                                         {.time_step = 2.5e-4, .path_end = from + length, .longest = longest});
+    const auto figures =
+        ph::follow_wall(plant, control, where.plane(0), hand,
+                        {.time_step = 2.5e-4, .path_end = from + length, .longest = longest});
     start = now + 1e-3;
     return std::pair(figures, hand.progress(plant.position()) - from);
   };

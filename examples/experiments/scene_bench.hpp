@@ -6,19 +6,6 @@
 
 namespace experiments {
 
-// The device with these laws.
-template <class M>
-scene_bench bench_of(const scene_device<M>& device, const std::vector<law_column<M>>& laws) {
-  const auto specimens = all_specimens<M::task_dimension>();
-  scene_bench bench{device.name, {specimens.begin(), specimens.end()}, {laws.begin(), laws.end()}, {}};
-  bench.run = [=](const scene_kind& kind, std::size_t i, std::size_t j, const number_range& hands) {
-    scene_figures worst;
-    for (std::uint64_t k = hands.first; k <= hands.last; ++k) worst.add(follow_scene(device, specimens[i], kind, laws[j], k));
-    return worst;
-  };
-  return bench;
-}
-
 // Every law and every effect, with and without a force sensor.
 template <class M>
 scene_bench bench_of_all(const scene_device<M>& device) {
@@ -52,11 +39,6 @@ scene_bench bench_of_all(const scene_device<M>& device) {
     return worst;
   };
   return bench;
-}
-
-inline scene_device<ph::tendon_two_link<double>> planar_scene_device() {
-  const ph::tendon_two_link<double> arm;
-  return {"tendon_two_link", arm, {{0.105, 0.222}, {0, -1}, {1, 0}}, arm.inverse({0.1, 0.2}, ph::elbow::left).q};
 }
 
 }  // namespace experiments

@@ -60,8 +60,9 @@ std::vector<any_specimen<D>> all_specimens() {
                      const any_shape<D> reference = reference_shape(s.meant, p);
                      placed.felt = placed.meant = std::make_shared<any_shape<D>>(reference);
                      if (s.meant == surface::edge)
-                       placed.meant = std::make_shared<any_shape<D>>(ph::offset(
-                           p.box(0, -(1 + rounded_edge) * std::numbers::sqrt2, 1, 1, quarter), rounded_edge * p.radius));
+                       placed.meant = std::make_shared<any_shape<D>>(
+                           ph::offset(p.box(0, -(1 + rounded_edge) * std::numbers::sqrt2, 1, 1, quarter),
+                                      rounded_edge * p.radius));
                      const auto add = [&placed]<class S>(const S& shape) {
                        if constexpr (!is_surface) placed.shapes.emplace_back(shape);
                        placed.walls.emplace_back(ph::wall(shape));
@@ -120,7 +121,8 @@ any_scene<D, Capacity> scene_of(const scene_kind& kind, const placed_specimen<D>
   const ph::point<D> velocity = kind.speed * p.normal;
   const auto made = [&]<class Scene>(Scene scene, auto move) {
     if (!kind.is_slow)
-      return any_scene<D, Capacity>(std::make_unique<moved_scene<Scene, D, Capacity>>(std::move(scene), move));
+      return any_scene<D, Capacity>(
+          std::make_unique<moved_scene<Scene, D, Capacity>>(std::move(scene), move));
     using held = ph::held_scene<Scene>;
     return any_scene<D, Capacity>(std::make_unique<moved_scene<held, D, Capacity>>(
         held(std::move(scene), 0.05), [move](held& h, double time) { move(h.scene(), time); }));
@@ -144,7 +146,8 @@ any_scene<D, Capacity> scene_of(const scene_kind& kind, const placed_specimen<D>
       (s.template get<k>().shape.set_motion((time - middle) * velocity, velocity), ...);
     });
   };
-  if (kind.has_bar) shapes.emplace_back(any_shape<D>(p.bar(10e-3 / p.radius, 5e-3 / p.radius, 30e-3 / p.radius)));
+  if (kind.has_bar)
+    shapes.emplace_back(any_shape<D>(p.bar(10e-3 / p.radius, 5e-3 / p.radius, 30e-3 / p.radius)));
   if constexpr (Capacity > 1) {
     if (shapes.size() == 2) return of(std::make_integer_sequence<int, 2>());
     if (shapes.size() == 3) return of(std::make_integer_sequence<int, 3>());

@@ -43,8 +43,8 @@ using loop_control = std::function<ph::brake_command<M>(const ph::device_state<M
 template <class M>
 struct law_column : scene_law {
   std::function<loop_control<M>(const M&, const ph::brakes_of<M>&, const scene_kind&,
-                                const placed_specimen<M::task_dimension>&,
-                                const place<M::task_dimension>&, double)>
+                                const placed_specimen<M::task_dimension>&, const place<M::task_dimension>&,
+                                double)>
       control;
 };
 
@@ -58,7 +58,8 @@ inline ph::on_off_control on_off_with_lead(const auto& brakes) {
 template <class M, class Law>
 law_column<M> column(const char* name, bool has_sensor, const Law& law) {
   constexpr int D = M::task_dimension, capacity = ph::saturates_before_scaling<Law> ? 1 : D + 1;
-  const auto control = [=](const M& mechanism, const ph::brakes_of<M>& brakes, const auto&... scene) -> loop_control<M> {
+  const auto control = [=](const M& mechanism, const ph::brakes_of<M>& brakes,
+                           const auto&... scene) -> loop_control<M> {
     const auto walls = scene_of<D, capacity>(scene...);
     const auto made = [](auto controller, auto state_of) {
       return [=](const ph::device_state<M>& state) mutable {
@@ -69,7 +70,8 @@ law_column<M> column(const char* name, bool has_sensor, const Law& law) {
     const auto whole = [](const auto& state) { return state; };
     const auto blind = [](const auto& s) { return ph::sensorless_device_state<M>{s.time, s.q, s.qd}; };
     if (has_sensor) return made(with_sensor{law}(mechanism, brakes, walls), whole);
-    if constexpr (ph::needs_hand_force<Law>) return made(without_sensor{law}(mechanism, brakes, walls), blind);
+    if constexpr (ph::needs_hand_force<Law>)
+      return made(without_sensor{law}(mechanism, brakes, walls), blind);
     else return made(with_sensor{law}(mechanism, brakes, walls), blind);
   };
   return {{name, has_sensor, capacity == 1 ? 1 : 1000}, control};
@@ -93,7 +95,8 @@ ph::joint_vector<M> joints_at(const scene_device<M>& device, const ph::task_vect
     q -= ph::jacobian_matrix<M>(ph::jacobian(device.mechanism, q))
              .partialPivLu()
              .solve(ph::task_vector<M>(device.mechanism.position(q) - x));
-  if (!((device.mechanism.position(q) - x).norm() < 1e-9)) throw std::logic_error(device.name + ": out of reach");
+  if (!((device.mechanism.position(q) - x).norm() < 1e-9))
+    throw std::logic_error(device.name + ": out of reach");
   return q;
 }
 
@@ -103,11 +106,13 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
                            const scene_kind& kind, const law_column<M>& law, std::size_t k) {
   constexpr int D = M::task_dimension;
   using V = ph::point<D>;
-  constexpr double length = 0.05, gap = 4e-3, approach = 0.1, middle = 0.6, time_step = D == 2 ? 2.5e-4 : 5e-4;  // [m], [m], [m/s], [s], [s]
+  constexpr double length = 0.05, gap = 4e-3, approach = 0.1, middle = 0.6,
+                   time_step = D == 2 ? 2.5e-4 : 5e-4;  // [m], [m], [m/s], [s], [s]
   ph::following_hand_parameters<double> p = random_hand(k);
   place<D> where = device.where;
   auto between = evenly(scene_seed + 1, k);
-  if constexpr (D == 3) where.along = Eigen::AngleAxisd(between(0, 2 * std::numbers::pi), where.normal) * where.along;
+  if constexpr (D == 3)
+    where.along = Eigen::AngleAxisd(between(0, 2 * std::numbers::pi), where.normal) * where.along;
   where.at += between(-5e-3, 5e-3) * where.along;
   const placed_specimen<D> placed = specimen.at(where);
   const V velocity = kind.speed * where.normal;
@@ -117,7 +122,9 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
   x += displacement;
   const ph::joint_vector<M> q = joints_at(device, x);
   ph::simulated_device<M> plant(device.mechanism, device.brakes, p.mass, q);
-  plant.set_motion(q, ph::jacobian_matrix<M>(ph::jacobian(device.mechanism, q)).partialPivLu().solve(ph::task_vector<M>(p.speed * along - approach * n)));
+  plant.set_motion(q, ph::jacobian_matrix<M>(ph::jacobian(device.mechanism, q))
+                          .partialPivLu()
+                          .solve(ph::task_vector<M>(p.speed * along - approach * n)));
   scene_figures figures{.hands = 1};
   double start = 0, now = 0;
   const auto controller = law.control(device.mechanism, device.brakes, kind, placed, where, middle);
@@ -125,7 +132,8 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
     now = state.time += start;
     displacement = (now - middle) * velocity;
     const auto command = controller(state);
-    if (command.outcome != ph::status::ok) throw std::logic_error(specimen.name + ": " + std::string(to_string(command.outcome)));
+    if (command.outcome != ph::status::ok)
+      throw std::logic_error(specimen.name + ": " + std::string(to_string(command.outcome)));
     return command;
   };
   const carried_shape<D> shape{placed, displacement};
@@ -152,6 +160,26 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
   figures.leave = leaving.duration;
   figures.not_left = !leaving.arrived;
   return figures;
+}
+
+// The device with these laws.
+template <class M>
+scene_bench bench_of(const scene_device<M>& device, const std::vector<law_column<M>>& laws) {
+  const auto specimens = all_specimens<M::task_dimension>();
+  scene_bench bench{device.name, {specimens.begin(), specimens.end()}, {laws.begin(), laws.end()}, {}};
+  bench.run = [=](const scene_kind& kind, std::size_t i, std::size_t j, const number_range& hands) {
+    scene_figures worst;
+    for (std::uint64_t k = hands.first; k <= hands.last; ++k)
+      worst.add(follow_scene(device, specimens[i], kind, laws[j], k));
+    return worst;
+  };
+  return bench;
+}
+
+inline scene_device<ph::tendon_two_link<double>> planar_scene_device() {
+  const ph::tendon_two_link<double> arm;
+  return {
+      "tendon_two_link", arm, {{0.105, 0.222}, {0, -1}, {1, 0}}, arm.inverse({0.1, 0.2}, ph::elbow::left).q};
 }
 
 }  // namespace experiments

@@ -19,7 +19,8 @@ struct numbered_cell {
 
 class scene_tables {
  public:
-  explicit scene_tables(const number_range& hands) : hands_(hands), benches_{planar_bench(), spatial_bench()} {
+  explicit scene_tables(const number_range& hands)
+      : hands_(hands), benches_{planar_bench(), spatial_bench()} {
     for (std::size_t b = 0; b < benches_.size(); ++b)
       for (const auto& s : benches_[b].specimens)
         if (std::find(names_.begin(), names_.end(), s.name) == names_.end()) names_.push_back(s.name);
@@ -33,16 +34,17 @@ class scene_tables {
       });
       worse_.clear();
       for (std::size_t k = 0; k < cells.size(); ++k) judge(kind, cells[k], results[k]);
-      std::printf("\n%s: depth ratio %s / %s, separations in brackets, worse ones in bold\n\n%s\n%s", kind.name,
-                  benches_[0].device.c_str(), benches_[1].device.c_str(), table(kind).c_str(), (worse_head() + worse_).c_str());
+      std::printf("\n%s: depth ratio %s / %s, separations in brackets, worse ones in bold\n\n%s\n%s",
+                  kind.name, benches_[0].device.c_str(), benches_[1].device.c_str(), table(kind).c_str(),
+                  (worse_head() + worse_).c_str());
       std::fflush(stdout);
     }
   }
 
   // Effects, alone and along a wall.
   std::string fill_effects() {
-    std::string all = markdown_head({"effect", "scene", "law", "moved [mm]", "creeps [mm/s]", "leaves after [ms]",
-                                     "never left", "deepest in the wall [mm]"});
+    std::string all = markdown_head({"effect", "scene", "law", "moved [mm]", "creeps [mm/s]",
+                                     "leaves after [ms]", "never left", "deepest in the wall [mm]"});
     struct effect_cell {
       std::size_t bench, effect, law;
       bool has_wall;
@@ -60,19 +62,51 @@ class scene_tables {
       const auto& c = cells[k];
       const auto& l = benches_[0].effect_laws[c.law];
       const effect_figures &a = results[k], &b = results[k + 1];
-      all += markdown_row({benches_[0].effects[c.effect].name, c.has_wall ? "along a wall" : "alone",
-                           l.name + (l.has_sensor ? "" : ", no sensor"),
-                           written("%.1f / %.1f", 1e3 * a.moved, 1e3 * b.moved),
-                           written("%.1f / %.1f", 1e3 * a.creep, 1e3 * b.creep),
-                           written("%.0f / %.0f", 1e3 * a.leave, 1e3 * b.leave),
-                           written("%d / %d", a.not_left, b.not_left),
-                           c.has_wall ? written("%.1f / %.1f", 1e3 * a.deepest, 1e3 * b.deepest) : ""});
+      all += markdown_row(
+          {benches_[0].effects[c.effect].name, c.has_wall ? "along a wall" : "alone",
+           l.name + (l.has_sensor ? "" : ", no sensor"), written("%.1f / %.1f", 1e3 * a.moved, 1e3 * b.moved),
+           written("%.1f / %.1f", 1e3 * a.creep, 1e3 * b.creep),
+           written("%.0f / %.0f", 1e3 * a.leave, 1e3 * b.leave), written("%d / %d", a.not_left, b.not_left),
+           c.has_wall ? written("%.1f / %.1f", 1e3 * a.deepest, 1e3 * b.deepest) : ""});
     }
-    std::printf("\nEffects, %s / %s\n\n%s", benches_[0].device.c_str(), benches_[1].device.c_str(), all.c_str());
+    std::printf("\nEffects, %s / %s\n\n%s", benches_[0].device.c_str(), benches_[1].device.c_str(),
+                all.c_str());
     return all;
   }
 
-  int unexplained() const { return unexplained_; }
+  int unexplained() const {
+    const auto found = limited_.find("");
+    return found == limited_.end() ? 0 : found->second.cells;
+  }
+  std::string limits() const {
+    std::string all = markdown_head({"where", "why", "cells", "largest depth ratio"});
+    for (const scene_limit& l : scene_limits())
+      if (const auto found = limited_.find(l.where); found != limited_.end())
+        all += markdown_row(
+            {l.where, l.reason, written("%d", found->second.cells), written("%.1f", found->second.ratio)});
+    return all;
+  }
+  // Under one law, shapes that are felt alike in one row.
+  std::string by_kind(std::size_t law) const {
+    std::vector<std::string> head{"shape"};
+    for (const auto& kind : scene_kinds) head.push_back(kind.name);
+    std::vector<std::pair<std::string, std::vector<std::string>>> rows;
+    for (const auto& name : names_) {
+      std::vector<std::string> cells;
+      for (const auto& kind : scene_kinds)
+        cells.push_back(text_of(kind, 0, name, law) + " / " + text_of(kind, 1, name, law));
+      const auto same =
+          std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.second == cells; });
+      if (same == rows.end()) rows.push_back({name, cells});
+      else same->first += "; " + name;
+    }
+    std::string all = markdown_head(head);
+    for (auto& [name, cells] : rows) {
+      cells.insert(cells.begin(), name);
+      all += markdown_row(cells);
+    }
+    return all;
+  }
 
  private:
   struct judged {
@@ -94,7 +128,8 @@ class scene_tables {
   void judge(const scene_kind& kind, const numbered_cell& c, const scene_figures& figures) {
     const scene_cell cell = cell_of(kind, c);
     const auto& all = cell.bench.specimens;
-    const auto first = std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.meant == cell.specimen.meant; });
+    const auto first =
+        std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.meant == cell.specimen.meant; });
     judged now{figures, 1, ""};
     const char* where = &*first == &cell.specimen ? scene_kinds[0].name : kind.name;
     if (const auto found = results_.find({where, c.bench, first->name, c.law}); found != results_.end()) {
@@ -102,20 +137,25 @@ class scene_tables {
       now.worse = worse_than(found->second.figures, figures);
     }
     if (!now.worse.empty()) {
-      const std::string reason = reason_for(cell, now.worse);
-      unexplained_ += reason == "unexplained";
-      worse_ += markdown_row({cell.bench.device, cell.specimen.name, kind.name,
-                              cell.law.name + (cell.law.has_sensor ? "" : ", no sensor"), now.worse,
-                              written("%.2f", now.ratio), written("%d", figures.separations),
-                              written("%.2f", 1e3 * figures.deepest), written("%.2f", 1e3 * figures.deviation),
-                              written("%.2f", figures.drag), written("%.0f", 1e3 * figures.leave),
-                              written("%d / %d / %d", figures.arrived, figures.through, figures.not_left), reason});
+      const scene_limit* limit = limit_of(cell, now.worse);
+      limited& count = limited_[limit == nullptr ? "" : limit->where];
+      ++count.cells;
+      count.ratio = std::max(count.ratio, now.ratio);
+      worse_ +=
+          markdown_row({cell.bench.device, cell.specimen.name, kind.name,
+                        cell.law.name + (cell.law.has_sensor ? "" : ", no sensor"), now.worse,
+                        written("%.2f", now.ratio), written("%d", figures.separations),
+                        written("%.2f", 1e3 * figures.deepest), written("%.2f", 1e3 * figures.deviation),
+                        written("%.2f", figures.drag), written("%.0f", 1e3 * figures.leave),
+                        written("%d / %d / %d", figures.arrived, figures.through, figures.not_left),
+                        limit == nullptr ? "unexplained" : limit->where});
     }
     results_[{kind.name, c.bench, cell.specimen.name, c.law}] = now;
   }
   static std::string worse_head() {
-    return markdown_head({"device", "shape", "scene", "law", "worse", "depth ratio", "separations", "deepest [mm]",
-                          "deviation [mm]", "drag [N]", "to leave [ms]", "arrived / through / not left", "reason"});
+    return markdown_head({"device", "shape", "scene", "law", "worse", "depth ratio", "separations",
+                          "deepest [mm]", "deviation [mm]", "drag [N]", "to leave [ms]",
+                          "arrived / through / not left", "reason"});
   }
   std::string text_of(const scene_kind& kind, std::size_t b, const std::string& name, std::size_t law) const {
     const auto found = results_.find({kind.name, b, name, law});
@@ -143,7 +183,11 @@ class scene_tables {
   std::vector<std::string> names_;
   std::map<std::tuple<std::string, std::size_t, std::string, std::size_t>, judged> results_;
   std::string worse_;
-  int unexplained_ = 0;
+  struct limited {
+    int cells = 0;
+    double ratio = 0;
+  };
+  std::map<std::string, limited> limited_;  // by where; "" for those without a reason
 };
 
 }  // namespace
@@ -153,7 +197,8 @@ page_tables follow_scenes(const number_range& hands, int& unexplained) {
   const std::string effects = tables.fill_effects();
   tables.fill();
   unexplained = tables.unexplained();
-  return {{"effects_felt", effects}};
+  std::printf("\nLimits; %d cells without a reason\n\n%s", unexplained, tables.limits().c_str());
+  return {{"effects_felt", effects}, {"scenes", tables.by_kind(0)}, {"scene_limits", tables.limits()}};
 }
 
 }  // namespace experiments

@@ -78,11 +78,13 @@ struct scene_bench {
   std::vector<scene_specimen> specimens;
   std::vector<scene_law> laws;
   // Of these hands at specimen i under law j.
-  std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, const number_range& hands)> run;
+  std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, const number_range& hands)>
+      run;
   std::vector<scene_effect> effects = {};
   std::vector<scene_law> effect_laws = {};
   // Of these hands at effect i under law j.
-  std::function<effect_figures(bool has_wall, std::size_t i, std::size_t j, const number_range& hands)> run_effect = {};
+  std::function<effect_figures(bool has_wall, std::size_t i, std::size_t j, const number_range& hands)>
+      run_effect = {};
 };
 scene_bench planar_bench();
 scene_bench spatial_bench();
@@ -96,16 +98,22 @@ struct scene_cell {
 };
 // Why there is no such scene; empty if there is one.
 std::string unfit(const scene_cell& cell);
-// What is worse than at the reference: the first specimen of the same surface in the same kind of scene, and of
-// that one alone. Empty if nothing is.
+// What is worse than at the reference: the first specimen of the same surface in the same kind of scene, and
+// of that one alone. Empty if nothing is.
 std::string worse_than(const scene_figures& reference, const scene_figures& figures);
-// Why a cell may be worse: the first row of the table of limits that holds; "unexplained" if none does.
-std::string reason_for(const scene_cell& cell, const std::string& worse);
+// The table of limits: when a cell may be worse.
+struct scene_limit {
+  const char *where, *reason;
+  bool (*holds)(const scene_cell& cell, const std::string& worse);
+};
+const std::vector<scene_limit>& scene_limits();
+// The first limit that holds; nullptr if none does.
+const scene_limit* limit_of(const scene_cell& cell, const std::string& worse);
 
 inline constexpr number_range default_scene_hands{0, 9};
 
-// Prints the table of each kind of scene and the cells that are worse than their reference; returns the tables
-// of docs/results.md. `unexplained` counts worse cells without a reason.
+// Prints the table of each kind of scene and the cells that are worse than their reference; returns the
+// tables of docs/results.md. `unexplained` counts worse cells without a reason.
 page_tables follow_scenes(const number_range& hands, int& unexplained);
 
 }  // namespace experiments

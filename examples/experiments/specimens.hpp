@@ -137,7 +137,7 @@ template <class Make>
 struct specimen {
   const char* name;
   surface meant;
-  Make make;            // of a place: a shape, or a tuple of shapes
+  Make make;             // of a place: a shape, or a tuple of shapes
   bool is_thin = false;  // half of its thickness is less than a hand's depth
 };
 template <class Make>
