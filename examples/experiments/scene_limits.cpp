@@ -89,6 +89,11 @@ const std::vector<scene_limit>& scene_limits() {
        [](cell c, text worse) {
          return c.specimen.is_surface && c.kind.is_slow && worse != "passed through";
        }},
+      {"`on_off_control` without a force sensor",
+       "its ripple reaches the surface: ten hands separate up to twice along the half-space, too",
+       [](cell c, text worse) {
+         return starts(c.law.name, "on_off") && !c.law.has_sensor && worse == "separates";
+       }},
       {"`on_off_control` at a wall that moves away at 2 cm/s",
        "it holds until the handle is 0.3 mm less deep than its reference; the hand then follows with 2 N",
        [](cell c, text worse) {

@@ -78,12 +78,16 @@ class scene_tables {
     const auto found = limited_.find("");
     return found == limited_.end() ? 0 : found->second.cells;
   }
+  // The table of limits; how many cells each explains goes to stdout, as it differs from run to run.
   std::string limits() const {
-    std::string all = markdown_head({"where", "why", "cells", "largest depth ratio"});
-    for (const scene_limit& l : scene_limits())
-      if (const auto found = limited_.find(l.where); found != limited_.end())
-        all += markdown_row(
-            {l.where, l.reason, written("%d", found->second.cells), written("%.1f", found->second.ratio)});
+    std::string all = markdown_head({"where", "why"});
+    for (const scene_limit& l : scene_limits()) {
+      all += markdown_row({l.where, l.reason});
+      const auto found = limited_.find(l.where);
+      std::printf("%5d cells, up to %5.1f times as deep: %s\n",
+                  found == limited_.end() ? 0 : found->second.cells,
+                  found == limited_.end() ? 0.0 : found->second.ratio, l.where);
+    }
     return all;
   }
   // Under one law, shapes that are felt alike in one row.
@@ -197,7 +201,7 @@ page_tables follow_scenes(const number_range& hands, int& unexplained) {
   const std::string effects = tables.fill_effects();
   tables.fill();
   unexplained = tables.unexplained();
-  std::printf("\nLimits; %d cells without a reason\n\n%s", unexplained, tables.limits().c_str());
+  std::printf("\nWorse cells by their limits; %d without a reason\n\n", unexplained);
   return {{"effects_felt", effects}, {"scenes", tables.by_kind(0)}, {"scene_limits", tables.limits()}};
 }
 
