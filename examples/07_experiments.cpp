@@ -12,6 +12,7 @@
 #include "experiments/planar.hpp"
 #include "experiments/plants.hpp"
 #include "experiments/report.hpp"
+#include "experiments/scenes.hpp"
 #include "experiments/soft_brakes.hpp"
 #include "experiments/space.hpp"
 #include "experiments/wide_devices.hpp"
@@ -571,16 +572,20 @@ int main(int argc, char** argv) try {
   example::command_line line(
       "experiments",
       "The paper's experiments and more, minutes of them: a table, experiments.csv and pictures.");
-  line.choice("section", section, {"corners"}, "only this section, some minutes; no other run has it");
+  line.choice("section", section, {"corners", "scenes"},
+              "only this section, some minutes; no other run has it");
   line.flag("--arms", all_arms, "no more than the whole table of arms, some minutes; else a sample of it");
   numbered_options numbered;
   numbered.add_to(line);
   line.output(directory);
   line.parse(argc, argv);
   if (!section.empty()) {
-    const bool other_corners = numbered.are_given();
-    const page_tables tables = follow_corners(other_corners ? numbered.range() : default_corners);
-    return other_corners || is_printed(tables) ? 0 : 1;
+    const bool others = numbered.are_given();
+    int unexplained = 0;
+    const page_tables tables =
+        section == "corners" ? follow_corners(others ? numbered.range() : default_corners)
+                             : follow_scenes(others ? numbered.range() : default_scene_hands, unexplained);
+    return (others || is_printed(tables)) && unexplained == 0 ? 0 : 1;
   }
   if (numbered.are_given()) {
     numbered.carry_out(directory);

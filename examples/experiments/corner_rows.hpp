@@ -2,30 +2,13 @@
 #pragma once
 
 #include "batch.hpp"
+#include "control_of.hpp"
 #include "corner_run.hpp"
 #include "corners.hpp"
 
 #include <cstdio>
 
 namespace experiments {
-
-// Laws on a device with and without a force sensor.
-template <class Law>
-struct with_sensor {
-  explicit with_sensor(Law l) : law(l) {}
-  Law law;
-  auto operator()(const auto& mechanism, const auto& brakes, auto scene) const {
-    return ph::controller(mechanism, brakes, scene, law);
-  }
-};
-template <class Law>
-struct without_sensor {
-  explicit without_sensor(Law l) : law(l) {}
-  Law law;
-  auto operator()(const auto& mechanism, const auto& brakes, auto scene) const {
-    return ph::sensorless_controller(mechanism, brakes, scene, law);
-  }
-};
 
 // Edges: whether corners may be convex edges, which are another scene, so another controller to compile.
 template <bool Edges = false, class M, class Control>

@@ -1,7 +1,11 @@
+#include <experiments/specimens.hpp>
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/testing/shape_properties.hpp>
 
 #include "../user_shapes.hpp"
+
+#include <tuple>
+#include <type_traits>
 
 namespace ph = passive_haptics;
 using namespace passive_haptics::testing;
@@ -18,22 +22,8 @@ inline ph::matrix<double, 2, 2> turned(double angle) {
       .finished();
 }
 
-template <int D>
-struct capsule_case : around_origin<ph::capsule<D>> {
-  static ph::capsule<D> make() {
-    return ph::capsule<D>(ph::point<D>::LinSpaced(-0.6, 0.4), ph::point<D>::LinSpaced(0.9, 0.1), 0.25);
-  }
-};
-
 struct short_capsule_case : around_origin<ph::capsule<3>> {
   static ph::capsule<3> make() { return ph::capsule<3>({0.1, 0.2, 0.3}, {0.1, 0.2, 0.3}, 0.5); }
-};
-
-template <int D>
-struct box_case : around_origin<ph::box<D>> {
-  static ph::box<D> make() {
-    return ph::box<D>(ph::point<D>::Constant(0.1), ph::point<D>::LinSpaced(0.5, 1.0));
-  }
 };
 
 struct turned_box_case : around_origin<ph::box<2>> {
@@ -44,36 +34,12 @@ struct plate_case : around_origin<ph::box<3>> {
   static ph::box<3> make() { return ph::box<3>({0, 0, 0}, {0.5, 0, 0.8}); }
 };
 
-struct polygon_case : around_origin<ph::convex_polygon<5>> {
-  static shape make() { return shape({{-0.9, -0.5}, {0.2, -0.8}, {0.9, 0.1}, {0.3, 0.9}, {-0.7, 0.6}}); }
-};
-
-struct plane_polytope_case : around_origin<ph::convex_polytope<2, 4>> {
-  static shape make() {
-    using face = ph::half_space<2>;
-    return shape(face({0.7, 0}, {1, 0.2}), face({0, 0.8}, {-0.3, 1}), face({-0.9, 0}, {-1, 0.1}),
-                 face({0, -0.6}, {0.1, -1}));
-  }
-};
-
 struct tetrahedron_case : around_origin<ph::convex_polytope<3, 4>> {
   static shape make() {
     using face = ph::half_space<3>;
     return shape(face({0, 0, -0.4}, {0, 0, -1}), face({0.3, 0.3, 0}, {1, 1, 0.5}),
                  face({-0.3, 0.3, 0}, {-1, 1, 0.5}), face({0, -0.4, 0}, {0, -1, 0.5}));
   }
-};
-
-struct rounded_box_case : around_origin<ph::offset<ph::box<3>>> {
-  static shape make() { return shape(box_case<3>::make(), 0.2); }
-};
-
-struct shrunk_polygon_case : around_origin<ph::offset<ph::convex_polygon<5>>> {
-  static shape make() { return shape(polygon_case::make(), -0.2); }
-};
-
-struct hollow_case : around_origin<ph::complement<ph::capsule<2>>> {
-  static shape make() { return shape(capsule_case<2>::make()); }
 };
 
 struct nested_case : around_origin<ph::complement<ph::offset<ph::moving<ph::box<2>>>>> {
@@ -94,18 +60,46 @@ struct either_case : around_origin<ph::offset<custom::either<ph::disc, ph::recta
   }
 };
 
-struct ball_case : around_origin<ph::ball<3>> {
-  static ph::ball<3> make() { return ph::ball<3>({0.1, 0.2, 0.3}, 0.5, ph::filling::hollow); }
+// Each shape of the list, of about a metre, at a place in general position.
+template <int D, class Specimen>
+struct listed_case {
+  using shape = std::invoke_result_t<decltype(Specimen::make), const experiments::place<D>&>;
+  static shape make() {
+    ph::point<D> normal = ph::point<D>::LinSpaced(1, 2), along = ph::point<D>::UnitX();
+    normal.normalize();
+    along = (along - normal * normal.x()).normalized();
+    return Specimen(*found()).make(experiments::place<D>{ph::point<D>::Constant(0.1), normal, along, 0.8});
+  }
+  static ph::point<D> lower() { return ph::point<D>::Constant(-2); }
+  static ph::point<D> upper() { return ph::point<D>::Constant(2); }
+
+ private:
+  static const Specimen* found() { return &std::get<Specimen>(experiments::specimens); }
 };
 
-struct half_space_case : around_origin<ph::half_space<2>> {
-  static ph::half_space<2> make() { return ph::half_space<2>({0.1, 0.2}, {3, -4}); }
+template <int D, class Specimen>
+auto listed() {
+  if constexpr (std::is_invocable_v<decltype(Specimen::make), const experiments::place<D>&>) {
+    if constexpr (ph::Shape<typename listed_case<D, Specimen>::shape>)
+      return std::tuple<listed_case<D, Specimen>>();
+    else return std::tuple<>();
+  } else {
+    return std::tuple<>();
+  }
+}
+template <class List>
+struct as_types;
+template <class... Case>
+struct as_types<std::tuple<Case...>> {
+  using type = ::testing::Types<Case...>;
 };
+template <class... Specimen>
+auto cases_of(const std::tuple<Specimen...>&) {
+  return std::tuple_cat(listed<2, Specimen>()..., listed<3, Specimen>()...);
+}
+using listed_cases = as_types<decltype(cases_of(experiments::specimens))>::type;
+using other_cases = ::testing::Types<short_capsule_case, turned_box_case, plate_case, tetrahedron_case,
+                                     nested_case, torus_case, either_case>;
 
-using shape_cases =
-    ::testing::Types<half_space_case, ball_case, capsule_case<2>, capsule_case<3>, short_capsule_case,
-                     box_case<2>, box_case<3>, turned_box_case, plate_case, polygon_case, plane_polytope_case,
-                     tetrahedron_case, rounded_box_case, shrunk_polygon_case, hollow_case, nested_case,
-                     torus_case, either_case>;
-
-INSTANTIATE_TYPED_TEST_SUITE_P(shapes, shape_properties, shape_cases);
+INSTANTIATE_TYPED_TEST_SUITE_P(listed, shape_properties, listed_cases);
+INSTANTIATE_TYPED_TEST_SUITE_P(others, shape_properties, other_cases);

@@ -1,0 +1,28 @@
+// Controllers of any law, with and without a force sensor.
+#pragma once
+
+#include <passive_haptics/passive_haptics.hpp>
+
+namespace experiments {
+
+namespace ph = passive_haptics;
+
+// Laws on a device with and without a force sensor.
+template <class Law>
+struct with_sensor {
+  explicit with_sensor(Law l) : law(l) {}
+  Law law;
+  auto operator()(const auto& mechanism, const auto& brakes, auto scene) const {
+    return ph::controller(mechanism, brakes, scene, law);
+  }
+};
+template <class Law>
+struct without_sensor {
+  explicit without_sensor(Law l) : law(l) {}
+  Law law;
+  auto operator()(const auto& mechanism, const auto& brakes, auto scene) const {
+    return ph::sensorless_controller(mechanism, brakes, scene, law);
+  }
+};
+
+}  // namespace experiments

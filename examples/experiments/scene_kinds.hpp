@@ -1,0 +1,158 @@
+// Specimens in scenes of every kind, as one type.
+#pragma once
+
+#include "specimens.hpp"
+
+#include <passive_haptics/scene/held_scene.hpp>
+#include <passive_haptics/scene/shapes/moving.hpp>
+#include <passive_haptics/scene/world/world.hpp>
+
+#include <passive_haptics_python/any_scene.hpp>
+#include <passive_haptics_python/any_shape.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace experiments {
+
+using passive_haptics_python::any_scene;
+using passive_haptics_python::any_shape;
+
+// A specimen at a place, by types that are the same for all.
+template <int D>
+struct placed_specimen {
+  std::vector<any_shape<D>> shapes;     // of a scene; none if a mesh_surface needs a world
+  std::vector<ph::any_wall<D>> walls;   // of a world
+  std::shared_ptr<any_shape<D>> felt;   // by which depths are measured,
+  std::shared_ptr<any_shape<D>> meant;  // and by which the hand goes
+};
+
+// The first specimen of a surface: what the others are compared with.
+template <int D>
+any_shape<D> reference_shape(surface of, const place<D>& p) {
+  switch (of) {
+    case surface::plane: return any_shape<D>(p.plane(0));
+    case surface::solid: return any_shape<D>(p.ball(-1));
+    case surface::hollow: return any_shape<D>(p.ball(1, ph::filling::hollow));
+    case surface::edge: return any_shape<D>(ph::convex_polytope(p.plane(0, quarter), p.plane(0, -quarter)));
+  }
+  throw std::logic_error("a surface without a reference");
+}
+
+template <int D>
+struct any_specimen : scene_specimen {
+  std::function<placed_specimen<D>(const place<D>&)> at;
+};
+
+template <int D>
+std::vector<any_specimen<D>> all_specimens() {
+  std::vector<any_specimen<D>> all;
+  for_each_specimen<D>([&]<class Make>(const specimen<Make>& s) {
+    using made = std::invoke_result_t<Make, const place<D>&>;
+    constexpr bool is_shape = ph::Shape<made>, is_surface = ph::TrackedShape<made> && !is_shape;
+    scene_specimen row{s.name, s.meant, s.is_thin, is_surface};
+    row.is_mesh = row.name.find("mesh") != std::string::npos || is_surface;
+    if constexpr (!is_shape && !is_surface) row.walls = std::tuple_size_v<made>;
+    all.push_back({row, [s](const place<D>& p) {
+                     placed_specimen<D> placed;
+                     const any_shape<D> reference = reference_shape(s.meant, p);
+                     placed.felt = placed.meant = std::make_shared<any_shape<D>>(reference);
+                     if (s.meant == surface::edge)
+                       placed.meant = std::make_shared<any_shape<D>>(
+                           ph::offset(p.box(0, -(1 + rounded_edge) * std::numbers::sqrt2, 1, 1, quarter),
+                                      rounded_edge * p.radius));
+                     const auto add = [&placed]<class S>(const S& shape) {
+                       if constexpr (!is_surface) placed.shapes.emplace_back(shape);
+                       placed.walls.emplace_back(ph::wall(shape));
+                     };
+                     const made shapes = s.make(p);
+                     if constexpr (is_shape || is_surface) add(shapes);
+                     else std::apply([&](const auto&... each) { (add(each), ...); }, shapes);
+                     if constexpr (is_shape)
+                       if (!s.is_thin) placed.felt = std::make_shared<any_shape<D>>(shapes);
+                     return placed;
+                   }});
+  });
+  return all;
+}
+
+// A scene whose walls are moved before it is sensed.
+template <class Scene, int D, int Capacity>
+class moved_scene final : public any_scene<D, Capacity>::interface {
+  using base = typename any_scene<D, Capacity>::interface;
+  using contacts = typename any_scene<D, Capacity>::contacts_type;
+
+ public:
+  using mover = std::function<void(Scene&, double)>;  // to where its walls are at a time [s]
+  moved_scene(Scene scene, mover move) : scene_(std::move(scene)), move_(std::move(move)) {}
+  std::unique_ptr<base> copy() const override { return std::make_unique<moved_scene>(*this); }
+  const contacts& touched_at(const ph::point<D>& x, double time) override {
+    move_(scene_, time);
+    touched_.clear();
+    const auto add = [this](const auto& found) {
+      for (const auto& c : found) touched_.append_unchecked(c);
+    };
+    if constexpr (requires { scene_.touched_at(x, time); }) add(scene_.touched_at(x, time));
+    else add(scene_.touched_at(x));
+    return touched_;
+  }
+  void set_margin(double margin) override { scene_.set_margin(margin); }
+  void reset() override {}
+
+ private:
+  Scene scene_;
+  mover move_;
+  contacts touched_;
+};
+
+// A small mesh 5 m away.
+template <int D>
+ph::any_wall<D> far_mesh(place<D> p) {
+  p.at.array() += 5;
+  return ph::any_wall<D>(ph::wall(ph::mesh_solid<D>(p.block(-0.5, 0.5))));
+}
+
+// The scene of this kind; where its walls are at a time: `speed` times (time - middle) out of themselves.
+template <int D, int Capacity>
+any_scene<D, Capacity> scene_of(const scene_kind& kind, const placed_specimen<D>& placed, const place<D>& p,
+                                double middle) {
+  const ph::point<D> velocity = kind.speed * p.normal;
+  const auto made = [&]<class Scene>(Scene scene, auto move) {
+    if (!kind.is_slow)
+      return any_scene<D, Capacity>(
+          std::make_unique<moved_scene<Scene, D, Capacity>>(std::move(scene), move));
+    using held = ph::held_scene<Scene>;
+    return any_scene<D, Capacity>(std::make_unique<moved_scene<held, D, Capacity>>(
+        held(std::move(scene), 0.05), [move](held& h, double time) { move(h.scene(), time); }));
+  };
+  if (kind.is_world) {
+    using world = ph::world<D, Capacity>;
+    ph::world_walls<D> walls;
+    for (const auto& w : placed.walls) kind.speed != 0 ? walls.add_moving(w) : walls.add(w);
+    const int count = static_cast<int>(placed.walls.size());
+    if (kind.has_mesh) walls.add(far_mesh(p));
+    return made(world(walls), [=](world& w, double time) {
+      for (int k = 0; k < count && kind.speed != 0; ++k)
+        w.set_motion(k, (time - middle) * velocity, velocity);
+    });
+  }
+  std::vector<ph::moving<any_shape<D>>> shapes;
+  for (const auto& s : placed.shapes) shapes.emplace_back(s);
+  const auto of = [&]<int... k>(std::integer_sequence<int, k...>) {
+    auto scene = ph::scene(ph::wall(shapes[std::size_t(k)])...);
+    return made(scene, [=](decltype(scene)& s, double time) {
+      (s.template get<k>().shape.set_motion((time - middle) * velocity, velocity), ...);
+    });
+  };
+  if (kind.has_bar)
+    shapes.emplace_back(any_shape<D>(p.bar(10e-3 / p.radius, 5e-3 / p.radius, 30e-3 / p.radius)));
+  if constexpr (Capacity > 1) {
+    if (shapes.size() == 2) return of(std::make_integer_sequence<int, 2>());
+    if (shapes.size() == 3) return of(std::make_integer_sequence<int, 3>());
+  }
+  return of(std::make_integer_sequence<int, 1>());
+}
+
+}  // namespace experiments

@@ -1,0 +1,208 @@
+#include "scenes.hpp"
+
+#include "batch.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace experiments {
+
+namespace {
+
+// Cells of one kind of scene, of both devices.
+struct numbered_cell {
+  std::size_t bench, specimen, law;
+};
+
+class scene_tables {
+ public:
+  explicit scene_tables(const number_range& hands)
+      : hands_(hands), benches_{planar_bench(), spatial_bench()} {
+    for (std::size_t b = 0; b < benches_.size(); ++b)
+      for (const auto& s : benches_[b].specimens)
+        if (std::find(names_.begin(), names_.end(), s.name) == names_.end()) names_.push_back(s.name);
+  }
+
+  void fill() {
+    for (const scene_kind& kind : scene_kinds) {
+      const std::vector<numbered_cell> cells = cells_of(kind);
+      const auto results = on_all_cores(kind.name, cells.size(), [&](std::size_t k) {
+        return benches_[cells[k].bench].run(kind, cells[k].specimen, cells[k].law, hands_);
+      });
+      worse_.clear();
+      for (std::size_t k = 0; k < cells.size(); ++k) judge(kind, cells[k], results[k]);
+      std::printf("\n%s: depth ratio %s / %s, separations in brackets, worse ones in bold\n\n%s\n%s",
+                  kind.name, benches_[0].device.c_str(), benches_[1].device.c_str(), table(kind).c_str(),
+                  (worse_head() + worse_).c_str());
+      std::fflush(stdout);
+    }
+  }
+
+  // Effects, alone and along a wall.
+  std::string fill_effects() {
+    std::string all = markdown_head({"effect", "scene", "law", "moved [mm]", "creeps [mm/s]",
+                                     "leaves after [ms]", "never left", "deepest in the wall [mm]"});
+    struct effect_cell {
+      std::size_t bench, effect, law;
+      bool has_wall;
+    };
+    std::vector<effect_cell> cells;
+    for (std::size_t e = 0; e < benches_[0].effects.size(); ++e)
+      for (const bool has_wall : {false, true})
+        for (std::size_t l = 0; l < benches_[0].effect_laws.size(); ++l)
+          for (std::size_t b = 0; b < benches_.size(); ++b) cells.push_back({b, e, l, has_wall});
+    const auto results = on_all_cores("effects", cells.size(), [&](std::size_t k) {
+      const auto& c = cells[k];
+      return benches_[c.bench].run_effect(c.has_wall, c.effect, c.law, hands_);
+    });
+    for (std::size_t k = 0; k < cells.size(); k += 2) {
+      const auto& c = cells[k];
+      const auto& l = benches_[0].effect_laws[c.law];
+      const effect_figures &a = results[k], &b = results[k + 1];
+      all += markdown_row(
+          {benches_[0].effects[c.effect].name, c.has_wall ? "along a wall" : "alone",
+           l.name + (l.has_sensor ? "" : ", no sensor"), written("%.1f / %.1f", 1e3 * a.moved, 1e3 * b.moved),
+           written("%.1f / %.1f", 1e3 * a.creep, 1e3 * b.creep),
+           written("%.0f / %.0f", 1e3 * a.leave, 1e3 * b.leave), written("%d / %d", a.not_left, b.not_left),
+           c.has_wall ? written("%.1f / %.1f", 1e3 * a.deepest, 1e3 * b.deepest) : ""});
+    }
+    std::printf("\nEffects, %s / %s\n\n%s", benches_[0].device.c_str(), benches_[1].device.c_str(),
+                all.c_str());
+    return all;
+  }
+
+  int unexplained() const {
+    const auto found = limited_.find("");
+    return found == limited_.end() ? 0 : found->second.cells;
+  }
+  // The table of limits; how many cells each explains goes to stdout, as it differs from run to run.
+  std::string limits() const {
+    std::string all = markdown_head({"where", "why"});
+    for (const scene_limit& l : scene_limits()) {
+      all += markdown_row({l.where, l.reason});
+      const auto found = limited_.find(l.where);
+      std::printf("%5d cells, up to %5.1f times as deep: %s\n",
+                  found == limited_.end() ? 0 : found->second.cells,
+                  found == limited_.end() ? 0.0 : found->second.ratio, l.where);
+    }
+    return all;
+  }
+  // Under one law, shapes that are felt alike in one row.
+  std::string by_kind(std::size_t law) const {
+    std::vector<std::string> head{"shape"};
+    for (const auto& kind : scene_kinds) head.push_back(kind.name);
+    std::vector<std::pair<std::string, std::vector<std::string>>> rows;
+    for (const auto& name : names_) {
+      std::vector<std::string> cells;
+      for (const auto& kind : scene_kinds)
+        cells.push_back(text_of(kind, 0, name, law) + " / " + text_of(kind, 1, name, law));
+      const auto same =
+          std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.second == cells; });
+      if (same == rows.end()) rows.push_back({name, cells});
+      else same->first += "; " + name;
+    }
+    std::string all = markdown_head(head);
+    for (auto& [name, cells] : rows) {
+      cells.insert(cells.begin(), name);
+      all += markdown_row(cells);
+    }
+    return all;
+  }
+
+ private:
+  struct judged {
+    scene_figures figures;
+    double ratio = 0;
+    std::string worse;
+  };
+  scene_cell cell_of(const scene_kind& kind, const numbered_cell& c) const {
+    return {benches_[c.bench], kind, benches_[c.bench].specimens[c.specimen], benches_[c.bench].laws[c.law]};
+  }
+  std::vector<numbered_cell> cells_of(const scene_kind& kind) const {
+    std::vector<numbered_cell> cells;
+    for (std::size_t b = 0; b < benches_.size(); ++b)
+      for (std::size_t s = 0; s < benches_[b].specimens.size(); ++s)
+        for (std::size_t l = 0; l < benches_[b].laws.size(); ++l)
+          if (unfit(cell_of(kind, {b, s, l})).empty()) cells.push_back({b, s, l});
+    return cells;
+  }
+  void judge(const scene_kind& kind, const numbered_cell& c, const scene_figures& figures) {
+    const scene_cell cell = cell_of(kind, c);
+    const auto& all = cell.bench.specimens;
+    const auto first =
+        std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.meant == cell.specimen.meant; });
+    judged now{figures, 1, ""};
+    const char* where = &*first == &cell.specimen ? scene_kinds[0].name : kind.name;
+    if (const auto found = results_.find({where, c.bench, first->name, c.law}); found != results_.end()) {
+      now.ratio = figures.deepest / found->second.figures.deepest;
+      now.worse = worse_than(found->second.figures, figures);
+    }
+    if (!now.worse.empty()) {
+      const scene_limit* limit = limit_of(cell, now.worse);
+      limited& count = limited_[limit == nullptr ? "" : limit->where];
+      ++count.cells;
+      count.ratio = std::max(count.ratio, now.ratio);
+      worse_ +=
+          markdown_row({cell.bench.device, cell.specimen.name, kind.name,
+                        cell.law.name + (cell.law.has_sensor ? "" : ", no sensor"), now.worse,
+                        written("%.2f", now.ratio), written("%d", figures.separations),
+                        written("%.2f", 1e3 * figures.deepest), written("%.2f", 1e3 * figures.deviation),
+                        written("%.2f", figures.drag), written("%.0f", 1e3 * figures.leave),
+                        written("%d / %d / %d", figures.arrived, figures.through, figures.not_left),
+                        limit == nullptr ? "unexplained" : limit->where});
+    }
+    results_[{kind.name, c.bench, cell.specimen.name, c.law}] = now;
+  }
+  static std::string worse_head() {
+    return markdown_head({"device", "shape", "scene", "law", "worse", "depth ratio", "separations",
+                          "deepest [mm]", "deviation [mm]", "drag [N]", "to leave [ms]",
+                          "arrived / through / not left", "reason"});
+  }
+  std::string text_of(const scene_kind& kind, std::size_t b, const std::string& name, std::size_t law) const {
+    const auto found = results_.find({kind.name, b, name, law});
+    if (found == results_.end()) return "-";
+    const judged& j = found->second;
+    std::string text = written("%.1f", j.ratio);
+    if (j.figures.separations > 0) text += written(" (%d)", j.figures.separations);
+    return j.worse.empty() ? text : "**" + text + "**";
+  }
+  std::string table(const scene_kind& kind) const {
+    std::vector<std::string> head{"shape"};
+    for (const auto& l : benches_[0].laws) head.push_back(l.name + (l.has_sensor ? "" : ", no sensor"));
+    std::string all = markdown_head(head);
+    for (const auto& name : names_) {
+      std::vector<std::string> row{name};
+      for (std::size_t l = 0; l < benches_[0].laws.size(); ++l)
+        row.push_back(text_of(kind, 0, name, l) + " / " + text_of(kind, 1, name, l));
+      all += markdown_row(row);
+    }
+    return all;
+  }
+
+  number_range hands_;
+  std::vector<scene_bench> benches_;
+  std::vector<std::string> names_;
+  std::map<std::tuple<std::string, std::size_t, std::string, std::size_t>, judged> results_;
+  std::string worse_;
+  struct limited {
+    int cells = 0;
+    double ratio = 0;
+  };
+  std::map<std::string, limited> limited_;  // by where; "" for those without a reason
+};
+
+}  // namespace
+
+page_tables follow_scenes(const number_range& hands, int& unexplained) {
+  scene_tables tables(hands);
+  const std::string effects = tables.fill_effects();
+  tables.fill();
+  unexplained = tables.unexplained();
+  std::printf("\nWorse cells by their limits; %d without a reason\n\n", unexplained);
+  return {{"effects_felt", effects}, {"scenes", tables.by_kind(0)}, {"scene_limits", tables.limits()}};
+}
+
+}  // namespace experiments

@@ -1,0 +1,119 @@
+// Every shape in every kind of scene under every law, in a hand's closed loop: figures, verdicts and the
+// table of limits.
+#pragma once
+
+#include "markdown.hpp"
+#include "numbered.hpp"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace experiments {
+
+// A kind of scene.
+struct scene_kind {
+  const char* name;
+  double speed = 0;  // of the wall out of itself [m/s]
+  bool is_world = false, is_slow = false, has_bar = false, has_mesh = false;
+};
+inline constexpr std::array<scene_kind, 9> scene_kinds{{
+    {.name = "alone"},
+    {.name = "below a bar", .has_bar = true},
+    {.name = "world", .is_world = true},
+    {.name = "world with a mesh", .is_world = true, .has_mesh = true},
+    {.name = "20 Hz", .is_slow = true},
+    {.name = "world, 20 Hz", .is_world = true, .is_slow = true},
+    {.name = "moves away", .speed = -0.02},
+    {.name = "moves away in a world with a mesh", .speed = -0.02, .is_world = true, .has_mesh = true},
+    {.name = "moves towards the hand", .speed = 0.02},
+}};
+
+// The surface that a specimen is meant to be: it leads the hand, and is what the specimen is compared with.
+enum class surface { plane, solid, hollow, edge };
+
+// A row of the tables.
+struct scene_specimen {
+  std::string name;
+  surface meant = surface::plane;
+  bool is_thin = false;     // half of its thickness is less than a hand's depth
+  bool is_surface = false;  // a mesh_surface, which needs a world
+  bool is_mesh = false;
+  int walls = 1;
+};
+
+// A column.
+struct scene_law {
+  std::string name;
+  bool has_sensor = true;
+  int most_walls = 1000;  // that it takes
+};
+
+// The figures of one hand, or the worst of several.
+struct scene_figures {
+  int hands = 0, arrived = 0, through = 0, not_left = 0, separations = 0;
+  double deepest = 0, deviation = 0, drag = 0, leave = 0;  // [m], [m], [N], [s]
+
+  void add(const scene_figures& other);
+};
+
+// An effect, and whether it holds a hand.
+struct scene_effect {
+  std::string name;
+  bool holds;
+};
+// The figures of one hand that pushes against an effect, or the worst of several.
+struct effect_figures {
+  int hands = 0, not_left = 0;
+  double moved = 0, creep = 0, deepest = 0, leave = 0;  // [m], [m/s], in the wall [m], [s]
+
+  void add(const effect_figures& other);
+};
+
+// A device with its laws: what a program runs, whichever mechanism it is.
+struct scene_bench {
+  std::string device;
+  std::vector<scene_specimen> specimens;
+  std::vector<scene_law> laws;
+  // Of these hands at specimen i under law j.
+  std::function<scene_figures(const scene_kind&, std::size_t i, std::size_t j, const number_range& hands)>
+      run;
+  std::vector<scene_effect> effects = {};
+  std::vector<scene_law> effect_laws = {};
+  // Of these hands at effect i under law j.
+  std::function<effect_figures(bool has_wall, std::size_t i, std::size_t j, const number_range& hands)>
+      run_effect = {};
+};
+scene_bench planar_bench();
+scene_bench spatial_bench();
+
+// One cell.
+struct scene_cell {
+  const scene_bench& bench;
+  const scene_kind& kind;
+  const scene_specimen& specimen;
+  const scene_law& law;
+};
+// Why there is no such scene; empty if there is one.
+std::string unfit(const scene_cell& cell);
+// What is worse than at the reference: the first specimen of the same surface in the same kind of scene, and
+// of that one alone. Empty if nothing is.
+std::string worse_than(const scene_figures& reference, const scene_figures& figures);
+// The table of limits: when a cell may be worse.
+struct scene_limit {
+  const char *where, *reason;
+  bool (*holds)(const scene_cell& cell, const std::string& worse);
+};
+const std::vector<scene_limit>& scene_limits();
+// The first limit that holds; nullptr if none does.
+const scene_limit* limit_of(const scene_cell& cell, const std::string& worse);
+
+inline constexpr number_range default_scene_hands{0, 9};
+
+// Prints the table of each kind of scene and the cells that are worse than their reference; returns the
+// tables of docs/results.md. `unexplained` counts worse cells without a reason.
+page_tables follow_scenes(const number_range& hands, int& unexplained);
+
+}  // namespace experiments
