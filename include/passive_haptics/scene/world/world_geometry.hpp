@@ -137,17 +137,21 @@ struct world_geometry {
   double extent = 0;         ///< Largest coordinate of the bounded walls [m].
 
  private:
-  // Whether one of the boxes meets b face to face: inside two such boxes the sides at the seam are nearest,
-  // which do not push out
+  // True if one of the boxes meets b face to face or overlaps it a little: inside such solids the sides at
+  // the seam are nearest, which do not push out
   bool has_beside(const bounding_box<D>& b, const std::vector<bounding_box<D>>& boxes) const {
-    constexpr double wide = 1e-3;              // [m], of a face; a hand is pushed out of what is smaller
+    constexpr double thin = 0.01;              // [m], of what both have in common
+    constexpr double wide = 0.01;              // [m], of a face; a hand is pushed out of what is smaller
     const double touch = 1e-9 * tree.scale();  // [m]
     const double radius = (b.upper - b.lower).norm() / 2 + touch;
     bool found = false;
     const auto look = [&](int place, double) {
       const bounding_box<D>& other = boxes[static_cast<std::size_t>(tree.item(place))];
-      const point<D> common = b.upper.cwiseMin(other.upper) - b.lower.cwiseMax(other.lower);
-      found |= std::abs(common.minCoeff()) <= touch && (common.array() > wide).count() == D - 1;
+      point<D> common = b.upper.cwiseMin(other.upper) - b.lower.cwiseMax(other.lower);
+      int axis = 0;
+      const double across = common.minCoeff(&axis);
+      common[axis] = wide + 1;
+      found |= -touch <= across && across < thin && common.minCoeff() > wide;
     };
     tree.visit_within(squared_distance_from<D>((b.lower + b.upper) / 2), radius * radius, look);
     return found;
