@@ -162,10 +162,10 @@ TYPED_TEST(world, finds_all_of_many_walls_in_one_place) {
   ph::testing::random_source random(seed);
   ph::world_walls<D> walls;
   constexpr int count = 200;
-  for (int i = 0; i < count; ++i) walls.add(ph::wall(ph::ball<D>(ph::point<D>::Zero(), 0.01), 1e3 + i));
+  for (int i = 0; i < count; ++i) walls.add(ph::wall(ph::ball<D>(ph::point<D>::Zero(), 0.004), 1e3 + i));
   ph::world<D> w(walls);
   for (int k = 0; k < 100; ++k) {
-    const auto& found = ph::sense(w, ph::point<D>(0.005 * random.direction<double, D>()));
+    const auto& found = ph::sense(w, ph::point<D>(0.002 * random.direction<double, D>()));
     ASSERT_EQ(found.size(), D + 1);
     EXPECT_EQ(w.left_out(), count - D - 1);
     for (int i = 0; i <= D; ++i)
@@ -174,7 +174,7 @@ TYPED_TEST(world, finds_all_of_many_walls_in_one_place) {
   }
 }
 
-// A heap of balls of all sizes up to a centimetre (larger ones that overlap need a proxy), and steps of all
+// A heap of balls of all sizes up to a centimetre (a proxy feels larger ones that overlap), and steps of all
 // sizes: the next list may reach less far than the handle went meanwhile.
 TYPED_TEST(world, is_touched_as_a_scan_says_in_a_heap_of_all_sizes) {
   constexpr int D = TestFixture::dimension;
@@ -282,8 +282,8 @@ TYPED_TEST(world, copies_have_a_memory_of_their_own) {
 TYPED_TEST(world, is_of_any_shape_with_bounds_or_without) {
   constexpr int D = TestFixture::dimension;
   const ph::point<D> e = ph::point<D>::UnitX(), o = ph::point<D>::Zero();
-  const ph::ball<D> ball(o, 0.1);
-  const ph::capsule<D> bar(o, 2 * e, 0.1);
+  const ph::ball<D> ball(o, 0.1), far_ball(5 * e, 0.2);
+  const ph::capsule<D> bar(0.3 * e, 2 * e, 0.1);
   const ph::box<D> cube(3 * e, ph::point<D>::Constant(0.2));
   ph::world_walls<D> walls;
   walls.add(ph::wall(ball));
@@ -291,12 +291,12 @@ TYPED_TEST(world, is_of_any_shape_with_bounds_or_without) {
   walls.add(ph::wall(ph::offset(cube, 0.05)));
   walls.add(ph::wall(ph::complement(ph::ball<D>(o, 10))));
   walls.add(ph::wall(ph::ball<D>(o, 12, ph::filling::hollow)));
-  walls.add(ph::any_wall<D>(ph::wall(ph::offset(ball, -0.05)), ph::box_about<D>(o, 0.1)));
+  walls.add(ph::any_wall<D>(ph::wall(ph::offset(far_ball, -0.05)), ph::box_about<D>(5 * e, 0.2)));
   ph::world<D, 6> w(walls);
   const auto scan =
       ph::scene(ph::wall(ball), ph::wall(bar), ph::wall(ph::offset(cube, 0.05)),
                 ph::wall(ph::complement(ph::ball<D>(o, 10))),
-                ph::wall(ph::ball<D>(o, 12, ph::filling::hollow)), ph::wall(ph::offset(ball, -0.05)));
+                ph::wall(ph::ball<D>(o, 12, ph::filling::hollow)), ph::wall(ph::offset(far_ball, -0.05)));
   ph::testing::random_source random(seed);
   int touched[6] = {};
   for (int k = 0; k < 20'000; ++k) {

@@ -23,10 +23,9 @@ namespace passive_haptics {
 /// others (unbounded, moving, mesh_surface): keep them few. Construction O(n log n); it alone allocates.
 ///
 /// A world keeps a proxy of the handle (handle_proxy.hpp) if a wall needs it: a mesh, a plate or bar thinner
-/// than 1 cm, or two solids over 1 cm wide that stand still with bounds that meet or overlap by up to 1 cm.
-/// Then thin walls hold at any depth, and walls side by side are felt as one, for up to 2000 instructions
-/// more in contact. Solids side by side that move, or that are rotated so that their bounds overlap by more,
-/// are not recognised: make one of them a mesh_solid.
+/// than 1 cm, or two solids at rest, over 1 cm wide, with bounds that meet or overlap. Then thin walls hold
+/// at any depth, and walls side by side are felt as one, for up to 2000 instructions more in contact. If
+/// solids that move are side by side, make one of them a mesh_solid.
 template <int D, int Capacity = D + 1>
 class world {
  public:

@@ -133,28 +133,24 @@ struct world_geometry {
   std::vector<int> items;              ///< By the numbers of the walls.
   std::vector<std::size_t> trackers{
       0};                    ///< Where the tracker of each of the others begins, and the last ends.
-  bool needs_proxy = false;  ///< For a mesh, a thin wall, or two that meet face to face.
+  bool needs_proxy = false;  ///< For a mesh, a thin wall, or two that meet.
   double extent = 0;         ///< Largest coordinate of the bounded walls [m].
 
  private:
-  // True if one of the boxes meets b face to face or overlaps it a little: inside such solids the sides at
-  // the seam are nearest, which do not push out
+  // True if one of the boxes meets or overlaps b: inside two solids side by side, the sides at the seam are
+  // nearest, which do not push out
   bool has_beside(const bounding_box<D>& b, const std::vector<bounding_box<D>>& boxes) const {
-    constexpr double thin = 0.01;              // [m], of what both have in common
-    constexpr double wide = 0.01;              // [m], of a face; a hand is pushed out of what is smaller
+    constexpr double wide = 0.01;              // [m], of a seam; a hand slips off what is smaller
     const double touch = 1e-9 * tree.scale();  // [m]
     const double radius = (b.upper - b.lower).norm() / 2 + touch;
-    bool found = false;
+    int count = 0;
     const auto look = [&](int place, double) {
       const bounding_box<D>& other = boxes[static_cast<std::size_t>(tree.item(place))];
-      point<D> common = b.upper.cwiseMin(other.upper) - b.lower.cwiseMax(other.lower);
-      int axis = 0;
-      const double across = common.minCoeff(&axis);
-      common[axis] = wide + 1;
-      found |= -touch <= across && across < thin && common.minCoeff() > wide;
+      const point<D> common = b.upper.cwiseMin(other.upper) - b.lower.cwiseMax(other.lower);
+      if ((common.array() >= -touch).all() && (common.array() > wide).count() >= D - 1) ++count;
     };
     tree.visit_within(squared_distance_from<D>((b.lower + b.upper) / 2), radius * radius, look);
-    return found;
+    return count > 1;  // b is one
   }
 };
 

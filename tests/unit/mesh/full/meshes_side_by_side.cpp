@@ -138,9 +138,10 @@ TEST(meshes_side_by_side, a_box_beside_a_mesh_is_one_floor) {
       across);
 }
 
-// Also where no mesh is near: boxes that meet face to face, and a plate half as thick as the hand is deep.
+// Also where no mesh is near: boxes that meet or overlap, and a plate half as thick as the hand is deep.
 TEST(meshes_side_by_side, boxes_and_a_plate_are_one_floor) {
   expect_one_floor("boxes", world_of({box(0, 0, 0.1, 0.2), box(0.1, 0, 0.2, 0.2)}), across);
+  expect_one_floor("overlap", world_of({box(0, 0, 0.101, 0.2), box(0.1, 0, 0.2, 0.2)}), across);
   const ph::box<3> plate(at(0.1, 0.1, -pressed / 4), at(0.1, 0.1, pressed / 4));
   expect_one_floor("plate", world_of({ph::wall(plate)}), over_a_corner);
 }
