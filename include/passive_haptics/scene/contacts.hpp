@@ -36,8 +36,8 @@ struct contact {
 ///
 ///     normal = (n + H u) / l,   depth = depth_sensed - u . (n + H u / (1 + l)).
 ///
-/// That is right to second order, and exact along a circle or ball from any way along it on. Unchanged where
-/// it was sensed.
+/// This is right to second order, and exact on a circle or ball if u is along it. It changes nothing where
+/// the contact was sensed.
 template <int D>
 contact<D> carried_to(const point<D>& x, contact<D> c) {
   const point<D> moved = x - c.sensed_at, turn = c.curvature * moved;
