@@ -5,6 +5,7 @@
 #include <passive_haptics/scene/proxy/proxy_contacts.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -84,14 +85,15 @@ class handle_proxy {
     tracker_ = t;
     is_here_ = false;
   }
-  /// Takes over where the handle's proxy was among other surfaces, of which those are here, too.
-  template <class Numbers>
-  void take_over(const handle_proxy& other, const Numbers& numbers) {
+  /// Takes over where the handle's proxy was among other surfaces; item_of gives the number that one of them
+  /// has here, if it is here, too.
+  template <class ItemOf>
+  void take_over(const handle_proxy& other, const ItemOf& item_of) {
     set_tracker(other.tracker_);
-    const auto begin = tracker_.facets.begin();
-    const auto gone = [&](const facet_of_surface& f) { return !numbers(f.surface); };
-    tracker_.facet_count =
-        static_cast<int>(std::remove_if(begin, begin + tracker_.facet_count, gone) - begin);
+    tracker_.facet_count = 0;
+    for (const facet_of_surface& f : other.tracker_.resting())
+      if (const std::optional<int> item = item_of(f.surface))
+        tracker_.facets[static_cast<std::size_t>(tracker_.facet_count++)] = {*item, f.facet};
   }
 
  private:

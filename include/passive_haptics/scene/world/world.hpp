@@ -103,9 +103,7 @@ class world {
   /// walls it is seen for the first time, its proxy where the shared ones hold it.
   void remember(const world& other) noexcept {
     const geometry &mine = *geometry_, &others = *other.geometry_;
-    const auto is_shared = [&](int item) {
-      return item < 0 && mine.shares(others, geometry::place_of(item));
-    };
+    const auto item_of = [&](int item) { return mine.item_of(others, item); };
     previous_ = other.previous_;
     for (std::size_t k = 0; k < std::min(mine.others.size(), others.others.size()); ++k) {
       if (!mine.shares(others, k)) continue;
@@ -115,8 +113,8 @@ class world {
       if (k < std::min(motions_.size(), other.motions_.size()))
         motions_[k].take_over(other.motions_[k], previous_);
     }
-    if (other.proxy_.rests_where([&](int item) { return item >= 0 || is_shared(item); }))
-      proxy_.take_over(other.proxy_, is_shared);
+    if (other.proxy_.rests_where([&](int item) { return item >= 0 || item_of(item); }))
+      proxy_.take_over(other.proxy_, item_of);
   }
 
  private:

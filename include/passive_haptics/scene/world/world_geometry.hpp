@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace passive_haptics::detail {
@@ -80,6 +81,11 @@ struct world_geometry {
     in_tree.reserve(bounded.size());
     for (int place = 0; place < static_cast<int>(bounded.size()); ++place)
       in_tree.push_back(numbered(bounded[static_cast<std::size_t>(tree.item(place))]));
+    items.resize(walls.all().size());
+    for (std::size_t k = 0; k < in_tree.size(); ++k)
+      items[static_cast<std::size_t>(in_tree[k].number)] = static_cast<int>(k);
+    for (std::size_t k = 0; k < others.size(); ++k)
+      items[static_cast<std::size_t>(others[k].number)] = -1 - static_cast<int>(k);
     for (const numbered_wall& w : others) {
       const std::size_t units = (w.wall.tracker_size() + sizeof(tracker_bytes) - 1) / sizeof(tracker_bytes);
       trackers.push_back(trackers.back() + units);
@@ -109,6 +115,14 @@ struct world_geometry {
     return mine.number == its.number && mine.wall.shares(its.wall);
   }
 
+  /// The item that an item of another world is here, if both are the same wall under the same number.
+  std::optional<int> item_of(const world_geometry& other, int item) const {
+    const numbered_wall& its = other.wall_of(item);
+    const auto number = static_cast<std::size_t>(its.number);
+    if (number >= items.size() || !wall_of(items[number]).wall.shares(its.wall)) return {};
+    return items[number];
+  }
+
   /// Where the tracker of another begins [tracker_bytes].
   std::ptrdiff_t tracker_at(std::size_t other) const { return static_cast<std::ptrdiff_t>(trackers[other]); }
 
@@ -116,6 +130,7 @@ struct world_geometry {
   std::vector<numbered_wall> in_tree;  ///< By their places there.
   std::vector<numbered_wall> others;   ///< Outside of it, the moving ones first.
   std::vector<int> moving;             ///< Their numbers.
+  std::vector<int> items;              ///< By the numbers of the walls.
   std::vector<std::size_t> trackers{
       0};                    ///< Where the tracker of each of the others begins, and the last ends.
   bool needs_proxy = false;  ///< For a mesh, a thin wall, or two that meet face to face.

@@ -210,6 +210,25 @@ TYPED_TEST(the_memory_of_a_world, is_handed_on_where_scenes_are_exchanged) {
   expect_sides_are_kept<D>(cycle, [&] { exchange.scene().reset(); });
 }
 
+// A plate that is shared, under a hand that is deeper than the plate is thick; other walls come and go.
+TYPED_TEST(the_memory_of_a_world, holds_at_a_plate_where_scenes_are_exchanged) {
+  constexpr int D = TestFixture::dimension;
+  ph::point<D> half = ph::point<D>::Constant(0.1), x = ph::point<D>::Zero();
+  half[D - 1] = 0.001;
+  ph::world_walls<D> walls;
+  walls.add(ph::wall(ph::box<D>(ph::point<D>::Zero(), half)));
+  ph::scene_exchange<ph::world<D>> exchange(ph::world<D>(walls), 0.0);
+  ph::latest_scene latest(exchange, {.stale_after = 1e9});
+  for (int k = 0; k < 20; ++k) {
+    walls.add(ph::wall(ph::ball<D>((k - 10.0) * ph::point<D>::UnitX(), 0.1)));
+    exchange.publish(ph::world<D>(walls), k);
+    x[D - 1] = 0.002 - 0.0005 * k;
+    const auto& touched = ph::sense(latest, x, k);
+    ASSERT_EQ(touched.size(), x[D - 1] < 0.001 ? 1 : 0) << k;
+    for (const auto& c : touched) EXPECT_NEAR(c.depth, 0.001 - x[D - 1], 1e-12) << k;
+  }
+}
+
 // Of walls that ask for the same, those of lower numbers are kept; of one wall's contacts the deepest comes
 // first.
 TYPED_TEST(the_memory_of_a_world, keeps_the_first_of_equals_whatever_the_order) {
