@@ -14,6 +14,12 @@ namespace passive_haptics {
 ///
 /// Displacement and velocity are two values, so that a conveyor (velocity, no displacement) is a shape too.
 /// Of a moving shape inside another the velocities add. It provides no bounds, as they would move.
+///
+/// **A wall that moves towards the hand.** Brakes hold, they do not push: the work against the push F_n of
+/// the hand comes from the hand's own pull F_t along the wall, F_t v_t >= F_n v_wall. A hand that pulls less
+/// stops, and the wall runs into it at v_wall until it pulls enough: at 1 cm/s 2 to 6 mm, at 2 cm/s 5 to 9 mm
+/// deep where the device deflects well, without end where no brake can turn the motion outward. A wall
+/// that moves away, or along its surface, is followed as one at rest.
 template <class S>
 class moving : public shape_wrapper<S> {
  public:

@@ -70,8 +70,8 @@ class world {
   int left_out() const { return found_.left_out(); }
 
   /// Moves a wall that was added by add_moving: displacement from where it was made [m], velocity of its
-  /// surface [m/s]; base frame. Two values, as of `moving`. False, and nothing moved, if there is no such
-  /// wall or they are not finite.
+  /// surface [m/s]; base frame. Two values, and the limits for walls that come, as of `moving`. False, and
+  /// nothing moved, if there is no such wall or they are not finite.
   bool set_motion(int number, const point<D>& displacement, const point<D>& velocity) {
     const auto& moving = geometry_->moving;
     const auto found = std::lower_bound(moving.begin(), moving.end(), number);
