@@ -35,6 +35,18 @@ struct lopsided_five_bar {
   static ph::vector<T, 2> upper() { return {T(2.9), T(1.1)}; }
 };
 
+// Without gravity: what the brakes hold is the hand.
+template <int Brakes>
+struct level_five_bar : lopsided_five_bar<double, Brakes> {
+  using mechanism = ph::five_bar<double, Brakes>;
+  static constexpr bool has_gravity = false;
+  static mechanism make() {
+    auto p = level_five_bar::parameters();
+    p.gravity.setZero();
+    return mechanism(p);
+  }
+};
+
 template <class T>
 struct desktop_delta {
   using mechanism = ph::delta<T>;

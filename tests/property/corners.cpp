@@ -18,18 +18,6 @@ namespace ph = passive_haptics;
 using law = ph::velocity_direct_control;
 constexpr unsigned seed = 59;
 
-// No two links alike, without gravity: what the brakes hold is the hand.
-template <int Brakes>
-struct level_five_bar : closed_chains::lopsided_five_bar<double, Brakes> {
-  using mechanism = ph::five_bar<double, Brakes>;
-  static constexpr bool has_gravity = false;
-  static mechanism make() {
-    auto p = level_five_bar::parameters();
-    p.gravity.setZero();
-    return mechanism(p);
-  }
-};
-
 // The least torques within the limits whose T^T t comes nearest to -J^T F.
 template <class M>
 ph::brake_vector<M> torques_that_hold(const ph::pose_dynamics<M>& device, const ph::task_vector<M>& F,
@@ -72,8 +60,8 @@ ph::contacts<D, D> random_corner(const ph::point<D>& x, int walls, ph::testing::
 
 template <class Case>
 struct corners : ::testing::Test {};
-using devices = ::testing::Types<device_case<ph::tendon_two_link<double>>, level_five_bar<2>,
-                                 level_five_bar<4>, device_case<ph::xy_table<double>>,
+using devices = ::testing::Types<device_case<ph::tendon_two_link<double>>, closed_chains::level_five_bar<2>,
+                                 closed_chains::level_five_bar<4>, device_case<ph::xy_table<double>>,
                                  closed_chains::desktop_delta<double>, chains::irregular_chain<double, 3, 2>>;
 TYPED_TEST_SUITE(corners, devices);
 

@@ -1,5 +1,5 @@
 /// @file
-/// How a device without a force sensor detects that the hand pulls away from a wall.
+/// Detects that a hand pulls away from a wall or an effect, for a device without a force sensor.
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
@@ -32,8 +32,8 @@ inline double worst_release_time(const release_probe_parameters& p) {
 }
 
 /// Without a force sensor a brake at rest cannot distinguish a push from a pull. So, while the handle touches
-/// a wall, brakes that have been at rest for probe_period are released (their own lag is the ramp) until the
-/// handle moves:
+/// a wall or is held by an effect, brakes that have been at rest for probe_period are released (their own lag
+/// is the ramp) until the handle moves:
 ///
 ///     watching --rest of probe_period--> probing --moved in, or probe_time--> watching
 ///                                          \--moved out--> released --moved in again, or no wall--> watching
@@ -54,8 +54,8 @@ class release_probe {
   /// Throws std::invalid_argument with the text of validate(p).
   explicit release_probe(const release_probe_parameters& p) : p_(require_valid(p)) {}
 
-  /// One cycle in contact: time [s], handle x [m], the wall's normal n, and for how long some brake has been
-  /// at rest [s].
+  /// One cycle in contact: time [s], handle x [m], the direction n of the force that holds (the wall's
+  /// normal), and for how long some brake has been at rest [s].
   phase update(double time, const point<D>& x, const point<D>& n, double rest) noexcept {
     const double moved = n.dot(x - origin_);  // outwards
     if (phase_ == phase::watching) {

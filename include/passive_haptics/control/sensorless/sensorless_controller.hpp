@@ -26,8 +26,8 @@ struct sensorless_parameters {
   }
 };
 
-/// A controller whose law gets the force of a momentum_observer in place of a sensor's, and which probes
-/// brakes that hold (release_probe), so that no hand stays locked inside a wall.
+/// A controller with a law that gets the force of a momentum_observer instead of a sensor's, and which probes
+/// brakes that hold (release_probe), so that no hand stays locked inside a wall or an effect.
 ///
 /// A brake at rest has sign 0 and may hold either way, as for any state without a hand force. Of all forces
 /// that the estimate allows, the law gets the one by which the hand does to brakes at rest what it last did
@@ -39,6 +39,11 @@ struct sensorless_parameters {
 /// A hand that presses without moving along sinks by its probes: in simulation (the paper's device, 2 N) 0.1
 /// mm/s under direct_control, 0.3 mm/s under velocity_direct_control. In a corner each wall sinks so: there
 /// on_off_control, which needs no hand force, holds (docs/results.md).
+///
+/// With effects, a round of probes tests the walls and, for each brake, the effects; a probe of one releases
+/// nothing that holds for the other. A hand of 1 to 3 N that pushes on creeps by 0.1 to 0.6 mm/s; one that
+/// pulls back is free within worst_release_time. Limits (docs/guide/effects.md): end stops and friction creep
+/// more, and a hand that leaves a wall obliquely may need several rounds, with and without effects.
 ///
 /// For mechanisms that model Dynamics. Errors: as controller; a cycle that is not later than the one before
 /// ends with status::time_not_rising under any law. Cost: that of the law and of the observer.
@@ -71,7 +76,8 @@ class sensorless_controller {
       result = released<result_type>(hand.outcome);
     }
     expect(state.time, result.capacity);
-    if (result.outcome == status::ok && holds_something(result)) probe(state.time, state.q, state.qd, result);
+    if (result.outcome == status::ok && (in_wall(result) || holds_for_effects(result)))
+      probe(state.time, state.q, state.qd, result);
     else forget_rest();
     make_up(result);
     remember(result.capacity);
@@ -80,8 +86,11 @@ class sensorless_controller {
 
   /// The estimate of the last cycle, and how far it may be off.
   const hand_force_estimate<M>& hand() const { return observer_.estimate(); }
-  /// What the probe did in the last cycle.
-  probe_phase probing() const { return probe_.now(); }
+  /// Phase of the probes in the last cycle: probing if one of them is, else released if one is.
+  probe_phase probing() const {
+    if (any_probe_is(probe_phase::probing)) return probe_phase::probing;
+    return any_probe_is(probe_phase::released) ? probe_phase::released : probe_phase::watching;
+  }
   /// Forgets the motion so far.
   void reset() {
     observer_.reset();
@@ -152,14 +161,13 @@ class sensorless_controller {
   }
 
   static bool in_wall(const result_type& result) { return (result.desired_force.array() != scalar(0)).any(); }
-  static bool holds_something(const result_type& result) {
-    if constexpr (has_effects)
-      if ((result.torque_for_effects.array() != scalar(0)).any()) return true;
-    return in_wall(result);
+  static bool holds_for_effects(const result_type& result) {
+    if constexpr (has_effects) return (result.torque_for_effects.array() != scalar(0)).any();
+    else return false;
   }
 
-  // All that holds is probed in the same round: walls together, the effects of each brake by itself. A probe
-  // releases what holds for its cause, and looks which way the handle goes along that force.
+  // One round probes all that holds: the walls together, and for each brake the effects. A probe releases the
+  // torque for its cause and watches the handle along the force of that torque.
   void probe(double time, const joint_vector<M>& q, const joint_vector<M>& qd, result_type& result) {
     const double rest = update_rest(time, passive_haptics::brake_rates(mechanism(), q, qd));
     const auto x = as<double>(mechanism().position(q));
@@ -209,9 +217,12 @@ class sensorless_controller {
       if (time - rested_[i] > longest_slip || rest_since_[i] > time) rest_since_[i] = time;
       rest = std::max(rest, time - rest_since_[i]);
     });
-    const auto probes = [](const auto& p) { return p.now() == probe_phase::probing; };
-    const bool round = probes(probe_) || std::any_of(effect_probes_.begin(), effect_probes_.end(), probes);
-    return round ? 0 : rest;
+    return any_probe_is(probe_phase::probing) ? 0 : rest;
+  }
+
+  bool any_probe_is(probe_phase phase) const {
+    const auto has_phase = [&](const auto& one) { return one.now() == phase; };
+    return has_phase(probe_) || std::any_of(effect_probes_.begin(), effect_probes_.end(), has_phase);
   }
 
   void forget_rest() {
@@ -224,15 +235,14 @@ class sensorless_controller {
   momentum_observer<M> observer_;
   controller<M, S, L> controller_;
   release_probe<d> probe_;  // of walls
-  std::array<release_probe<d>, has_effects ? m : 0> effect_probes_{};
+  std::array<release_probe<d>, index(has_effects ? m : 0)> effect_probes_{};
   brake_lag_model expected_, actual_;  // what brakes would make of its commands, and what they make
   vector<double, m> counted_on_ = vector<double, m>::Zero();  // torques that the law counts on [N m]
   brake_vector<M> last_capacity_ = brake_vector<M>::Zero();
   brake_vector<M> assumed_hand_torque_ = brake_vector<M>::Zero();  // what the hand does to each brake [N m]
-  vector<double, M::brake_count> rest_since_ =
-      vector<double, M::brake_count>::Constant(std::numeric_limits<double>::infinity());
-  vector<double, M::brake_count> rested_ =  // when each was at rest last [s]
-      vector<double, M::brake_count>::Constant(-std::numeric_limits<double>::infinity());
+  vector<double, m> rest_since_ = vector<double, m>::Constant(std::numeric_limits<double>::infinity());
+  vector<double, m> rested_ =  // when each was at rest last [s]
+      vector<double, m>::Constant(-std::numeric_limits<double>::infinity());
   std::array<bool, index(m)> probed_{};             // released by the probe of walls
   brake_vector<M> side_ = brake_vector<M>::Zero();  // of the last torque for effects
 };
