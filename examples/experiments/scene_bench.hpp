@@ -29,13 +29,13 @@ scene_bench bench_of_all(const scene_device<M>& device) {
   bench.effect_laws = {{"direct_control", true}, {"direct_control", false}, {"no_direct_control", true}};
   bench.run_effect = [=](bool has_wall, std::size_t i, std::size_t j, const number_range& hands) {
     effect_figures worst;
-    const auto add = [&](const auto& control_of) {
+    const auto add_hands = [&](const auto& control_of) {
       for (std::uint64_t k = hands.first; k <= hands.last; ++k)
         worst.add(follow_effect(device, effects[i], control_of, has_wall, k));
     };
-    if (j == 0) add(with_sensor{ph::direct_control()});
-    if (j == 1) add(without_sensor{ph::direct_control()});
-    if (j == 2) add(with_sensor{ph::no_direct_control()});
+    if (j == 0) add_hands(with_sensor{ph::direct_control()});
+    if (j == 1) add_hands(without_sensor{ph::direct_control()});
+    if (j == 2) add_hands(with_sensor{ph::no_direct_control()});
     return worst;
   };
   return bench;

@@ -165,12 +165,12 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
 // The device with these laws.
 template <class M>
 scene_bench bench_of(const scene_device<M>& device, const std::vector<law_column<M>>& laws) {
-  const auto specimens = all_specimens<M::task_dimension>();
-  scene_bench bench{device.name, {specimens.begin(), specimens.end()}, {laws.begin(), laws.end()}, {}};
+  const auto listed = all_specimens<M::task_dimension>();
+  scene_bench bench{device.name, {listed.begin(), listed.end()}, {laws.begin(), laws.end()}, {}};
   bench.run = [=](const scene_kind& kind, std::size_t i, std::size_t j, const number_range& hands) {
     scene_figures worst;
     for (std::uint64_t k = hands.first; k <= hands.last; ++k)
-      worst.add(follow_scene(device, specimens[i], kind, laws[j], k));
+      worst.add(follow_scene(device, listed[i], kind, laws[j], k));
     return worst;
   };
   return bench;

@@ -90,6 +90,14 @@ class scene_tables {
     }
     return all;
   }
+  // Words that docs/results.md is compared with: s for separations, ! for what is worse.
+  std::string page_text(const scene_kind& kind, std::size_t b, const std::string& name,
+                        std::size_t law) const {
+    const auto found = results_.find({kind.name, b, name, law});
+    if (found == results_.end()) return "-";
+    const judged& j = found->second;
+    return written("%.1f", j.ratio) + (j.figures.separations > 0 ? " s" : "") + (j.worse.empty() ? "" : " !");
+  }
   // Under one law, shapes that are felt alike in one row.
   std::string by_kind(std::size_t law) const {
     std::vector<std::string> head{"shape"};
@@ -98,7 +106,7 @@ class scene_tables {
     for (const auto& name : names_) {
       std::vector<std::string> cells;
       for (const auto& kind : scene_kinds)
-        cells.push_back(text_of(kind, 0, name, law) + " / " + text_of(kind, 1, name, law));
+        cells.push_back(page_text(kind, 0, name, law) + " / " + page_text(kind, 1, name, law));
       const auto same =
           std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.second == cells; });
       if (same == rows.end()) rows.push_back({name, cells});

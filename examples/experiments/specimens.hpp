@@ -34,6 +34,7 @@ template <int D>
 struct place {
   ph::point<D> at, normal, along;  // [m], out of the wall, of the hand's way (unit, normal to each other)
   double radius = 60e-3;           // of curved specimens; the length by which others scale [m]
+  int fine = 72;                   // corners of a circle that is felt as one
 
   // The point at these multiples of the radius.
   ph::point<D> point(double forward, double up, double across = 0) const {
@@ -120,7 +121,6 @@ struct place {
     for (std::size_t k = 0; k < 12; ++k) p.corners[k] = point(c[k][0], c[k][1]);
     return ph::convex_polygon<12>(p);
   }
-  static constexpr int fine = 72;  // corners of a circle that is felt as one
 
  private:
   static ph::point<D> coordinates(double forward, double up, [[maybe_unused]] double across) {

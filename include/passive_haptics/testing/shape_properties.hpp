@@ -109,7 +109,7 @@ TYPED_TEST_P(shape_properties, hessian_is_the_derivative_of_the_gradient) {
     this->for_each_point([&](const point<d>& x, auto&) {
       const matrix<double, d, d> H = this->shape.hessian(x);
       const double tolerance = 1e-6 * (1 + H.norm());
-      const double rounding = rounding_tolerance<double>(d) * (1 + H.norm());
+      const double rounding = this->rounding() * (1 + H.norm());
       ASSERT_LE((H * this->shape.gradient(x)).norm(), rounding);
       ASSERT_LE((H - H.transpose()).norm(), rounding);
       for (int i = 0; i < d; ++i) {

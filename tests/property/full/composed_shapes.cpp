@@ -68,10 +68,11 @@ struct listed_case {
     ph::point<D> normal = ph::point<D>::LinSpaced(1, 2), along = ph::point<D>::UnitX();
     normal.normalize();
     along = (along - normal * normal.x()).normalized();
-    return Specimen(*found()).make(experiments::place<D>{ph::point<D>::Constant(0.1), normal, along, 0.8});
+    return Specimen(*found()).make(
+        experiments::place<D>{ph::point<D>::Constant(0.1), normal, along, 0.5, 12});
   }
-  static ph::point<D> lower() { return ph::point<D>::Constant(-2); }
-  static ph::point<D> upper() { return ph::point<D>::Constant(2); }
+  static ph::point<D> lower() { return ph::point<D>::Constant(-1); }
+  static ph::point<D> upper() { return ph::point<D>::Constant(1); }
 
  private:
   static const Specimen* found() { return &std::get<Specimen>(experiments::specimens); }
