@@ -41,6 +41,18 @@ any_shape<D> reference_shape(surface of, const place<D>& p) {
   throw std::logic_error("a surface without a reference");
 }
 
+// A mesh_surface near its facets.
+template <class S>
+struct sheet {
+  static constexpr int dimension = S::dimension;
+  static constexpr bool has_unit_gradient = true;
+  using at = ph::point<dimension>;
+  ph::mesh<dimension> mesh;
+  explicit sheet(const S& s) : mesh(s.surface()) {}
+  double distance(const at& x) const { return mesh.signed_distance(x, mesh.nearest(x)); }
+  at gradient(const at& x) const { return mesh.normal_at(mesh.nearest(x)).normalized(); }
+};
+
 template <int D>
 struct any_specimen : scene_specimen {
   std::function<placed_specimen<D>(const place<D>&)> at;
@@ -70,7 +82,8 @@ std::vector<any_specimen<D>> all_specimens() {
                      const made shapes = s.make(p);
                      if constexpr (is_shape || is_surface) add(shapes);
                      else std::apply([&](const auto&... each) { (add(each), ...); }, shapes);
-                     if constexpr (is_shape)
+                     if constexpr (is_surface) placed.felt = std::make_shared<any_shape<D>>(sheet(shapes));
+                     else if constexpr (is_shape)
                        if (!s.is_thin) placed.felt = std::make_shared<any_shape<D>>(shapes);
                      return placed;
                    }});

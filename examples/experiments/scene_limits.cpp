@@ -59,16 +59,35 @@ const std::vector<scene_limit>& scene_limits() {
        "brakes cannot push a hand back: it is as deep as the wall moves in the time that the hand takes to "
        "stop",
        [](cell c, text) { return c.kind.speed > 0; }},
+      {"a law without a margin at 20 Hz",
+       "it meets the wall up to 50 ms late: a hand at 10 cm/s is 5 mm deep or through a wall of 3 mm by then",
+       [](cell c, text worse) {
+         return c.kind.is_slow && c.law.name.find("direct_control") != std::string::npos &&
+                !starts(c.law.name, "velocity") && worse == "passed through";
+       }},
+      {"`coercive_force_approximation` and `velocity_ratio_control`",
+       "a hand that stops along the wall sinks, also at the half-space",
+       [](cell c, text worse) {
+         return (starts(c.law.name, "coercive") || starts(c.law.name, "velocity_ratio")) &&
+                worse == "passed through";
+       }},
       {"a law other than `velocity_direct_control` and `on_off_control`",
        "it bounces along the half-space, too: depth and separations differ from one surface to the next",
        [](cell c, text worse) { return !is_smooth(c.law) && worse != "passed through"; }},
       {"two shapes side by side in a scene",
        "a scene has no proxy: at the seam the nearest face is the one between them; use a world",
        [](cell c, text) { return starts(c.specimen.name, "two ") && !c.kind.is_world; }},
-      {"two boxes side by side in a world without a mesh, turned against the base frame",
-       "their bounding boxes do not meet face to face, so the world keeps no proxy; use mesh_solids",
+      {"`on_off_control` at two mesh_solids side by side at 20 Hz",
+       "until the next sample the side of the second one is a wall ahead; use a proxy that is updated in "
+       "each "
+       "cycle, so a world that is not held",
        [](cell c, text) {
-         return starts(c.specimen.name, "two boxes") && !c.kind.has_mesh && c.bench.device == "delta";
+         return starts(c.law.name, "on_off") && starts(c.specimen.name, "two ") && c.kind.is_slow;
+       }},
+      {"`on_off_control` at a 90 degree edge at 20 Hz", "the face beyond the edge is met up to 50 ms late",
+       [](cell c, text worse) {
+         return starts(c.law.name, "on_off") && c.specimen.meant == surface::edge && c.kind.is_slow &&
+                worse == "separates";
        }},
       {"a shape of 3 mm in a scene", "thinner than three times the depth of the hand; use a world",
        [](cell c, text) { return c.specimen.is_thin && !c.kind.is_world; }},

@@ -127,13 +127,13 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
                           .solve(ph::task_vector<M>(p.speed * along - approach * n)));
   scene_figures figures{.hands = 1};
   double start = 0, now = 0;
+  bool is_released = false;  // where the device cannot reach
   const auto controller = law.control(device.mechanism, device.brakes, kind, placed, where, middle);
   const auto control = [&](ph::device_state<M> state) {
     now = state.time += start;
     displacement = (now - middle) * velocity;
     const auto command = controller(state);
-    if (command.outcome != ph::status::ok)
-      throw std::logic_error(specimen.name + ": " + std::string(to_string(command.outcome)));
+    is_released = is_released || command.outcome != ph::status::ok;
     return command;
   };
   const carried_shape<D> shape{placed, displacement};
@@ -146,7 +146,7 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
   figures.deviation = glide.depth_std;
   figures.drag = glide.retarding_force;
   figures.arrived = glide.arrived;
-  figures.through = glide.end == ph::run_end::too_deep || !glide.touched;
+  figures.through = glide.end == ph::run_end::too_deep || !glide.touched || is_released;
   const double depth = -shape.distance(plant.position());
   if (figures.through > 0 || !(depth > 0)) return figures;
 

@@ -25,6 +25,7 @@ class any_shape {
     virtual point gradient(const point& x) const = 0;
     virtual square hessian(const point& x) const = 0;
     virtual ph::bounding_box<D> bounds() const = 0;
+    virtual double thickness() const = 0;
   };
   template <class S>
   struct model final : interface {
@@ -36,6 +37,7 @@ class any_shape {
       if constexpr (requires { shape.bounds(); }) return shape.bounds();
       else return ph::everywhere<D>();
     }
+    double thickness() const override { return ph::thickness_of(shape); }
     S shape;
   };
 
@@ -58,6 +60,8 @@ class any_shape {
   square hessian(const point& x) const { return held_->hessian(x); }
   /// A box that holds the shape.
   ph::bounding_box<D> bounds() const { return held_->bounds(); }
+  /// The smallest distance between two opposite sides [m].
+  double thickness() const { return held_->thickness(); }
 
   /// The shape itself if it is an S, else nullptr.
   template <class S>
