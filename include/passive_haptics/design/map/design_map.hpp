@@ -5,9 +5,8 @@
 #include <passive_haptics/design/map/planar_figures.hpp>
 #include <passive_haptics/design/map/task_points.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace passive_haptics {
