@@ -10,8 +10,9 @@
 
 namespace passive_haptics {
 
-/// The control cycle for N states at once, for maps, sweeps and studies: what a controller returns for each
-/// of them, called with a fresh memory and a scene that has not seen the handle before.
+/// The control cycle of N states, one after the other, for maps, sweeps and studies: what a controller
+/// returns for each of them, called with a fresh memory and a scene that has not seen the handle before.
+/// Threads may share the states by part_of().
 template <class M, class S, class L, class B = brakes_of<M>>
 class batch_controller {
   static_assert(detail::controller_order<M, B, S, L>::met);
