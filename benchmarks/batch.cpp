@@ -1,7 +1,5 @@
 // Many states at once against one cycle after the other, of each shipped mechanism: random states, most of
-// them in contact; and a design map of as many points. What is timed also stores its results. CMake compiles
-// this file twice, for the target as it is and with -mavx2 -mfma, as the width of a batch is that of the
-// target's registers.
+// them in contact; and a design map of as many points. What is timed also stores its results.
 #include <passive_haptics/control/batch/batch_controller.hpp>
 #include <passive_haptics/design/map/design_map.hpp>
 #include <passive_haptics/passive_haptics.hpp>
@@ -24,11 +22,7 @@ namespace {
 constexpr unsigned seed = 20040627;
 constexpr std::size_t state_count = 1u << 16;  // in random order: branch predictors learn up to 16384
 
-struct row {
-  std::string name;
-  int width;
-};
-std::vector<row> rows;
+std::vector<std::string> rows;
 
 // Where the next array begins in its page [bytes]: were it the beginning for all, they would share a few
 // lines of the cache.
@@ -142,7 +136,7 @@ void add(const std::string& name, const M& mechanism, const L& law, double deep,
   ph::controller single(mechanism, brakes, scene, law);
   const ph::batch_controller batch(mechanism, brakes, scene, law);
   const auto data = std::make_shared<arrays<M>>(draw(mechanism, wall, deep));
-  rows.push_back({name, batch.width});
+  rows.push_back(name);
   const auto add_pass = [&](const std::string& way, auto pass) {
     benchmark::RegisterBenchmark((way + "/" + name).c_str(), [pass](benchmark::State& run) mutable {
       for (auto _ : run) {
@@ -165,7 +159,7 @@ void add(const std::string& name, const M& mechanism, const L& law, double deep,
   });
   add_pass("batch", [data, batch] { batch(data->in(), data->commands()); });
   add_pass("batch account", [data, batch] { batch(data->in(), data->account()); });
-  if constexpr (ph::design_map<M>::is_vectorised)
+  if constexpr (ph::design_map<M>::has_closed_form)
     add_pass("map", [mechanism, points = points_of(mechanism, data->states, wall), limits = brakes_alone,
                      map = ph::design_map<M>()]() mutable {
       map.assign(mechanism, points, limits, 2.0);
@@ -199,22 +193,21 @@ int main(int argc, char** argv) {
                                    {"--benchmark_min_time=0.02", "--benchmark_repetitions=15",
                                     "--benchmark_enable_random_interleaving=true"});
   if (all.size() < 4 * rows.size()) return 0;  // filtered
-  std::printf("One state [ns of CPU time], %zu random states in random order, seed %u, packs of %d\n",
-              state_count, seed, ph::native_pack_width<double>);
-  std::printf("%-20s %6s %9s %8s %7s %9s %8s %7s %7s\n", "", "width", "command", "batch", "ratio", "account",
-              "batch", "ratio", "map");
-  const auto time = [&](const char* way, const row& r) {
-    return all.at(way + ("/" + r.name)).cpu_time / double(state_count);
+  std::printf("One state [ns of CPU time], %zu random states in random order, seed %u\n", state_count, seed);
+  std::printf("%-20s %9s %8s %7s %9s %8s %7s %7s\n", "", "command", "batch", "ratio", "account", "batch",
+              "ratio", "map");
+  const auto time = [&](const char* way, const std::string& r) {
+    return all.at(way + ("/" + r)).cpu_time / double(state_count);
   };
-  for (const row& r : rows) {
-    std::printf("%-20s %6d %9.1f %8.1f %7.2f %9.1f %8.1f %7.2f", r.name.c_str(), r.width, time("single", r),
-                time("batch", r), time("batch", r) / time("single", r), time("account", r),
-                time("batch account", r), time("batch account", r) / time("account", r));
-    if (all.contains("map/" + r.name)) std::printf(" %7.1f", time("map", r));
+  for (const std::string& r : rows) {
+    std::printf("%-20s %9.1f %8.1f %7.2f %9.1f %8.1f %7.2f", r.c_str(), time("single", r), time("batch", r),
+                time("batch", r) / time("single", r), time("account", r), time("batch account", r),
+                time("batch account", r) / time("account", r));
+    if (all.contains("map/" + r)) std::printf(" %7.1f", time("map", r));
     std::printf("\n");
   }
-  const row& first = rows.front();
-  std::printf("summary: packs of %d: %.2f of a single command's time a state, %.2f of its account's (%s)\n",
-              ph::native_pack_width<double>, time("batch", first) / time("single", first),
-              time("batch account", first) / time("account", first), first.name.c_str());
+  const std::string& first = rows.front();
+  std::printf("summary: a batch takes %.2f of a single command's time a state, %.2f of its account's (%s)\n",
+              time("batch", first) / time("single", first),
+              time("batch account", first) / time("account", first), first.c_str());
 }

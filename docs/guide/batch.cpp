@@ -24,7 +24,6 @@ int main() {
 
   const ph::batch_controller batch(arm, ph::brakes_of<device>(), ph::scene(ph::wall(wall)),
                                    ph::direct_control());
-  static_assert(batch.is_vectorised);  // several states at a time: see the table
 
   std::vector<double> capacity_1(n), capacity_2(n), angle_cosine(n);
   std::vector<ph::status> outcome(n);

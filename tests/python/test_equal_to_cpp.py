@@ -78,7 +78,7 @@ def test_single_cycles(device, law, tmp_path):
 @pytest.mark.skipif(REFERENCE is None, reason="tests/run python names the program to compare with")
 @pytest.mark.parametrize("device,law", pairs())
 def test_batches(device, law, tmp_path):
-    case = Case(device, STATES + 3, SEED + 1)  # the last pack is not full
+    case = Case(device, STATES + 3, SEED + 1)
     theirs = expected(case, law, "batch", tmp_path)
     control = case.controller(law)
     by_rows = control.batch(case.q, case.qd, case.hand_force, case.time)

@@ -25,7 +25,6 @@ struct complete_mechanism {
   using scalar = double;
   static constexpr int dof = N, task_dimension = 2, brake_count = N;
   static constexpr ph::self_motion_form self_motion = ph::self_motion_form::inertial;
-  static constexpr bool branch_free = true;
   using joints = ph::vector<double, N>;
   using square = ph::matrix<double, N, N>;
   struct pose_type {};
@@ -49,7 +48,7 @@ struct complete_mechanism {
 template <class M>
 constexpr bool has_all_of_a_mechanism =
     std::ranges::all_of(ph::describe<M>().members, [](const auto& m) { return m.found; }) &&
-    ph::BranchFree<M> && ph::self_motion_of<M> == ph::self_motion_form::inertial &&
+    ph::self_motion_of<M> == ph::self_motion_form::inertial &&
     requires(const M m) { ph::remarks(m.parameters()); };
 
 using three_joints = complete_mechanism<3>;

@@ -1,6 +1,4 @@
-// Batches of every shipped mechanism: 1e5 states of each, 1e6 in a full run. CMake compiles this file twice:
-// for the target as it is, where all bits are those of single cycles, and with -mavx2 -mfma, where numbers
-// may differ by roundings.
+// Batches of every shipped mechanism: 1e5 states of each, 1e6 in a full run.
 #include "effort.hpp"
 
 namespace {

@@ -38,7 +38,7 @@ concept names_time_constant = requires(const B brakes) { brakes.time_constant; }
 /// `static constexpr bool unlimited = true`; then nothing is ever cut.
 template <class B, class T, int Brakes>
 concept LimitedBrakes = requires(const B brakes) {
-  { brakes.torque_limit } -> ExactVector<number_of<T>, Brakes>;
+  { brakes.torque_limit } -> ExactVector<T, Brakes>;
 };
 
 /// Brakes that may be off or work one way (a clutch that is released, a one-way clutch, a slack tendon):
@@ -47,28 +47,28 @@ concept LimitedBrakes = requires(const B brakes) {
 /// +-torque_limit; where both are 0 it is off. Without them each brake works both ways.
 template <class B, class T, int Brakes>
 concept SwitchableBrakes = requires(const B brakes) {
-  { brakes.torque_lower } -> ExactVector<number_of<T>, Brakes>;
-  { brakes.torque_upper } -> ExactVector<number_of<T>, Brakes>;
+  { brakes.torque_lower } -> ExactVector<T, Brakes>;
+  { brakes.torque_upper } -> ExactVector<T, Brakes>;
 };
 
 /// Brakes that can be at rest: `vector<T, m> rate_dead_band` [rad/s], >= 0. Without it they always slip:
 /// s = sgn(w), and no hand torque is computed.
 template <class B, class T, int Brakes>
 concept StickingBrakes = requires(const B brakes) {
-  { brakes.rate_dead_band } -> ExactVector<number_of<T>, Brakes>;
+  { brakes.rate_dead_band } -> ExactVector<T, Brakes>;
 };
 
 /// Brakes at rest that ignore a small push: `vector<T, m> torque_dead_band` [N m], >= 0. Without it any push
 /// counts.
 template <class B, class T, int Brakes>
 concept TorqueDeadBandBrakes = StickingBrakes<B, T, Brakes> && requires(const B brakes) {
-  { brakes.torque_dead_band } -> ExactVector<number_of<T>, Brakes>;
+  { brakes.torque_dead_band } -> ExactVector<T, Brakes>;
 };
 
 /// Brakes of a known lag: `vector<T, m> time_constant` [s], >= 0. Only laws that need it read it.
 template <class B, class T, int Brakes>
 concept LaggingBrakes = requires(const B brakes) {
-  { brakes.time_constant } -> ExactVector<number_of<T>, Brakes>;
+  { brakes.time_constant } -> ExactVector<T, Brakes>;
 };
 
 /// What a control cycle takes for the m brakes of mechanism M: a class with any of the members torque_limit,
@@ -151,9 +151,9 @@ T rate_dead_band_of(const B& brakes, int i) {
 
 /// Hand torques that count as none [N m]; 0 where no dead band is named.
 template <class T, int Brakes, class B>
-vector<number_of<T>, Brakes> torque_dead_bands_of(const B& brakes) {
+vector<T, Brakes> torque_dead_bands_of(const B& brakes) {
   if constexpr (detail::names_torque_dead_band<B>) return brakes.torque_dead_band;
-  else return vector<number_of<T>, Brakes>::Zero();
+  else return vector<T, Brakes>::Zero();
 }
 
 /// Where a torque_lower may lie.

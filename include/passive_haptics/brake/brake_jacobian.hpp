@@ -49,10 +49,9 @@ class brake_jacobian_evaluator {
   explicit brake_jacobian_evaluator(const M& mechanism) : inverse_(inverse_of_constant(mechanism)) {}
 
   /// E = J T^+. A diagonal_matrix where J and T are; J itself where there is no transmission.
-  template <class S>
-  auto operator()(const mechanism_pose<M, S>& pose) const {
+  auto operator()(const mechanism_pose<M>& pose) const {
     if constexpr (!detail::has_exact_transmission<M>) return pose.jacobian();
-    else if constexpr (is_constant) return times(pose.jacobian(), as_scalar<S>(inverse_));
+    else if constexpr (is_constant) return times(pose.jacobian(), inverse_);
     else return times(pose.jacobian(), pseudo_inverse(pose.transmission()));
   }
 
@@ -63,12 +62,11 @@ class brake_jacobian_evaluator {
 
   template <class JMatrix, class Inverse>
   static auto times(const JMatrix& J, const Inverse& inverse) {
-    using S = typename JMatrix::Scalar;
-    constexpr bool diagonal_J = ExactDiagonal<JMatrix, S, M::dof>,
-                   diagonal_T = ExactDiagonal<Inverse, S, M::dof>;
+    constexpr bool diagonal_J = ExactDiagonal<JMatrix, T, M::dof>,
+                   diagonal_T = ExactDiagonal<Inverse, T, M::dof>;
     if constexpr (diagonal_J && diagonal_T)
-      return diagonal_matrix<S, M::dof>(J.diagonal().cwiseProduct(inverse.diagonal()));
-    else return matrix<S, M::task_dimension, M::brake_count>(passive_haptics::times(J, inverse));
+      return diagonal_matrix<T, M::dof>(J.diagonal().cwiseProduct(inverse.diagonal()));
+    else return brake_matrix<M>(passive_haptics::times(J, inverse));
   }
 
   static auto inverse_of_constant(const M& mechanism) {

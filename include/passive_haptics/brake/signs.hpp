@@ -15,8 +15,8 @@
 
 namespace passive_haptics {
 
-/// True where a brake turns faster than its dead band (slip); else the brake is at rest (stick). For a scalar
-/// or a SIMD vector.
+/// True where a brake turns faster than its dead band (slip); else the brake is at rest (stick). For a number
+/// or for lanes.
 template <class T>
 auto slips(const T& rate, const T& rate_dead_band) {
   using std::abs;
@@ -25,7 +25,7 @@ auto slips(const T& rate, const T& rate_dead_band) {
 
 /// Sign s of a brake: that of its rate w in slip, else that of the hand torque th on it, else 0. A brake
 /// produces only torques with s t <= 0 (3). s = 0 (at rest, nobody pushes) restricts nothing.
-/// Dead bands are >= 0. For a scalar or a SIMD vector.
+/// Dead bands are >= 0. For a number or for lanes.
 template <class T>
 T brake_sign(const T& w, const T& th, const T& rate_dead_band, const T& torque_dead_band) {
   using std::abs;

@@ -10,8 +10,6 @@ namespace passive_haptics {
 
 /// The approximated force as it is, alpha = 1: what makes the hand bounce off a wall (section 3).
 struct no_direct_control {
-  static constexpr bool branch_free = true;  ///< Takes packs.
-
   /// alpha = 1.
   template <class T, int D>
   T scale(const contact_situation<T, D>&) const noexcept {
@@ -50,7 +48,6 @@ struct no_direct_control {
 struct direct_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
   static constexpr bool nulls_normal_force = true;  ///< Leaves nothing normal where the handle moves out.
-  static constexpr bool branch_free = true;         ///< Takes packs.
 
   double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is the law as printed.
 

@@ -17,7 +17,7 @@ enum class saturation {
 template <class T, int Brakes>
 struct saturated_torque {
   vector<T, Brakes> torque;  ///< [N m], |t_i| <= limit_i exactly.
-  truth_of<T> limited;       ///< True if some torque was over its limit.
+  bool limited;              ///< True if some torque was over its limit.
 };
 
 /// a t, of the same brakes: a in [0, 1].
@@ -29,9 +29,9 @@ saturated_torque<T, Brakes> operator*(T a, const saturated_torque<T, Brakes>& t)
 /// Torques t [N m], finite, within limits [N m] >= 0. It may stand before or after a law's alpha: cut to what
 /// the brakes can make and then scaled, or scaled and then cut.
 template <class T, int Brakes>
-saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<number_of<T>, Brakes>& limit,
+saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<T, Brakes>& limit,
                                      saturation policy) {
-  const lanes<T, Brakes> wanted = t, bound = limit, size = abs(wanted);
+  const lanes wanted = t, bound = limit, size = abs(wanted);
   const auto is_over = size > bound;
   lanes<T, Brakes> within = wanted;
   if (policy == saturation::keep_direction) within = within * least(select(is_over, bound / size, T(1)));

@@ -16,8 +16,7 @@ template <class T>
 struct zero {
   T value = T(0);
 };
-template <class T, class X>
-  requires std::floating_point<number_of<X>>
+template <class T, std::floating_point X>
 auto operator*(zero<T> so_far, X x) {
   return zero<decltype(so_far.value * x)>{so_far.value * x};
 }
@@ -47,17 +46,16 @@ template <class X>
 struct scalar_of {
   using type = typename X::Scalar;
 };
-template <class X>
-  requires std::floating_point<number_of<X>>
+template <std::floating_point X>
 struct scalar_of<X> {
   using type = X;
 };
 
 }  // namespace detail
 
-/// True if all these numbers, vectors and matrices are finite; of packs, for which states.
+/// True if all these numbers, vectors and matrices are finite.
 template <class First, class... Rest>
-auto all_finite(const First& first, const Rest&... rest) {
+bool all_finite(const First& first, const Rest&... rest) {
   const detail::zero<typename detail::scalar_of<First>::type> nothing;
   return ((nothing * first) * ... * rest).value == 0;
 }

@@ -35,16 +35,4 @@ template <int N, class F>
       PASSIVE_HAPTICS_INLINE { (f(Index), ...); }(std::make_integer_sequence<int, N>());
 }
 
-namespace detail {
-// W times the same number. Not 0 + x, which is another number where x is -0.
-template <class Register, class T, int... K>
-[[gnu::always_inline]] constexpr Register repeated(T x, std::integer_sequence<int, K...>) {
-  return Register{(static_cast<void>(K), x)...};
-}
-template <class Register, class T>
-[[gnu::always_inline]] constexpr Register repeated(T x) {
-  return repeated<Register>(x, std::make_integer_sequence<int, sizeof(Register) / sizeof(T)>());
-}
-}  // namespace detail
-
 }  // namespace passive_haptics

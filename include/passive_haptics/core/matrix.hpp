@@ -131,20 +131,6 @@ T length_of(const vector<T, N>& x) {
   return largest * sqrt(scaled.squaredNorm());
 }
 
-/// Parameters as they are, or for formulas over packs (core/scalar/pack.hpp) in packs: S is the scalar of the
-/// formula.
-template <class S, class T, int R, int C>
-decltype(auto) as_scalar(const matrix<T, R, C>& A) {
-  if constexpr (std::same_as<S, T>) return (A);
-  else return matrix<S, R, C>(A.template cast<S>());
-}
-/// Of a diagonal matrix.
-template <class S, class T, int N>
-decltype(auto) as_scalar(const diagonal_matrix<T, N>& A) {
-  if constexpr (std::same_as<S, T>) return (A);
-  else return diagonal_matrix<S, N>(A.diagonal().template cast<S>());
-}
-
 /// x / |x| of a finite x of any length but 0, also where its square or its length overflows or is denormal; 0
 /// of 0.
 template <class T, int N>

@@ -25,15 +25,10 @@ struct sink_slope_result {
 namespace detail {
 
 // Rates of rounding size, beside the greatest of a vector, are none.
-template <class S, int Brakes>
-vector<S, Brakes> without_rounding(const vector<S, Brakes>& w) {
-  using std::abs;
-  S largest = S(0);
-  unrolled<Brakes>([&](auto i) { largest = select(abs(w[i]) > largest, S(abs(w[i])), largest); });
-  const S rounding = rounding_tolerance<number_of<S>>(Brakes) * largest;
-  vector<S, Brakes> rates;
-  unrolled<Brakes>([&](auto i) { rates[i] = select(abs(w[i]) > rounding, w[i], S(0)); });
-  return rates;
+template <class T, int Brakes>
+vector<T, Brakes> without_rounding(const vector<T, Brakes>& w) {
+  const T rounding = rounding_tolerance<T>(Brakes) * w.cwiseAbs().maxCoeff();
+  return (w.array().abs() > rounding).select(w, T(0));
 }
 
 }  // namespace detail
@@ -50,31 +45,27 @@ vector<S, Brakes> without_rounding(const vector<S, Brakes>& w) {
 ///     min { slope_i : sum over slope_k <= slope_i of |b_k| L_k  +  sum over the others of |b_k| motor_k >= P
 ///     }
 ///
-/// with L_k the bound of brake k that way; infinite where all together are too weak. S: a number, or a pack
-/// of one for each of several poses; there is no branch on it. Cost: m^2 additions.
-template <class S, class T, int Brakes>
-S least_sink_slope(const vector<S, Brakes>& a, const vector<S, Brakes>& b,
-                   const torque_box<T, Brakes>& at_rest, const vector<T, Brakes>& motor_limit,
-                   const S& push) {
-  using std::abs;
-  const vector<S, Brakes> along = detail::without_rounding(a), out = detail::without_rounding(b);
-  vector<S, Brakes> slope, before, after;  // the force of each brake before it turns round, and after
-  unrolled<Brakes>([&](auto i) {
-    const truth_of<S> turns = abs(out[i]) > S(0);
-    const S bound = select(out[i] > S(0), S(at_rest.upper[i]), S(at_rest.lower[i]));
-    const S ratio = along[i] / out[i];
-    slope[i] = select(turns & (ratio > S(0)), ratio, S(0));
-    before[i] = select(turns, abs(out[i]) * S(motor_limit[i]), S(0));
-    after[i] = select(turns, out[i] * bound, S(0));
-  });
-  S least = S(std::numeric_limits<T>::infinity());
-  const auto consider = [&](const S& at) {
-    S force = S(0);
-    unrolled<Brakes>([&](auto k) { force += select(slope[k] <= at, after[k], before[k]); });
-    least = select((force >= push) & (at < least), at, least);
+/// with L_k the bound of brake k that way; infinite where all together are too weak. Cost: m^2 additions.
+template <class T, int Brakes>
+T least_sink_slope(const vector<T, Brakes>& a, const vector<T, Brakes>& b,
+                   const torque_box<T, Brakes>& at_rest, const vector<T, Brakes>& motor_limit, T push) {
+  const vector<T, Brakes> along = detail::without_rounding(a), out = detail::without_rounding(b);
+  // The slope at which each brake turns round, and its force before and after
+  vector<T, Brakes> slope = vector<T, Brakes>::Zero(), before = slope, after = slope;
+  for (int i = 0; i < Brakes; ++i) {
+    if (out[i] == T(0)) continue;
+    slope[i] = std::max(along[i] / out[i], T(0));
+    before[i] = std::abs(out[i]) * motor_limit[i];
+    after[i] = out[i] * (out[i] > T(0) ? at_rest.upper[i] : at_rest.lower[i]);
+  }
+  T least = std::numeric_limits<T>::infinity();
+  const auto consider = [&](T at) {
+    T force = T(0);
+    for (int k = 0; k < Brakes; ++k) force += slope[k] <= at ? after[k] : before[k];
+    if (force >= push && at < least) least = at;
   };
-  consider(S(0));
-  unrolled<Brakes>([&](auto i) { consider(slope[i]); });
+  consider(T(0));
+  for (int i = 0; i < Brakes; ++i) consider(slope[i]);
   return least;
 }
 

@@ -34,9 +34,9 @@ struct approximation_parameters {
 /// A force that brakes can display and the torques that make it.
 template <class T, int D, int Brakes>
 struct approximated_force {
-  choice_of<T, display_class> display = display_class::none;  ///< How the desired force is displayed.
-  vector<T, D> force = vector<T, D>::Zero();                  ///< Fc [N]; Fc . n = |Fd|. Zero if none.
-  vector<T, Brakes> torque = vector<T, Brakes>::Zero();       ///< t = E^T Fc [N m]; s_i t_i <= 0 exactly.
+  display_class display = display_class::none;           ///< How the desired force is displayed.
+  vector<T, D> force = vector<T, D>::Zero();             ///< Fc [N]; Fc . n = |Fd|. Zero if none.
+  vector<T, Brakes> torque = vector<T, Brakes>::Zero();  ///< t = E^T Fc [N m]; s_i t_i <= 0 exactly.
   T cosine_squared = T(0);  ///< cos^2(gamma) = (Fd / Fc)^2; 1 if exact, 0 if none.
 
   /// cos(gamma), of the angle between desired and displayed force.
@@ -75,18 +75,6 @@ T cosine_squared(const vector<T, D>& force, const vector<T, D>& n) {
   return cosine * cosine;
 }
 
-/// F of the states where it is true, else G.
-template <class T, int D, int Brakes>
-approximated_force<T, D, Brakes> select(const truth_of<T>& where, const approximated_force<T, D, Brakes>& F,
-                                        const std::type_identity_t<approximated_force<T, D, Brakes>>& G) {
-  approximated_force<T, D, Brakes> chosen;
-  chosen.display = select(where, F.display, G.display);
-  unrolled<D>([&](auto i) { chosen.force[i] = select(where, F.force[i], G.force[i]); });
-  unrolled<Brakes>([&](auto i) { chosen.torque[i] = select(where, F.torque[i], G.torque[i]); });
-  chosen.cosine_squared = select(where, F.cosine_squared, G.cosine_squared);
-  return chosen;
-}
-
 namespace detail {
 
 // Whether brakes that are off have no torque t.
@@ -123,8 +111,8 @@ auto of_those_on(const Mask& brakes, [[maybe_unused]] const Off& off) {
 /// the force is exact; with a brake that is off, the active set of 2 m half-spaces.
 template <class EMatrix, class T, int D, int Brakes, class Off = all_brakes_on>
 approximated_force<T, D, Brakes> approximate(const EMatrix& E, const vector<T, Brakes>& s,
-                                             const vector<T, D>& n, number_of<T> min_cosine,
-                                             half_space_start& start, const Off& off = Off()) {
+                                             const vector<T, D>& n, T min_cosine, half_space_start& start,
+                                             const Off& off = Off()) {
   if constexpr (!std::is_same_v<Off, all_brakes_on>)
     if (off.isZero(T(0))) return approximate(E, s, n, min_cosine, start);
   const vector<T, Brakes> t = brake_torque(E, n);
@@ -163,7 +151,7 @@ struct vectors_of_brakes {
 /// reference force R (Fig. 3), at right angles to the released one's column of E: Fc = R / (R . n).
 template <class T, class Off = all_brakes_on>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
-                                        const vector<T, 2>& n, number_of<T> min_cosine, half_space_start&,
+                                        const vector<T, 2>& n, T min_cosine, half_space_start&,
                                         const Off& off = Off()) {
   using each = lanes<T, 2>;  // brake 1, brake 2
   const each sign = s, t = brake_torque(E, n);
@@ -171,7 +159,7 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
   const detail::vectors_of_brakes<T> e{row(E, 0), row(E, 1)}, R{swapped(e.y), -swapped(e.x)};
   const each RR = dot(R, R), Rn = dot(R, n), share = T(1) / Rn;
   const each t_alone = cross_or_zero(dot(e, R), RR, swapped(RR)) * share;
-  const each cosine_squared = Rn * Rn / RR, least = std::max(min_cosine, rounding_tolerance<number_of<T>>(2));
+  const each cosine_squared = Rn * Rn / RR, least = std::max(min_cosine, rounding_tolerance<T>(2));
   const auto drives = detail::refuse(sign, t, off), some = drives | swapped(drives);
   const auto acts =
       swapped(drives) & detail::of_those_on((sign * t_alone <= T(0)) & (Rn * Rn >= least * least * RR), off);
@@ -187,14 +175,14 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
 /// motion.
 template <class T, int D, class Off = all_brakes_on>
 approximated_force<T, D, D> approximate(const diagonal_matrix<T, D>& E, const vector<T, D>& s,
-                                        const vector<T, D>& n, number_of<T> min_cosine, half_space_start&,
+                                        const vector<T, D>& n, T min_cosine, half_space_start&,
                                         const Off& off = Off()) {
   using each = lanes<T, D>;
   const each t = brake_torque(E, n);
   const auto drives = detail::refuse(each(s), t, off), some = any_of(drives);
   const each Fp = select(drives, T(0), n), square = select(some, sum(Fp * Fp), T(1));
-  const number_of<T> least = std::max(min_cosine * min_cosine, std::numeric_limits<number_of<T>>::min());
-  const auto acts = square >= T(least);
+  const T least = std::max(min_cosine * min_cosine, std::numeric_limits<T>::min());
+  const auto acts = square >= least;
   const auto nearest = select(some[0], display_class::approximate, display_class::exact);
   return {select(acts[0], nearest, display_class::none), select(acts, Fp / square, T(0)),
           select(acts, select(drives, T(0), t) / square, T(0)), select(acts, square, T(0))[0]};

@@ -72,7 +72,7 @@ T mechanical_power(const vector<T, N>& t, const vector<T, N>& w) {
 /// Power class from the power of the desired force, of which the sign matters, and whether every brake alone
 /// is passive.
 template <class T>
-choice_of<T, power_class> classify_power(T power, truth_of<T> producible_alone) {
+power_class classify_power(T power, bool producible_alone) {
   return select(power > T(0), power_class::active,
                 select(producible_alone, power_class::passive_1, power_class::passive_2));
 }

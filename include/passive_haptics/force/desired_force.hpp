@@ -27,7 +27,7 @@ desired_force<T, D> force_of(const contact<D>& c) {
 
 /// True if there is a force: its magnitude is > 0, so not NaN.
 template <class T, int D>
-truth_of<T> is_nonzero(const desired_force<T, D>& Fd) {
+bool is_nonzero(const desired_force<T, D>& Fd) {
   return Fd.magnitude > T(0);
 }
 

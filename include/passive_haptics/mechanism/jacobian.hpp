@@ -42,24 +42,23 @@ jacobian_matrix<M> automatic_jacobian(const M& mechanism, const joint_vector<M>&
 }
 
 /// A mechanism in one pose: what it gives there. What its members share, such as sines and cosines, is
-/// computed once, by the mechanism's pose(q) where it has one. Lives no longer than the mechanism and q. T:
-/// its scalar, or a pack, so that these are W poses (core/scalar/pack.hpp).
-template <class M, class T = typename M::scalar>
+/// computed once, by the mechanism's pose(q) where it has one. Lives no longer than the mechanism and q.
+template <class M>
 class mechanism_pose {
-  using joints = vector<T, M::dof>;
+  using T = typename M::scalar;
 
-  PASSIVE_HAPTICS_PART static auto pose_of(const M& mechanism, const joints& q) {
+  PASSIVE_HAPTICS_PART static auto pose_of(const M& mechanism, const joint_vector<M>& q) {
     if constexpr (detail::has_pose<M>) return mechanism.pose(q);
     else return q;
   }
 
  public:
   /// In pose q.
-  PASSIVE_HAPTICS_PART mechanism_pose(const M& mechanism, const joints& q)
+  PASSIVE_HAPTICS_PART mechanism_pose(const M& mechanism, const joint_vector<M>& q)
       : mechanism_(mechanism), q_(q), pose_(pose_of(mechanism, q)) {}
 
   /// x [m], base frame.
-  vector<T, M::task_dimension> position() const { return mechanism_.position(pose_); }
+  task_vector<M> position() const { return mechanism_.position(pose_); }
 
   /// J in v = J qd, d x n, base frame [m/rad or 1]: a matrix, or a diagonal_matrix where the mechanism's is.
   auto jacobian() const {
@@ -67,14 +66,14 @@ class mechanism_pose {
     static_assert(DifferentiableMechanism<M>,
                   "passive_haptics: the mechanism needs jacobian(q), or position(q) templated on the scalar "
                   "(`template <class S> vector<S, d> position(const vector<S, n>& q) const`).");
-    if constexpr (detail::jacobian_is_constant<M>) return as_scalar<T>(mechanism_.jacobian());
+    if constexpr (detail::jacobian_is_constant<M>) return mechanism_.jacobian();
     else if constexpr (detail::jacobian_depends_on_pose<M>) return mechanism_.jacobian(pose_);
     else return passive_haptics::automatic_jacobian(mechanism_, q_);
   }
 
   /// T in w = T qd, m x n: a matrix or a diagonal_matrix. Only for mechanisms that name a transmission.
   auto transmission() const {
-    if constexpr (detail::transmission_is_constant<M>) return as_scalar<T>(mechanism_.transmission());
+    if constexpr (detail::transmission_is_constant<M>) return mechanism_.transmission();
     else if constexpr (requires { mechanism_.transmission(pose_); }) return mechanism_.transmission(pose_);
     else return mechanism_.transmission(q_);
   }
@@ -88,10 +87,10 @@ class mechanism_pose {
   }
 
   /// Velocity of the end effector, v = J qd [m/s], base frame.
-  vector<T, M::task_dimension> velocity(const joints& qd) const { return times(jacobian(), qd); }
+  task_vector<M> velocity(const joint_vector<M>& qd) const { return times(jacobian(), qd); }
 
   /// Rates of the brakes' axes, w = T qd [rad/s or m/s].
-  vector<T, M::brake_count> brake_rates(const joints& qd) const {
+  brake_vector<M> brake_rates(const joint_vector<M>& qd) const {
     if constexpr (detail::has_exact_transmission<M>) return times(transmission(), qd);
     else return qd;
   }
@@ -118,12 +117,12 @@ class mechanism_pose {
   /// The mechanism.
   const M& mechanism() const { return mechanism_; }
   /// q [rad or m].
-  const joints& q() const { return q_; }
+  const joint_vector<M>& q() const { return q_; }
 
  private:
   const M& mechanism_;
-  const joints& q_;
-  decltype(pose_of(std::declval<const M&>(), std::declval<const joints&>())) pose_;
+  const joint_vector<M>& q_;
+  decltype(pose_of(std::declval<const M&>(), std::declval<const joint_vector<M>&>())) pose_;
 };
 
 /// J of one pose (mechanism_pose).

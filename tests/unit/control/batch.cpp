@@ -33,7 +33,6 @@ void expect_that_of_single_cycles(const L& law, ph::saturation limits, double st
   ph::step_options<double> options;
   options.limits = limits;
   const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), stiffness));
-  static_assert(ph::batch_controller<tendons, ph::static_scene<plane>, L>::is_vectorised);
   const auto seen = batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, law,
                                                               options, states_about(0.225, 1, 5003));
   for (const int count : seen) EXPECT_GT(count, 200);
@@ -70,7 +69,7 @@ std::string error_of(const ph::batch_states<tendons>& in, const ph::batch_result
   return {};
 }
 
-// The rest that fills no pack, and nothing beyond it: behind the arrays stands what stood there
+// Nothing beyond them: behind the arrays stands what stood there
 TEST(batch, of_any_number_of_states) {
   const auto batch = direct();
   for (std::size_t n = 0; n < 12; ++n) {
@@ -192,43 +191,23 @@ TEST(batch, of_invalid_options_releases) {
 
 // A law of one's own: alpha out of [0, 1] and NaN for some hands
 struct any_share {
-  static constexpr bool needs_hand_force = true, branch_free = true;
-  template <class T, int D>
-  T scale(const ph::contact_situation<T, D>& c) const noexcept {
-    return c.hand_force[0] / c.hand_force[1];
-  }
-};
-struct any_share_with_branches {
   static constexpr bool needs_hand_force = true;
   double scale(const ph::contact_situation<double, 2>& c) const noexcept {
-    return c.hand_force[0] > 0 ? 1.5 : 0.5;
+    return c.hand_force[0] / c.hand_force[1];
   }
 };
 struct wall_that_moves : plane {
   using plane::plane;
   ph::point<2> velocity(const ph::point<2>&) const { return {0.1, -0.1}; }
 };
-struct arm_of_ones_own : tendons {
-  ph::two_link_pose<double> pose(const ph::vector<double, 2>& q) const { return tendons::pose(q); }
-};
 
 TEST(batch, of_a_law_of_ones_own) {
   const auto scene = ph::scene(ph::wall(plane({0, 0.225}, {0, -1}), 1e4));
-  const auto given = states_about(0.225, 7, 2001);
-  static_assert(ph::batch_controller<tendons, ph::static_scene<plane>, any_share>::is_vectorised);
-  static_assert(
-      !ph::batch_controller<tendons, ph::static_scene<plane>, any_share_with_branches>::is_vectorised);
   batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, any_share(), {},
-                                            given);
-  batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene,
-                                            any_share_with_branches(), {}, given);
+                                            states_about(0.225, 7, 2001));
 }
 
-TEST(batch, of_what_is_made_of_a_part_that_takes_packs) {
-  static_assert(
-      !ph::batch_controller<tendons, ph::static_scene<wall_that_moves>, ph::direct_control>::is_vectorised);
-  static_assert(
-      !ph::batch_controller<arm_of_ones_own, ph::static_scene<plane>, ph::direct_control>::is_vectorised);
+TEST(batch, at_a_wall_that_moves) {
   const auto scene = ph::scene(ph::wall(wall_that_moves({0, 0.225}, {0, -1}), 1e4));
   batch_cases::expect_that_of_single_cycles(tendons(), ph::brakes_of<tendons>(), scene, ph::direct_control(),
                                             {}, states_about(0.225, 8, 501));

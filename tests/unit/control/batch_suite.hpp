@@ -1,4 +1,4 @@
-// Batches of every shipped mechanism, by packs and one by one: to the last bit what single cycles return.
+// Batches of every shipped mechanism: to the last bit what single cycles return.
 // Before it `rounds` is defined: how often this many states are drawn.
 #pragma once
 
@@ -36,13 +36,11 @@ ph::point<M::task_dimension> middle_of(const M& mechanism) {
 }
 
 template <class M, class Scene, class L>
-void expect_same(const M& mechanism, const Scene& scene, const L& law, bool vectorised,
-                 std::size_t n = count) {
+void expect_same(const M& mechanism, const Scene& scene, const L& law, std::size_t n = count) {
   ph::step_options<typename M::scalar> options;
   options.limits = n % 2 == 0 ? ph::saturation::clamp_each : ph::saturation::keep_direction;
   ph::brakes_of<M> brakes;
   brakes.torque_limit *= typename M::scalar(0.1);
-  EXPECT_EQ((ph::batch_controller<M, Scene, L>::is_vectorised), vectorised);
   for (unsigned seed = 0; seed < rounds && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
     const auto seen = batch_cases::expect_that_of_single_cycles(
@@ -59,30 +57,27 @@ auto one_plane(const M& mechanism, double stiffness) {
 }
 
 template <class M>
-void expect_same_under_the_papers_laws(const M& mechanism, bool vectorised, std::size_t n = count) {
-  expect_same(mechanism, one_plane(mechanism, 1e3), ph::no_direct_control(), vectorised, n);
-  expect_same(mechanism, one_plane(mechanism, 1e2), ph::direct_control{0.1}, vectorised, n + 1);
-  expect_same(mechanism, one_plane(mechanism, 1e7), ph::saturated_direct_control(), vectorised, n + 2);
+void expect_same_under_the_papers_laws(const M& mechanism, std::size_t n = count) {
+  expect_same(mechanism, one_plane(mechanism, 1e3), ph::no_direct_control(), n);
+  expect_same(mechanism, one_plane(mechanism, 1e2), ph::direct_control{0.1}, n + 1);
+  expect_same(mechanism, one_plane(mechanism, 1e7), ph::saturated_direct_control(), n + 2);
 }
 
-TEST(batches, of_a_two_link) { expect_same_under_the_papers_laws(ph::two_link<double>(), true); }
-TEST(batches, of_the_tendon_device) {
-  expect_same_under_the_papers_laws(ph::tendon_two_link<double>(), true);
-}
-TEST(batches, of_an_xy_table) { expect_same_under_the_papers_laws(ph::xy_table<double>(), true); }
-TEST(batches, of_a_five_bar) { expect_same_under_the_papers_laws(ph::five_bar<double>(), true); }
+TEST(batches, of_a_two_link) { expect_same_under_the_papers_laws(ph::two_link<double>()); }
+TEST(batches, of_the_tendon_device) { expect_same_under_the_papers_laws(ph::tendon_two_link<double>()); }
+TEST(batches, of_an_xy_table) { expect_same_under_the_papers_laws(ph::xy_table<double>()); }
+TEST(batches, of_a_five_bar) { expect_same_under_the_papers_laws(ph::five_bar<double>()); }
 TEST(batches, of_a_five_bar_with_four_brakes) {
-  expect_same_under_the_papers_laws(ph::five_bar<double, 4>(), false, 3001);
+  expect_same_under_the_papers_laws(ph::five_bar<double, 4>(), 3001);
 }
-TEST(batches, of_a_delta) { expect_same_under_the_papers_laws(ph::delta<double>(), false, 3001); }
-TEST(batches, in_float) { expect_same_under_the_papers_laws(ph::tendon_two_link<float>(), false); }
+TEST(batches, of_a_delta) { expect_same_under_the_papers_laws(ph::delta<double>(), 3001); }
+TEST(batches, in_float) { expect_same_under_the_papers_laws(ph::tendon_two_link<float>()); }
 
 TEST(batches, at_a_disc) {
   const ph::tendon_two_link<double> arm;
   // Not about the base: there brake 1 has no torque but rounding, which decides a sign under -mfma
   for (const auto filling : {ph::filling::solid, ph::filling::hollow})
-    expect_same(arm, ph::scene(ph::wall(ph::disc({0.02, 0.01}, 0.2, filling), 1e3)), ph::direct_control(),
-                true);
+    expect_same(arm, ph::scene(ph::wall(ph::disc({0.02, 0.01}, 0.2, filling), 1e3)), ph::direct_control());
 }
 TEST(batches, at_a_disc_about_the_handle) {
   const ph::xy_table<double> table;
@@ -100,7 +95,7 @@ TEST(batches, at_several_walls) {
   const ph::tendon_two_link<double> arm;
   const auto scene = ph::scene(ph::wall(ph::half_space<2>({0.1, 0}, {-1, 0}), 1e3),
                                ph::wall(ph::half_space<2>({0, 0.1}, {0, -1}), 1e4));
-  expect_same(arm, scene, ph::direct_control(), false, 5001);
+  expect_same(arm, scene, ph::direct_control(), 5001);
 }
 
 TEST(batches, of_brakes_without_limits_and_dead_bands) {
@@ -116,7 +111,7 @@ TEST(batches, of_brakes_without_limits_and_dead_bands) {
 TEST(batches, of_the_recommended_law) {
   const ph::tendon_two_link<double> arm;
   const ph::brakes_of<ph::tendon_two_link<double>> brakes;
-  expect_same(arm, one_plane(arm, 1e3), ph::recommended_law(arm, brakes), false, 3001);
+  expect_same(arm, one_plane(arm, 1e3), ph::recommended_law(arm, brakes), 3001);
 }
 
 }  // namespace

@@ -201,7 +201,7 @@ TEST(task_grid, has_the_greatest_size_if_its_points_cannot_be_counted) {
   EXPECT_EQ(size({most, most, -2}), 0U);
 }
 
-// Beyond 4.5e11 rad neighbouring numbers are more than 1e-4 rad apart. Five points: in packs, and alone
+// Beyond 4.5e11 rad neighbouring numbers are more than 1e-4 rad apart.
 TEST(design_map, of_joint_positions_without_a_meaningful_sine_has_no_figures) {
   ph::task_points<paper> points;
   for (const double turns : {0.0, 1e3, 1e11, 1e12, 1e300}) {

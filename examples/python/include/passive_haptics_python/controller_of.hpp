@@ -10,7 +10,6 @@
 
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
 #include <type_traits>
@@ -34,31 +33,26 @@ class batch_of final : public any_batch {
   B batch_;
 };
 
-/// Whether batches of mechanism M under law L at a plane wall are compiled for that wall, although they are
-/// computed one state after the other: half the time for twice the compiler's. Specialise it where that pays.
+/// True if batches of mechanism M under law L at a plane wall are compiled for that wall: half the time for
+/// twice the compiler's. Specialise it where that pays.
 template <class M, class L>
 inline constexpr bool is_compiled_for_planes = false;
 
-/// Batches that are compiled for their wall, a half_space or a ball: those that are computed several states
-/// at a time, and those of is_compiled_for_planes. nullptr for all others. A function of its own, so that a
-/// source can instantiate it with other flags than the rest.
+/// Batches that are compiled for their wall, a half_space; nullptr for all others. A function of its own, so
+/// that a source can instantiate it with other flags than the rest.
 template <class M, class L>
-std::unique_ptr<any_batch> batch_at_wall(const M& mechanism, const ph::brakes_of<M>& brakes,
-                                         const ph::wall<any_shape<M::task_dimension>>& w, const L& law,
-                                         const ph::step_options<double>& options) {
-  constexpr int D = M::task_dimension;
-  const auto of = [&]<class S>(std::type_identity<S>) -> std::unique_ptr<any_batch> {
-    using B = ph::batch_controller<M, ph::static_scene<S>, L>;
-    constexpr bool is_plane = std::is_same_v<S, ph::half_space<D>>;
-    if constexpr (B::is_vectorised || (is_plane && is_compiled_for_planes<M, L>)) {
-      if (const S* found = w.shape.template as<S>())
-        return std::make_unique<batch_of<B>>(mechanism, brakes, ph::scene(ph::wall(*found, w.stiffness())),
-                                             law, options);
-    }
-    return nullptr;
-  };
-  auto found = of(std::type_identity<ph::half_space<D>>());
-  return found ? std::move(found) : of(std::type_identity<ph::ball<D>>());
+std::unique_ptr<any_batch> batch_at_wall([[maybe_unused]] const M& mechanism,
+                                         [[maybe_unused]] const ph::brakes_of<M>& brakes,
+                                         [[maybe_unused]] const ph::wall<any_shape<M::task_dimension>>& w,
+                                         [[maybe_unused]] const L& law,
+                                         [[maybe_unused]] const ph::step_options<double>& options) {
+  if constexpr (is_compiled_for_planes<M, L>) {
+    using plane = ph::half_space<M::task_dimension>;
+    if (const plane* found = w.shape.template as<plane>())
+      return std::make_unique<batch_of<ph::batch_controller<M, ph::static_scene<plane>, L>>>(
+          mechanism, brakes, ph::scene(ph::wall(*found, w.stiffness())), law, options);
+  }
+  return nullptr;
 }
 
 /// The brakes that a controller of M takes: with bounds, unless M has self-motion. There the cycles of all
@@ -114,7 +108,7 @@ class controller_of final : public any_controller {
     controller_type control = control_;
     for (std::size_t k = 0; k < columns.count; ++k) {
       reset(control);
-      ph::detail::store<ph::step_result_for<M, typename S::contacts_type>>(results, k, control(states[k]));
+      ph::detail::store(results, k, control(states[k]));
     }
   }
 

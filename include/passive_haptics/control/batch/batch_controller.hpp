@@ -2,8 +2,7 @@
 /// A mechanism, its brakes, a scene and a law, ready to be called for many states at once.
 #pragma once
 
-#include <passive_haptics/control/batch/batch_packs.hpp>
-#include <passive_haptics/control/batch/packable.hpp>
+#include <passive_haptics/control/batch/batch_results.hpp>
 #include <passive_haptics/control/controller.hpp>
 
 #include <cstddef>
@@ -11,15 +10,10 @@
 
 namespace passive_haptics {
 
-/// The control cycle for N states at once, for maps, sweeps and studies: what a controller returns for each
-/// of them, called with a fresh memory and a scene that has not seen the handle before.
-///
-/// If is_vectorised, `width` states at a time are computed in a register. So are the two-link arms, the table
-/// and the five-bar with two brakes, in double, at one half_space or ball, under the paper's laws; and your
-/// mechanism, shape or law where it is branch_free (core/arithmetic.hpp). All else runs one state after
-/// the other, by the same call.
-template <class M, class S, class L, class B = brakes_of<M>,
-          int Width = native_pack_width<typename M::scalar>>
+/// The control cycle of N states, one after the other, for maps, sweeps and studies: what a controller
+/// returns for each of them, called with a fresh memory and a scene that has not seen the handle before.
+/// Threads may share the states by part_of().
+template <class M, class S, class L, class B = brakes_of<M>>
 class batch_controller {
   static_assert(detail::controller_order<M, B, S, L>::met);
   static_assert(mechanism_requirements<M>::met);
@@ -29,10 +23,6 @@ class batch_controller {
  public:
   using mechanism_type = M;                               ///< The mechanism.
   using options_type = step_options<typename M::scalar>;  ///< Options of a step.
-  /// Whether several states are computed at a time.
-  static constexpr bool is_vectorised = detail::Packable<M, S, L, B>;
-  /// How many.
-  static constexpr int width = is_vectorised ? Width : 1;
 
   /// Throws std::invalid_argument as a controller does.
   batch_controller(M mechanism, const B& brakes, S scene, L law = {},
@@ -63,49 +53,13 @@ class batch_controller {
 
  private:
   template <class Result>
-  void run(const batch_states<M>& states, const batch_results<M>& results) const {
-    const std::size_t n = states.size();
-    if constexpr (is_vectorised) {
-      const std::size_t rest = n % std::size_t(width);
-      run_packs<Result>(states, results, n - rest);
-      if (rest > 0) run_rest<Result>(states, results, {n - rest, static_cast<int>(rest)});
-    } else {
-      run_one_by_one<Result>(states, results);
-    }
-  }
-
-  // As many states as fill packs.
-  template <class Result>
-  PASSIVE_HAPTICS_FLATTEN void run_packs(const batch_states<M>& states, const batch_results<M>& results,
-                                         std::size_t count) const {
-    for (std::size_t k = 0; k < count; k += std::size_t(width)) {
-      const detail::whole_pack at{k};
-      detail::store<Result>(
-          results, at,
-          passive_haptics::packed_cycle<Result>(setup(), parameters_, detail::only_wall(scene_),
-                                                detail::packed<width>(states, at)));
-    }
-  }
-
-  // The states that are left over.
-  template <class Result>
-  PASSIVE_HAPTICS_FLATTEN void run_rest(const batch_states<M>& states, const batch_results<M>& results,
-                                        detail::rest_of_pack at) const {
-    detail::store<Result>(
-        results, at,
-        passive_haptics::packed_cycle<Result>(setup(), parameters_, detail::only_wall(scene_),
-                                              detail::packed<width>(states, at)));
-  }
-
-  template <class Result>
-  PASSIVE_HAPTICS_FLATTEN void run_one_by_one(const batch_states<M>& states,
-                                              const batch_results<M>& results) const {
+  PASSIVE_HAPTICS_FLATTEN void run(const batch_states<M>& states, const batch_results<M>& results) const {
     S scene = scene_;
     for (std::size_t k = 0; k < states.size(); ++k) {
       step_memory<L> memory;
       if constexpr (requires { scene.reset(); }) scene.reset();
-      detail::store<Result>(
-          results, k, passive_haptics::run_cycle<Result>(setup(), parameters_, scene, states[k], memory));
+      detail::store(results, k,
+                    passive_haptics::run_cycle<Result>(setup(), parameters_, scene, states[k], memory));
     }
   }
 

@@ -61,6 +61,27 @@ bool is_left_out(const std::array<std::span<T>, Components>& arrays) {
   return arrays[0].empty();
 }
 
+template <class Stored, class X>
+void store(std::span<Stored> array, std::size_t k, const X& x) {
+  array[k] = static_cast<Stored>(x);
+}
+template <class T, std::size_t Components, class X, int N>
+void store(const std::array<std::span<T>, Components>& arrays, std::size_t k, const vector<X, N>& x) {
+  static_assert(N == static_cast<int>(Components));
+  unrolled<N>([&](auto i) { store(arrays[std::size_t(i)], k, x[i]); });
+}
+// Stores the result of state k.
+template <class M, class R>
+void store(const batch_results<M>& results, std::size_t k, const R& r) {
+  store(results.capacity, k, r.capacity);
+  store(results.outcome, k, r.outcome);
+  if constexpr (requires { r.torque; })
+    results.for_each_of_account(r,
+                                [&](const char*, const auto& arrays, const auto& x) PASSIVE_HAPTICS_INLINE {
+                                  if (!is_left_out(arrays)) store(arrays, k, x);
+                                });
+}
+
 }  // namespace detail
 
 /// Whether nothing but capacity and outcome is stored.

@@ -21,7 +21,6 @@ struct saturated_direct_control {
   static constexpr bool needs_hand_force = true;    ///< Needs a force sensor at the handle.
   static constexpr bool nulls_normal_force = true;  ///< Leaves nothing normal where the handle moves out.
   static constexpr bool saturates_before_scaling = true;  ///< The limits come before alpha.
-  static constexpr bool branch_free = true;               ///< Takes packs.
 
   double velocity_dead_band = 0;  ///< v_dead [m/s], >= 0; 0 is the law as printed.
 

@@ -39,9 +39,14 @@ struct truths_of {
 template <class T>
   requires std::same_as<typename packet_of<T>::type, T>
 struct truths_of<T> {
-  using type = truth_of<T>;
+  using type = bool;
 };
 
+// Bits of two packets: those of x where m is set, else those of y.
+template <class Packet, class Bits>
+[[gnu::always_inline]] inline Packet merged(const Bits& m, const Packet& x, const Packet& y) {
+  return bit_cast<Packet>((bit_cast<Bits>(x) & m) | (bit_cast<Bits>(y) & ~m));
+}
 template <class Packet>
 [[gnu::always_inline]] inline Packet with_sign_of(const Packet& x, const Packet& y) {
   return merged(bit_cast<truths_of<double>::type>(-Packet{}), x, y);
@@ -76,7 +81,7 @@ struct lane_mask {
   }
 
   /// Truth i.
-  [[gnu::always_inline]] truth_of<T> operator[](int i) const {
+  [[gnu::always_inline]] bool operator[](int i) const {
     if constexpr (width == 1) return p[i];
     else return p[i / width][i % width * (4 / width)] < 0;  // its sign: shorter than all bits
   }

@@ -65,17 +65,14 @@ template <class T, int N, class F>
 template <class T, int N>
 T least(const lanes<T, N>& x) {
   T low = x[0];
-  unrolled<N - 1>([&](auto i) PASSIVE_HAPTICS_INLINE {
-    if constexpr (std::same_as<T, number_of<T>>) low = x[i + 1] < low ? x[i + 1] : low;
-    else low = min(low, x[i + 1]);
-  });
+  unrolled<N - 1>([&](auto i) PASSIVE_HAPTICS_INLINE { low = x[i + 1] < low ? x[i + 1] : low; });
   return low;
 }
 
 /// Whether it is true of some.
 template <class T, int N>
-truth_of<T> any(const lane_mask<T, N>& x) {
-  truth_of<T> some = false;
+bool any(const lane_mask<T, N>& x) {
+  bool some = false;
   unrolled<N>([&](auto i) PASSIVE_HAPTICS_INLINE { some |= x[i]; });
   return some;
 }
@@ -87,7 +84,7 @@ template <class T, int N>
   if constexpr (N == 2) {
     all = x | swapped(x);
   } else {
-    const truth_of<T> some = any(x);
+    const bool some = any(x);
     if constexpr (lane_mask<T, N>::width == 1)
       unrolled<N>([&](auto i) PASSIVE_HAPTICS_INLINE { all.p[i] = some; });
     else all = lane_mask<T, N>::of(some ? ~0u : 0u);

@@ -69,14 +69,6 @@ struct lanes {
   /// Fewer than fill a register are read apart, as what stands behind them may be another vector.
   lanes(const vector<T, N>& x)
       : lanes([&](int i) PASSIVE_HAPTICS_INLINE { return N < width ? apart(x[i]) : x[i]; }) {}
-  /// Of packs (core/scalar/pack.hpp) N times the same number of each state,
-  [[gnu::always_inline]] lanes(number_of<T> x)
-    requires(!std::same_as<T, number_of<T>>)
-      : lanes(T(x)) {}
-  /// or numbers that all states share.
-  lanes(const vector<number_of<T>, N>& x)
-    requires(!std::same_as<T, number_of<T>>)
-      : lanes([&](int i) PASSIVE_HAPTICS_INLINE { return T(x[i]); }) {}
 
   /// x[0], ..., x[N - 1], at any address, of numbers that were not stored just now.
   [[gnu::always_inline]] static lanes load(const T* x) {
@@ -167,7 +159,7 @@ template <class T, int N>
                                                  const std::type_identity_t<lanes<T, N>>& b) {
   return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
     const auto& m = where.p[k];
-    if constexpr (lanes<T, N>::width == 1) return detail::one_of(m, a.p[k], b.p[k]);
+    if constexpr (lanes<T, N>::width == 1) return m ? a.p[k] : b.p[k];
     else return detail::merged(m, a.p[k], b.p[k]);
   });
 }
@@ -177,8 +169,7 @@ template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> copysign(const std::type_identity_t<lanes<T, N>>& y,
                                                    const lanes<T, N>& x) {
   return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
-    using std::copysign;
-    if constexpr (lanes<T, N>::width == 1) return copysign(y.p[k], x.p[k]);
+    if constexpr (lanes<T, N>::width == 1) return std::copysign(y.p[k], x.p[k]);
     else return detail::with_sign_of(x.p[k], y.p[k]);
   });
 }
@@ -194,11 +185,7 @@ template <class T, int N>
 template <class T, int N>
 lanes<T, N> sqrt(const lanes<T, N>& x) {
   if constexpr (std::same_as<T, double>) return vector<T, N>(vector<T, N>(x).cwiseSqrt());
-  else
-    return lanes<T, N>([&](int i) PASSIVE_HAPTICS_INLINE {
-      using std::sqrt;
-      return sqrt(x[i]);
-    });
+  else return lanes<T, N>([&](int i) PASSIVE_HAPTICS_INLINE { return std::sqrt(x[i]); });
 }
 
 /// -1, 0 or 1; 0 for NaN.
@@ -211,20 +198,14 @@ lanes<T, N> sgn(const lanes<T, N>& x) {
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> min(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
-  return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
-    if constexpr (std::same_as<T, number_of<T>>) return b.p[k] < a.p[k] ? b.p[k] : a.p[k];
-    else return min(a.p[k], b.p[k]);
-  });
+  return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE { return b.p[k] < a.p[k] ? b.p[k] : a.p[k]; });
 }
 
 /// The larger of each two; a where one is NaN.
 template <class T, int N>
 [[gnu::always_inline]] inline lanes<T, N> max(const lanes<T, N>& a,
                                               const std::type_identity_t<lanes<T, N>>& b) {
-  return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE {
-    if constexpr (std::same_as<T, number_of<T>>) return a.p[k] < b.p[k] ? b.p[k] : a.p[k];
-    else return max(a.p[k], b.p[k]);
-  });
+  return lanes<T, N>::each([&](auto k) PASSIVE_HAPTICS_INLINE { return a.p[k] < b.p[k] ? b.p[k] : a.p[k]; });
 }
 
 /// x within [lowest, highest], without a branch.

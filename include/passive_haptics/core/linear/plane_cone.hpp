@@ -40,9 +40,8 @@ bool are_parallel(T area, T a_square, T b_square) {
 /// a x b of vectors with these squares; 0 where they are parallel to rounding.
 template <class T, int N>
 lanes<T, N> cross_or_zero(const lanes<T, N>& area, const lanes<T, N>& a_square, const lanes<T, N>& b_square) {
-  using number = number_of<T>;
-  constexpr number tolerance = rounding_tolerance<number>(1) * rounding_tolerance<number>(1);
-  return select(area * area > T(tolerance) * a_square * b_square, area, T(0));
+  constexpr T tolerance = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
+  return select(area * area > tolerance * a_square * b_square, area, T(0));
 }
 
 /// b_0 x b_1; 0 where they are parallel to rounding.

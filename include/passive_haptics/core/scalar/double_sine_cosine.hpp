@@ -3,7 +3,6 @@
 #pragma once
 
 #include <passive_haptics/core/arithmetic.hpp>
-#include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/scalar/quadrant.hpp>
 
 #include <concepts>
@@ -38,15 +37,14 @@ inline constexpr sine_cosine_numbers all_numbers;
 
 /// sin and cos in double for |x| <= 1e5, without a branch: x = r + k pi/2 with |r| <= pi/4, then fdlibm's
 /// polynomials (k_sin.c, k_cos.c, Sun Microsystems 1993) and the quadrant k mod 4. Of one double and its
-/// bits, or of several at once.
+/// bits, or of two at once.
 template <class Doubles, class Words>
 [[gnu::always_inline]] inline sine_cosine_pair<Doubles> reduced_sine_cosine(Doubles x) {
   const sine_cosine_numbers* n = &all_numbers;
   asm("" : "+r"(n));  // or g++ makes each pair of numbers anew from one: a third more instructions
   const auto of = [](const two_doubles& number) {
     if constexpr (std::same_as<Doubles, double>) return number[0];
-    else if constexpr (std::same_as<Doubles, two_doubles>) return number;
-    else return repeated<Doubles>(number[0]);
+    else return number;
   };
   const Doubles shifted = x * of(n->two_over_pi) + of(n->to_integer);
   const auto quadrant = bit_cast<Words>(shifted);

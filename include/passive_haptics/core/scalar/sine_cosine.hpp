@@ -50,12 +50,12 @@ sine_cosine_pair<S> sine_cosine(S x) {
   return {sin(x), cos(x)};
 }
 
-/// Sines and cosines of N angles, floating-point numbers and packs two by two.
+/// Sines and cosines of N angles, floating-point numbers two by two.
 template <class S, int N>
 std::array<sine_cosine_pair<S>, static_cast<std::size_t>(N)> sine_cosine(const vector<S, N>& angles) {
   std::array<sine_cosine_pair<S>, static_cast<std::size_t>(N)> all;
   const auto at = [&](int i) -> sine_cosine_pair<S>& { return all[static_cast<std::size_t>(i)]; };
-  if constexpr (requires { sine_cosine(angles[0], angles[0]); }) {
+  if constexpr (std::floating_point<S>) {
     unrolled<N / 2>([&](int k) {
       const auto [first, second] = sine_cosine(angles[2 * k], angles[2 * k + 1]);
       at(2 * k) = first;

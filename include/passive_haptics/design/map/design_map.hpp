@@ -2,13 +2,11 @@
 /// A map of what a device can do over the points of a task, to compare designs by.
 #pragma once
 
-#include <passive_haptics/control/batch/batch_packs.hpp>
-#include <passive_haptics/design/map/packed_figures.hpp>
+#include <passive_haptics/design/map/planar_figures.hpp>
 #include <passive_haptics/design/map/task_points.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace passive_haptics {
@@ -19,8 +17,8 @@ template <class M>
 class design_map {
  public:
   using T = typename M::scalar;  ///< Scalar of the mechanism.
-  /// Whether several points are computed at a time: as the cycles of a batch_controller are.
-  static constexpr bool is_vectorised = detail::takes_packs_of_joints<M>;
+  /// True for planar devices with two joints and two brakes, in double: no decomposition a point.
+  static constexpr bool has_closed_form = detail::is_planar_with_two_brakes<M>;
 
   std::vector<status> outcome;         ///< ok, or why there are no figures.
   std::vector<display_class> display;  ///< How a force along the normal is displayed.
@@ -33,8 +31,8 @@ class design_map {
   /// Of brakes with these limits, and motors if there are any, against a hand that pushes with `push` [N].
   /// Figures agree with design_figures_at() to 1e-9 of their size; classes are equal, but where rounding
   /// decides. Throws std::invalid_argument where a limit is NaN or on the wrong side of 0, or the push is
-  /// NaN. Cost: where is_vectorised, 1.1 to 1.6 times that of a batch of control cycles; else
-  /// a design_figures_at() a point.
+  /// NaN. Cost: a design_figures_at() a point; if has_closed_form, and no brake is off or one-way, a tenth of
+  /// that.
   design_map(const M& mechanism, const task_points<M>& points, const hybrid_brakes<M>& brakes, T push) {
     assign(mechanism, points, brakes, push);
   }
@@ -50,10 +48,14 @@ class design_map {
     outcome.resize(n);
     display.resize(n);
     for (auto* figures : {&cosine, &drag, &strongest, &sink_slope, &isotropy}) figures->resize(n);
-    std::size_t first = 0;
-    if constexpr (is_vectorised)
-      if (can_all_resist(brakes)) first = store_packs(mechanism, points, brakes, push);
-    for (std::size_t k = first; k < n; ++k) store_one(mechanism, points, brakes, push, k);
+    const auto store_all = [&](const auto& figures_at) {
+      for (std::size_t k = 0; k < n; ++k)
+        store(k, points.reached(k) == status::ok ? figures_at(points[k])
+                                                 : design_figures<T>{.outcome = points.reached(k)});
+    };
+    if constexpr (has_closed_form)
+      if (can_all_resist(brakes)) return store_all(detail::planar_figures<M>(mechanism, brakes, push));
+    store_all([&](const path_point<M>& at) { return design_figures_at(mechanism, at, brakes, push); });
   }
 
   /// How many points there are.
@@ -64,8 +66,6 @@ class design_map {
   }
 
  private:
-  static constexpr int width = native_pack_width<T>;
-
   static void require_valid(const hybrid_brakes<M>& hybrid) {
     const auto expect = [](const char* name, const brake_vector<M>& limits, T sign, const char* expected) {
       for (int i = 0; i < M::brake_count; ++i)
@@ -85,11 +85,7 @@ class design_map {
            (b.torque_upper.array() > T(0)).all();
   }
 
-  void store_one(const M& mechanism, const task_points<M>& points, const hybrid_brakes<M>& brakes, T push,
-                 std::size_t k) {
-    design_figures<T> found;
-    if (points.reached(k) == status::ok) found = design_figures_at(mechanism, points[k], brakes, push);
-    else found.outcome = points.reached(k);
+  void store(std::size_t k, const design_figures<T>& found) {
     outcome[k] = found.outcome;
     display[k] = found.display;
     cosine[k] = found.cosine;
@@ -97,47 +93,6 @@ class design_map {
     strongest[k] = found.strongest;
     sink_slope[k] = found.sink_slope;
     isotropy[k] = found.isotropy;
-  }
-
-  // As many points as fill packs; returns their number.
-  PASSIVE_HAPTICS_FLATTEN std::size_t store_packs(const M& mechanism, const task_points<M>& points,
-                                                  const hybrid_brakes<M>& brakes, T push) {
-    const brake_jacobian_evaluator<M> brake_jacobian(mechanism);
-    const brake_vector<M> rest = brake_vector<M>::Zero();
-    const torque_box<T, M::brake_count> at_rest = passive_haptics::torque_box_of(rest, brakes);
-    const std::size_t end = points.size() - points.size() % std::size_t(width);
-    const auto packs_of = [](const auto& columns, std::size_t k) PASSIVE_HAPTICS_INLINE {
-      return vector<pack<T, width>, 2>(pack<T, width>::load(columns[0].data() + k),
-                                       pack<T, width>::load(columns[1].data() + k));
-    };
-    for (std::size_t k = 0; k < end; k += std::size_t(width)) {
-      const auto found = detail::packed_figures_at(
-          mechanism, brake_jacobian, packs_of(points.q(), k), packs_of(points.direction(), k),
-          packs_of(points.normal(), k), at_rest, brakes.motor_limit, push);
-      const detail::whole_pack at{k};
-      detail::store(std::span<display_class>(display), at, found.display);
-      detail::store(std::span<T>(cosine), at, found.cosine);
-      detail::store(std::span<T>(drag), at, found.drag);
-      detail::store(std::span<T>(strongest), at, found.strongest);
-      detail::store(std::span<T>(sink_slope), at, found.sink_slope);
-      detail::store(std::span<T>(isotropy), at, found.isotropy);
-      std::fill_n(outcome.begin() + std::ptrdiff_t(k), width, status::ok);
-      bool are_reached = none(!found.are_valid);
-      for (int j = 0; j < width; ++j)
-        are_reached = are_reached && points.reached(k + std::size_t(j)) == status::ok;
-      if (!are_reached) store_others(mechanism, points, brakes, push, k, found.are_valid);
-    }
-    return end;
-  }
-
-  // Of a pack's points those that need branches.
-  [[gnu::noinline]] void store_others(const M& mechanism, const task_points<M>& points,
-                                      const hybrid_brakes<M>& brakes, T push, std::size_t first,
-                                      const truth_of<pack<T, width>>& are_valid) {
-    for (int j = 0; j < width; ++j) {
-      const std::size_t k = first + std::size_t(j);
-      if (!are_valid[j] || points.reached(k) != status::ok) store_one(mechanism, points, brakes, push, k);
-    }
   }
 };
 

@@ -20,22 +20,17 @@ namespace passive_haptics {
 /// 12 GB. Map a larger task in parts.
 inline constexpr std::size_t max_task_points = 100'000'000;
 
-/// Points of a task of mechanism M, a structure of arrays: number k of each is that of point k.
+/// Points of a task of mechanism M.
 template <class M>
 class task_points {
  public:
   using T = typename M::scalar;  ///< Scalar of the mechanism.
-  /// A column for each component of a vector.
-  template <int Components>
-  using columns = std::array<std::vector<T>, static_cast<std::size_t>(Components)>;
 
   /// Appends a place whose end effector is at x [m]. reached: whether the joint positions q lead there; of a
   /// point that is out of reach the map has this status and no figures.
   void append(const path_point<M>& at, const task_vector<M>& x, status reached = status::ok) {
-    append(q_, at.q);
-    append(x_, x);
-    append(direction_, at.direction);
-    append(normal_, at.normal);
+    points_.push_back(at);
+    x_.push_back(x);
     reached_.push_back(reached);
   }
   /// Appends a place, with the position of its end effector.
@@ -50,33 +45,15 @@ class task_points {
   /// How many there are.
   std::size_t size() const { return reached_.size(); }
   /// Point k.
-  path_point<M> operator[](std::size_t k) const { return {of(q_, k), of(direction_, k), of(normal_, k)}; }
+  const path_point<M>& operator[](std::size_t k) const { return points_[k]; }
   /// End effector of point k [m], base frame.
-  task_vector<M> position(std::size_t k) const { return of(x_, k); }
+  const task_vector<M>& position(std::size_t k) const { return x_[k]; }
   /// Whether point k was reached: ok, out_of_reach or state_not_finite.
   status reached(std::size_t k) const { return reached_[k]; }
 
-  /// Joint positions [rad or m].
-  const columns<M::dof>& q() const { return q_; }
-  /// In which the end effector moves, base frame.
-  const columns<M::task_dimension>& direction() const { return direction_; }
-  /// Of the wall there, out of it, base frame.
-  const columns<M::task_dimension>& normal() const { return normal_; }
-
  private:
-  template <int N>
-  static void append(columns<N>& all, const vector<T, N>& one) {
-    for (int i = 0; i < N; ++i) all[std::size_t(i)].push_back(one[i]);
-  }
-  template <std::size_t N>
-  static auto of(const std::array<std::vector<T>, N>& all, std::size_t k) {
-    vector<T, static_cast<int>(N)> one;
-    for (std::size_t i = 0; i < N; ++i) one[int(i)] = all[i][k];
-    return one;
-  }
-
-  columns<M::dof> q_;
-  columns<M::task_dimension> x_, direction_, normal_;
+  std::vector<path_point<M>> points_;
+  std::vector<task_vector<M>> x_;
   std::vector<status> reached_;
 };
 

@@ -20,7 +20,6 @@ class wrapped_mechanism {
   static constexpr int task_dimension = M::task_dimension;            ///< d
   static constexpr int brake_count = M::brake_count;                  ///< m
   static constexpr self_motion_form self_motion = self_motion_of<M>;  ///< That of M.
-  static constexpr bool branch_free = BranchFree<M>;                  ///< As M.
 
   /// The mechanism inside.
   const M& mechanism() const { return mechanism_; }

@@ -70,10 +70,8 @@ struct distal_links {
 
   // 1 / det A; NaN where the determinant is of rounding alone.
   T inverse_of(T det) const {
-    using std::abs;
-    using number = number_of<T>;
-    const auto regular = abs(det) > rounding_tolerance<number>(N) * lengths;
-    return detail::one_of(regular, T(1) / det, T(std::numeric_limits<number>::quiet_NaN()));
+    const bool regular = std::abs(det) > rounding_tolerance<T>(N) * lengths;
+    return regular ? T(1) / det : std::numeric_limits<T>::quiet_NaN();
   }
 };
 

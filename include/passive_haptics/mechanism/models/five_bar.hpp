@@ -31,7 +31,6 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
 
  public:
   static constexpr int brake_count = Brakes;  ///< m
-  static constexpr bool branch_free = true;   ///< A pose takes packs.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit five_bar(const five_bar_parameters<T, Brakes>& p = {})
@@ -141,12 +140,11 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   }
 
   // With the handle at x, or else where it is
-  template <class S = T>
-  PASSIVE_HAPTICS_PART distal_links<S, 2> legs(const vector<S, 2>& q, const vector<S, 2>* x = nullptr) const {
-    distal_links<S, 2> at;
+  PASSIVE_HAPTICS_PART distal_links<T, 2> legs(const vector<T, 2>& q, const vector<T, 2>* x = nullptr) const {
+    distal_links<T, 2> at;
     const auto angle = sine_cosine(q);
-    const vector<S, 2> a1 = lever(0, angle[0]), a2 = lever(1, angle[1]);
-    const vector<S, 2> P1 = elbow_point(0, a1), P2 = elbow_point(1, a2);
+    const vector<T, 2> a1 = lever(0, angle[0]), a2 = lever(1, angle[1]);
+    const vector<T, 2> P1 = elbow_point(0, a1), P2 = elbow_point(1, a2);
     at.handle = x != nullptr ? *x : handle(P1, P2);
     at.lengths = p_.distal_1 * p_.distal_2;
     at.lever << a1, a2;
@@ -172,7 +170,7 @@ class five_bar : public leg_chain<five_bar<T, Brakes>, T, 2> {
   // NaN where the elbows coincide to rounding.
   template <class S>
   S nan_if_degenerate(const S& square) const {
-    return detail::one_of(square > S(rounding_square_), square, S(std::numeric_limits<T>::quiet_NaN()));
+    return square > S(rounding_square_) ? square : S(std::numeric_limits<T>::quiet_NaN());
   }
 
   // Square of the rounding of an elbow's place [m^2]: angles are rounded to eps, too.

@@ -17,22 +17,15 @@ class leg_chain {
   static constexpr int task_dimension = N;  ///< d
 
   /// All legs.
-  template <class S = T>
-  PASSIVE_HAPTICS_PART distal_links<S, N> pose(const vector<S, N>& q) const {
+  PASSIVE_HAPTICS_PART distal_links<T, N> pose(const vector<T, N>& q) const {
     return static_cast<const Model&>(*this).legs(q);
   }
 
   /// Handle [m].
-  template <class S = T>
-  const vector<S, N>& position(const distal_links<S, N>& at) const {
-    return at.handle;
-  }
+  const vector<T, N>& position(const distal_links<T, N>& at) const { return at.handle; }
 
   /// J = A^-1 B [m/rad].
-  template <class S = T>
-  matrix<S, N, N> jacobian(const distal_links<S, N>& at) const {
-    return at.jacobian();
-  }
+  matrix<T, N, N> jacobian(const distal_links<T, N>& at) const { return at.jacobian(); }
 
   /// J [m/rad]
   matrix<T, N, N> jacobian(const vector<T, N>& q) const { return pose(q).jacobian(); }

@@ -53,11 +53,10 @@ struct two_link_pose {
 template <class T>
 class two_link {
  public:
-  using scalar = T;                          ///< Scalar of all lengths and angles.
-  static constexpr int dof = 2;              ///< n
-  static constexpr int task_dimension = 2;   ///< d
-  static constexpr int brake_count = 2;      ///< m
-  static constexpr bool branch_free = true;  ///< A pose takes packs.
+  using scalar = T;                         ///< Scalar of all lengths and angles.
+  static constexpr int dof = 2;             ///< n
+  static constexpr int task_dimension = 2;  ///< d
+  static constexpr int brake_count = 2;     ///< m
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit two_link(const two_link_parameters<T>& p = {}) : p_(require_valid(p)) {}
@@ -82,23 +81,20 @@ class two_link {
   }
 
   /// The links [m].
-  template <class S = T>
-  PASSIVE_HAPTICS_PART two_link_pose<S> pose(const vector<S, 2>& q) const {
+  PASSIVE_HAPTICS_PART two_link_pose<T> pose(const vector<T, 2>& q) const {
     const auto [q1, q12] = sine_cosine(q[0], q[0] + q[1]);
     return {{p_.length_1 * q1.cosine, p_.length_1 * q1.sine},
             {p_.length_2 * q12.cosine, p_.length_2 * q12.sine}};
   }
 
   /// End effector [m].
-  template <class S = T>
-  vector<S, 2> position(const two_link_pose<S>& at) const {
+  vector<T, 2> position(const two_link_pose<T>& at) const {
     return {at.link_1[0] + at.link_2[0], at.link_1[1] + at.link_2[1]};
   }
 
   /// J [m/rad]
-  template <class S = T>
-  matrix<S, 2, 2> jacobian(const two_link_pose<S>& at) const {
-    const vector<S, 2> x = position(at);
+  matrix<T, 2, 2> jacobian(const two_link_pose<T>& at) const {
+    const vector<T, 2> x = position(at);
     return matrix_of<2, 2>(-x[1], -at.link_2[1], x[0], at.link_2[0]);
   }
 

@@ -28,11 +28,10 @@ struct xy_table_parameters {
 template <class T>
 class xy_table {
  public:
-  using scalar = T;                          ///< Scalar of all lengths.
-  static constexpr int dof = 2;              ///< n
-  static constexpr int task_dimension = 2;   ///< d
-  static constexpr int brake_count = 2;      ///< m
-  static constexpr bool branch_free = true;  ///< A position takes packs.
+  using scalar = T;                         ///< Scalar of all lengths.
+  static constexpr int dof = 2;             ///< n
+  static constexpr int task_dimension = 2;  ///< d
+  static constexpr int brake_count = 2;     ///< m
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit xy_table(const xy_table_parameters<T>& p = {}) : p_(require_valid(p)) {}

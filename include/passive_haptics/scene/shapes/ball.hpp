@@ -38,7 +38,6 @@ class ball {
  public:
   static constexpr int dimension = D;              ///< d
   static constexpr bool has_unit_gradient = true;  ///< By construction.
-  static constexpr bool branch_free = true;        ///< A distance takes packs.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit ball(const ball_parameters<D>& p)
@@ -54,25 +53,13 @@ class ball {
   }
 
   /// Signed distance [m]; one square root.
-  double distance(const point<D>& x) const { return distance<double>(x); }
-  /// Signed distance [m] of a point whose scalar is S.
-  template <class S>
-  S distance(const vector<S, D>& x) const {
-    return sign_ * ((x - as_scalar<S>(centre_)).norm() - radius_);
-  }
+  double distance(const point<D>& x) const { return sign_ * ((x - centre_).norm() - radius_); }
 
   /// Unit vector away from the surface, to the free side; one square root.
-  point<D> gradient(const point<D>& x) const { return gradient<double>(x); }
-  /// The unit vector in the scalar of a point.
-  template <class S>
-  vector<S, D> gradient(const vector<S, D>& x) const {
-    const vector<S, D> r = x - as_scalar<S>(centre_);
-    const S length = r.norm(), per_length = sign_ / length;
-    const auto is_off_centre = length > S(0);
-    vector<S, D> n;
-    unrolled<D>(
-        [&](auto i) { n[i] = detail::one_of(is_off_centre, per_length * r[i], S(i == 0 ? sign_ : 0.0)); });
-    return n;
+  point<D> gradient(const point<D>& x) const {
+    const point<D> r = x - centre_;
+    const double length = r.norm();
+    return length > 0 ? point<D>(sign_ / length * r) : point<D>(sign_ * point<D>::UnitX());
   }
 
   /// (I - n n^T) / |x - c| if solid, its negative if hollow [1/m]; zero at the centre.

@@ -28,7 +28,6 @@ class half_space {
  public:
   static constexpr int dimension = D;              ///< d
   static constexpr bool has_unit_gradient = true;  ///< By construction.
-  static constexpr bool branch_free = true;        ///< A distance takes packs.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit half_space(const half_space_parameters<D>& p)
@@ -39,20 +38,10 @@ class half_space {
       : half_space(half_space_parameters<D>{surface_point, normal}) {}
 
   /// Signed distance [m]; D multiplications.
-  double distance(const point<D>& x) const { return distance<double>(x); }
-  /// Signed distance [m] of a point whose scalar is S.
-  template <class S>
-  S distance(const vector<S, D>& x) const {
-    return as_scalar<S>(normal_).dot(x - as_scalar<S>(point_));
-  }
+  double distance(const point<D>& x) const { return normal_.dot(x - point_); }
 
   /// The unit normal.
   point<D> gradient(const point<D>&) const { return normal_; }
-  /// The unit normal, in the scalar of a point.
-  template <class S>
-  vector<S, D> gradient(const vector<S, D>&) const {
-    return as_scalar<S>(normal_);
-  }
 
  private:
   point<D> normal_;

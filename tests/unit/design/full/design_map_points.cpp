@@ -84,10 +84,24 @@ ph::hybrid_brakes<M> ordinary_brakes(double motor = 0) {
   return brakes;
 }
 
-TEST(design_map_points, of_devices_that_take_packs) {
+// J by differentiation, and a transmission that depends on the pose
+struct arm_of_ones_own {
+  using scalar = double;
+  static constexpr int dof = 2, task_dimension = 2, brake_count = 2;
+  template <class S>
+  ph::vector<S, 2> position(const ph::vector<S, 2>& q) const {
+    return ph::two_link<double>().position(q);
+  }
+  ph::matrix<double, 2, 2> transmission(const ph::vector<double, 2>& q) const {
+    return ph::matrix_of<2, 2>(1.0, 0.4 * std::sin(q[1]), 0.0, 1.5 + 0.5 * std::cos(q[0]));
+  }
+};
+static_assert(!ph::design_map<ph::two_link<float>>::has_closed_form, "its bounds are those of double");
+
+TEST(design_map_points, of_devices_with_a_closed_form) {
   const auto compare = [](const auto& mechanism) {
     using M = std::remove_cvref_t<decltype(mechanism)>;
-    static_assert(ph::design_map<M>::is_vectorised);
+    static_assert(ph::design_map<M>::has_closed_form);
     for (const double motor : {0.0, 0.1})
       expect_the_figures_of_each_point(mechanism, ordinary_brakes<M>(motor), 20001);
     auto unlimited = ordinary_brakes<M>();
@@ -101,12 +115,13 @@ TEST(design_map_points, of_devices_that_take_packs) {
   compare(ph::tendon_two_link<double>());
   compare(ph::xy_table<double>());
   compare(ph::five_bar<double>());
+  compare(arm_of_ones_own());
 }
 
-TEST(design_map_points, of_all_others_one_by_one) {
+TEST(design_map_points, of_all_others) {
   const auto compare = [](const auto& mechanism, int count) {
     using M = std::remove_cvref_t<decltype(mechanism)>;
-    static_assert(!ph::design_map<M>::is_vectorised);
+    static_assert(!ph::design_map<M>::has_closed_form);
     expect_the_figures_of_each_point(mechanism, ordinary_brakes<M>(), count);
   };
   compare(ph::five_bar<double, 4>(), 1000);

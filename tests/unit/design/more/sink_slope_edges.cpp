@@ -1,6 +1,5 @@
 // Sink slopes at the edge: no push, no motion, limits of 0 and without bound, singular poses, no result; in
-// float and in packs.
-#include <passive_haptics/core/scalar/pack.hpp>
+// float.
 #include <passive_haptics/design/sink_depth.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
@@ -138,42 +137,6 @@ TEST(sink_slope, is_the_same_in_float) {
     sinking += slope > 0;
   }
   EXPECT_GT(sinking, 30);
-}
-
-// Each number of a pack is that of its pose alone, to the last bit; rates of 0 and of rounding size among
-// them.
-TEST(least_sink_slope, of_packs_is_that_of_each_pose) {
-  constexpr int W = ph::native_pack_width<double>, m = 4;
-  using pack = ph::pack<double, W>;
-  using brakes = ph::vector<double, m>;
-  ph::testing::random_source random(21);
-  const ph::torque_box<double, m> box{brakes(-1, -0.2, 0, -not_at_all), brakes(0.5, 2, 0, 1)};
-  const brakes motors(0, 0.1, 0.3, 0);
-  int sinking = 0;
-  for (int k = 0; k < 500; ++k) {
-    std::array<brakes, W> a, b;
-    ph::vector<pack, m> packed_a, packed_b;
-    for (int i = 0; i < m; ++i) {
-      std::array<double, W> along, out;
-      for (std::size_t j = 0; j < W; ++j) {
-        const auto rate = [&] {
-          return random.uniform(0.0, 1.0) < 0.1 ? (random.coin() ? 0.0 : 1e-18) : random.normal<double>();
-        };
-        a[j][i] = along[j] = rate();
-        b[j][i] = out[j] = rate();
-      }
-      packed_a[i] = pack::load(along.data());
-      packed_b[i] = pack::load(out.data());
-    }
-    const double push = random.uniform(-0.2, 3.0);
-    const pack slopes = ph::least_sink_slope(packed_a, packed_b, box, motors, pack(push));
-    for (std::size_t j = 0; j < W; ++j) {
-      const double alone = ph::least_sink_slope(a[j], b[j], box, motors, push);
-      EXPECT_EQ(slopes[static_cast<int>(j)], alone) << "seed 21, pack " << k;
-      sinking += alone > 0 && std::isfinite(alone);
-    }
-  }
-  EXPECT_GT(sinking, 100);
 }
 
 }  // namespace
