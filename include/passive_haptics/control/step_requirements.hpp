@@ -2,8 +2,8 @@
 /// Requirements of the types of a control cycle.
 #pragma once
 
-#include <passive_haptics/control/cycle_inputs.hpp>
-#include <passive_haptics/control/ways/one_wall.hpp>
+#include <passive_haptics/control/control_law.hpp>
+#include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 
 #include <type_traits>
@@ -49,10 +49,6 @@ consteval bool are_in_order() {
   return Explain;
 }
 
-// The header that defines this type is included.
-template <class X>
-concept is_included = requires { sizeof(X); };
-
 // The requirements of a mechanism and brakes under a law, one message for each.
 template <class M, class L, class B, bool Explain = false>
 consteval bool is_law_for() {
@@ -65,22 +61,6 @@ consteval bool is_law_for() {
     static_assert(!Explain,
                   "passive_haptics: this law needs a mechanism that models Dynamics: give it mass_matrix, "
                   "bias_torque and bias_acceleration (mechanism/dynamics.hpp), or take direct_control.");
-  else if constexpr (TorqueLaw<L> && !is_included<torques_of_law<brake_command<M>, cycle_setup<M, B, L>,
-                                                                 contacts<M::task_dimension, 1>>>)
-    static_assert(!Explain,
-                  "passive_haptics: a TorqueLaw needs <passive_haptics/control/ways/torque_law.hpp>.");
-  else if constexpr (displays_by_generators<M> && !is_included<display_form<M>>)
-    static_assert(!Explain,
-                  "passive_haptics: redundant brakes, fewer brakes than joints and inertial forces need "
-                  "<passive_haptics/control/ways/generator_form.hpp>.");
-  else if constexpr (Settles<M> && !is_included<display_form<M>>)
-    static_assert(!Explain,
-                  "passive_haptics: mechanisms with dof > task_dimension need "
-                  "<passive_haptics/control/ways/settled_form.hpp>.");
-  else if constexpr (leaves_free_joints_alone<M> && !is_included<display_form<M>>)
-    static_assert(!Explain,
-                  "passive_haptics: kinetostatic(mechanism) with fewer brakes than joints needs "
-                  "<passive_haptics/control/ways/free_joints_form.hpp>.");
   else if constexpr (!BrakesFor<B, M>) return are_brakes<B, M, Explain>();
   else if constexpr (needs_brake_lag<L> && !names_time_constant<B>)
     static_assert(!Explain,
@@ -128,12 +108,7 @@ consteval bool is_step() {
         !Explain,
         "passive_haptics: this law needs a hand force: give the state a hand_force (device_state<M>), "
         "or take a law that needs none (no_direct_control).");
-  else if constexpr (!are_contacts_for<Contacts, M>()) return are_contacts_for<Contacts, M, Explain>();
-  else if constexpr (!is_included<way_of<brake_command<M>, cycle_setup<M, B, L>, Contacts>>)
-    static_assert(
-        !Explain,
-        "passive_haptics: scenes of several walls need <passive_haptics/control/ways/several_walls.hpp>.");
-  else return true;
+  else return are_contacts_for<Contacts, M, Explain>();
   return Explain;
 }
 
