@@ -37,7 +37,7 @@ consteval bool is_differentiable_mechanism() {
 
 /// A mechanism with a Jacobian: it gives one, or its position is a template over the scalar.
 template <class M>
-concept DifferentiableMechanism = is_differentiable_mechanism<M>();
+concept DifferentiableMechanism = Mechanism<M> && is_differentiable_mechanism<M>();
 
 /// J (d x n) by forward-mode automatic differentiation of position(q); exact to rounding.
 /// Cost: one position with n derivatives carried along.
