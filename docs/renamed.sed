@@ -93,3 +93,10 @@ s/const char\* owner\b/const char* type_name/g
 # A contact's wall, its position and a report's first are words that other types have, too; the compiler finds them:
 # contact::wall, contact_report::wall, step_result::wall -> wall_number, contact::position -> sensed_at,
 # contact_report::first -> has_priority
+# Requirements of a type
+s#\bmechanism_requirements<([^<>]+)>::met#is_mechanism<\1, true>()#g
+s#\bbrake_requirements<([^<>]+)>::met#are_brakes<\1, true>()#g
+s#\bbrake_model_requirements<([^<>]+)>::met#is_brake_model<\1, true>()#g
+s#\bport_requirements<([^<>]+)>::met#is_port<\1, true>()#g
+s#\bsensor_requirements<([^<>]+)>::met#is_force_sensor<\1, true>()#g
+s#\bself_motion_requirements<([^<>]+)>::met#has_known_forces<\1, true>()#g

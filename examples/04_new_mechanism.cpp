@@ -19,7 +19,7 @@ struct three_link {
     return {0.15 * cos(a) + 0.15 * cos(b) + 0.1 * cos(c), 0.15 * sin(a) + 0.15 * sin(b) + 0.1 * sin(c)};
   }
 };
-static_assert(ph::Mechanism<three_link>);
+static_assert(ph::is_mechanism<three_link, ph::explain>());
 
 template <class M>
 void show(const char* name, const M& arm) {

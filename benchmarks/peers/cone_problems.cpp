@@ -2,7 +2,7 @@
 
 #include "../../tests/unit/core/cone_oracle.hpp"
 
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "cone_problems.hpp"
 #include "hand_written_cone.hpp"
 
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 /// Ways to the nearest displayable force Fp of a desired force, for as many brakes as task dimensions.
 #pragma once
 
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/force/approximation.hpp>
 
 #include <Eigen/Dense>

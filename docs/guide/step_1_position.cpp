@@ -14,7 +14,7 @@ class scara {
   }
 };
 
-static_assert(ph::Mechanism<scara> && ph::DifferentiableMechanism<scara>);
+static_assert(ph::is_differentiable_mechanism<scara, ph::explain>());
 
 int main() {
   const auto J = ph::jacobian(scara(), {0.3, 1.2});

@@ -21,6 +21,8 @@ class scara {
   }
 };
 
+static_assert(ph::describe<scara>().has("jacobian"));
+
 int main() {
   const ph::vector<double, 2> q(0.3, 1.2);
   const ph::matrix<double, 2, 2> given = ph::jacobian(scara(), q),

@@ -10,7 +10,6 @@ class scara : public ph::two_link<double> {
   ph::matrix<double, 2, 2> transmission() const { return ph::matrix<double, 2, 2>{{1, 0}, {3, 3}}; }
 };
 
-// A name that is misspelt would count as no transmission
 static_assert(ph::describe<scara>().has("transmission"));
 
 int main() {

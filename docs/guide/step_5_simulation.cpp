@@ -5,6 +5,9 @@ namespace ph = passive_haptics;
 
 using scara = ph::two_link<double>;  // has mass_matrix, bias_torque and bias_acceleration
 static_assert(ph::Dynamics<scara>);
+static_assert(ph::describe<scara>().has("mass_matrix"));
+static_assert(ph::describe<scara>().has("bias_torque"));
+static_assert(ph::describe<scara>().has("bias_acceleration"));
 
 int main() {
   const scara arm({.length_1 = 0.2, .length_2 = 0.1});

@@ -69,4 +69,4 @@ class udp_board {
   ph::device_clock clock_;
 };
 
-static_assert(ph::BrakePort<udp_board>);
+static_assert(ph::is_port<udp_board, ph::explain>());

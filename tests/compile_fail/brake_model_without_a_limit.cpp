@@ -9,4 +9,4 @@ struct brake {
   ph::brake_resistance<double> advance(double, double, double, state&) const noexcept { return {}; }
 };
 
-int main() { return ph::brake_model_requirements<brake>::met ? 0 : 1; }
+int main() { return ph::is_brake_model<brake, ph::explain>() ? 0 : 1; }

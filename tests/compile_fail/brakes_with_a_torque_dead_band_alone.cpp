@@ -1,4 +1,4 @@
-// expect: passive_haptics: torque_dead_band of the brakes must be .* exactly, beside a rate_dead_band
+// expect: passive_haptics: torque_dead_band of the brakes must be .* exactly, in addition to a rate_dead_band
 #include <passive_haptics/passive_haptics.hpp>
 
 namespace ph = passive_haptics;

@@ -1,4 +1,4 @@
-// expect: passive_haptics: the state must be a device_state<M>, or have its members time .seconds
+// expect: passive_haptics: the state needs a member time, in seconds and of a floating-point type
 #include <passive_haptics/passive_haptics.hpp>
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// expect: passive_haptics: the state must be a device_state<M>
+// expect: passive_haptics: the state needs members q and qd, each a vector<scalar, dof> exactly
 #include <passive_haptics/passive_haptics.hpp>
 
 namespace ph = passive_haptics;

@@ -7,7 +7,6 @@
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/settled_form.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 
 #include <cmath>
 #include <cstdio>

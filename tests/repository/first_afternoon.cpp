@@ -48,6 +48,10 @@ struct hyperbola {
   }
 };
 
+struct transmission_misspelt : device {
+  ph::matrix<double, 2, 2> transmision() const { return ph::matrix<double, 2, 2>::Identity(); }
+};
+
 const ph::half_space<2> plane({0, 0.25}, {0, -1});
 const ph::vector<double, 2> start(0.3, 1.2);  // the handle is under the plane, in free space
 
@@ -99,6 +103,8 @@ struct steep_wall {
 };
 
 const std::map<std::string, std::function<std::string()>> said{
+    {"a misspelt optional member, `transmision()`",
+     [] { return to_text(ph::describe(transmission_misspelt())); }},
     {"the time is never set",
      [] { return outcome_of(device(), ph::scene(ph::wall(plane)), ph::device_state<device>()); }},
     {"a normal of another length than 1",
@@ -133,7 +139,6 @@ const std::map<std::string, std::string> does_not_compile{
     {"the radius of a ball before its centre", "ball_with_the_radius_first"},
     {"brakes of another size than the mechanism", "brakes_of_wrong_size"},
     {"`std::cos(q[0])` in `position`", "position_with_std_functions"},
-    {"an optional member that lacks a letter, `transmision()`", "transmission_misspelt"},
     {"a task with orientation, of more than three components", "pose_task_in_space"},
     {"the time as a whole number of nanoseconds", "state_in_nanoseconds"},
     {"a law that needs a force sensor, a state without", "law_without_its_hand_force"},

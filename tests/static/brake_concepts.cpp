@@ -83,6 +83,7 @@ struct misspelled {
   V2 torque_limits;
 };
 static_assert(!ph::BrakesFor<misspelled, arm>);
+static_assert(!ph::BrakesFor<limits, int> && !ph::BrakesFor<limits, limits>, "no mechanism");
 static_assert(!ph::BrakesFor<double, arm> && !ph::BrakesFor<ph::brakes_of<ph::two_link<float>>, arm>);
 
 // What a law says that it needs

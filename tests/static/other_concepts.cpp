@@ -173,10 +173,10 @@ struct redundant_device {  // as a user's, in no namespace of the library
   ph::matrix<double, 3, 2> transmission() const;
 };
 template <class L>
-using requirements_of_redundant_brakes =
-    ph::detail::law_brake_requirements<redundant_device, L, ph::brakes_of<redundant_device>>;
-static_assert(requirements_of_redundant_brakes<ph::direct_control>::met);
-static_assert(requirements_of_redundant_brakes<ph::on_off_control>::met);
+inline constexpr bool is_law_for_redundant_brakes =
+    ph::detail::is_law_for<redundant_device, L, ph::brakes_of<redundant_device>>();
+static_assert(is_law_for_redundant_brakes<ph::direct_control>);
+static_assert(is_law_for_redundant_brakes<ph::on_off_control>);
 
 // ---- device states
 
@@ -185,6 +185,7 @@ static_assert(ph::DeviceState<ph::device_state<arm>, arm> && ph::HandForceState<
 static_assert(ph::DeviceState<ph::sensorless_device_state<arm>, arm>);
 static_assert(!ph::HandForceState<ph::sensorless_device_state<arm>, arm>);
 static_assert(!ph::DeviceState<ph::device_state<ph::two_link<float>>, arm> && !ph::DeviceState<int, arm>);
+static_assert(!ph::DeviceState<ph::device_state<arm>, int>, "no mechanism");
 
 struct complete_state {
   double time;

@@ -8,7 +8,6 @@
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/print.hpp>
 
 #include <gtest/gtest.h>

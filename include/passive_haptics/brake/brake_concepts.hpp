@@ -2,7 +2,6 @@
 /// What a type provides of the brakes: limits, intervals, dead bands, lags, each optional.
 #pragma once
 
-#include <passive_haptics/core/misspelt.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>
 
@@ -71,49 +70,55 @@ concept LaggingBrakes = requires(const B brakes) {
   { brakes.time_constant } -> ExactVector<T, Brakes>;
 };
 
+/// The requirements of BrakesFor, one message for each. What takes brakes begins with
+/// `static_assert(are_brakes<B, M, explain>())`.
+template <class B, class M, bool Explain = false>
+consteval bool are_brakes() {
+  if constexpr (!Mechanism<M>) return is_mechanism<M, Explain>();
+  else if constexpr (!std::is_class_v<B>)
+    static_assert(
+        !Explain,
+        "passive_haptics: the brakes must be a brake_parameters, unlimited_brakes, or a class with some of "
+        "the members torque_limit, torque_lower, torque_upper, rate_dead_band, torque_dead_band and "
+        "time_constant.");
+  else if constexpr (!detail::names_torque_limit<B> && !detail::is_unlimited<B>)
+    static_assert(
+        !Explain,
+        "passive_haptics: the brakes need a torque_limit, or static constexpr bool unlimited = true.");
+  else if constexpr (detail::names_torque_limit<B> && !LimitedBrakes<B, typename M::scalar, M::brake_count>)
+    static_assert(
+        !Explain,
+        "passive_haptics: torque_limit of the brakes must be a vector<scalar, brake_count> exactly.");
+  else if constexpr (detail::names_torque_interval<B> &&
+                     !SwitchableBrakes<B, typename M::scalar, M::brake_count>)
+    static_assert(
+        !Explain,
+        "passive_haptics: torque_lower and torque_upper of the brakes must both be a vector<scalar, "
+        "brake_count> exactly.");
+  else if constexpr (detail::names_rate_dead_band<B> &&
+                     !StickingBrakes<B, typename M::scalar, M::brake_count>)
+    static_assert(
+        !Explain,
+        "passive_haptics: rate_dead_band of the brakes must be a vector<scalar, brake_count> exactly.");
+  else if constexpr (detail::names_torque_dead_band<B> &&
+                     !TorqueDeadBandBrakes<B, typename M::scalar, M::brake_count>)
+    static_assert(!Explain,
+                  "passive_haptics: torque_dead_band of the brakes must be a vector<scalar, brake_count> "
+                  "exactly, in addition to a rate_dead_band: it is for brakes at rest.");
+  else if constexpr (detail::names_time_constant<B> && !LaggingBrakes<B, typename M::scalar, M::brake_count>)
+    static_assert(
+        !Explain,
+        "passive_haptics: time_constant of the brakes must be a vector<scalar, brake_count> exactly.");
+  else return true;
+  return Explain;
+}
+
 /// What a control cycle takes for the m brakes of mechanism M: a class with any of the members torque_limit,
 /// torque_lower and torque_upper, rate_dead_band, torque_dead_band and time_constant, of exactly these types.
 /// What a type lacks costs nothing. switchable_brakes has all, brake_parameters all but the interval,
 /// unlimited_brake_parameters the dead bands, unlimited_brakes none.
 template <class B, class M>
-concept BrakesFor =
-    std::is_class_v<B> && (detail::is_unlimited<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>) &&
-    (!detail::names_torque_interval<B> || SwitchableBrakes<B, typename M::scalar, M::brake_count>) &&
-    (!detail::names_rate_dead_band<B> || StickingBrakes<B, typename M::scalar, M::brake_count>) &&
-    (!detail::names_torque_dead_band<B> || TorqueDeadBandBrakes<B, typename M::scalar, M::brake_count>) &&
-    (!detail::names_time_constant<B> || LaggingBrakes<B, typename M::scalar, M::brake_count>);
-
-/// The requirements of BrakesFor, one short message for each: what takes brakes begins with
-/// `static_assert(brake_requirements<B, M>::met)`.
-template <class B, class M>
-struct brake_requirements {
-  static_assert(detail::brakes_spelling<B>::met);
-  static_assert(
-      std::is_class_v<B>,
-      "passive_haptics: the brakes must be a brake_parameters, unlimited_brakes, or a class with some of "
-      "the members torque_limit, torque_lower, torque_upper, rate_dead_band, torque_dead_band and "
-      "time_constant.");
-  static_assert(
-      detail::names_torque_limit<B> || detail::is_unlimited<B> || !std::is_class_v<B>,
-      "passive_haptics: the brakes need a torque_limit, or static constexpr bool unlimited = true.");
-  static_assert(!detail::names_torque_limit<B> || LimitedBrakes<B, typename M::scalar, M::brake_count>,
-                "passive_haptics: torque_limit of the brakes must be a vector<scalar, brake_count> exactly.");
-  static_assert(!detail::names_torque_interval<B> || SwitchableBrakes<B, typename M::scalar, M::brake_count>,
-                "passive_haptics: torque_lower and torque_upper of the brakes must both be a vector<scalar, "
-                "brake_count> exactly.");
-  static_assert(
-      !detail::names_rate_dead_band<B> || StickingBrakes<B, typename M::scalar, M::brake_count>,
-      "passive_haptics: rate_dead_band of the brakes must be a vector<scalar, brake_count> exactly.");
-  static_assert(!detail::names_torque_dead_band<B> ||
-                    TorqueDeadBandBrakes<B, typename M::scalar, M::brake_count>,
-                "passive_haptics: torque_dead_band of the brakes must be a vector<scalar, brake_count> "
-                "exactly, beside a "
-                "rate_dead_band: it is for brakes at rest.");
-  static_assert(
-      !detail::names_time_constant<B> || LaggingBrakes<B, typename M::scalar, M::brake_count>,
-      "passive_haptics: time_constant of the brakes must be a vector<scalar, brake_count> exactly.");
-  static constexpr bool met = true;  ///< Or the compiler says what is not.
-};
+concept BrakesFor = are_brakes<B, M>();
 
 /// Brakes without a member: each makes any torque at once, and slips at any rate but zero. The fewest
 /// instructions. For a device whose walls never demand more than its brakes can make (a soft wall, or a

@@ -83,7 +83,7 @@ using law_memory = typename detail::memory_of<L>::type;
 ///     touched. The cycle cuts them to the limits; a torque that does not oppose its brake releases it, but
 ///     where a self-motion settles: there the magnitudes count.
 ///
-/// Its header includes control/ways/torque_law.hpp. Optional:
+/// Optional:
 ///   - `struct memory`, default-constructible: what it remembers from cycle to cycle. torque() then takes a
 ///     `memory&` as well. What a cycle leaves in it is kept only if the cycle ends well;
 ///   - `void released(memory&, double time) const noexcept`, called in each cycle that commands nothing (free

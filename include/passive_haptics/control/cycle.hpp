@@ -6,7 +6,12 @@
 #include <passive_haptics/brake/passive_constraint.hpp>
 #include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/control/cycle_result.hpp>
+#include <passive_haptics/control/ways/free_joints_form.hpp>
+#include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/one_wall.hpp>
+#include <passive_haptics/control/ways/settled_form.hpp>
+#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/core/flatten.hpp>
 
 #include <type_traits>

@@ -13,7 +13,7 @@ namespace passive_haptics {
 /// State of a device with a force sensor at the handle.
 template <class M>
 struct device_state {
-  static_assert(mechanism_requirements<M>::met);
+  static_assert(is_mechanism<M, explain>());
   /// [s], any origin, of a clock that does not jump. NaN until it is set, which a cycle refuses.
   double time = std::numeric_limits<double>::quiet_NaN();
   joint_vector<M> q = joint_vector<M>::Zero();         ///< Joint positions [rad or m].
@@ -24,7 +24,7 @@ struct device_state {
 /// State of a device without a force sensor. Which way a brake at rest is pushed is then unknown.
 template <class M>
 struct sensorless_device_state {
-  static_assert(mechanism_requirements<M>::met);
+  static_assert(is_mechanism<M, explain>());
   /// [s], any origin, of a clock that does not jump. NaN until it is set, which a cycle refuses.
   double time = std::numeric_limits<double>::quiet_NaN();
   joint_vector<M> q = joint_vector<M>::Zero();   ///< Joint positions [rad or m].
@@ -36,15 +36,33 @@ namespace detail {
 template <class S>
 concept has_time_in_seconds =
     requires(const S state) { requires std::floating_point<std::remove_cvref_t<decltype(state.time)>>; };
+template <class S, class M>
+concept has_motion = requires(const S state) {
+  { state.q } -> ExactVector<typename M::scalar, M::dof>;
+  { state.qd } -> ExactVector<typename M::scalar, M::dof>;
+};
 }  // namespace detail
+
+/// The requirements of DeviceState, one message for each: `static_assert(is_device_state<S, M, explain>())`.
+template <class S, class M, bool Explain = false>
+consteval bool is_device_state() {
+  if constexpr (!Mechanism<M>) return is_mechanism<M, Explain>();
+  else if constexpr (!detail::has_time_in_seconds<S>)
+    static_assert(!Explain,
+                  "passive_haptics: the state needs a member time, in seconds and of a floating-point type "
+                  "(device_state<M> has it).");
+  else if constexpr (!detail::has_motion<S, M>)
+    static_assert(!Explain,
+                  "passive_haptics: the state needs members q and qd, each a vector<scalar, dof> exactly "
+                  "(device_state<M> has them).");
+  else return true;
+  return Explain;
+}
 
 /// A state of mechanism M: anything with the members time [s], of a floating-point type, and q and qd of
 /// exactly these types.
 template <class S, class M>
-concept DeviceState = detail::has_time_in_seconds<S> && requires(const S state) {
-  { state.q } -> ExactVector<typename M::scalar, M::dof>;
-  { state.qd } -> ExactVector<typename M::scalar, M::dof>;
-};
+concept DeviceState = is_device_state<S, M>();
 
 /// A state that also has the hand force.
 template <class S, class M>

@@ -48,7 +48,7 @@ struct settled_part<M> {
 /// Result of step(). Unless outcome is ok, capacity and torque are zero and the rest has no meaning.
 template <class M>
 struct step_result : settled_part<M> {
-  static_assert(mechanism_requirements<M>::met);
+  static_assert(is_mechanism<M, explain>());
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
   /// What the driver commands: the most each brake may hold [N m], 0 <= capacity_i <= limit_i. A brake's

@@ -1,5 +1,5 @@
 /// @file
-/// The ways through section 4: which one a cycle takes for its law and walls, and the header that brings it.
+/// The ways through section 4: which one a cycle takes for its law and walls, and the header that defines it.
 #pragma once
 
 #include <passive_haptics/control/control_law.hpp>

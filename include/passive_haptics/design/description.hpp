@@ -1,11 +1,12 @@
 /// @file
-/// Which optional members of a mechanism, of brakes or of a law the library has found.
+/// Optional members of a mechanism, of brakes, of a law or of a state that the library has found.
 #pragma once
 
 #include <passive_haptics/brake/at_rest/brake_bias_acceleration.hpp>
 #include <passive_haptics/brake/brake_concepts.hpp>
 #include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/control/control_law.hpp>
+#include <passive_haptics/control/device_state.hpp>
 #include <passive_haptics/core/error_message.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 
@@ -22,8 +23,9 @@ struct optional_member {
   bool found;             ///< Whether the type has it, as the library needs it.
 };
 
-/// All optional members that a type could have. A name that is misspelt, or a function that is not const, is
-/// not found: `static_assert(describe<arm>().has("transmission"))` makes sure.
+/// All optional members that a type could have. A misspelt name or a function that is not const counts as
+/// absent, without an error. `static_assert(describe<arm>().has("transmission"))` after each optional member
+/// makes it one.
 template <std::size_t N>
 struct description {
   std::array<optional_member, N> members;  ///< In the order of the concept's list.
@@ -54,6 +56,10 @@ template <class L>
 concept names_most_contacts = requires { L::most_contacts; };
 template <class L>
 concept names_memory = requires { typename L::memory; };
+template <class S>
+concept names_hand_force = requires(const S state) { state.hand_force; };
+template <class S>
+concept names_hand_torque = requires(const S state) { state.hand_torque; };
 }  // namespace detail
 
 /// The optional members of a mechanism.
@@ -99,7 +105,14 @@ constexpr description<10> describe() {
             {"memory", detail::names_memory<L>}}}};
 }
 
-/// The optional members of a mechanism, of brakes or of a law.
+/// The optional members of a state.
+template <class S>
+  requires detail::has_time_in_seconds<S>
+constexpr description<2> describe() {
+  return {{{{"hand_force", detail::names_hand_force<S>}, {"hand_torque", detail::names_hand_torque<S>}}}};
+}
+
+/// The optional members of a mechanism, of brakes, of a law or of a state.
 template <class X>
 constexpr auto describe(const X&) {
   return passive_haptics::describe<X>();

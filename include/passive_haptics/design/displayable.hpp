@@ -143,7 +143,7 @@ template <class M>
 displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
                                  const task_vector<M>& direction, const task_vector<M>& normal,
                                  const hybrid_brakes<M>& brakes) {
-  static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
+  static_assert(has_known_forces<M, explain>());
   displayable_force<M> found;
   found.outcome = detail::outcome_of<M>(q, direction, normal, brakes);
   if (found.outcome != status::ok) return found;

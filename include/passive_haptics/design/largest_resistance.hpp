@@ -3,8 +3,8 @@
 #pragma once
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 
 #include <algorithm>

@@ -74,7 +74,7 @@ motor_share_result<typename M::scalar> least_motor_share(const M& mechanism, con
                                                          const task_vector<M>& normal,
                                                          const switchable_brakes<M>& brakes,
                                                          typename M::scalar push) {
-  static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
+  static_assert(has_known_forces<M, explain>());
   using T = typename M::scalar;
   motor_share_result<T> found;
   const hybrid_brakes<M> as_strong(brakes, brakes.torque_limit);

@@ -73,7 +73,7 @@ motion_sums sums_of(const M& mechanism, const std::vector<State>& states) {
 /// loop: it allocates.
 template <class M, class State>
 std::string plausibility(const M& mechanism, const std::vector<State>& states) {
-  static_assert(DeviceState<State, M>, "passive_haptics: the states must be device_state<M>.");
+  static_assert(is_device_state<State, M, explain>());
   const detail::motion_sums s = detail::sums_of(mechanism, states);
   std::string all;
   const auto remark = [&](const std::string& what, double value, const char* usually) {

@@ -134,7 +134,7 @@ sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint
                                                  const task_vector<M>& direction,
                                                  const task_vector<M>& normal, const hybrid_brakes<M>& brakes,
                                                  typename M::scalar push) {
-  static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
+  static_assert(has_known_forces<M, explain>());
   using T = typename M::scalar;
   sink_slope_result<T> found;
   found.outcome = detail::outcome_of<M>(q, direction, normal, brakes);

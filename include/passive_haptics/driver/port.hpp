@@ -2,6 +2,7 @@
 /// What a driver requires of hardware: a port to brakes and encoders, and a force sensor.
 #pragma once
 
+#include <passive_haptics/core/explain.hpp>
 #include <passive_haptics/core/text.hpp>
 
 #include <array>
@@ -66,7 +67,37 @@ template <class P>
 concept writes_currents = requires(P port, const brake_currents<P::brake_count>& currents) {
   { port.write(currents) } noexcept -> std::same_as<port_status>;
 };
+template <class P>
+concept releases = requires(P port) {
+  { port.release() } noexcept;
+};
+template <class S>
+concept reads_forces = requires(S sensor, port_sample<S::channel_count>& sample) {
+  { sensor.read(sample) } noexcept -> std::same_as<port_status>;
+};
 }  // namespace detail
+
+/// The requirements of BrakePort, one message for each: `static_assert(is_port<P, explain>())`.
+template <class P, bool Explain = false>
+consteval bool is_port() {
+  if constexpr (!detail::names_port_sizes<P>)
+    static_assert(
+        !Explain,
+        "passive_haptics: a port needs `static constexpr int encoder_count, brake_count`, each >= 0.");
+  else if constexpr (!detail::opens<P>)
+    static_assert(!Explain, "passive_haptics: a port needs `std::string open()`.");
+  else if constexpr (!detail::reads_encoders<P>)
+    static_assert(!Explain,
+                  "passive_haptics: a port needs `port_status read(port_sample<encoder_count>&) noexcept`.");
+  else if constexpr (!detail::writes_currents<P>)
+    static_assert(
+        !Explain,
+        "passive_haptics: a port needs `port_status write(const brake_currents<brake_count>&) noexcept`.");
+  else if constexpr (!detail::releases<P>)
+    static_assert(!Explain, "passive_haptics: a port needs `void release() noexcept`.");
+  else return true;
+  return Explain;
+}
 
 /// The way to the brakes and encoders of a device. A minimal one has
 ///
@@ -95,29 +126,7 @@ concept writes_currents = requires(P port, const brake_currents<P::brake_count>&
 /// to the same device in another process, of which only open(), write() and release() are called
 /// (supervisor).
 template <class P>
-concept BrakePort = detail::names_port_sizes<P> && detail::opens<P> && detail::reads_encoders<P> &&
-                    detail::writes_currents<P> && requires(P port) {
-                      { port.release() } noexcept;
-                    };
-
-/// The requirements of BrakePort, one short message for each.
-template <class P>
-struct port_requirements {
-  static_assert(
-      detail::names_port_sizes<P>,
-      "passive_haptics: a port needs `static constexpr int encoder_count, brake_count`, each >= 0.");
-  static_assert(detail::opens<P>, "passive_haptics: a port needs `std::string open()`.");
-  static_assert(!detail::names_port_sizes<P> || detail::reads_encoders<P>,
-                "passive_haptics: a port needs `port_status read(port_sample<encoder_count>&) noexcept`.");
-  static_assert(
-      !detail::names_port_sizes<P> || detail::writes_currents<P>,
-      "passive_haptics: a port needs `port_status write(const brake_currents<brake_count>&) noexcept`.");
-  static_assert(
-      requires(P port) {
-        { port.release() } noexcept;
-      }, "passive_haptics: a port needs `void release() noexcept`.");
-  static constexpr bool met = true;  ///< Or the compiler says what is not.
-};
+concept BrakePort = is_port<P>();
 
 /// Width of the counters behind a port [bits]; 0 where they never wrap.
 template <BrakePort P>
@@ -133,22 +142,21 @@ constexpr double watchdog(const P& port) noexcept {
   else return 0;
 }
 
+/// The requirements of ForceSensor in a message: `static_assert(is_force_sensor<S, explain>())`.
+template <class S, bool Explain = false>
+consteval bool is_force_sensor() {
+  if constexpr (!detail::opens<S> || !detail::reads_forces<S>)
+    static_assert(!Explain,
+                  "passive_haptics: a force sensor needs `static constexpr int channel_count`, `std::string "
+                  "open()` and `port_status read(port_sample<channel_count>&) noexcept`.");
+  else return true;
+  return Explain;
+}
+
 /// A force (and torque) sensor between last link and handle: `channel_count`, and open and read as of a
 /// BrakePort.
 template <class S>
-concept ForceSensor = requires(S sensor, port_sample<S::channel_count>& sample) {
-  { sensor.open() } -> std::same_as<std::string>;
-  { sensor.read(sample) } noexcept -> std::same_as<port_status>;
-};
-
-/// The requirements of ForceSensor in a message.
-template <class S>
-struct sensor_requirements {
-  static_assert(ForceSensor<S>,
-                "passive_haptics: a force sensor needs `static constexpr int channel_count`, `std::string "
-                "open()` and `port_status read(port_sample<channel_count>&) noexcept`.");
-  static constexpr bool met = true;  ///< Or the compiler says what is not.
-};
+concept ForceSensor = is_force_sensor<S>();
 
 /// For a device without a force sensor.
 struct no_force_sensor {

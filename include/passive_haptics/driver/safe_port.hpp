@@ -30,7 +30,7 @@ namespace passive_haptics {
 template <class Port, class Sensor = no_force_sensor>
 class safe_port {
  public:
-  static_assert(port_requirements<Port>::met && sensor_requirements<Sensor>::met);
+  static_assert(is_port<Port, explain>() && is_force_sensor<Sensor, explain>());
   static constexpr int encoder_count = Port::encoder_count;              ///< Encoders.
   static constexpr int brake_count = Port::brake_count;                  ///< Brakes.
   static constexpr int channel_count = Sensor::channel_count;            ///< Channels of the force sensor.

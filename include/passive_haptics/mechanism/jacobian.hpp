@@ -23,10 +23,21 @@ concept differentiates_itself =
 
 }  // namespace detail
 
+/// The requirements of DifferentiableMechanism: `static_assert(is_differentiable_mechanism<M, explain>())`.
+template <class M, bool Explain = false>
+consteval bool is_differentiable_mechanism() {
+  if constexpr (!Mechanism<M>) return is_mechanism<M, Explain>();
+  else if constexpr (!detail::has_exact_jacobian<M> && !detail::differentiates_itself<M>)
+    static_assert(!Explain,
+                  "passive_haptics: the mechanism needs jacobian(q), or position(q) templated on the scalar "
+                  "(`template <class S> vector<S, d> position(const vector<S, n>& q) const`).");
+  else return true;
+  return Explain;
+}
+
 /// A mechanism with a Jacobian: it gives one, or its position is a template over the scalar.
 template <class M>
-concept DifferentiableMechanism =
-    Mechanism<M> && (detail::has_exact_jacobian<M> || detail::differentiates_itself<M>);
+concept DifferentiableMechanism = Mechanism<M> && is_differentiable_mechanism<M>();
 
 /// J (d x n) by forward-mode automatic differentiation of position(q); exact to rounding.
 /// Cost: one position with n derivatives carried along.
@@ -62,10 +73,7 @@ class mechanism_pose {
 
   /// J in v = J qd, d x n, base frame [m/rad or 1]: a matrix, or a diagonal_matrix where the mechanism's is.
   auto jacobian() const {
-    static_assert(mechanism_requirements<M>::met);
-    static_assert(DifferentiableMechanism<M>,
-                  "passive_haptics: the mechanism needs jacobian(q), or position(q) templated on the scalar "
-                  "(`template <class S> vector<S, d> position(const vector<S, n>& q) const`).");
+    static_assert(is_differentiable_mechanism<M, explain>());
     if constexpr (detail::jacobian_is_constant<M>) return mechanism_.jacobian();
     else if constexpr (detail::jacobian_depends_on_pose<M>) return mechanism_.jacobian(pose_);
     else return passive_haptics::automatic_jacobian(mechanism_, q_);

@@ -26,8 +26,8 @@
 /// pure. Finite q gives a finite position. testing/mechanism_properties.hpp checks them for any model.
 #pragma once
 
+#include <passive_haptics/core/explain.hpp>
 #include <passive_haptics/core/matrix.hpp>
-#include <passive_haptics/core/misspelt.hpp>
 
 #include <concepts>
 #include <type_traits>
@@ -83,10 +83,9 @@ concept names_transmission =
 
 template <class M>
 concept has_supported_sizes =
-    names_sizes<M> && M::task_dimension <= 3 &&
-    ((M::brake_count == M::dof && M::dof >= M::task_dimension) ||
-     (M::brake_count > M::dof && M::dof == M::task_dimension && names_transmission<M>) ||
-     (M::brake_count < M::dof && M::dof >= M::task_dimension && names_transmission<M>));
+    (M::brake_count == M::dof && M::dof >= M::task_dimension) ||
+    (M::brake_count > M::dof && M::dof == M::task_dimension && names_transmission<M>) ||
+    (M::brake_count < M::dof && M::dof >= M::task_dimension && names_transmission<M>);
 
 template <class M>
 concept has_position = names_sizes<M> && requires(const M mechanism, const joint_vector<M> q) {
@@ -134,54 +133,58 @@ concept has_exact_transmission = requires(const M mechanism, const joint_vector<
 
 }  // namespace detail
 
+/// The requirements of Mechanism, one message for each. A class or function template that takes a mechanism
+/// begins with `static_assert(is_mechanism<M, explain>())`.
+template <class M, bool Explain = false>
+consteval bool is_mechanism() {
+  if constexpr (!detail::names_scalar<M>)
+    static_assert(!Explain, "passive_haptics: the mechanism needs `using scalar = double;` (or float).");
+  else if constexpr (!detail::names_dof<M>)
+    static_assert(!Explain,
+                  "passive_haptics: the mechanism needs `static constexpr int dof`, its number of joints.");
+  else if constexpr (!detail::names_task_dimension<M>)
+    static_assert(!Explain,
+                  "passive_haptics: the mechanism needs `static constexpr int task_dimension`, the size of "
+                  "position(q).");
+  else if constexpr (!detail::names_brake_count<M>)
+    static_assert(
+        !Explain,
+        "passive_haptics: the mechanism needs `static constexpr int brake_count`, its number of brakes.");
+  else if constexpr (M::task_dimension > 3)
+    static_assert(
+        !Explain,
+        "passive_haptics: task_dimension must be 1, 2 or 3: position(q) is a point, each component a "
+        "length [m]. Leave the orientation out: joints that only turn the handle are self-motion (dof > "
+        "task_dimension).");
+  else if constexpr (!detail::has_supported_sizes<M>)
+    static_assert(
+        !Explain,
+        "passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension or, with a "
+        "transmission, brake_count > dof == task_dimension or brake_count < dof (for brakes on some of "
+        "the joints see mechanism/adaptors/braked_joints.hpp).");
+  else if constexpr (!detail::has_position<M>)
+    static_assert(
+        !Explain,
+        "passive_haptics: position(q) must be const and return vector<scalar, task_dimension> exactly "
+        "(not an Eigen expression) for a vector<scalar, dof>.");
+  else if constexpr (detail::names_jacobian<M> && !detail::has_exact_jacobian<M>)
+    static_assert(!Explain,
+                  "passive_haptics: jacobian must be const, take q or nothing, and return "
+                  "matrix<scalar, task_dimension, dof> exactly (or diagonal_matrix<scalar, dof>).");
+  else if constexpr (detail::names_transmission<M> && !detail::has_exact_transmission<M>)
+    static_assert(!Explain,
+                  "passive_haptics: transmission must be const, take q or nothing, and return "
+                  "matrix<scalar, brake_count, dof> exactly (or diagonal_matrix<scalar, dof>).");
+  else if constexpr (detail::names_pose<M> && !detail::has_pose<M>)
+    static_assert(
+        !Explain,
+        "passive_haptics: a mechanism with a pose(q) needs position(pose) and jacobian(pose) as well.");
+  else return true;
+  return Explain;
+}
+
 /// A mechanism as this file's description defines it: joint positions in, end effector out.
 template <class M>
-concept Mechanism = detail::has_supported_sizes<M> && detail::has_position<M> &&
-                    (!detail::names_jacobian<M> || detail::has_exact_jacobian<M>) &&
-                    (!detail::names_transmission<M> || detail::has_exact_transmission<M>) &&
-                    (!detail::names_pose<M> || detail::has_pose<M>);
-
-/// The requirements of Mechanism, one short message for each: a class or function template that takes one
-/// begins with `static_assert(mechanism_requirements<M>::met)`.
-template <class M>
-struct mechanism_requirements {
-  static_assert(detail::names_scalar<M>,
-                "passive_haptics: the mechanism needs `using scalar = double;` (or float).");
-  static_assert(detail::names_dof<M>,
-                "passive_haptics: the mechanism needs `static constexpr int dof`, its number of joints.");
-  static_assert(
-      detail::names_task_dimension<M>,
-      "passive_haptics: the mechanism needs `static constexpr int task_dimension`, the size of position(q).");
-  static_assert(
-      detail::names_brake_count<M>,
-      "passive_haptics: the mechanism needs `static constexpr int brake_count`, its number of brakes.");
-  static_assert(detail::mechanism_spelling<M>::met);
-  static_assert(
-      !detail::names_sizes<M> || M::task_dimension <= 3,
-      "passive_haptics: task_dimension must be 1, 2 or 3: position(q) is a point, each component a length "
-      "[m]. "
-      "Leave the orientation out: joints that only turn the handle are self-motion (dof > task_dimension).");
-  static_assert(
-      !detail::names_sizes<M> || M::task_dimension > 3 || detail::has_supported_sizes<M>,
-      "passive_haptics: unsupported sizes; needed are brake_count == dof >= task_dimension or, with a "
-      "transmission, brake_count > dof == task_dimension or brake_count < dof (for brakes on some of the "
-      "joints see mechanism/adaptors/braked_joints.hpp).");
-  static_assert(
-      !detail::has_supported_sizes<M> || detail::has_position<M>,
-      "passive_haptics: position(q) must be const and return vector<scalar, task_dimension> exactly "
-      "(not an Eigen expression) for a vector<scalar, dof>.");
-  static_assert(!detail::has_position<M> || !detail::names_jacobian<M> || detail::has_exact_jacobian<M>,
-                "passive_haptics: jacobian must be const, take q or nothing, and return "
-                "matrix<scalar, task_dimension, dof> exactly (or diagonal_matrix<scalar, dof>).");
-  static_assert(!detail::has_position<M> || !detail::names_transmission<M> ||
-                    detail::has_exact_transmission<M>,
-                "passive_haptics: transmission must be const, take q or nothing, and return "
-                "matrix<scalar, brake_count, dof> exactly (or diagonal_matrix<scalar, dof>).");
-  static_assert(
-      !detail::has_position<M> || !detail::names_pose<M> || detail::has_pose<M>,
-      "passive_haptics: a mechanism with a pose(q) needs position(pose) and jacobian(pose) as well.");
-  /// True; the messages above stop the compiler first.
-  static constexpr bool met = true;
-};
+concept Mechanism = is_mechanism<M>();
 
 }  // namespace passive_haptics

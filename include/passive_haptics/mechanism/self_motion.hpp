@@ -56,15 +56,19 @@ template <class M>
 concept leaves_free_joints_alone = (M::dof > M::task_dimension) && (M::brake_count < M::dof) &&
                                    self_motion_of<M> == self_motion_form::kinetostatic;
 
-/// What must hold of a device with self-motion before its forces are known.
-template <class M>
-struct self_motion_requirements {
-  static_assert(
-      !has_inertial_forces<M> || Dynamics<M>,
-      "passive_haptics: inertial forces need a mechanism that models Dynamics: give it mass_matrix, "
-      "bias_torque and bias_acceleration (mechanism/dynamics.hpp), or leave out "
-      "self_motion_form::inertial.");
-  static constexpr bool met = true;  ///< Or the compiler says what to choose.
-};
+/// The requirements of a mechanism before its forces are known: those of Mechanism, and inertia for inertial
+/// forces.
+template <class M, bool Explain = false>
+consteval bool has_known_forces() {
+  if constexpr (!Mechanism<M>) return is_mechanism<M, Explain>();
+  else if constexpr (has_inertial_forces<M> && !Dynamics<M>)
+    static_assert(
+        !Explain,
+        "passive_haptics: inertial forces need a mechanism that models Dynamics: give it mass_matrix, "
+        "bias_torque and bias_acceleration (mechanism/dynamics.hpp), or leave out "
+        "self_motion_form::inertial.");
+  else return true;
+  return Explain;
+}
 
 }  // namespace passive_haptics

@@ -30,11 +30,10 @@ struct detail::simulated_device_header {};
 /// handle; the hand's force drives both, a sensor between them feels what reaches the device. energy()
 /// returns where the energy went. Cost of a step: M, J, Jd qd, c twice, a Cholesky of n x n, a few of m x m.
 template <class M, class Model>
-  requires(detail::simulated_device_requirements<M>::met)
+  requires(detail::has_simulated_device<M>())
 class simulated_device {
-  static_assert(mechanism_requirements<M>::met);
-  static_assert(brake_model_requirements<Model>::met);
-  static_assert(Dynamics<M>,
+  static_assert(is_mechanism<M, explain>() && is_brake_model<Model, explain>());
+  static_assert(!Mechanism<M> || Dynamics<M>,
                 "passive_haptics: a simulated device needs a mechanism that models Dynamics "
                 "(mass_matrix, bias_torque, bias_acceleration; mechanism/dynamics.hpp).");
 

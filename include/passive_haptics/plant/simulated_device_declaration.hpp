@@ -12,17 +12,17 @@ namespace detail {
 struct simulated_device_header;  // complete once plant/simulated_device.hpp is included
 
 template <class M, class Header = simulated_device_header>
-struct simulated_device_requirements {
+consteval bool has_simulated_device() {
   static_assert(
       requires { sizeof(Header); },
       "passive_haptics: simulated_device needs #include <passive_haptics/plant/simulated_device.hpp>.");
-  static constexpr bool met = true;
-};
+  return true;
+}
 
 }  // namespace detail
 
 template <class M, class Model = coulomb_brake<typename M::scalar>>
-  requires(detail::simulated_device_requirements<M>::met)
+  requires(detail::has_simulated_device<M>())
 class simulated_device;
 
 }  // namespace passive_haptics

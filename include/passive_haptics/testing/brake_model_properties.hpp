@@ -21,7 +21,7 @@ namespace passive_haptics::testing {
 template <class Case>
 class brake_model_properties : public ::testing::Test {
  protected:
-  static_assert(brake_model_requirements<typename Case::model>::met);
+  static_assert(is_brake_model<typename Case::model, explain>());
   static constexpr std::uint64_t seed = 20040627;   ///< Of the commands.
   const typename Case::model brake = Case::make();  ///< The model under test.
 };

@@ -192,8 +192,7 @@ class measured_loop {
 template <class M, class S, class L, class State>
 void latency_of(const std::string& name, const controller<M, S, L>& control, std::vector<State> states,
                 const latency_options& options = {}) {
-  static_assert(DeviceState<State, M>,
-                "passive_haptics: latency_of needs states of the controller's mechanism.");
+  static_assert(is_device_state<State, M, explain>());
   if (states.empty())
     throw std::invalid_argument("latency_of('" + name + "'): states is empty; give at least one");
   for (const int samples : {options.hot_samples, options.cold_samples}) {

@@ -14,10 +14,13 @@
 ///
 /// One case serves dynamics_properties and step_properties. Poses with J singular are welcome; poses
 /// where J does not exist are not. Cost: some thousand evaluations of position and jacobian.
+///
+/// The suite prints the optional members that it found. Look for yours: a misspelt one counts as absent.
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/design/description.hpp>
 #include <passive_haptics/testing/support/derivative.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -25,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <type_traits>
 #include <vector>
 
@@ -57,6 +61,11 @@ class mechanism_properties : public ::testing::Test {
   }
 
   const model mechanism = Case::make();  ///< The mechanism under test.
+
+  /// Prints the optional members once.
+  static void SetUpTestSuite() {
+    std::cout << "optional members: " << to_text(passive_haptics::describe<model>()) << "\n";
+  }
 
   /// visit(q) for random poses, far enough from the bounds for differences.
   template <class Visit>

@@ -6,7 +6,7 @@
 /// columns of E are nearly dependent; feasibility has no such factor.
 #pragma once
 
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/force/nearest_force.hpp>
 #include <passive_haptics/testing/support/step_samples.hpp>
 

@@ -6,7 +6,6 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

@@ -6,7 +6,6 @@
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 
 #include <algorithm>

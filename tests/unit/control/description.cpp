@@ -27,6 +27,13 @@ struct not_const : position_alone {
   ph::matrix<double, 2, 2> mass_matrix(const ph::vector<double, 2>&);
 };
 
+struct state_of_a_sensor {
+  double time;
+  ph::vector<double, 2> q, qd, hand_forc;
+};
+static_assert(ph::describe<ph::device_state<position_alone>>().has("hand_force"));
+static_assert(!ph::describe<state_of_a_sensor>().has("hand_force"), "a name that is misspelt");
+
 TEST(a_description, lists_what_was_found_and_what_was_not) {
   EXPECT_EQ(to_text(ph::describe(ph::tendon_two_link<double>())),
             "jacobian, transmission, pose, mass_matrix, bias_torque, bias_acceleration, "
@@ -46,6 +53,8 @@ TEST(a_description, lists_what_was_found_and_what_was_not) {
             "needs_hand_force, nulls_normal_force; not found: needs_dynamics, needs_brake_lag, "
             "needs_torque_limit, needs_sensed_at, needs_rising_time, saturates_before_scaling, "
             "most_contacts, memory");
+  EXPECT_EQ(to_text(ph::describe(ph::device_state<position_alone>())), "hand_force; not found: hand_torque");
+  EXPECT_EQ(to_text(ph::describe(ph::device_state_at_rest<position_alone>())), "hand_force, hand_torque");
 }
 
 TEST(a_description, refuses_a_name_that_no_member_has) {

@@ -1,6 +1,6 @@
 // The active set by hand: its starts, its sets, and the decomposition that it updates.
 #include <passive_haptics/core/linear/active_set.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/updatable_qr.hpp>
 
 #include "nearest_point.hpp"

@@ -1,6 +1,6 @@
 // Projections onto cones by hand: on the line, in the plane, in space.
 #include <passive_haptics/core/linear/active_set.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 
 #include "nearest_point.hpp"
 

@@ -1,5 +1,5 @@
 // Cones of brakes of which some are off: half-spaces in pairs and generators that make nothing agree.
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>
 

@@ -46,7 +46,7 @@ void bind_brakes(py::module_& module) {
 template <class M, ph::Parameters P = typename detail::own_parameters<M>::type, class Laws = usual_laws<M>,
           class Model = M, class DeviceLaws = Laws>
 auto bind_mechanism(py::module_& module, const char* name, const char* about = "A mechanism.") {
-  static_assert(ph::mechanism_requirements<M>::met);
+  static_assert(ph::is_mechanism<M, ph::explain>());
   static_assert(std::is_same_v<typename M::scalar, double>,
                 "passive_haptics: a mechanism for Python has `using scalar = double;`.");
   using X = mechanism_value<M, P, Laws, Model, DeviceLaws>;

@@ -2,6 +2,7 @@
 /// The BrakeModel concept: what one brake makes of a command, whatever its controller believes.
 #pragma once
 
+#include <passive_haptics/core/explain.hpp>
 #include <passive_haptics/core/parameters.hpp>
 
 #include <concepts>
@@ -29,19 +30,40 @@ namespace detail {
 template <class B>
 concept names_brake_scalar = std::floating_point<typename B::scalar>;
 template <class B>
-concept names_brake_state = names_brake_scalar<B> && std::copyable<typename B::state> &&
-                            std::default_initializable<typename B::state>;
+concept names_brake_state = std::copyable<typename B::state> && std::default_initializable<typename B::state>;
 template <class B>
-concept advances_brake =
-    names_brake_state<B> && requires(const B brake, typename B::scalar x, typename B::state state) {
-      { brake.advance(x, x, x, state) } noexcept -> std::same_as<brake_resistance<typename B::scalar>>;
-    };
+concept advances_brake = requires(const B brake, typename B::scalar x, typename B::state state) {
+  { brake.advance(x, x, x, state) } noexcept -> std::same_as<brake_resistance<typename B::scalar>>;
+};
 template <class B>
-concept limits_brake = names_brake_scalar<B> && requires(const B brake, typename B::scalar rate) {
+concept limits_brake = requires(const B brake, typename B::scalar rate) {
   { brake.torque_limit_at(rate) } noexcept -> std::same_as<typename B::scalar>;
 };
 
 }  // namespace detail
+
+/// The requirements of BrakeModel, one message for each. What takes a model begins with
+/// `static_assert(is_brake_model<B, explain>())`.
+template <class B, bool Explain = false>
+consteval bool is_brake_model() {
+  if constexpr (!detail::names_brake_scalar<B>)
+    static_assert(!Explain, "passive_haptics: a brake model needs `using scalar = double` or float.");
+  else if constexpr (!detail::names_brake_state<B>)
+    static_assert(
+        !Explain,
+        "passive_haptics: a brake model needs a default-constructible `struct state`, empty where it "
+        "remembers nothing.");
+  else if constexpr (!detail::advances_brake<B>)
+    static_assert(!Explain,
+                  "passive_haptics: a brake model needs `brake_resistance<scalar> advance(scalar dt, scalar "
+                  "command, scalar rate, state&) const noexcept`.");
+  else if constexpr (!detail::limits_brake<B>)
+    static_assert(
+        !Explain,
+        "passive_haptics: a brake model needs `scalar torque_limit_at(scalar rate) const noexcept`.");
+  else return true;
+  return Explain;
+}
 
 /// One brake on its own axis; a mechanism has m. For a sliding brake read N for N m and m/s for rad/s.
 /// Minimal complete definition:
@@ -70,7 +92,7 @@ concept limits_brake = names_brake_scalar<B> && requires(const B brake, typename
 ///
 /// Refinement: InvertibleBrakeModel.
 template <class B>
-concept BrakeModel = detail::advances_brake<B> && detail::limits_brake<B>;
+concept BrakeModel = is_brake_model<B>();
 
 /// A brake whose command can be found. Minimal complete definition: BrakeModel, and
 ///   - `scalar command_for(scalar torque, scalar rate, const state&) const noexcept`: the command [N m] under
@@ -80,23 +102,6 @@ concept InvertibleBrakeModel =
     BrakeModel<B> && requires(const B brake, typename B::scalar x, const typename B::state state) {
       { brake.command_for(x, x, state) } noexcept -> std::same_as<typename B::scalar>;
     };
-
-/// The requirements of BrakeModel, one short message for each: what takes a model begins with
-/// `static_assert(brake_model_requirements<B>::met)`.
-template <class B>
-struct brake_model_requirements {
-  static_assert(detail::names_brake_scalar<B>,
-                "passive_haptics: a brake model needs `using scalar = double` or float.");
-  static_assert(!detail::names_brake_scalar<B> || detail::names_brake_state<B>,
-                "passive_haptics: a brake model needs a default-constructible `struct state`, empty where it "
-                "remembers nothing.");
-  static_assert(!detail::names_brake_state<B> || detail::advances_brake<B>,
-                "passive_haptics: a brake model needs `brake_resistance<scalar> advance(scalar dt, scalar "
-                "command, scalar rate, state&) const noexcept`.");
-  static_assert(!detail::names_brake_scalar<B> || detail::limits_brake<B>,
-                "passive_haptics: a brake model needs `scalar torque_limit_at(scalar rate) const noexcept`.");
-  static constexpr bool met = true;  ///< Or the compiler says what is not.
-};
 
 /// What a brake resists with without a command; nothing where its model names no residual.
 template <class B>

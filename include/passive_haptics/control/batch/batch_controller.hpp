@@ -15,10 +15,7 @@ namespace passive_haptics {
 /// Threads may share the states by part_of().
 template <class M, class S, class L, class B = brakes_of<M>>
 class batch_controller {
-  static_assert(detail::controller_order<M, B, S, L>::met);
-  static_assert(mechanism_requirements<M>::met);
-  static_assert(detail::scene_requirements<S, M>::met);
-  static_assert(detail::step_requirements<M, typename S::contacts_type, L, device_state<M>, B>::met);
+  static_assert(detail::is_controller<M, B, S, L, explain>());
 
  public:
   using mechanism_type = M;                               ///< The mechanism.

@@ -15,7 +15,7 @@ namespace passive_haptics {
 /// one.
 template <class M>
 struct batch_results {
-  static_assert(mechanism_requirements<M>::met);
+  static_assert(is_mechanism<M, explain>());
   using T = typename M::scalar;  ///< A number of a result.
 
   component_arrays<T, M::brake_count> capacity;  ///< The most each brake may hold [N m].

@@ -20,7 +20,7 @@ using component_arrays = std::array<std::span<T>, static_cast<std::size_t>(Compo
 /// N states of M, of which nothing is copied or kept. The arrays of q say how many there are.
 template <class M>
 struct batch_states {
-  static_assert(mechanism_requirements<M>::met);
+  static_assert(is_mechanism<M, explain>());
   using T = const typename M::scalar;  ///< A number of a state.
 
   component_arrays<T, M::dof> q;   ///< Joint positions [rad or m].

@@ -56,8 +56,8 @@ struct momentum_observer_parameters {
 /// Assumed: the trapezoidal rule for c and Md, and all that concerns brakes.
 template <class M>
 class momentum_observer {
-  static_assert(mechanism_requirements<M>::met);
-  static_assert(Dynamics<M>,
+  static_assert(is_mechanism<M, explain>());
+  static_assert(!Mechanism<M> || Dynamics<M>,
                 "passive_haptics: a momentum observer needs a mechanism that models Dynamics "
                 "(mechanism/dynamics.hpp).");
 

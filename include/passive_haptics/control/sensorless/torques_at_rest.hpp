@@ -35,9 +35,8 @@ struct device_state_at_rest : device_state<M> {
 /// B: any brakes with a rate_dead_band; without a time_constant they make a capacity at once.
 template <class M, class B = brakes_of<M>>
 class torques_at_rest {
-  static_assert(mechanism_requirements<M>::met);
-  static_assert(brake_requirements<B, M>::met);
-  static_assert(Dynamics<M>,
+  static_assert(are_brakes<B, M, explain>());
+  static_assert(!Mechanism<M> || Dynamics<M>,
                 "passive_haptics: torques_at_rest needs a mechanism that models Dynamics "
                 "(mechanism/dynamics.hpp).");
 

@@ -5,12 +5,9 @@
 #include <passive_haptics/control/cycle_result.hpp>
 #include <passive_haptics/control/way.hpp>
 #include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/force/torques/force_map.hpp>
 
 namespace passive_haptics {
-
-// force/torques/force_map.hpp, which the headers of several walls include: one wall does without
-template <class M, class EMatrix>
-auto force_map_of(const mechanism_pose<M>& pose, const EMatrix& E);
 
 /// What the brakes of M can display. Here by half-spaces; control/ways/generator_form.hpp has that of other
 /// than n brakes and of inertial forces, control/ways/settled_form.hpp that of a self-motion which settles.

@@ -10,7 +10,6 @@
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/force/torques/force_map.hpp>
-#include <passive_haptics/mechanism/dynamics.hpp>
 
 #include <algorithm>
 #include <type_traits>
@@ -25,9 +24,6 @@ struct torques_of_law {
   using T = typename M::scalar;                ///< Scalar.
   static constexpr int d = M::task_dimension;  ///< Task dimensions,
   static constexpr int m = M::brake_count;     ///< brakes.
-  static_assert(!needs_dynamics<L> || Dynamics<M>,
-                "passive_haptics: this law needs a mechanism that models Dynamics: give it mass_matrix, "
-                "bias_torque and bias_acceleration (mechanism/dynamics.hpp), or take direct_control.");
 
   /// From walls to td.
   struct steps {

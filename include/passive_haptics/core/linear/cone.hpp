@@ -2,16 +2,11 @@
 /// Projection onto a polyhedral cone given by half-spaces.
 #pragma once
 
+#include <passive_haptics/core/linear/active_set.hpp>
 #include <passive_haptics/core/linear/plane_cone.hpp>
+#include <passive_haptics/core/linear/space_cone.hpp>
 
 namespace passive_haptics {
-
-namespace detail {
-// Of three and more half-spaces in the plane, and of any in space and beyond: space_cone.hpp, which a device
-// with two brakes in the plane need not read.
-template <int Rows>
-struct cone_solver;
-}  // namespace detail
 
 /// Nearest point p of the cone { p : B^T p <= 0 } to f.
 ///
@@ -32,12 +27,8 @@ half_space_projection<T, Rows, Columns> project_onto_half_spaces(const matrix<T,
   static_assert(Columns <= 32, "passive_haptics: a cone has at most 32 half-spaces.");
   if constexpr (Rows == 1) return detail::nearest_on_line(B, f);
   else if constexpr (Rows == 2 && Columns <= 2) return detail::nearest_in_plane(B, f);
-  else if constexpr (requires { sizeof(detail::cone_solver<Rows>); })
-    return detail::cone_solver<Rows>::nearest(B, f, start);
-  else
-    static_assert(Rows < 2,
-                  "passive_haptics: forces in space, and of three or more brakes in the plane, need "
-                  "<passive_haptics/core/linear/space_cone.hpp>.");
+  else if constexpr (Rows == 3 && Columns == 3) return detail::nearest_in_space(B, f, start);
+  else return detail::active_set<T, Rows, Columns>(B, f).nearest(start);
 }
 
 /// Nearest point p of the cone { p : B^T p <= 0 } to f, without a start.

@@ -2,8 +2,8 @@
 /// Projection onto a cone given by its generators.
 #pragma once
 
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/least_norm.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 
 #include <algorithm>
 #include <bit>

@@ -2,7 +2,7 @@
 /// The shortest way to in front of planes.
 #pragma once
 
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 
 namespace passive_haptics {
 

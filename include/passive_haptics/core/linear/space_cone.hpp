@@ -1,11 +1,9 @@
 /// @file
-/// Projection onto a cone of three half-spaces in space, in closed form, and the choice between this and an
-/// active set for all cones but those of plane_cone.hpp.
+/// Projection onto a cone of three half-spaces in space, in closed form.
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/active_set.hpp>
-#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/scalar/difference_of_products.hpp>
 
 #include <array>
@@ -216,24 +214,18 @@ class space_cone_start {
   const vector<T, 3>& f_;
 };
 
-/// The nearest point of { p : B^T p <= 0 } to f: of three half-spaces in space in closed form, else, and
-/// where that will not do, by an active set. Either begins at `start`.
-template <int Rows>
-struct cone_solver {
-  /// The nearest point.
-  template <class T, int Columns>
-  static half_space_projection<T, Rows, Columns> nearest(const matrix<T, Rows, Columns>& B,
-                                                         const vector<T, Rows>& f, half_space_start& start) {
-    if constexpr (Rows == 3 && Columns == 3) {
-      half_space_projection<T, 3, 3> answer;
-      if ((start.active != 0 && space_cone_start<T>(B, f).nearest(start.active, answer)) ||
-          space_cone<T>(B, f).nearest(answer)) {
-        start.active = answer.active;
-        return answer;
-      }
-    }
-    return active_set<T, Rows, Columns>(B, f).nearest(start);
+/// The nearest point of { p : B^T p <= 0 } to f, in closed form, or by an active set where rounding would
+/// decide. Both begin at `start`.
+template <class T>
+half_space_projection<T, 3, 3> nearest_in_space(const matrix<T, 3, 3>& B, const vector<T, 3>& f,
+                                                half_space_start& start) {
+  half_space_projection<T, 3, 3> answer;
+  if ((start.active != 0 && space_cone_start<T>(B, f).nearest(start.active, answer)) ||
+      space_cone<T>(B, f).nearest(answer)) {
+    start.active = answer.active;
+    return answer;
   }
-};
+  return active_set<T, 3, 3>(B, f).nearest(start);
+}
 
 }  // namespace passive_haptics::detail

@@ -32,7 +32,7 @@ struct device_calibration_parameters {
 /// turns.
 template <class M, int Channels = M::task_dimension, class Frame = fixed_sensor_frame<M::task_dimension>>
 class device_calibration {
-  static_assert(mechanism_requirements<M>::met);
+  static_assert(is_mechanism<M, explain>());
   static_assert(SensorFrame<Frame, M::dof, M::task_dimension>,
                 "passive_haptics: a sensor frame takes q and returns a matrix<double, d, d> exactly.");
   using T = typename M::scalar;

@@ -60,7 +60,7 @@ struct supervisor_parameters {
 /// Start it before the loop's real-time set-up and before any thread.
 template <class Port>
 class supervisor {
-  static_assert(port_requirements<Port>::met);
+  static_assert(is_port<Port, explain>());
   static_assert(
       !requires { typename Port::port_type; },
       "passive_haptics: a supervisor may wait, so it takes the port itself: threaded_port::port_type");

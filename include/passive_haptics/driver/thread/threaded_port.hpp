@@ -69,7 +69,7 @@ class sample_mailbox {
 /// supervisor takes the port itself: it may wait, and has to be done when it ends.
 template <class Port>
 class threaded_port {
-  static_assert(port_requirements<Port>::met);
+  static_assert(is_port<Port, explain>());
 
  public:
   using port_type = Port;                                    ///< What a supervisor takes.

@@ -36,7 +36,7 @@ auto force_map_of(const mechanism_pose<M>& pose, const EMatrix& E) {
 /// F = G t in pose q.
 template <class M>
 auto force_map_of(const M& mechanism, const joint_vector<M>& q) {
-  static_assert(mechanism_requirements<M>::met && self_motion_requirements<M>::met);
+  static_assert(has_known_forces<M, explain>());
   return passive_haptics::force_map_of(mechanism_pose<M>(mechanism, q),
                                        passive_haptics::brake_jacobian(mechanism, q));
 }

@@ -12,7 +12,7 @@ namespace passive_haptics {
 /// made of it defines those that it changes.
 template <class M>
 class wrapped_mechanism {
-  static_assert(mechanism_requirements<M>::met);
+  static_assert(is_mechanism<M, explain>());
 
  public:
   using scalar = typename M::scalar;                                  ///< Of M.

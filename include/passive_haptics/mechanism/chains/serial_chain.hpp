@@ -2,7 +2,6 @@
 /// Any serial chain of revolute and prismatic joints, in the plane or in space.
 #pragma once
 
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/chains/chain_pose.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_parameters.hpp>
 #include <passive_haptics/mechanism/mechanism.hpp>

@@ -2,7 +2,6 @@
 /// A delta: three arms that move a platform in space without turning it.
 #pragma once
 
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/delta_parameters.hpp>

@@ -2,7 +2,7 @@
 /// The way of a proxy towards its handle.
 #pragma once
 
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/scene/proxy/proxy_surface.hpp>
 
 #include <algorithm>

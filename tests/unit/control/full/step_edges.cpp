@@ -2,7 +2,6 @@
 #include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/held_scene.hpp>

@@ -2,7 +2,7 @@
 #include "../cone_oracle.hpp"
 #include "cone_size.hpp"
 
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "../cone_oracle.hpp"
 
 #include <passive_haptics/core/linear/active_set.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 

@@ -1,6 +1,6 @@
 // The active set in random cones of many sizes, from every start.
 #include <passive_haptics/core/linear/active_set.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
+#include <passive_haptics/core/linear/cone.hpp>
 
 #include "../nearest_point.hpp"
 

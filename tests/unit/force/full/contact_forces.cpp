@@ -2,7 +2,6 @@
 // torque box.
 #include "../priorities_oracle.hpp"
 
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/torques/contact_forces.hpp>
 

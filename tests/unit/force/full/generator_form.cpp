@@ -3,7 +3,6 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/settled_form.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>

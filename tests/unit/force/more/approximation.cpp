@@ -1,6 +1,5 @@
 // Nearest forces and approximations of three brakes by hand: the empty cone, right angles and the largest
 // angle.
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/torques/generator_form.hpp>
 #include <passive_haptics/testing/support/random.hpp>

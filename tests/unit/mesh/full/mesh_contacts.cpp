@@ -3,7 +3,6 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

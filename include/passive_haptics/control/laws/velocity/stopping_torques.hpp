@@ -9,7 +9,6 @@
 #include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
-#include <passive_haptics/core/linear/space_cone.hpp>
 #include <passive_haptics/force/torques/torque_units.hpp>
 
 #include <algorithm>
