@@ -54,9 +54,10 @@ class proxy_contacts {
       if (shares[k] > 0) left |= 1u << k;
     }
     while (left != 0) {
-      const half_space_set group = smooth_group(left);
+      const int first = std::countr_zero(left);
+      const half_space_set group = smooth_group(first, left);
       left &= ~group;
-      add_group(group, shares, add);
+      add_group(first, group, shares, add);
     }
   }
 
@@ -71,8 +72,8 @@ class proxy_contacts {
   }
 
   // The first of `left` and what is connected with it by angles less than the crease angle.
-  half_space_set smooth_group(half_space_set left) const {
-    half_space_set group = left & (~left + 1u);
+  half_space_set smooth_group(int first, half_space_set left) const {
+    half_space_set group = 1u << first;
     for (half_space_set before = 0; before != group;) {
       before = group;
       for (int i = 0; i < max_facets; ++i) {
@@ -89,7 +90,7 @@ class proxy_contacts {
   // that is reached at some depth of the first then begins with depth zero, and has all of its depth where
   // the shares are equal.
   template <class Add>
-  void add_group(half_space_set group, const vector<double, max_facets>& shares, Add&& add) const {
+  void add_group(int first, half_space_set group, const vector<double, max_facets>& shares, Add&& add) const {
     matrix<double, D, max_facets> N = normals_;
     vector<double, max_facets> depths = depths_;
     for (int k = 0; k < max_facets; ++k) {
@@ -98,7 +99,7 @@ class proxy_contacts {
       depths[k] = 0;
     }
     if (!(depths.maxCoeff() > 0)) return;
-    const int first = std::countr_zero(group), number = numbers_[static_cast<std::size_t>(first)];
+    const int number = numbers_[static_cast<std::size_t>(first)];
     if (group == 1u << first) {
       add(point<D>(N.col(first)), std::min(depths[first], 2 * shares[first]), number);
       return;
