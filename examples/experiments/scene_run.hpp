@@ -77,7 +77,7 @@ law_column<M> column(const char* name, bool has_sensor, const Law& law) {
   return {{name, has_sensor, capacity == 1 ? 1 : 1000}, control};
 }
 
-// Where the walls are now, as the hand meets them.
+// The walls at their present place, as the hand meets them.
 template <int D>
 struct carried_shape {
   static constexpr int dimension = D;
@@ -87,7 +87,7 @@ struct carried_shape {
   ph::point<D> gradient(const ph::point<D>& x) const { return of.meant->gradient(x - displacement); }
 };
 
-// Where the handle is at x.
+// The joint angles with the handle at x.
 template <class M>
 ph::joint_vector<M> joints_at(const scene_device<M>& device, const ph::task_vector<M>& x) {
   ph::joint_vector<M> q = device.home;

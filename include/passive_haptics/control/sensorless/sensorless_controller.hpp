@@ -201,7 +201,7 @@ class sensorless_controller {
     if (round_ended) rest_since_.setConstant(time);
   }
 
-  // What a probe leaves of a brake's torque, as far as its sign allows
+  // The part that a probe leaves of a brake's torque, as far as its sign allows
   void hold(int i, scalar torque, result_type& result) {
     result.capacity[i] = result.signs[i] * torque > scalar(0) ? scalar(0) : std::abs(torque);
     result.torque[i] = -result.signs[i] * result.capacity[i];

@@ -181,7 +181,7 @@ class proxy_way {
     resting(tracker_.facet_count++) = facet;
   }
 
-  // Whether nothing is in between, except the facets on which the proxy rests.
+  // True if nothing is in between, except the facets on which the proxy rests.
   bool is_free(const point<D>& from, const point<D>& to) const {
     return first_stop(from, to - from, false).facet.facet < 0;
   }

@@ -38,7 +38,7 @@ class any_wall {
   /// Whether the wall has an inside from which a handle is pushed out: a Shape.
   bool is_solid() const { return held_->is_solid(); }
 
-  /// Whether the wall needs a proxy of the handle: a mesh, or a plate or bar through which a hand would
+  /// True if the wall needs a proxy of the handle: a mesh, or a plate or bar through which a hand would
   /// press.
   bool needs_proxy() const { return held_->needs_proxy(); }
 

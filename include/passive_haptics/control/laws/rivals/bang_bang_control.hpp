@@ -76,7 +76,7 @@ struct bang_bang_control {
 
   bang_bang_parameters parameters = {};  ///< The constants.
 
-  /// How far off a wall its contact is needed [m].
+  /// Distance from a wall at which its contact is needed [m].
   template <class B>
   double margin(const B&) const noexcept {
     return touch_margin;

@@ -64,7 +64,7 @@ struct on_off_control {
 
   on_off_parameters parameters = {};  ///< The constants.
 
-  /// How far off a wall its contact is needed [m].
+  /// Distance from a wall at which its contact is needed [m].
   template <class B>
   double margin(const B&) const noexcept {
     return touch_margin;

@@ -67,7 +67,7 @@ struct single_degree_of_freedom_control {
 
   single_degree_of_freedom_parameters parameters = {};  ///< The constants.
 
-  /// How far off a wall its contact is needed [m].
+  /// Distance from a wall at which its contact is needed [m].
   template <class B>
   double margin(const B&) const noexcept {
     return touch_margin;

@@ -4,8 +4,8 @@
 
 namespace passive_haptics {
 
-/// How far off a wall such a law needs its contact [m], to know it by the touch in a scene that is sampled
-/// slowly: the way of a hand at 0.2 m/s between two samples at 20 Hz.
+/// Distance from a wall at which such a law needs its contact [m], to know it by the touch in a scene that is
+/// sampled slowly: the way of a hand at 0.2 m/s between two samples at 20 Hz.
 inline constexpr double touch_margin = 10e-3;
 
 }  // namespace passive_haptics

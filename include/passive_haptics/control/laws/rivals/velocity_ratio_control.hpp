@@ -61,7 +61,7 @@ struct velocity_ratio_control {
 
   velocity_ratio_parameters parameters = {};  ///< The constants.
 
-  /// How far off a wall its contact is needed [m].
+  /// Distance from a wall at which its contact is needed [m].
   template <class B>
   double margin(const B&) const noexcept {
     return touch_margin;

@@ -93,7 +93,7 @@ class velocity_direct_control {
   /// The constants as given.
   const velocity_direct_control_parameters& parameters() const { return p_; }
 
-  /// How far off a wall its contact is needed [m].
+  /// Distance from a wall at which its contact is needed [m].
   template <class B>
   double margin(const B& brakes) const noexcept {
     return p_.margin(slowest_lag(brakes));
