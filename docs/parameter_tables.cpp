@@ -149,8 +149,7 @@ int main(int count, char** arguments) {
         ph::on_off_parameters, ph::bang_bang_parameters, ph::single_degree_of_freedom_parameters,
         ph::velocity_ratio_parameters, ph::momentum_observer_parameters, ph::release_probe_parameters,
         ph::sensorless_parameters>("Control");
-  stage<ph::braked_wall, ph::data_sheet<ph::tendon_two_link<T>>, ph::brake_data, ph::encoder_data,
-        ph::hand_data>("Design");
+  stage<ph::braked_wall>("Design");
   stage<ph::brake_resistance<T>, ph::coulomb_brake<T>, ph::stribeck_brake<T>, ph::magnetorheological_brake<T>,
         ph::eddy_current_brake<T>, ph::delayed_brake<ph::coulomb_brake<T>>,
         ph::presliding_brake<ph::coulomb_brake<T>>, ph::encoder_parameters, ph::force_sensor_parameters,

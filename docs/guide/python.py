@@ -48,14 +48,6 @@ figures = arm.design_map(places, direction=[1.0, 0.0], normal=[0.0, -1.0], brake
 print(f"sink slope: {np.median(figures['sink_slope']):.2f} m for each metre along the wall")
 depth = arm.sink_depth(places[:21], [1.0, 0.0], [0.0, -1.0], brakes, push=2)
 
-# From a data sheet
-brake = {"torque_limit": 7.5, "residual_torque": 0.09, "time_constant": 0.22, "fall_time_constant": 0.22, "rotor_inertia": 0.00055}
-parts = ph.data_sheet(brakes=[brake, brake], encoders=[{"counts_per_turn": 4096}] * 2)
-bought = arm.expected_rendering(parts, q, velocity=[0.1, 0.1], normal=[0, -1])
-print(bought.text)
-drag = bought.free_drag
-print(f"{drag.name}: {drag.value:.2f} {drag.unit}, between {drag.low:.2f} and {drag.high:.2f}")
-
 # Along a wall
 device = ph.simulated_device(arm, brakes, hand_mass=0.5, q=arm.inverse([0.0, 0.22])[0])
 hand = ph.following_hand(direction=[1, 0], start=device.position, push=2)

@@ -15,7 +15,6 @@ from passive_haptics.results import (
     contact_report,
     display_class,
     power_class,
-    rendering,
     run_end,
     status,
     wall_limits,

@@ -70,7 +70,6 @@
 
 #include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/design/description.hpp>
-#include <passive_haptics/design/expected_rendering.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/least_motor_share.hpp>
 #include <passive_haptics/design/plausibility.hpp>

@@ -1,7 +1,6 @@
 // The figures of a device before it is built, and a run along a wall with its simulation.
 #include "chains.hpp"
 
-#include <passive_haptics/design/expected_rendering.hpp>
 #include <passive_haptics/design/map/design_figures.hpp>
 #include <passive_haptics/design/sink_depth.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
@@ -73,29 +72,6 @@ void write_runs(const M& mechanism, const task<M>& given, doubles_out& out) {
   run(ph::simulated_device(mechanism, sticking, 0.5, start.q));
 }
 
-// What a device of the brake of docs/guide/data_sheet.md, geared down, renders at a hundred states.
-template <class M>
-void write_renderings(const M& mechanism, const task<M>& given, doubles_out& out) {
-  ph::data_sheet<M> parts;
-  for (auto& brake : parts.brakes)
-    brake = {.torque_limit = 7.5,
-             .residual_torque = 0.09,
-             .time_constant = 0.22,
-             .rotor_inertia = 0.00055,
-             .gear_ratio = 0.25};
-  for (auto& encoder : parts.encoders) encoder.counts_per_turn = 4096;
-  parts.control_rate = 500;
-  parts.hand.push = 3;
-  for (std::size_t i = 100; i < 200; ++i) {
-    const auto& state = given.states[i];
-    const auto r = ph::expected_rendering(mechanism, parts, state.q, state.hand_force, given.normal);
-    for_each_figure(r, [&](const std::string&, const char*, const ph::banded& figure) {
-      for (const double x : {figure.value, figure.low, figure.high, figure.share}) out.add(x);
-    });
-    out.add(double(r.holds_push));
-  }
-}
-
 template <class M>
 bool write_all(const M& mechanism, const std::string& mode, const std::string& in, const std::string& to) {
   const task<M> given(in);
@@ -103,7 +79,6 @@ bool write_all(const M& mechanism, const std::string& mode, const std::string& i
   if (mode == "figures") write_figures(mechanism, given, out);
   else if (mode == "depth") write_depth(mechanism, given, out);
   else if (mode == "runs") write_runs(mechanism, given, out);
-  else if (mode == "rendering") write_renderings(mechanism, given, out);
   else return false;
   return true;
 }

@@ -7,10 +7,9 @@
 
 int main(int count, char** words) {
   if (count != 6) {
-    std::fprintf(
-        stderr,
-        "usage: %s DEVICE LAW cycle|batch|figures|depth|runs|rendering|replay|write|SCENE STATES RESULTS\n",
-        words[0]);
+    std::fprintf(stderr,
+                 "usage: %s DEVICE LAW cycle|batch|figures|depth|runs|replay|write|SCENE STATES RESULTS\n",
+                 words[0]);
     return 2;
   }
   const std::string device = words[1], law = words[2], mode = words[3], in = words[4], to = words[5];

@@ -61,40 +61,6 @@ def test_depth(name, tmp_path):
     same_bits([found], of_cpp(case, "depth", tmp_path))
 
 
-@needs_reference
-@pytest.mark.parametrize("name", NAMES)
-def test_renderings(name, tmp_path):
-    case = Case(name, 200, SEED)
-    brake = {"torque_limit": 7.5, "residual_torque": 0.09, "time_constant": 0.22, "rotor_inertia": 0.00055, "gear_ratio": 0.25}
-    parts = ph.data_sheet([brake] * case.device.brake_count, [{"counts_per_turn": 4096}] * case.device.brake_count,
-                          control_rate=500, hand={"push": 3})  # fmt: skip
-    numbers = []
-    for q, velocity in zip(case.q[100:200], case.hand_force[100:200]):
-        found = case.device.expected_rendering(parts, q, velocity, case.normal)
-        for figure in found.figures.values():
-            numbers += [figure.value, figure.low, figure.high, figure.share]
-        numbers.append(found.holds_push)
-    same_bits(numbers, of_cpp(case, "rendering", tmp_path))
-    assert len(set(numbers)) > 1000
-
-
-def test_a_rendering_is_that_of_the_page():
-    """The figures of docs/guide/data_sheet.txt, with their names and units."""
-    brake = {"torque_limit": 7.5, "residual_torque": 0.09, "time_constant": 0.22, "fall_time_constant": 0.22,
-             "rotor_inertia": 0.00055}  # fmt: skip
-    parts = ph.data_sheet([brake, brake], [{"counts_per_turn": 4096}] * 2)
-    arm = ph.tendon_two_link(arm={"rotor_inertia_1": 0, "rotor_inertia_2": 0})
-    found = arm.expected_rendering(parts, arm.inverse([0.12, 0.225])[0], [0.1, 0.1], [0, -1])
-    page = os.path.join(os.path.dirname(__file__), "..", "..", "docs", "guide", "data_sheet.txt")
-    with open(page, encoding="utf-8") as file:
-        assert found.text and file.read().startswith(found.text)
-    assert list(found.figures) == ["free_drag", "wall_drag", "strongest_force", "stiffness", "depth", "release_time",
-                                   "velocity_noise", "rate_noise[0]", "rate_noise[1]"]  # fmt: skip
-    assert found.depth.unit == "m" and found.rate_noise[0].unit == "rad/s or m/s"
-    assert found.depth.contains(found.depth.value) and not found.depth.contains(1)
-    assert pickle.loads(pickle.dumps(found)) == found
-
-
 def run_of(case, brakes):
     device = ph.simulated_device(case.device, brakes, 0.5, case.q[START])
     along = np.zeros(case.device.task_dimension)

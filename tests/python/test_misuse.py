@@ -275,25 +275,6 @@ MISUSES = [
 ]  # fmt: skip
 
 
-parts = ph.data_sheet()
-MISUSES += [
-    # Data sheets; those of logs and of Python functions stand in files of their own
-    (lambda: ph.data_sheet(brakes=3), TypeError, "brakes = 3 (int), expected a list"),
-    (lambda: ph.data_sheet(brakes=[{}, {"gear_ratio": 0}]), ValueError,
-     "brakes[1].gear_ratio of a brake [1 or 1/m] = 0, expected a finite number > 0"),
-    (lambda: ph.data_sheet(brakes=[{"torque": 1}]), TypeError, "brakes[0] has no parameter 'torque'"),
-    (lambda: ph.data_sheet(encoders=[3]), TypeError, "encoders[0] = 3 (int), expected a dict of counts_per_turn"),
-    (lambda: ph.data_sheet(control_rate=0), ValueError, "control_rate of a data sheet [Hz] = 0, expected"),
-    (lambda: arm.expected_rendering(3, [0.7, 0.8], [0.1, 0], [0, -1]), TypeError, "parts = 3 (int), expected a data_sheet"),
-    (lambda: arm.expected_rendering(ph.data_sheet(brakes=[{}]), [0.7, 0.8], [0.1, 0], [0, -1]), ValueError,
-     "length of brakes of a data sheet = 1, expected 2, as the device has, or none"),
-    (lambda: arm.expected_rendering(parts, [0.7], [0.1, 0], [0, -1]), ValueError, "length of q = 1, expected 2"),
-    (lambda: arm.expected_rendering(parts, [0.7, 0], [0.1, 0], [0, -1]), ValueError, "choose a pose that is not singular"),
-    (lambda: arm.expected_rendering(parts, [0.7, 0.8], [0.1, 0], [0, 0]), ValueError, "normal"),
-    (lambda: chain.expected_rendering(parts, [0.7, 0.8, 0.1], [0.1, 0], [0, -1]), TypeError, "needs a mechanism with inertia"),
-]  # fmt: skip
-
-
 @pytest.mark.parametrize("number", range(len(MISUSES)))
 def test_misuse(number):
     call, kind, text = MISUSES[number]

@@ -98,8 +98,6 @@ def values():
     yield ph.following_hand([1, 0], [0.1, 0.2])
     yield ph.following_hand([0, 0, 1], [0.1, 0.2, 0.3], push=3)
     yield ph.wall_following_parameters(longest=2, noise_seed=7)
-    yield ph.data_sheet()
-    yield ph.data_sheet(brakes=[{"gear_ratio": 3}, {}], encoders=[{"counts_per_turn": float("inf")}], hand={"push": 3})
     yield ph.python_mechanism(2, 2, boom)
     yield ph.python_mechanism(dof=2, task_dimension=2, position=boom, jacobian=boom)
 

@@ -57,7 +57,6 @@ static_assert(has_all_of_a_mechanism<three_joints> && has_all_of_a_mechanism<two
 static_assert(has_all_of_a_mechanism<ph::inertial_mechanism<three_joints>>);
 static_assert(has_all_of_a_mechanism<ph::braked_joints<three_joints, 0, 2>>);
 static_assert(has_all_of_a_mechanism<ph::braked_joints<ph::inertial_mechanism<three_joints>, 1>>);
-static_assert(has_all_of_a_mechanism<ph::detail::with_rotors<three_joints>>);
 static_assert(ph::ClosedChain<two_joints> && ph::ClosedChain<ph::braked_joints<two_joints, 0>>);
 
 // The concepts look at these members by arguments that they do not take

@@ -139,7 +139,6 @@ void bind_mechanisms(py::module_& module) {
   bind_kinematics(bound);
   bind_forces(bound);
   bind_design(bound);
-  bind_rendering(bound);
 }
 
 }  // namespace passive_haptics_python

@@ -52,7 +52,6 @@ PYBIND11_MODULE(_native, module) {
                           bind_spatial_chains_3,
                           bind_spatial_chain_6,
                           bind_spatial_chain_7,
-                          bind_data_sheets,
                           bind_logs,
                           bind_python_mechanism})
     bind(module);

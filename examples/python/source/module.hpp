@@ -18,7 +18,6 @@ void bind_states(pybind11::module_& module);
 void bind_batches(pybind11::module_& module);
 void bind_controllers(pybind11::module_& module);
 void bind_walls_of_brakes(pybind11::module_& module);
-void bind_data_sheets(pybind11::module_& module);
 void bind_logs(pybind11::module_& module);
 void bind_python_mechanism(pybind11::module_& module);
 
@@ -31,7 +30,6 @@ void bind_with_effects(pybind11::module_& module);
 
 // Binds the functions of design/ to the class of all mechanisms.
 void bind_design(pybind11::class_<mechanism>& bound);
-void bind_rendering(pybind11::class_<mechanism>& bound);
 
 // Each binds mechanisms of the library.
 void bind_tendon_two_link(pybind11::module_& module);

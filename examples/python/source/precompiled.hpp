@@ -18,7 +18,6 @@
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/design/braked_wall_at.hpp>
-#include <passive_haptics/design/expected_rendering.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/map/design_figures.hpp>
 #include <passive_haptics/design/sink_depth.hpp>

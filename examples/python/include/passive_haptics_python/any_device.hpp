@@ -10,9 +10,7 @@
 
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/cycle_inputs.hpp>
-#include <passive_haptics/design/data_sheet.hpp>
 #include <passive_haptics/design/map/design_figures.hpp>
-#include <passive_haptics/design/rendering.hpp>
 #include <passive_haptics/design/wall_limits.hpp>
 
 #include <array>
@@ -97,39 +95,6 @@ struct path_values {
   numbers normal;     ///< Of the wall, out of it.
 };
 
-/// data_sheet of any device. Without brakes or encoders: as many of the defaults as it has.
-struct data_sheet_values {
-  std::vector<ph::brake_data> brakes;      ///< On the brakes' axes.
-  std::vector<ph::encoder_data> encoders;  ///< On the encoder_axes.
-  double control_rate = 1000;              ///< [Hz]
-  double scene_rate = 1000;                ///< [Hz]
-  double rate_corner = 50;                 ///< [Hz]
-  ph::hand_data hand;                      ///< Who holds the handle.
-
-  static constexpr const char* type_name = "a data sheet";  ///< In errors.
-  /// The table.
-  static constexpr auto members() {
-    using p = data_sheet_values;
-    return ph::member_table(ph::member("brakes", &p::brakes), ph::member("encoders", &p::encoders),
-                            ph::member("control_rate", &p::control_rate, "Hz", ph::range::positive),
-                            ph::member("scene_rate", &p::scene_rate, "Hz", ph::range::positive),
-                            ph::member("rate_corner", &p::rate_corner, "Hz", ph::range::positive),
-                            ph::member("hand", &p::hand));
-  }
-};
-
-/// rendering of any device: its figures as for_each_figure has them, and its table.
-struct rendering_values {
-  /// A figure.
-  struct figure {
-    std::string name, unit;
-    ph::banded value;
-  };
-  std::vector<figure> figures;  ///< In their order.
-  bool holds_push = false;      ///< As in rendering.
-  std::string text;             ///< What to_text() returns.
-};
-
 /// The functions of a device. Each throws Python's ValueError where a vector has not the device's length, and
 /// TypeError where the device is of a kind for which the function has no meaning.
 struct any_device {
@@ -177,10 +142,6 @@ struct any_device {
   virtual ph::braked_wall braked_wall_at(const path_values& at, const design_brakes& brakes,
                                          const numbers& residual_torque, const numbers& resolution,
                                          double hand_mass) const = 0;
-
-  /// What a device of these parts renders; direction: the velocity [m/s].
-  virtual rendering_values expected_rendering(const data_sheet_values& parts,
-                                              const path_values& at) const = 0;
 
   /// The device with a hand's mass [kg] on its handle, at rest at q: brakes that are what a controller
   /// believes.

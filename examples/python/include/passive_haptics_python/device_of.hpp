@@ -14,12 +14,10 @@
 #include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/design/braked_wall_at.hpp>
-#include <passive_haptics/design/expected_rendering.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/sink_depth.hpp>
 #include <passive_haptics/force/nearest_force.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace passive_haptics_python {
@@ -136,20 +134,6 @@ class device_of<M, law_list<Laws...>> final : public any_device {
     } else refuse("braked_wall_at", "inertia");
   }
 
-  rendering_values expected_rendering([[maybe_unused]] const data_sheet_values& parts,
-                                      [[maybe_unused]] const path_values& place) const override {
-    require_inertia("expected_rendering");
-    if constexpr (ph::Dynamics<M>) {
-      const ph::path_point<M> p = point(place, "velocity");
-      const auto found = ph::expected_rendering(model_, sheet_of(parts), p.q, p.direction, p.normal);
-      rendering_values all{{}, found.holds_push, to_text(found)};
-      for_each_figure(found, [&](const std::string& name, const char* unit, const ph::banded& value) {
-        all.figures.push_back({name, unit, value});
-      });
-      return all;
-    } else refuse("expected_rendering", "inertia");
-  }
-
   std::unique_ptr<any_simulation> simulation([[maybe_unused]] const brake_numbers& brakes,
                                              [[maybe_unused]] double hand_mass,
                                              [[maybe_unused]] const numbers& q) const override {
@@ -196,23 +180,6 @@ class device_of<M, law_list<Laws...>> final : public any_device {
   }
   static ph::hybrid_brakes<M> hybrid(const design_brakes& b) {
     return {switchable(b), of_brakes(b.motor_limit, "motor_limit")};
-  }
-  static ph::data_sheet<M> sheet_of(const data_sheet_values& parts) {
-    ph::data_sheet<M> sheet;
-    take(sheet.brakes, parts.brakes, "brakes");
-    take(sheet.encoders, parts.encoders, "encoders");
-    sheet.control_rate = parts.control_rate;
-    sheet.scene_rate = parts.scene_rate;
-    sheet.rate_corner = parts.rate_corner;
-    sheet.hand = parts.hand;
-    return sheet;
-  }
-  template <class Parts, class Part>
-  static void take(Parts& of_device, const std::vector<Part>& given, const char* name) {
-    if (!given.empty() && given.size() != of_device.size())
-      refuse_value("length of " + std::string(name) + " of a data sheet = " + std::to_string(given.size()) +
-                   ", expected " + std::to_string(of_device.size()) + ", as the device has, or none");
-    std::copy(given.begin(), given.end(), of_device.begin());
   }
 
   [[noreturn]] static void refuse(const char* function, const char* needs) {

@@ -66,7 +66,7 @@ void append_members(std::string& text, const P& p, const std::string& indent) {
     text += ": " + expected_value<V>(about);
     if constexpr (!ph::Parameters<V>) {
       if constexpr (requires { value.begin()->members(); }) {
-        text += ", a list of " + (Growing<V> ? "" : std::to_string(value.size()) + " ") + "dicts\n";
+        text += ", a list of " + std::to_string(value.size()) + " dicts\n";
         append_members(text, std::remove_cvref_t<decltype(*value.begin())>(), indent + "    ");
         return;
       } else {

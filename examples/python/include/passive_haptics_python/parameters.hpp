@@ -28,10 +28,6 @@ concept Matrix = requires { requires V::ColsAtCompileTime != 1; };
 template <class V>
 concept Column = requires { requires V::ColsAtCompileTime == 1; };
 
-// A list of any length.
-template <class V>
-concept Growing = requires(V value) { value.push_back(*value.begin()); };
-
 // Of a matrix or of an array.
 template <class V>
 std::size_t rows_of(const V& value) {
@@ -93,7 +89,6 @@ void assign(V& value, py::handle given, const ph::member_description& about, con
     if (!PySequence_Check(given.ptr()) || PyUnicode_Check(given.ptr()))
       refuse_type(name + " = " + shown(given) + ", expected a list");
     const auto list = py::reinterpret_borrow<py::sequence>(given);
-    if constexpr (detail::Growing<V>) value.resize(list.size());
     const std::size_t rows = detail::rows_of(value);
     if (list.size() != rows)
       refuse_value("length of " + name + " = " + std::to_string(list.size()) + ", expected " +

@@ -19,12 +19,10 @@ from passive_haptics.chains import planar_arm as planar_arm
 from passive_haptics.logs import motion_log as motion_log
 from passive_haptics.logs import read_log as read_log
 from passive_haptics.logs import write_log as write_log
-from passive_haptics.results import banded as banded
 from passive_haptics.results import contact_metrics as contact_metrics
 from passive_haptics.results import contact_report as contact_report
 from passive_haptics.results import display_class as display_class
 from passive_haptics.results import power_class as power_class
-from passive_haptics.results import rendering as rendering
 from passive_haptics.results import run_end as run_end
 from passive_haptics.results import status as status
 from passive_haptics.results import wall_limits as wall_limits

@@ -9,7 +9,6 @@ from passive_haptics.results import (
     contact_report,
     display_class,
     power_class,
-    rendering,
     run_end,
     status,
     wall_limits,
@@ -441,8 +440,6 @@ class mechanism(metaclass=_class):
     @property
     def dof(self) -> int:
         """n, the joints."""
-    def expected_rendering(self, parts: data_sheet, q: Numbers, velocity: Numbers, normal: Numbers) -> rendering:
-        """What a device of this mechanism, built of these parts, renders at joint positions q on a wall of this normal, which the handle touches with a velocity [m/s]: each figure with the band in which nine of ten simulated devices lie. Of a mechanism with inertia; TypeError for others. ValueError at a singular pose."""
     def jacobian(self, q: Numbers) -> Array:
         """J in v = J qd, d x n [m/rad or 1]."""
     def nearest_force(self, q: Numbers, signs: Numbers, desired_force: Numbers) -> Array:
@@ -1376,35 +1373,6 @@ class spatial_chain_7(mechanism):
             torque_lower [N m]: a number <= 0, or -inf where there is no bound; default [-inf, -inf, -inf, -inf, -inf, -inf, -inf]
             torque_upper [N m]: a number >= 0, or inf where there is no bound; default [inf, inf, inf, inf, inf, inf, inf]
         """
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of all parameters, by their names."""
-class data_sheet(metaclass=_class):
-    """The parts that a device is to be built of, as their makers describe them, and the hand that is to use it. brakes and encoders: one for each of the device's; none stands for as many defaults. inf counts_per_turn: an ideal encoder.
-
-    Parameters:
-        brakes: anything, a list of dicts
-            torque_limit [N m]: a finite number >= 0; default 1.0
-            residual_torque [N m]: a finite number >= 0; default 0.0
-            time_constant [s]: a finite number >= 0; default 0.02
-            fall_time_constant [s]: a finite number >= 0; default 0.02
-            rotor_inertia [kg m^2]: a finite number >= 0; default 0.0
-            gear_ratio [1 or 1/m]: a finite number > 0; default 1.0
-        encoders: anything, a list of dicts
-            counts_per_turn [1]: a number > 0, or inf for an ideal encoder; a controller needs one on each axis; default 8192.0
-            gear_ratio [1 or 1/m]: a finite number > 0; default 1.0
-        control_rate [Hz]: a finite number > 0; default 1000.0
-        scene_rate [Hz]: a finite number > 0; default 1000.0
-        rate_corner [Hz]: a finite number > 0; default 50.0
-        hand: a dict
-            mass [kg]: a finite number >= 0; default 0.5
-            push [N]: a finite number; default 2.0
-            stiffness [N/m]: a finite number >= 0; default 0.0
-            damping [N s/m]: a finite number >= 0; default 20.0
-    """
-    def __init__(self, brakes: Sequence[Mapping[str, object]] = ..., encoders: Sequence[Mapping[str, object]] = ..., control_rate: float = ..., scene_rate: float = ..., rate_corner: float = ..., hand: Mapping[str, object] = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""

@@ -84,59 +84,6 @@ class wall_limits(typing.NamedTuple):
     """The residual torques alone push out a hand that slides along the wall."""
 
 
-class banded(typing.NamedTuple):
-    """A figure of what a device renders, and the band in which nine of ten simulated devices lie."""
-
-    name: str
-    """What it is called in rendering."""
-    unit: str
-    """Of value, low and high."""
-    value: float
-    """What the formula gives."""
-    low: float
-    """Lower end of the band."""
-    high: float
-    """Upper end of the band; infinite where there is none."""
-    share: float
-    """Of random devices that lie in the band [1]."""
-    source: str
-    """What was measured of each device."""
-
-    def contains(self, measured: float) -> bool:
-        """Whether a measured value lies in the band, its ends included."""
-        return self.low <= measured <= self.high
-
-
-class rendering(typing.NamedTuple):
-    """What a device renders at one place, for one motion of the handle."""
-
-    free_drag: banded
-    """Force that moves the handle against the residual torques [N]."""
-    wall_drag: banded
-    """Force that moves a handle along the wall on which the hand pushes [N]."""
-    strongest_force: banded
-    """Largest steady force out of the wall [N]."""
-    stiffness: banded
-    """Largest useful stiffness of the wall [N/m]."""
-    depth: banded
-    """Of a landing [m]."""
-    release_time: banded
-    """After which brakes have let go of a hand that turns away [s]."""
-    velocity_noise: banded
-    """Standard deviation of the handle's estimated velocity along the normal [m/s]."""
-    rate_noise: tuple[banded, ...]
-    """Those of the joints' rates [rad/s or m/s]."""
-    holds_push: bool
-    """The brakes hold the push of a hand that slides along the wall; else it sinks."""
-    text: str
-    """A table for people, as C++ prints it."""
-
-    @property
-    def figures(self) -> dict[str, banded]:
-        """All figures by their names, such as "depth" and "rate_noise[0]"."""
-        return {figure.name: figure for figure in (*self[:7], *self.rate_noise)}
-
-
 class run_end(enum.IntEnum):
     """How a run along a wall ended."""
 
