@@ -34,8 +34,8 @@ struct points_on_a_line {
     seen.clear();
     if (near.idle({x, 0})) return;
     ++visits;
-    near.visit(tree, {x, 0}, [&](int place) {
-      seen.push_back(places[static_cast<std::size_t>(tree.item(place))]);
+    near.visit(tree, {x, 0}, [&](ph::world_item item) {
+      seen.push_back(places[static_cast<std::size_t>(tree.item(static_cast<int>(item.place())))]);
       return std::abs(seen.back() - x);
     });
   }
@@ -105,9 +105,9 @@ TEST(a_list_of_neighbours, loses_nothing_of_a_way_in_many_steps) {
   bool seen = false;
   const auto go = [&](double x) {
     seen = false;
-    near.visit(tree, {x, 0}, [&](int item) {
-      seen |= item == 0;
-      return item == 0 ? std::abs(x) : 0;
+    near.visit(tree, {x, 0}, [&](ph::world_item item) {
+      seen |= item.is_in_tree();
+      return item.is_in_tree() ? std::abs(x) : 0;
     });
   };
   for (int k = 0; k < 2; ++k) go(0);
@@ -133,7 +133,7 @@ TEST(a_list_of_neighbours, is_not_collected_where_the_hand_has_jumped_but_tried_
 TEST(a_list_of_neighbours, stays_idle_while_what_moves_is_further_off_than_the_hand) {
   const ph::bounding_volume_tree<2> none;
   ph::neighbour_list<2> near(1, 1);
-  for (int k = 0; k < 2; ++k) near.visit(none, {0, 0}, [](int) { return 0.9; });
+  for (int k = 0; k < 2; ++k) near.visit(none, {0, 0}, [](ph::world_item) { return 0.9; });
   ASSERT_TRUE(near.idle({0.89, 0}));
   near.moved(0, 0.1);
   EXPECT_TRUE(near.idle({0.79, 0}));

@@ -5,7 +5,6 @@
 #include <passive_haptics/scene/proxy/proxy_contacts.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -85,15 +84,13 @@ class handle_proxy {
     tracker_ = t;
     is_here_ = false;
   }
-  /// Takes over where the handle's proxy was among other surfaces; item_of gives the number that one of them
-  /// has here, if it is here, too.
-  template <class ItemOf>
-  void take_over(const handle_proxy& other, const ItemOf& item_of) {
+  /// Takes over where the handle's proxy was among other surfaces; is_here(number): one of them is here, too.
+  template <class IsHere>
+  void take_over(const handle_proxy& other, const IsHere& is_here) {
     set_tracker(other.tracker_);
     tracker_.facet_count = 0;
     for (const facet_of_surface& f : other.tracker_.resting())
-      if (const std::optional<int> item = item_of(f.surface))
-        tracker_.facets[static_cast<std::size_t>(tracker_.facet_count++)] = {*item, f.facet};
+      if (is_here(f.surface)) tracker_.facets[static_cast<std::size_t>(tracker_.facet_count++)] = f;
   }
 
  private:

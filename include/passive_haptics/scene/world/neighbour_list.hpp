@@ -8,6 +8,7 @@
 
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
+#include <passive_haptics/scene/world/world_item.hpp>
 
 #include <algorithm>
 #include <array>
@@ -37,8 +38,8 @@ class neighbour_list {
 
   neighbour_list() = default;
 
-  /// other_count: items that lie in no tree, numbered -1, -2, ... when they are looked at. scale [m]: the
-  /// largest coordinate of the items, for the rounding of their distances.
+  /// other_count: items that lie in no tree. scale [m]: the largest coordinate of the items, for the rounding
+  /// of their distances.
   neighbour_list(std::size_t other_count, double scale) : others_(other_count, 0.0), scale_(scale) {}
 
   /// Calls look(item) for each item that the handle can have reached on its way to x: those and no others may
@@ -61,7 +62,7 @@ class neighbour_list {
     }
 
     const double slack = rounding(x);
-    const auto next_due = [&](int item) {
+    const auto next_due = [&](world_item item) {
       return travelled_ + (look(item) * (1 - relative_rounding) - slack);
     };
     look_at_near(next_due);
@@ -108,7 +109,7 @@ class neighbour_list {
 
   struct neighbour {
     double due = 0;  // way at which it can be touched [m]; while it is collected, the distance of its box
-    int item = 0;
+    world_item item;
     bool operator<(const neighbour& other) const { return due < other.due; }
   };
 
@@ -137,14 +138,15 @@ class neighbour_list {
   void jump(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) {
     reset();
     usual_reach_ *= 1.002;  // some day a list is tried again
-    for (std::size_t i = 0; i < others_.size(); ++i) look(-1 - static_cast<int>(i));
+    for (std::size_t i = 0; i < others_.size(); ++i) look(world_item::outside(i));
     look_about(tree, x, look);
   }
 
   template <class Look>
   void look_about(const bounding_volume_tree<D>& tree, const point<D>& x, const Look& look) const {
     const double within = margin_ * (1 + relative_rounding);
-    tree.visit_within(squared_distance_from<D>(x), within * within, [&](int item, double) { look(item); });
+    tree.visit_within(squared_distance_from<D>(x), within * within,
+                      [&](int place, double) { look(world_item::in_tree(place)); });
   }
 
   // Of a distance at x, beside its own share, and of the way [m]
@@ -172,7 +174,7 @@ class neighbour_list {
     if (first_other_ > travelled_) return;
     first_other_ = unbounded;
     for (std::size_t i = 0; i < others_.size(); ++i) {
-      if (others_[i] <= travelled_) others_[i] = next_due(-1 - static_cast<int>(i));
+      if (others_[i] <= travelled_) others_[i] = next_due(world_item::outside(i));
       first_other_ = std::min(first_other_, others_[i]);
     }
   }
@@ -193,8 +195,8 @@ class neighbour_list {
     list& next = this->next();
     tree.go_on(
         search_, squared_distance_from<D>(next.centre), squared_limit_,
-        [&](int item, double squared_distance) {
-          const neighbour found{std::sqrt(squared_distance), item};
+        [&](int place, double squared_distance) {
+          const neighbour found{std::sqrt(squared_distance), world_item::in_tree(place)};
           if (Listed > next.size) {
             next.items[static_cast<std::size_t>(next.size++)] = found;
             if (Listed > next.size) return;

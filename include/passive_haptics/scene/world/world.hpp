@@ -53,7 +53,7 @@ class world {
         return found_.in_order();
       }
       if (geometry_->needs_proxy) follow(x);
-      else near_.visit(geometry_->tree, x, [&](int item) { return look(item, x); });
+      else near_.visit(geometry_->tree, x, [&](world_item item) { return look(item, x); });
     }
     previous_ = x;
     return found_.in_order();
@@ -103,7 +103,7 @@ class world {
   /// walls it is seen for the first time, its proxy where the shared ones hold it.
   void remember(const world& other) noexcept {
     const geometry &mine = *geometry_, &others = *other.geometry_;
-    const auto item_of = [&](int item) { return mine.item_of(others, item); };
+    const auto is_here = [&](int number) { return mine.shares_wall(others, number); };
     previous_ = other.previous_;
     for (std::size_t k = 0; k < std::min(mine.others.size(), others.others.size()); ++k) {
       if (!mine.shares(others, k)) continue;
@@ -113,8 +113,8 @@ class world {
       if (k < std::min(motions_.size(), other.motions_.size()))
         motions_[k].take_over(other.motions_[k], previous_);
     }
-    if (other.proxy_.rests_where([&](int item) { return item >= 0 || item_of(item); }))
-      proxy_.take_over(other.proxy_, item_of);
+    if (other.proxy_.rests_where([&](int n) { return others.item_of(n).is_in_tree() || is_here(n); }))
+      proxy_.take_over(other.proxy_, is_here);
   }
 
  private:
@@ -136,9 +136,9 @@ class world {
   }
   void* tracker(std::size_t other) { return trackers_.data() + geometry_->trackers[other]; }
 
-  motion* motion_of(int item) {
-    const auto k = geometry::place_of(item);
-    return item < 0 && k < motions_.size() ? &motions_[k] : nullptr;
+  // Of an item that moves; nullptr for others
+  motion* motion_of(world_item item) {
+    return !item.is_in_tree() && item.place() < motions_.size() ? &motions_[item.place()] : nullptr;
   }
 
   // By the proxy. When it is first stopped, what it slides to may lie beside the way: once more, with all
@@ -155,16 +155,17 @@ class world {
     if (!proxy_.held()) keep_within(0);
     std::replace(nearest_.begin(), nearest_.end(), not_seen, 0);
     for (const auto& s : proxy_.surfaces())
-      if (motion* m = motion_of(s.number)) m->before = m->now;
-    proxy_.contacts_at(x, [&](const point<D>& normal, double depth, int item) {
+      if (motion* m = motion_of(geometry_->item_of(s.number))) m->before = m->now;
+    proxy_.contacts_at(x, [&](const point<D>& normal, double depth, int number) {
       touched_.clear();
+      const world_item item = geometry_->item_of(number);
       const motion m = motion_of(item) ? *motion_of(item) : motion();
       contact<D> c = geometry_->wall_of(item).wall.contact_by_proxy(proxy_.position() - m.now);
       c.normal = normal;
       if (!std::isnan(c.depth)) c.depth = depth;
       c.wall_velocity += m.velocity;
       touched_.append_unchecked(c);
-      add_touched(geometry_->wall_of(item).number, x);
+      add_touched(number, x);
     });
   }
 
@@ -173,7 +174,7 @@ class world {
     if (reach > reach_) keep_within(2 * reach);
     found_.clear();
     proxy_.forget_surfaces();
-    near_.visit(geometry_->tree, x, [&](int item) { return look_at_surface(item, x); });
+    near_.visit(geometry_->tree, x, [&](world_item item) { return look_at_surface(item, x); });
     proxy_.go(from, x);
   }
 
@@ -184,19 +185,19 @@ class world {
   }
 
   // At an item of near_ that may stop the proxy. A shape gives contacts before the touch itself
-  double look_at_surface(int item, const point<D>& x) {
+  double look_at_surface(world_item item, const point<D>& x) {
     const numbered_wall& w = geometry_->wall_of(item);
     const auto* surface = w.wall.surface();
     if (surface == nullptr) return look(item, x);
     const motion m = motion_of(item) ? *motion_of(item) : motion();
-    proxy_.add({surface, m.now, item}, m.before_cycle(previous_));
-    if (proxy_.rests_on(item)) return 0;
+    proxy_.add({surface, m.now, w.number}, m.before_cycle(previous_));
+    if (proxy_.rests_on(w.number)) return 0;
     if (surface->is_solid()) {
       const double distance = sense_wall(w, item, x) + margin_;
       if (touched_.empty() || !(touched_[0].depth > 0)) add_touched(w.number, x);
       return std::max(0.0, distance - std::max(margin_, reach_));
     }
-    int& nearest = nearest_[geometry::place_of(item)];
+    int& nearest = nearest_[item.place()];
     int hint = std::max(nearest, 0);
     const point<D> at = x - m.now;
     const double clearance = surface->clearance(at, hint);
@@ -205,16 +206,16 @@ class world {
     return std::max(0.0, clearance - std::max(margin_, reach_));
   }
 
-  double look(int item, const point<D>& x) {
+  double look(world_item item, const point<D>& x) {
     const numbered_wall& w = geometry_->wall_of(item);
     const double distance = sense_wall(w, item, x);
     add_touched(w.number, x);
     return distance;
   }
-  [[gnu::always_inline]] double sense_wall(const numbered_wall& w, int item, const point<D>& x) {
+  [[gnu::always_inline]] double sense_wall(const numbered_wall& w, world_item item, const point<D>& x) {
     touched_.clear();
-    if (item >= 0) return w.wall.look(x, x, margin_, nullptr, touched_);
-    const std::size_t k = geometry::place_of(item);
+    if (item.is_in_tree()) return w.wall.look(x, x, margin_, nullptr, touched_);
+    const std::size_t k = item.place();
     if (k >= motions_.size()) return w.wall.look(previous_, x, margin_, tracker(k), touched_);
     motion& m = motions_[k];
     const point<D> from = w.is_followed ? point<D>(previous_ - m.before_cycle(previous_)) : x;

@@ -4,6 +4,7 @@
 
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
+#include <passive_haptics/scene/world/world_item.hpp>
 #include <passive_haptics/scene/world/world_walls.hpp>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace passive_haptics::detail {
@@ -43,7 +43,7 @@ struct wall_motion {
   point<D> before_cycle(const point<D>& previous) const { return handle == previous ? before : now; }
 };
 
-/// The walls of a world. Items of a search are places in the tree, and -1, -2, ... the others.
+/// The walls of a world.
 template <int D>
 struct world_geometry {
   /// Storage in which any tracker can be made.
@@ -83,9 +83,9 @@ struct world_geometry {
       in_tree.push_back(numbered(bounded[static_cast<std::size_t>(tree.item(place))]));
     items.resize(walls.all().size());
     for (std::size_t k = 0; k < in_tree.size(); ++k)
-      items[static_cast<std::size_t>(in_tree[k].number)] = static_cast<int>(k);
+      items[static_cast<std::size_t>(in_tree[k].number)] = world_item::in_tree(static_cast<int>(k));
     for (std::size_t k = 0; k < others.size(); ++k)
-      items[static_cast<std::size_t>(others[k].number)] = -1 - static_cast<int>(k);
+      items[static_cast<std::size_t>(others[k].number)] = world_item::outside(k);
     for (const numbered_wall& w : others) {
       const std::size_t units = (w.wall.tracker_size() + sizeof(tracker_bytes) - 1) / sizeof(tracker_bytes);
       trackers.push_back(trackers.back() + units);
@@ -103,10 +103,12 @@ struct world_geometry {
   /// Whether a wall or the proxy must know where a wall has come from.
   bool remembers() const { return needs_proxy || trackers.back() > 0; }
 
-  /// Where a wall stands in its list.
-  static std::size_t place_of(int item) { return static_cast<std::size_t>(item >= 0 ? item : -1 - item); }
   /// The wall of an item.
-  const numbered_wall& wall_of(int item) const { return (item >= 0 ? in_tree : others)[place_of(item)]; }
+  const numbered_wall& wall_of(world_item item) const {
+    return (item.is_in_tree() ? in_tree : others)[item.place()];
+  }
+  /// The item of the wall with this number.
+  world_item item_of(int number) const { return items[static_cast<std::size_t>(number)]; }
 
   /// Whether the walls outside of both trees at this place are one.
   bool shares(const world_geometry& with, std::size_t place) const {
@@ -115,12 +117,10 @@ struct world_geometry {
     return mine.number == its.number && mine.wall.shares(its.wall);
   }
 
-  /// The item that an item of another world is here, if both are the same wall under the same number.
-  std::optional<int> item_of(const world_geometry& other, int item) const {
-    const numbered_wall& its = other.wall_of(item);
-    const auto number = static_cast<std::size_t>(its.number);
-    if (number >= items.size() || !wall_of(items[number]).wall.shares(its.wall)) return {};
-    return items[number];
+  /// True if both worlds have the same wall under this number of the other one.
+  bool shares_wall(const world_geometry& other, int number) const {
+    return static_cast<std::size_t>(number) < items.size() &&
+           wall_of(item_of(number)).wall.shares(other.wall_of(other.item_of(number)).wall);
   }
 
   /// Where the tracker of another begins [tracker_bytes].
@@ -130,7 +130,7 @@ struct world_geometry {
   std::vector<numbered_wall> in_tree;  ///< By their places there.
   std::vector<numbered_wall> others;   ///< Outside of it, the moving ones first.
   std::vector<int> moving;             ///< Their numbers.
-  std::vector<int> items;              ///< By the numbers of the walls.
+  std::vector<world_item> items;       ///< By the numbers of the walls.
   std::vector<std::size_t> trackers{
       0};                    ///< Where the tracker of each of the others begins, and the last ends.
   bool needs_proxy = false;  ///< For a mesh, a thin wall, or two that meet.
