@@ -72,48 +72,28 @@ class simulated_device {
   /// motion grow until it is NaN. The lag and drag of brakes are stable at any dt.
   void advance(scalar dt, const brake_vector<M>& capacity, const task_vector<M>& muscle_force) {
     if (valid_time_step(dt) == scalar(0)) return;
-    const task_vector<M> drift = mechanism_.bias_acceleration(q_, qd_);
-    const task_vector<M> handle_force = muscle_force - hand_mass_ * drift;
-    const joint_vector<M> drive = transposed_times(J_, handle_force) - mechanism_.bias_torque(q_, qd_);
     const matrix<scalar, M::dof, M::brake_count> Tt =
         passive_haptics::transposed_transmission(mechanism_, q_);
     const transmission_matrix<M> T = transposed(Tt);
     const resistances now = resist(dt, capacity, T * qd_);
+    const task_vector<M> F = muscle_force - hand_mass_ * mechanism_.bias_acceleration(q_, qd_);
+    const joint_vector<M> drive = transposed_times(J_, F) - mechanism_.bias_torque(q_, qd_);
+
+    // (M + dt T^T B T) qd' = M qd + dt (J^T F - c) + T^T p, with B the drag and p the impulses of friction
     const transmission_matrix<M> drag = scaled_rows(dt * (now.commanded_drag + now.residual_drag), T);
     const cholesky<scalar, M::dof> inverse_mass(mass_ + Tt * drag);
-
     const joint_vector<M> free = inverse_mass.solve(joint_vector<M>(mass_ * qd_ + dt * drive));
-    brake_matrix A = T * inverse_mass.solve(Tt);
-    const brake_vector<M> limit = dt * (strength_ + now.residual_strength);
-    // A shaft of compliance c does not slip where w = -c (p / dt - t) / dt, with t the friction before:
-    // the condition of stick with A + c / dt^2 for A and w0 - c t / dt for w0
-    const brake_vector<M> give = now.compliance / (dt * dt);
-    for (int i = 0; i < M::brake_count; ++i) A(i, i) += give[i];
-    const brake_vector<M> impulse = friction(A, T * free - dt * entrywise_product(give, friction_), limit);
-    friction_ = impulse / dt;
+    const brake_vector<M> p = friction_impulses(dt, now, T * inverse_mass.solve(Tt), T * free);
+    const joint_vector<M> next = free + inverse_mass.solve(joint_vector<M>(Tt * p));
 
-    const joint_vector<M> next = free + inverse_mass.solve(joint_vector<M>(Tt * impulse));
-    sensed_force_ = handle_force - hand_mass_ / dt * (J_ * (next - qd_));
     const brake_vector<M> rates = T * next;
-    const brake_vector<M> commanded_drag = entrywise_product(now.commanded_drag, rates);
-    brake_torque_ = scalar(1) / dt * impulse - commanded_drag;
-
-    // Work at the mid-point rate: see energy_balance
+    friction_ = p / dt;
+    brake_torque_ = scalar(1) / dt * p - entrywise_product(now.commanded_drag, rates);
+    brake_power_ = entrywise_product(brake_torque_, rates);
+    sensed_force_ = F - hand_mass_ / dt * (J_ * (next - qd_));
     const joint_vector<M> middle = (qd_ + next) / scalar(2);
-    const brake_vector<M> middle_rates = T * middle;
-    const joint_vector<M> gravity = mechanism_.bias_torque(q_, joint_vector<M>::Zero());
-    energy_.hand += as_double(dt * muscle_force.dot(J_ * middle));
-    energy_.gravity -= as_double(dt * gravity.dot(middle));
-    for (int i = 0; i < M::brake_count; ++i) {
-      energy_.drag += as_double(dt * rates[i] * now.residual_drag[i] * middle_rates[i]);
-      const double dissipated = -as_double(impulse[i] * middle_rates[i]);
-      const double share = limit[i] > scalar(0) ? as_double(dt * strength_[i] / limit[i]) : 0.0;
-      energy_.brakes += share * dissipated + as_double(dt * commanded_drag[i] * middle_rates[i]);
-      energy_.residual_friction += (1 - share) * dissipated;
-      brake_power_[i] = brake_torque_[i] * rates[i];
-      energy_.largest_brake_power = std::max(energy_.largest_brake_power, as_double(brake_power_[i]));
-    }
-
+    count_work(dt, muscle_force, middle);
+    count_losses(dt, now, p, rates, T * middle);
     qd_ = next;
     q_ += dt * qd_;
     measure_pose();
@@ -191,6 +171,42 @@ class simulated_device {
     return all;
   }
 
+  // Impulses of friction, with w0 the rates of the brakes' axes without it and A the rates for each N m s.
+  brake_vector<M> friction_impulses(scalar dt, const resistances& now, brake_matrix A,
+                                    brake_vector<M> w0) const {
+    // A shaft of compliance c does not slip if w = -c (p / dt - t) / dt, with t the friction before: the
+    // condition of stick with A + c / dt^2 for A and w0 - c t / dt for w0
+    const brake_vector<M> give = now.compliance / (dt * dt);
+    for (int i = 0; i < M::brake_count; ++i) A(i, i) += give[i];
+    w0 -= dt * entrywise_product(give, friction_);
+    const brake_vector<M> limit = dt * (strength_ + now.residual_strength);
+    if constexpr (M::brake_count > M::dof)
+      return solve_redundant_box_friction<scalar, M::brake_count>(A, w0, limit).impulse;
+    else return solve_box_friction<scalar, M::brake_count>(A, w0, limit).impulse;
+  }
+
+  // Works of a step, at the mid-point rates: see energy_balance.
+  void count_work(scalar dt, const task_vector<M>& muscle_force, const joint_vector<M>& middle) {
+    const joint_vector<M> gravity = mechanism_.bias_torque(q_, joint_vector<M>::Zero());
+    energy_.hand += as_double(dt * muscle_force.dot(J_ * middle));
+    energy_.gravity -= as_double(dt * gravity.dot(middle));
+  }
+
+  // Losses of a step by friction of impulses p and by drag at the new rates. What the command causes of the
+  // friction is its share of the limit.
+  void count_losses(scalar dt, const resistances& now, const brake_vector<M>& p, const brake_vector<M>& rates,
+                    const brake_vector<M>& middle) {
+    for (int i = 0; i < M::brake_count; ++i) {
+      const scalar limit = dt * (strength_[i] + now.residual_strength[i]);
+      const double share = limit > scalar(0) ? as_double(dt * strength_[i] / limit) : 0.0;
+      const double dissipated = -as_double(p[i] * middle[i]);
+      energy_.brakes += share * dissipated + as_double(dt * (now.commanded_drag[i] * rates[i]) * middle[i]);
+      energy_.residual_friction += (1 - share) * dissipated;
+      energy_.drag += as_double(dt * rates[i] * now.residual_drag[i] * middle[i]);
+      energy_.largest_brake_power = std::max(energy_.largest_brake_power, as_double(brake_power_[i]));
+    }
+  }
+
   void measure_pose() {
     const mechanism_pose<M> pose(mechanism_, q_);
     x_ = pose.position();
@@ -199,13 +215,6 @@ class simulated_device {
   }
 
   double kinetic_energy() const { return as_double(qd_.dot(mass_ * qd_)) / 2; }
-
-  static brake_vector<M> friction(const brake_matrix& A, const brake_vector<M>& w0,
-                                  const brake_vector<M>& limit) {
-    if constexpr (M::brake_count > M::dof)
-      return solve_redundant_box_friction<scalar, M::brake_count>(A, w0, limit).impulse;
-    else return solve_box_friction<scalar, M::brake_count>(A, w0, limit).impulse;
-  }
 
   M mechanism_;
   brake_models_of<M, Model> brakes_;
