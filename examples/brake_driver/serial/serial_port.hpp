@@ -23,19 +23,16 @@ namespace example {
 /// Samples carry the device's sequence and time (device_clock); a channel is invalid where the device reports
 /// a fault of its encoder.
 ///
-/// read: `ok` with the newest whole sample of all that came; `bad_sample` if there was none but damage (a
-/// wrong checksum, a
-///   frame cut off, one of another number of encoders); `failed` if the port is gone, or if currents were
-///   written and the device says that they are not on the brakes: a brake's fault, its watchdog, a release by
-///   somebody else, a restart. That is looked at once the first currents after a release had its watchdog's
-///   time to arrive.
-/// write: `no_sample` if the operating system had no room for the whole frame; half of one may be out, which
-/// the device
-///   drops when the next begins. What waits is thrown away then: currents that are late are wrong. `failed`
-///   if the port is gone.
-/// release: throws away what waits, and sends the release three times, so that one disturbance does not take
-/// all. If it gets
-///   lost nevertheless the device's watchdog does the same. Safe in a signal handler.
+///   - read: `ok` with the newest whole sample of all that came; `bad_sample` if there was none but damage (a
+///     wrong checksum, a frame cut off, one of another number of encoders); `failed` if the port is gone, or
+///     if currents were written and the device says that they are not on the brakes: a brake's fault, its
+///     watchdog, a release by somebody else, a restart. That is looked at once the first currents after a
+///     release had its watchdog's time to arrive.
+///   - write: `no_sample` if the operating system had no room for the whole frame; half of one may be out,
+///     which the device drops when the next begins. What waits is thrown away then: currents that are late
+///     are wrong. `failed` if the port is gone.
+///   - release: throws away what waits, and sends the release three times, so that one disturbance does not
+///     take all. If it gets lost nevertheless the device's watchdog does the same. Safe in a signal handler.
 template <int Encoders, int Brakes>
   requires(Encoders >= 1 && Encoders <= int{serial::most_channels} && Brakes >= 1 &&
            Brakes <= int{serial::most_channels})

@@ -7,7 +7,7 @@
 ///   - `id`, `label`, whether its joints are `slides`, and `scene`, the wall at first;
 ///   - `start()`: joint positions at first;
 ///   - `inverse(model, x, q)`: joint positions that put the handle at x, on the branch of q, with their
-///   status;
+///     status;
 ///   - `flipped(model, q)`, of a mechanism that has two branches: the joint positions of the other one;
 ///   - `draw(model, q, drawing)`, and `reach(model)`: half the size of the box about the base [m].
 #pragma once

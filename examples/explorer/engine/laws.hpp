@@ -20,8 +20,8 @@ namespace explorer {
 /// Whether the forces are scaled: the paper's law, or none, in one type.
 struct scaled_forces {
   static constexpr bool needs_hand_force = true;  ///< Needs a force sensor at the handle.
-  static constexpr bool nulls_normal_force =
-      true;                        ///< As direct_control; at one wall, alpha = 1 makes no difference.
+  /// As direct_control; at one wall, alpha = 1 makes no difference.
+  static constexpr bool nulls_normal_force = true;
   bool is_direct = true;           ///< Direct control; else alpha = 1.
   ph::direct_control direct = {};  ///< The law.
 

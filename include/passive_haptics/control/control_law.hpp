@@ -53,8 +53,7 @@ struct contact_situation {
 ///   - `static constexpr bool saturates_before_scaling`: alpha scales torques that are already cut to the
 ///     brakes' limits. Else they are cut after, as the paper prints it. Of one contact only;
 ///   - `static constexpr bool nulls_normal_force`: the force of a contact being left is scaled so that
-///   nothing remains
-///     normal to the wall. Of several contacts these are then met before the others.
+///     nothing remains normal to the wall. Of several contacts these are then met before the others.
 template <class L>
 concept ScalingLaw = requires(const L law, const contact_situation<double, 2> situation) {
   { law.scale(situation) } noexcept -> std::same_as<double>;

@@ -43,8 +43,7 @@ auto chosen_way() {
 ///   - `way{setup, touched}`: the walls, of which each demands an Fd;
 ///   - `bool demands_force() const`: false where the brakes are released;
 ///   - `steps command(now, memory) const`: from Fd to td, where `steps.td.torque` is what the brakes get;
-///   - `Result result(now, steps, t, memory) const`: the result, where t are the torques that the mechanism
-///   will
+///   - `Result result(now, steps, t, memory) const`: the result, with t the torques that the mechanism will
 ///     feel.
 template <class Result, class Setup, class Walls>
 using way_of = typename decltype(detail::chosen_way<Result, Setup, Walls>())::type;

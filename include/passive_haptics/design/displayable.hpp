@@ -111,10 +111,9 @@ void find_nearest(displayable_force<M>& found, const brake_motions<M>& motions, 
 
 }  // namespace detail
 
-/// What these brakes can display against a wall with normal n while the end effector
-/// moves in `direction`, at joint positions q. Direction and normal: base frame, any length > 0; at rest the
-/// direction is zero. Of the brakes the limits and intervals are read; limits may be infinite, and a brake
-/// whose limit is 0 is off.
+/// What these brakes can display against a wall with normal n while the end effector moves in `direction`, at
+/// joint positions q. Direction and normal: base frame, any length > 0; at rest the direction is zero. Of the
+/// brakes the limits and intervals are read; limits may be infinite, and a brake whose limit is 0 is off.
 ///
 /// The motion decides the signs: w = T J^+ v, s = sgn(w), and brake i makes s_i t_i <= 0 (3). A brake that
 /// rests in this motion (|w_i| of rounding size) can hold either way, so s_i = 0. Of a direction that a

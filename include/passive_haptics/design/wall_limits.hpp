@@ -66,8 +66,8 @@ struct braked_wall {
 /// What a wall made of brakes can be.
 struct wall_limits {
   /// Smallest depth that can be held, under velocity_direct_control that sees the wall once it is touched
-  /// [m]: how deep the hand gets. Infinite where the brakes do not stop it within a second
-  /// and deepest_landing.
+  /// [m]: how deep the hand gets. Infinite where the brakes do not stop it within a second and
+  /// deepest_landing.
   double depth;
   double rigid_depth;  ///< Largest depth under force approximation, for a wall of any stiffness [m].
   /// Largest useful stiffness under force approximation [N/m]: the hand gets half as deep again as into a
@@ -122,9 +122,9 @@ inline double resting_depth(const braked_wall& wall) {
 ///     Lambda_n x'' = P - K_h x - B_h x' - R - f,    T_b f' + f = F,    f = 0 until T,
 ///
 /// but under velocity_direct_control not less than where the law rests: at its rest_depth, or with coarse
-/// encoders at depth_per_jump times the depth_resolution, up to the law's deepest_rest. T is
-/// half a period of the control, or of a slower scene, and the law's reaction_time. With a hand that brings
-/// no force, and brakes that are quick (T_b -> 0) or slow beside the landing, it is
+/// encoders at depth_per_jump times the depth_resolution, up to the law's deepest_rest. T is half a period of
+/// the control, or of a slower scene, and the law's reaction_time. With a hand that brings no force, and
+/// brakes that are quick (T_b -> 0) or slow beside the landing, it is
 ///
 ///     v T + Lambda_n v^2 / (2 F)    or    v T + 2/3 v sqrt(2 Lambda_n v T_b / F).
 ///

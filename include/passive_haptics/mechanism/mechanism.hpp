@@ -4,12 +4,11 @@
 /// Minimal complete definition (n = dof, d = task_dimension, m = brake_count):
 ///   - `using scalar`: float, double or long double;
 ///   - `static constexpr int dof, task_dimension, brake_count`: m = n >= d; with a transmission also
-///   redundant
-///     brakes, m > n = d, or fewer brakes than joints, m < n >= d. d is 1, 2 or 3;
+///     redundant brakes, m > n = d, or fewer brakes than joints, m < n >= d. d is 1, 2 or 3;
 ///   - `vector<scalar, d> position(const vector<scalar, n>& q) const`: end effector, base frame. All its
 ///     components are lengths [m] along orthogonal axes: with an angle among them, such as (x, y, L phi), the
-///     nearest force would depend on the unit of L.
-///     Where it is a template over the scalar, its derivative is the Jacobian (jacobian.hpp).
+///     nearest force would depend on the unit of L. Where it is a template over the scalar, its derivative is
+///     the Jacobian (jacobian.hpp).
 ///
 /// Optional. Members without q are constant; matrices may be diagonal. Both let later stages skip work:
 ///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;

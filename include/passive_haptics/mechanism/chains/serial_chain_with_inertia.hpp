@@ -10,8 +10,8 @@ namespace passive_haptics {
 
 /// serial_chain with inertia. M by composite rigid bodies, c by recursive Newton-Euler; rotors add their
 /// inertia about the joint axis only. M is positive definite wherever rotors or links resist each joint: a
-/// rotor inertia > 0 on every joint suffices. Cost: as jacobian, and some
-/// N^2 (M) or N (c, Jd qd) cross products.
+/// rotor inertia > 0 on every joint suffices. Cost: as jacobian, and some N^2 (M) or N (c, Jd qd) cross
+/// products.
 template <class T, int N, int D>
 class serial_chain_with_inertia : public serial_chain<T, N, D> {
  public:

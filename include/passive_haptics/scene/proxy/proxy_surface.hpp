@@ -42,12 +42,11 @@ struct proxy_plane {
 ///     proxy rests already stop it only where the way would pass through them;
 ///   - `proxy_plane<d> plane(int facet, const point<d>& p) const`;
 ///   - `bool holds(int facet, const point<d>& p) const`: whether a proxy at p, a skin high, rests on the
-///   facet;
+///     facet;
 ///   - `double clearance(const point<d>& x) const`: how far [m] from x nothing stops a proxy; <= 0 inside of
-///   a solid;
+///     a solid;
 ///   - `point<d> entry(const point<d>& x) const`: where a handle that is seen for the first time at x has
-///   come
-///     from: x, or the nearest point outside of a solid.
+///     come from: x, or the nearest point outside of a solid.
 template <class S>
 concept ProxySurface = detail::names_dimension<S> && requires(const S surface, const point<S::dimension> p,
                                                               std::span<const int> resting, int hint) {

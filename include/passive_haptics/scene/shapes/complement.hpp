@@ -8,8 +8,8 @@
 
 namespace passive_haptics {
 
-/// distance(x) = -S(x): a solid becomes a hollow. Exact where S is. One contact at most; in a hollow with
-/// corners that is the nearest face alone, see room.hpp.
+/// distance(x) = -S(x): a solid becomes a hollow. Exact where S is. One contact at most: in a corner only
+/// that of the nearest face. Give each face as a wall to feel all of them (walls_of).
 template <class S>
 class complement : public shape_wrapper<S> {
  public:

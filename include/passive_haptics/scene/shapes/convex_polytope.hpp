@@ -74,7 +74,8 @@ struct convex_polytope_parameters {
 /// the faces that meet at the nearest point. Where faces are equally near from inside, the first one gives
 /// the gradient.
 ///
-/// One contact at most, as every shape. For a room, where several faces are touched at once, see room.hpp.
+/// One contact at most, as every shape. In a room the handle can touch several faces: give each face as a
+/// wall (walls_of).
 template <int D, int K>
 class convex_polytope {
   static_assert(K >= 1, "passive_haptics: a convex_polytope has one face or more.");

@@ -24,8 +24,8 @@ namespace passive_haptics {
 /// Three bounds, each looked at only when the one before is used up:
 ///   - clearance: the way that can be travelled until any item is due. Most cycles end here;
 ///   - due: for each of the nearest items, the way at which it can be touched at the earliest;
-///   - reach: the distance of the nearest item that is not in the list. Once most of it
-///     is travelled the next list is collected, a few nodes of the tree a cycle: no cycle pays for all.
+///   - reach: the distance of the nearest item that is not in the list. Once most of it is travelled the next
+///     list is collected, a few nodes of the tree a cycle: no cycle pays for all.
 ///
 /// A cycle costs a comparison; or up to Listed + others looks and `nodes_per_cycle` nodes. It collects a list
 /// at once, some ten to a hundred nodes, when the handle leaves the reach before the next list is complete.

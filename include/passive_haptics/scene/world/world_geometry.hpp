@@ -131,8 +131,8 @@ struct world_geometry {
   std::vector<numbered_wall> others;   ///< Outside of it, the moving ones first.
   std::vector<int> moving;             ///< Their numbers.
   std::vector<world_item> items;       ///< By the numbers of the walls.
-  std::vector<std::size_t> trackers{
-      0};                    ///< Where the tracker of each of the others begins, and the last ends.
+  /// Where the tracker of each of the others begins, and the last ends.
+  std::vector<std::size_t> trackers{0};
   bool needs_proxy = false;  ///< For a mesh, a thin wall, or two that meet.
   double extent = 0;         ///< Largest coordinate of the bounded walls [m].
 

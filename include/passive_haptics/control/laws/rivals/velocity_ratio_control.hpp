@@ -44,9 +44,9 @@ struct velocity_ratio_parameters {
 ///     t_i = -s_i limit_i min(1, gain share_i).
 ///
 /// A brake cannot be sped up, so the whole device is slowed by its slowest brake, which is free. A hand that
-/// presses without moving along sinks with it: by 7 to 37 mm in 1 s in simulations. For as
-/// many brakes as joints. Of several contacts the one that demands the largest force governs. Needs the hand
-/// force (which way a brake at rest would turn); cost: one orthogonal decomposition of d x m.
+/// presses without moving along sinks with it: by 7 to 37 mm in 1 s in simulations. For as many brakes as
+/// joints. Of several contacts the one that demands the largest force governs. Needs the hand force (which
+/// way a brake at rest would turn); cost: one orthogonal decomposition of d x m.
 ///
 /// Reference: Book, Charles, Davis, Gomes, The concept and implementation of a passive trajectory enhancing
 /// robot, ASME Dynamic Systems and Control Division, 1996, 633-638; Davis and Book, Torque control of a
