@@ -7,7 +7,6 @@
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/core/parameter_text.hpp>
 #include <passive_haptics/design/expected_rendering.hpp>
-#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/plant/wall_following.hpp>
@@ -229,25 +228,6 @@ TEST(expected_rendering, the_drag_of_an_arm_with_self_motion_is_the_least) {
     EXPECT_LE(r.free_drag.value, found * (1 + 1e-9)) << k;
     EXPECT_GE(r.free_drag.value, 0.5 * found) << k;
   }
-}
-
-// The reading of the self-motion that a mechanism names is that of its wall, too.
-TEST(expected_rendering, of_an_arm_whose_brakes_drive_its_self_motion_is_by_inertia) {
-  using shape = chains::irregular_chain<double, 4, 2>;
-  using M = ph::inertial_mechanism<shape::mechanism>;
-  using V = ph::vector<double, 2>;
-  const M arm = ph::inertial(shape::make());
-  const ph::vector<double, 4> q(0.4, 0.7, -0.6, 0.9);
-  const V v(0.1, 0.3), n(0.2, -1);
-  const auto parts = small_parts<M>(1);
-  const auto wall_of = [&](const auto& device) {
-    return ph::braked_wall_at(device, q, v, n, ph::axis_brakes_of(parts), ph::axis_residual_of(parts),
-                              ph::axis_resolution_of(parts), 0.5);
-  };
-  const ph::braked_wall wall = wall_of(arm);
-  EXPECT_NEAR(ph::expected_rendering(arm, parts, q, v, n).strongest_force.value,
-              wall.force + wall.sliding_residual, 1e-9);
-  EXPECT_NE(wall.force, wall_of(arm.mechanism()).force) << "another reading has another force";
 }
 
 TEST(expected_rendering, of_redundant_brakes_is_that_of_their_sum) {
