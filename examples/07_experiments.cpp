@@ -38,7 +38,7 @@ namespace {
 constexpr std::uint64_t seed = plant_seed;
 constexpr std::size_t plant_count = 300;
 constexpr std::size_t few_plants = 60;  // of laws that bounce on all of them
-constexpr std::size_t felt_runs = 8, planned_runs = 13021 + arm_sample_runs + felt_runs;  // on all cores
+constexpr std::size_t felt_runs = 3, planned_runs = 13021 + arm_sample_runs + felt_runs;  // on all cores
 const std::filesystem::path results_page = PASSIVE_HAPTICS_SOURCE_DIR "/docs/results.md";
 
 std::string text(std::string_view view) { return std::string(view); }

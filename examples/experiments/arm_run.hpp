@@ -8,7 +8,6 @@
 
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/driver/rate_estimator.hpp>
-#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 
 #include <Eigen/LU>
@@ -117,10 +116,10 @@ auto wall_before(const ph::point<D>& x, const ph::point<D>& n, arm_wall which) {
   }
 }
 
-// One hand: `believed` is the arm with the forces that its controller takes.
-template <class M, class Believed, class Law>
-arm_result follow_arm(const arm_kind<M>& kind, const Believed& believed, const Law& law,
-                      const arm_start<M>& start, double lag, arm_encoders encoders) {
+// One hand.
+template <class M, class Law>
+arm_result follow_arm(const arm_kind<M>& kind, const Law& law, const arm_start<M>& start, double lag,
+                      arm_encoders encoders) {
   constexpr int n = M::dof, d = M::task_dimension;
   constexpr double count = 2 * std::numbers::pi / 4096, period = 1e-3;  // [rad], [s]
   constexpr int window = 16;
@@ -143,14 +142,14 @@ arm_result follow_arm(const arm_kind<M>& kind, const Believed& believed, const L
   const auto wall = wall_before<d>(x0, start.normal, kind.wall);
 
   if (counts) brakes.rate_dead_band.setConstant(ph::rate_dead_band(count, window, period));
-  ph::controller control(believed, ph::brakes_of<Believed>(brakes), ph::scene(ph::wall(wall)), law);
+  ph::controller control(kind.arm, brakes, ph::scene(ph::wall(wall)), law);
   ph::rate_estimator<n> rates({.window = window});
   const auto read_and_control = [&](ph::device_state<M> state) {
     if (counts) {
       const ph::joint_vector<M> turned = (state.q / count).array().round();
       state.qd = rates.add(state.time, turned) * count;
     }
-    return control(ph::device_state<Believed>{state.time, state.q, state.qd, state.hand_force});
+    return control(state);
   };
 
   ph::wall_following_parameters p;
@@ -176,10 +175,10 @@ arm_result follow_arm(const arm_kind<M>& kind, const Believed& believed, const L
   return result;
 }
 
-template <class M, class Believed>
-arm_result follow_arm(const arm_kind<M>& kind, const Believed& believed, arm_law which,
-                      const arm_start<M>& start, double lag, arm_encoders encoders) {
-  const auto with = [&](const auto& law) { return follow_arm(kind, believed, law, start, lag, encoders); };
+template <class M>
+arm_result follow_arm(const arm_kind<M>& kind, arm_law which, const arm_start<M>& start, double lag,
+                      arm_encoders encoders) {
+  const auto with = [&](const auto& law) { return follow_arm(kind, law, start, lag, encoders); };
   switch (which) {
     case arm_law::none: return with(ph::no_direct_control());
     case arm_law::saturated: return with(ph::saturated_direct_control());
@@ -206,9 +205,8 @@ inline arm_cell cell_of(const std::vector<arm_result>& results, std::size_t firs
 }
 
 // A row: all walls at all settings, or the sampled one.
-template <class M, class Believed>
-arm_row follow_row(const arm_kind<M>& kind, const Believed& believed, const std::string& forces,
-                   arm_law which, arm_extent extent) {
+template <class M>
+arm_row follow_row(const arm_kind<M>& kind, arm_law which, arm_extent extent) {
   std::vector<std::size_t> settings{sampled_setting};
   if (extent == arm_extent::all) settings = {0, 1, 2, 3, 4, 5};
   std::vector<arm_start<M>> starts;
@@ -216,10 +214,9 @@ arm_row follow_row(const arm_kind<M>& kind, const Believed& believed, const std:
   const auto results = on_all_cores(kind.name, settings.size() * arm_walls, [&](std::size_t k) {
     const std::size_t setting = settings[k / arm_walls];
     const auto encoders = setting < arm_lags.size() ? arm_encoders::exact : arm_encoders::counts;
-    return follow_arm(kind, believed, which, starts[k % arm_walls], arm_lags[setting % arm_lags.size()],
-                      encoders);
+    return follow_arm(kind, which, starts[k % arm_walls], arm_lags[setting % arm_lags.size()], encoders);
   });
-  arm_row row{kind.name, name_of(which), forces, {}};
+  arm_row row{kind.name, name_of(which), {}};
   for (std::size_t i = 0; i < settings.size(); ++i)
     row.cells[settings[i]] = cell_of(results, i * arm_walls, arm_walls);
   std::printf("%s", arm_lines({row}).c_str());
@@ -227,25 +224,14 @@ arm_row follow_row(const arm_kind<M>& kind, const Believed& believed, const std:
   return row;
 }
 
-// The three laws with the forces that are the default.
+// All laws; the sample has the recommended one.
 template <class M>
-void add_default_forces(std::vector<arm_row>& rows, const arm_kind<M>& kind, arm_extent extent) {
-  const std::string forces = M::dof > M::task_dimension ? "settled" : "";
+void add_rows(std::vector<arm_row>& rows, const arm_kind<M>& kind, arm_extent extent) {
   if (extent == arm_extent::all)
     for (const arm_law which : {arm_law::none, arm_law::saturated})
-      rows.push_back(follow_row(kind, kind.arm, forces, which, extent));
-  rows.push_back(follow_row(kind, kind.arm, forces, arm_law::velocity, extent));
-  if (extent == arm_extent::all)
-    rows.push_back(follow_row(kind, kind.arm, forces, arm_law::velocity_at_1_mm, extent));
-}
-
-// Two laws with forces of another kind, which the sample leaves out.
-template <class M, class Believed>
-void add_other_forces(std::vector<arm_row>& rows, const arm_kind<M>& kind, const Believed& believed,
-                      const std::string& forces, arm_extent extent) {
-  if (extent == arm_extent::sample) return;
-  for (const arm_law which : {arm_law::saturated, arm_law::velocity})
-    rows.push_back(follow_row(kind, believed, forces, which, arm_extent::all));
+      rows.push_back(follow_row(kind, which, extent));
+  rows.push_back(follow_row(kind, arm_law::velocity, extent));
+  if (extent == arm_extent::all) rows.push_back(follow_row(kind, arm_law::velocity_at_1_mm, extent));
 }
 
 }  // namespace experiments

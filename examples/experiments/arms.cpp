@@ -23,10 +23,10 @@ std::string of_encoders(const arm_row& row, auto&& text) {
   return of_settings(row, 1, 1, text) + " / " + of_settings(row, 1 + arm_lags.size(), 1, text);
 }
 
-// A line of the table up to its numbers: arm, law, forces.
+// A line of the table up to its numbers: arm, law.
 std::string key_of(const std::string& line) {
   std::size_t at = 0;
-  for (int bars = 0; bars < 4 && at != std::string::npos; ++bars) at = line.find('|', at) + 1;
+  for (int bars = 0; bars < 3 && at != std::string::npos; ++bars) at = line.find('|', at) + 1;
   return line.substr(0, at);
 }
 
@@ -45,7 +45,7 @@ std::string filled(const std::string& line, const std::string& other) {
 std::string line_of(const arm_row& row) {
   const auto gliding = [](const arm_cell& c) { return written("%d", c.gliding); };
   return markdown_row(
-      {row.arm, row.law, row.forces, of_settings(row, 0, arm_lags.size(), gliding),
+      {row.arm, row.law, of_settings(row, 0, arm_lags.size(), gliding),
        of_settings(row, arm_lags.size(), arm_lags.size(), gliding),
        of_encoders(row, [](const arm_cell& c) { return written("%d", c.separating); }),
        of_encoders(row, [](const arm_cell& c) { return written("%.2f", 1e3 * c.median_std); }),
@@ -72,7 +72,7 @@ double largest_power(const std::vector<arm_row>& rows) {
 }
 
 std::string arm_head() {
-  return markdown_head({"arm", "law", "forces", "glide of 60: exact encoders, 5 / 20 / 40 ms",
+  return markdown_head({"arm", "law", "glide of 60: exact encoders, 5 / 20 / 40 ms",
                         "4096 counts, 5 / 20 / 40 ms", "separate at 20 ms: exact / counts",
                         "median deviation at 20 ms [mm]: exact / counts", "brakes too weak, exact, 20 ms"});
 }

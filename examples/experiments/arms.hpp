@@ -25,13 +25,13 @@ struct arm_cell {
 };
 
 struct arm_row {
-  std::string arm, law, forces;
+  std::string arm, law;
   std::array<std::optional<arm_cell>, arm_settings> cells;  // empty where they were not measured
 };
 
-// All rows, or a sample: the recommended law with the default forces of each arm, at one setting.
+// All rows, or a sample: the recommended law of each arm, at one setting.
 enum class arm_extent { sample, all };
-inline constexpr std::size_t arm_table_runs = 54 * arm_settings * arm_walls, arm_sample_runs = 8 * arm_walls;
+inline constexpr std::size_t arm_table_runs = 32 * arm_settings * arm_walls, arm_sample_runs = 8 * arm_walls;
 std::vector<arm_row> follow_with_arms(arm_extent extent);
 
 // The largest power that a brake gave to its device in a time step of these runs [W].

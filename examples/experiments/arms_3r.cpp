@@ -8,9 +8,7 @@ void follow_with_3r(std::vector<arm_row>& rows, arm_extent extent) {
   const auto add = [&](const char* name, arm_wall wall) {
     three.name = name;
     three.wall = wall;
-    add_default_forces(rows, three, extent);
-    add_other_forces(rows, three, ph::inertial(three.arm), "inertial", extent);
-    add_other_forces(rows, three, ph::kinetostatic(three.arm), "kinetostatic", extent);
+    add_rows(rows, three, extent);
   };
   add("3R", arm_wall::plane);
   add("3R, outside of a disc of 0.1 m", arm_wall::outside_of_disc);

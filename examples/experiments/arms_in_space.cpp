@@ -4,10 +4,7 @@
 namespace experiments {
 
 void follow_with_4r_in_space(std::vector<arm_row>& rows, arm_extent extent) {
-  const arm_kind four{"4R in space", spatial_rods<3>({0.2, 0.15, 0.1})};
-  add_default_forces(rows, four, extent);
-  add_other_forces(rows, four, ph::inertial(four.arm), "inertial", extent);
-  add_other_forces(rows, four, ph::kinetostatic(four.arm), "kinetostatic", extent);
+  add_rows(rows, arm_kind{"4R in space", spatial_rods<3>({0.2, 0.15, 0.1})}, extent);
 }
 
 }  // namespace experiments

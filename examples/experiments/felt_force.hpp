@@ -2,11 +2,8 @@
 // under constant capacities, after the self-motion had time to settle.
 #pragma once
 
-#include <passive_haptics/brake/force_generators.hpp>
-#include <passive_haptics/brake/signs.hpp>
-#include <passive_haptics/force/torques/generator_form.hpp>
+#include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/force/torques/settled_approximation.hpp>
-#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/plant/random_numbers.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
 
@@ -65,26 +62,13 @@ felt_state<M> draw_felt_state(const M& arm, std::uint64_t seed, std::size_t k) {
   }
 }
 
-// Fc of 1 N along n and its torques; none where cos(gamma) is 0.3 or less. `arm` is the arm of the state,
-// which may name other forces.
-template <class M, class State>
-auto force_for(const M& arm, const State& state, const ph::brakes_of<M>& brakes) {
+// Fc of 1 N along n and its torques; none if cos(gamma) is 0.3 or less.
+template <class M>
+auto force_for(const M& arm, const felt_state<M>& state, const ph::brakes_of<M>& brakes) {
   constexpr double least_cosine = 0.3;
-  constexpr int m = M::brake_count;
-  const ph::mechanism_pose<M> pose(arm, state.q);
-  if constexpr (ph::Settles<M>) {
-    const ph::brake_matrix<M> E(ph::brake_jacobian(arm, state.q));
-    const ph::settled_rates<M> rates(pose);
-    return ph::settled_forces(rates, E, brakes, state.v).nearest(state.n, least_cosine);
-  } else {
-    const ph::brake_vector<M> w = ph::brake_rates(arm, state.q, state.qd),
-                              s = ph::brake_signs<double, m>(w, ph::brake_vector<M>::Zero(), brakes);
-    if constexpr (ph::displays_by_generators<M>)
-      return ph::approximate_by_generators(ph::brake_matrix<M>(ph::generators_of(pose)), s, state.n,
-                                           least_cosine);
-    else
-      return ph::approximate(ph::brake_matrix<M>(ph::brake_jacobian(arm, state.q)), s, state.n, least_cosine);
-  }
+  const ph::brake_matrix<M> E(ph::brake_jacobian(arm, state.q));
+  const ph::settled_rates<M> rates(ph::mechanism_pose<M>(arm, state.q));
+  return ph::settled_forces(rates, E, brakes, state.v).nearest(state.n, least_cosine);
 }
 
 // What the hand feels, and the rates of the brakes when the averaging begins.
@@ -121,7 +105,7 @@ felt<M> feel_once(const M& arm, const felt_state<M>& state, const ph::brake_vect
 struct felt_row {
   std::size_t states = 0, displayed = 0, within = 0;
   double median = 0;  // [N]
-  // Of settled forces, the others where: a moving brake is in its dead band, so that its sign is not known;
+  // The others, where: a moving brake is in its dead band, so that its sign is not known;
   // a brake that should have come to rest has not, after 50 ms; the pose has changed under constant torques.
   std::size_t unknown_sign = 0, not_at_rest = 0, pose = 0;
 
@@ -131,9 +115,9 @@ struct felt_row {
   }
 };
 
-// With the forces that `believed` names, which is the arm. feel(state, capacity) returns what the hand feels.
-template <class M, class Believed, class Feel>
-felt_row feel_with(const M& arm, const Believed& believed, std::size_t states, const Feel& feel) {
+// feel(state, capacity) returns what the hand feels.
+template <class M, class Feel>
+felt_row feel_with(const M& arm, std::size_t states, const Feel& feel) {
   constexpr std::uint64_t seed = 20040627;
   const ph::brakes_of<M> brakes;
   felt_row row;
@@ -141,22 +125,20 @@ felt_row feel_with(const M& arm, const Believed& believed, std::size_t states, c
   std::vector<double> forces;
   for (std::size_t k = 0; k < states; ++k) {
     const felt_state<M> state = draw_felt_state(arm, seed, k);
-    const auto F = force_for(believed, state, brakes);
+    const auto F = force_for(arm, state, brakes);
     if (!ph::is_displayed(F.display)) continue;
     const felt<M> there = feel(state, ph::brake_vector<M>(F.torque.cwiseAbs()));
     forces.push_back(there.force);
     const bool is_within = std::abs(there.force - 1) < 0.1;
     row.within += is_within;
-    if constexpr (ph::Settles<Believed>) {
-      bool unknown = false, moving = false;
-      for (int i = 0; i < M::brake_count; ++i) {
-        unknown = unknown || (!ph::contains(F.held, i) && F.signs[i] == 0 && F.torque[i] != 0);
-        moving = moving || (ph::contains(F.held, i) && std::abs(there.rates[i]) > brakes.rate_dead_band[i]);
-      }
-      row.unknown_sign += !is_within && unknown;
-      row.not_at_rest += !is_within && !unknown && moving;
-      row.pose += !is_within && !unknown && !moving;
+    bool unknown = false, moving = false;
+    for (int i = 0; i < M::brake_count; ++i) {
+      unknown = unknown || (!ph::contains(F.held, i) && F.signs[i] == 0 && F.torque[i] != 0);
+      moving = moving || (ph::contains(F.held, i) && std::abs(there.rates[i]) > brakes.rate_dead_band[i]);
     }
+    row.unknown_sign += !is_within && unknown;
+    row.not_at_rest += !is_within && !unknown && moving;
+    row.pose += !is_within && !unknown && !moving;
   }
   row.displayed = forces.size();
   if (forces.empty()) return row;
@@ -166,12 +148,11 @@ felt_row feel_with(const M& arm, const Believed& believed, std::size_t states, c
   return row;
 }
 
-template <class M, class Believed>
-felt_row feel(const M& arm, const Believed& believed, std::size_t states) {
-  return feel_with(arm, believed, states,
-                   [&](const felt_state<M>& state, const ph::brake_vector<M>& capacity) {
-                     return feel_once(arm, state, capacity);
-                   });
+template <class M>
+felt_row feel(const M& arm, std::size_t states) {
+  return feel_with(arm, states, [&](const felt_state<M>& state, const ph::brake_vector<M>& capacity) {
+    return feel_once(arm, state, capacity);
+  });
 }
 
 }  // namespace experiments

@@ -1,4 +1,4 @@
-// What a stiff hand feels of settled, inertial and kinetostatic forces.
+// What a stiff hand feels of the forces of arms with self-motion.
 #pragma once
 
 #include <string>

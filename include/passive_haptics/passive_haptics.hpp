@@ -8,7 +8,6 @@
 #include <passive_haptics/core/version.hpp>
 
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
-#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/chains/denavit_hartenberg.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
@@ -62,9 +61,6 @@
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
 #include <passive_haptics/control/sensorless/torques_at_rest.hpp>
-#include <passive_haptics/control/ways/free_joints_form.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 

@@ -6,7 +6,6 @@ namespace ph = passive_haptics;
 struct arm {
   using scalar = double;
   static constexpr int dof = 3, task_dimension = 2, brake_count = 3;
-  static constexpr auto self_motion = ph::self_motion_form::kinetostatic;
   ph::vector<double, 2> position(const ph::vector<double, 3>& q) const { return {q[0], q[1] + q[2]}; }
   ph::matrix<double, 2, 3> jacobian() const { return ph::matrix<double, 2, 3>{{1, 0, 0}, {0, 1, 1}}; }
 };

@@ -6,7 +6,6 @@
 
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/detents.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>

@@ -4,8 +4,6 @@
 #include <passive_haptics/control/batch/batch_controller.hpp>
 #include <passive_haptics/control/laws/recommended_law.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/scene/scene.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

@@ -20,7 +20,8 @@ const std::map<std::string, int> stages{{"core", 0},   {"mechanism", 1}, {"brake
 // and a bench has one.
 const std::set<std::string> leaves{"driver", "bench", "interop", "testing"};
 // Rooms that headers of the path may include.
-const std::set<std::string> rooms_of_the_path{"core/scalar", "core/linear", "force/torques", "control/ways"};
+const std::set<std::string> rooms_of_the_path{"core/scalar", "core/linear", "force/torques", "force/forms",
+                                              "control/ways"};
 
 bool is_dependency(const std::string& include, const std::string& folder) {
   if (include.find_first_of("/.") == std::string::npos) return true;  // the standard library

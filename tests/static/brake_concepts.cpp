@@ -21,15 +21,6 @@ static_assert(!ph::LimitedBrakes<ph::unlimited_brakes, double, 2> &&
               !ph::LaggingBrakes<ph::unlimited_brakes, double, 2>);
 static_assert(std::is_empty_v<ph::unlimited_brakes>);
 
-// ---- generators that are the inertia's, of devices with self-motion
-
-template <class M>
-concept has_inertial_generators =
-    requires(const M mechanism, const ph::joint_vector<M> q) { ph::inertial_force_generators(mechanism, q); };
-static_assert(has_inertial_generators<ph::serial_chain_with_inertia<double, 3, 2>>);
-static_assert(!has_inertial_generators<ph::serial_chain_with_inertia<double, 2, 2>>);
-static_assert(!has_inertial_generators<ph::serial_chain<double, 3, 2>>);
-
 // ---- what a type tells of its brakes
 
 struct limits {

@@ -24,7 +24,6 @@ template <int N>
 struct complete_mechanism {
   using scalar = double;
   static constexpr int dof = N, task_dimension = 2, brake_count = N;
-  static constexpr ph::self_motion_form self_motion = ph::self_motion_form::inertial;
   using joints = ph::vector<double, N>;
   using square = ph::matrix<double, N, N>;
   struct pose_type {};
@@ -48,24 +47,20 @@ struct complete_mechanism {
 template <class M>
 constexpr bool has_all_of_a_mechanism =
     std::ranges::all_of(ph::describe<M>().members, [](const auto& m) { return m.found; }) &&
-    ph::self_motion_of<M> == ph::self_motion_form::inertial &&
     requires(const M m) { ph::remarks(m.parameters()); };
 
 using three_joints = complete_mechanism<3>;
 using two_joints = complete_mechanism<2>;
 static_assert(has_all_of_a_mechanism<three_joints> && has_all_of_a_mechanism<two_joints>);
-static_assert(has_all_of_a_mechanism<ph::inertial_mechanism<three_joints>>);
 static_assert(has_all_of_a_mechanism<ph::braked_joints<three_joints, 0, 2>>);
-static_assert(has_all_of_a_mechanism<ph::braked_joints<ph::inertial_mechanism<three_joints>, 1>>);
 static_assert(ph::ClosedChain<two_joints> && ph::ClosedChain<ph::braked_joints<two_joints, 0>>);
 
 // The concepts look at these members by arguments that they do not take
 static_assert(ph::detail::differentiates_transmission<ph::braked_joints<ph::five_bar<double, 4>, 0, 1>> ==
               ph::detail::differentiates_transmission<ph::five_bar<double, 4>>);
-static_assert(!ph::detail::differentiates_transmission<ph::inertial_mechanism<three_joints>> &&
-              !ph::detail::differentiates_transmission<ph::braked_joints<three_joints, 0>>);
+static_assert(!ph::detail::differentiates_transmission<ph::braked_joints<three_joints, 0>>);
 
-// For mechanisms without a transmission and with a settled self-motion: it rejects the others
+// For mechanisms without a transmission: it rejects the others
 using any_mechanism = passive_haptics_python::any_mechanism<2, 2, true>;
 static_assert(ph::Dynamics<any_mechanism> && ph::detail::has_inverse_transposed_jacobian<any_mechanism> &&
               ph::detail::has_pose<any_mechanism>);

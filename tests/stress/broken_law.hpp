@@ -3,10 +3,8 @@
 #pragma once
 
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/force/torques/force_map.hpp>
+#include <passive_haptics/force/forms/form_of.hpp>
 
 #include <cmath>
 #include <limits>
@@ -39,7 +37,6 @@ bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const
                        bool projected, const ph::step_result<M>& result) {
   using T = typename M::scalar;
   constexpr int d = M::task_dimension, m = M::brake_count;
-  constexpr bool inertial = ph::has_inertial_forces<M>;
   // Of several contacts that of prioritised_least_squares, with three of them at most
   const T tolerance =
       projected ? ph::rounding_tolerance<T>(d + m) : T(16) * ph::rounding_tolerance<T>(m + m + d + 3);
@@ -55,10 +52,8 @@ bool force_is_feasible(const M& mechanism, const ph::brakes_of<M>& brakes, const
     const T condition = T(1) / ph::settled_rates<M>::default_share;
     const T cosine = projected ? result.approximation_cosine : T(1);
     return !(left.norm() * cosine > (F.rounding(tolerance) + t.rounding(tolerance)) * condition * terms);
-  } else if constexpr (ph::displays_by_generators<M>) {
-    ph::matrix<T, d, m> G;
-    if constexpr (inertial) G = ph::inertial_force_generators(mechanism, q);
-    else G = ph::force_generators(mechanism, q);
+  } else if constexpr (m != M::dof) {
+    const ph::matrix<T, d, m> G = ph::force_generators(mechanism, q);
     const scaled_vector<T, m> t(result.cone_coefficients);
     const ph::vector<T, d> left = F.unit - G * (t.unit * (t.size / F.size));
     const T terms = (G.cwiseAbs() * t.unit.cwiseAbs()).norm() * (t.size / F.size) + T(1);

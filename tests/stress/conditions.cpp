@@ -10,8 +10,7 @@ namespace stress {
 template <class M>
 struct conditions : ::testing::Test {};
 
-using linear_devices =
-    ::testing::Types<linear_device<double, 2, 2>, linear_device<double, 3, 3>, linear_device<double, 5, 3>>;
+using linear_devices = ::testing::Types<linear_device<double, 2>, linear_device<double, 3>>;
 TYPED_TEST_SUITE(conditions, linear_devices);
 
 TYPED_TEST(conditions, break_no_law) {
@@ -26,9 +25,7 @@ TYPED_TEST(conditions, break_no_law) {
       ph::testing::random_source random(k);
       return device.emplace(condition, random);
     };
-    // Beyond that the torques for several walls may move a device with self-motion
-    const bool several = M::dof == M::task_dimension || condition <= 1e6;
-    cycles.run(make, ph::joint_vector<M>::Constant(T(-1)), ph::joint_vector<M>::Constant(T(1)), several);
+    cycles.run(make, ph::joint_vector<M>::Constant(T(-1)), ph::joint_vector<M>::Constant(T(1)));
     if (this->HasFatalFailure()) return;
     std::printf("condition %.0e: ", condition);
     cycles.seen().print();

@@ -5,8 +5,6 @@
 #include "../property/closed_chain_cases.hpp"
 #include "../property/device_cases.hpp"
 
-#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
-
 #include <cmath>
 
 namespace stress {
@@ -16,35 +14,28 @@ namespace ph = passive_haptics;
 template <class T>
 struct four_brakes : closed_chains::lopsided_five_bar<T, 4> {};
 
-template <class Chain>
-struct with_kinetostatic_forces : Chain {
-  using mechanism = ph::kinetostatic_mechanism<typename Chain::mechanism>;
-  static mechanism make() { return mechanism(Chain::make()); }
-};
-
 // x = J q with J of the condition that a test asks for: its singular values fall evenly from 1 to 1 /
 // condition.
-template <class T, int N, int D>
+template <class T, int D>
 struct linear_device {
   using scalar = T;
-  static constexpr int dof = N, task_dimension = D, brake_count = N;
-  static constexpr auto self_motion = ph::self_motion_form::kinetostatic;
-  ph::matrix<T, D, N> J;
+  static constexpr int dof = D, task_dimension = D, brake_count = D;
+  ph::matrix<T, D, D> J;
 
   linear_device(double condition, ph::testing::random_source& random) {
     const auto U = random.orthogonal_directions<D>();
-    const auto V = random.orthogonal_directions<N, D>();
-    ph::matrix<double, D, N> A = ph::matrix<double, D, N>::Zero();
+    const auto V = random.orthogonal_directions<D>();
+    ph::matrix<double, D, D> A = ph::matrix<double, D, D>::Zero();
     for (int i = 0; i < D; ++i) {
       const double singular_value = std::pow(condition, -static_cast<double>(i) / (D - 1));
       for (int r = 0; r < D; ++r) {
-        for (int c = 0; c < N; ++c) A(r, c) += singular_value * U(r, i) * V(c, i);
+        for (int c = 0; c < D; ++c) A(r, c) += singular_value * U(r, i) * V(c, i);
       }
     }
     J = A.template cast<T>();
   }
-  ph::vector<T, D> position(const ph::vector<T, N>& q) const { return J * q; }
-  ph::matrix<T, D, N> jacobian() const { return J; }
+  ph::vector<T, D> position(const ph::vector<T, D>& q) const { return J * q; }
+  ph::matrix<T, D, D> jacobian() const { return J; }
 };
 
 }  // namespace stress

@@ -4,8 +4,7 @@
 namespace stress {
 
 using edges_in_space =
-    ::testing::Types<closed_chains::desktop_delta<double>, chains::irregular_chain<double, 3, 3>,
-                     with_kinetostatic_forces<chains::irregular_chain<double, 6, 3>>>;
+    ::testing::Types<closed_chains::desktop_delta<double>, chains::irregular_chain<double, 3, 3>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(edges_in_space, edges, edges_in_space);
 
 }  // namespace stress

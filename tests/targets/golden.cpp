@@ -7,7 +7,6 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>

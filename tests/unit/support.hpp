@@ -5,8 +5,6 @@
 
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/testing/support/print.hpp>
 

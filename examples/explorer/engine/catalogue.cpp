@@ -20,7 +20,7 @@ constexpr figure_description figures[] = {
     {"strongest", "strongest force", "", "N", "The most that the brakes make against the wall."},
     {"sink_slope", "sink slope", "", "1", "Metres into the wall for each metre along it."},
     {"isotropy", "isotropy", "", "1", "1: the brakes serve all directions alike; 0: a singular pose."},
-    {"display", "class", "", "", "0 not displayed, 1 approximate, 2 exact, 3 empty cone."}};
+    {"display", "class", "", "", "0 not displayed, 1 approximate, 2 exact."}};
 
 // A kind of scene.
 struct scene_description {

@@ -26,13 +26,13 @@ inline std::vector<std::string> power_words() {
 }
 /// How a force is displayed.
 inline std::vector<std::string> display_words() {
-  return {"not displayed", "approximate", "exact", "empty cone", "no force desired"};
+  return {"not displayed", "approximate", "exact", "no force desired"};
 }
 /// The number of the word for how a step displays its force.
 template <class Result>
 int display_number(const Result& r) {
   const bool is_desired = r.outcome != ph::status::ok || r.power != ph::power_class::none;
-  return is_desired ? int(r.display) : int(ph::display_class::empty_cone) + 1;
+  return is_desired ? int(r.display) : int(ph::display_class::exact) + 1;
 }
 /// What a brake does.
 enum class brake_doing { released, slips, holds, absent };

@@ -12,9 +12,6 @@
 #include <passive_haptics/control/batch/batch_controller.hpp>
 #include <passive_haptics/control/laws/recommended_law.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
-#include <passive_haptics/control/ways/free_joints_form.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/design/braked_wall_at.hpp>

@@ -1,11 +1,9 @@
 /// @file
-/// Generators of the displayable forces, for devices whose cone has no half-space form.
+/// The generators of the forces that brakes can produce.
 #pragma once
 
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
-#include <passive_haptics/mechanism/dynamically_consistent_inverse.hpp>
 #include <passive_haptics/mechanism/jacobian.hpp>
-#include <passive_haptics/mechanism/self_motion.hpp>
 
 #include <limits>
 
@@ -52,33 +50,6 @@ template <class M>
   requires(M::dof == M::task_dimension)
 brake_matrix<M> force_generators(const M& mechanism, const joint_vector<M>& q) {
   return passive_haptics::force_generators(mechanism_pose<M>(mechanism, q));
-}
-
-/// G = Lambda J M^-1 T^T (d x m) [N per N m] for a device with self-motion (n > d), with the task inertia
-/// Lambda = (J M^-1 J^T)^-1. G t is the force at the end effector that accelerates it as brake torques t do.
-/// The brakes may drive the self-motion meanwhile: it is the power t . w of the joints, not F . v, that is
-/// never positive. Not finite at a singular J. Cost: a dynamically_consistent_inverse.
-template <class M>
-  requires(M::dof > M::task_dimension && Dynamics<M>)
-brake_matrix<M> inertial_force_generators(const mechanism_pose<M>& pose) {
-  using T = typename M::scalar;
-  const jacobian_matrix<M> J(pose.jacobian());
-  return dynamically_consistent_inverse<T, M::dof, M::task_dimension>(J, pose.mass_matrix())
-      .forces(pose.transposed_transmission());
-}
-
-/// G = Lambda J M^-1 T^T in pose q.
-template <class M>
-  requires(M::dof > M::task_dimension && Dynamics<M>)
-brake_matrix<M> inertial_force_generators(const M& mechanism, const joint_vector<M>& q) {
-  return passive_haptics::inertial_force_generators(mechanism_pose<M>(mechanism, q));
-}
-
-/// G in F = G t of a device whose cone has no half-spaces: redundant brakes, and inertial forces.
-template <displays_by_generators M>
-brake_matrix<M> generators_of(const mechanism_pose<M>& pose) {
-  if constexpr (has_inertial_forces<M>) return passive_haptics::inertial_force_generators(pose);
-  else return passive_haptics::force_generators(pose);
 }
 
 }  // namespace passive_haptics

@@ -6,10 +6,7 @@
 #include <passive_haptics/brake/passive_constraint.hpp>
 #include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/control/cycle_result.hpp>
-#include <passive_haptics/control/ways/free_joints_form.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/control/ways/one_wall.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/core/flatten.hpp>
@@ -53,7 +50,7 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
   // Section 4, and what the mechanism will feel of it
   const auto steps = way.command(device, memory);
   const brake_vector<M> t =
-      ph::passive_torque(ph::resisting<M>(steps.td.torque, turning, brakes), w, th, turning, brakes);
+      ph::passive_torque(form_of<M>::resisting(steps.td.torque, turning, brakes), w, th, turning, brakes);
   return way.result(device, steps, t, memory);
 }
 

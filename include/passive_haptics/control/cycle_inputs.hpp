@@ -18,12 +18,6 @@
 
 namespace passive_haptics {
 
-/// Where the next approximation begins.
-struct approximation_start {
-  half_space_start half_spaces = {};  ///< Of the search among half-spaces.
-  unsigned held = 0;                  ///< n > d: the brakes that come to rest, a bit for each; 0: none known.
-};
-
 namespace detail {
 // In place of a time that is not compared.
 struct any_time {};
@@ -83,17 +77,6 @@ task_vector<M> velocity_of(const mechanism_pose<M>& pose, const EMatrix& E, cons
                            const joint_vector<M>& qd) {
   if constexpr (M::brake_count < M::dof) return pose.velocity(qd);
   else return times(E, w);
-}
-
-/// Commanded torques td [N m] in the sense in which brakes of signs s make them now: as they are, but where
-/// the self-motion settles they are capacities, and each brake resists its rate of now, if it can this way.
-template <class M, class B>
-brake_vector<M> resisting(const brake_vector<M>& td, const brake_vector<M>& s,
-                          [[maybe_unused]] const B& brakes) {
-  if constexpr (Settles<M> && SwitchableBrakes<B, typename M::scalar, M::brake_count>)
-    return (-s.cwiseProduct(td.cwiseAbs())).cwiseMax(brakes.torque_lower).cwiseMin(brakes.torque_upper);
-  else if constexpr (Settles<M>) return -s.cwiseProduct(td.cwiseAbs());
-  else return td;
 }
 
 /// Fh [N]; zero where the state has none.

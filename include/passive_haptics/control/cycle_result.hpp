@@ -9,6 +9,7 @@
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/desired_force.hpp>
+#include <passive_haptics/force/forms/form_of.hpp>
 
 #include <cstddef>
 #include <type_traits>
@@ -47,27 +48,11 @@ status check_command(const Contacts& touched, const Outward& outward, bool is_sh
   return is_share ? status::result_not_finite : status::scale_out_of_range;
 }
 
-/// How Fd is displayed: where it is not, whether any force could be. That is a question of self-motion.
-template <class M, class Device, class Force>
-display_class display_of(const Device& device, const Force& Fc) {
-  if constexpr (M::dof > M::task_dimension && self_motion_of<M> == self_motion_form::kinetostatic)
-    if (Fc.display == display_class::none &&
-        cone_is_zero(device.E, device.s, passive_haptics::brakes_off(device.s, device.brakes)))
-      return display_class::empty_cone;
-  return Fc.display;
-}
-
-/// A force of M's brakes with the torques that make it, and with the signs of brakes that have settled.
-template <class M>
-using force_of_brakes =
-    std::conditional_t<Settles<M>, settled_force<typename M::scalar, M::task_dimension, M::brake_count>,
-                       approximated_force<typename M::scalar, M::task_dimension, M::brake_count>>;
-
 /// Steps 1 to 4 of section 4 for one desired force.
 template <class M>
 struct display_steps {
-  using T = typename M::scalar;      ///< Scalar.
-  using force = force_of_brakes<M>;  ///< With the torques that make it.
+  using T = typename M::scalar;              ///< Scalar.
+  using force = typename form_of<M>::force;  ///< With the torques that make it.
 
   force Fc = {};                                                              ///< 1: before alpha and limits.
   T alpha = T(1);                                                             ///< 2
@@ -96,7 +81,7 @@ PASSIVE_HAPTICS_PART Result result_of(const Device& device, const Walls& touched
   if constexpr (requires { result.torque; }) {
     result.torque = t;
     result.power = classify_power(Fd.direction.dot(device.v), Fc.display == display_class::exact);
-    result.display = passive_haptics::display_of<M>(device, Fc);
+    result.display = Fc.display;
     result.saturated = td.limited;
     result.wall_number = wall;
     result.alpha = alpha;
@@ -105,7 +90,7 @@ PASSIVE_HAPTICS_PART Result result_of(const Device& device, const Walls& touched
     result.control_force = Fc.force;
     result.cone_coefficients = Fc.torque;
     result.signs = device.s;
-    if constexpr (Settles<M>) {
+    if constexpr (requires { result.settled_signs; }) {
       result.settled_signs = Fc.signs;
       result.settled_velocity = Fc.velocity;
     }

@@ -52,7 +52,7 @@ consteval bool are_in_order() {
 // The requirements of a mechanism and brakes under a law, one message for each.
 template <class M, class L, class B, bool Explain = false>
 consteval bool is_law_for() {
-  if constexpr (!has_known_forces<M>()) return has_known_forces<M, Explain>();
+  if constexpr (!Mechanism<M>) return is_mechanism<M, Explain>();
   else if constexpr (!ControlLaw<L>)
     static_assert(!Explain,
                   "passive_haptics: the law must model ControlLaw: give it `template <class T, int D> T "

@@ -2,12 +2,11 @@
 /// A braked wall's numbers from a mechanism in a pose.
 #pragma once
 
-#include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/brake/models/encoder_axes.hpp>
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
-#include <passive_haptics/design/brake_motions.hpp>
 #include <passive_haptics/design/displayable.hpp>
+#include <passive_haptics/design/largest_resistance.hpp>
 #include <passive_haptics/design/wall_limits.hpp>
 
 #include <algorithm>
@@ -30,13 +29,7 @@ typename M::scalar sliding_residual(const M& mechanism, const joint_vector<M>& q
   const task_vector<M> along = detail::along_wall(velocity, n);
   const auto found = displayable(mechanism, q, along, n);
   const brake_vector<M> t = found.signs.cwiseProduct(residual_torque);
-  if constexpr (Settles<M>) {
-    typename settled_rates<M>::rate_map W;
-    if (!settled_rates<M>(mechanism_pose<M>(mechanism, q)).find(found.held, W)) return 0;
-    return -n.dot(W.transpose() * t);
-  } else if constexpr (M::dof == M::task_dimension)
-    return -n.dot(passive_haptics::force_generators(mechanism, q) * t);
-  else return -n.dot(passive_haptics::inertial_force_generators(mechanism, q) * t);
+  return -n.dot(form_of<M>::force_in_motion(mechanism_pose<M>(mechanism, q), t, found.held));
 }
 
 /// The wall of normal n (base frame, out of the wall, any length > 0) that these brakes can make at joint

@@ -65,7 +65,7 @@ concept names_hand_torque = requires(const S state) { state.hand_torque; };
 /// The optional members of a mechanism.
 template <class M>
   requires detail::names_sizes<M>
-constexpr description<10> describe() {
+constexpr description<9> describe() {
   return {{{{"jacobian", detail::has_exact_jacobian<M>},
             {"transmission", detail::has_exact_transmission<M>},
             {"pose", detail::has_pose<M>},
@@ -74,8 +74,7 @@ constexpr description<10> describe() {
             {"bias_acceleration", detail::has_bias_acceleration<M>},
             {"brake_bias_acceleration", detail::has_brake_bias_acceleration<M>},
             {"inverse_jacobian", detail::has_inverse_jacobian<M>},
-            {"inverse_transposed_jacobian", detail::has_inverse_transposed_jacobian<M>},
-            {"self_motion", detail::names_self_motion<M>}}}};
+            {"inverse_transposed_jacobian", detail::has_inverse_transposed_jacobian<M>}}}};
 }
 
 /// The optional members of brakes.
@@ -92,7 +91,7 @@ constexpr description<6> describe() {
 
 /// The optional members of a law.
 template <ControlLaw L>
-constexpr description<10> describe() {
+constexpr description<9> describe() {
   return {{{{"needs_hand_force", needs_hand_force<L>},
             {"needs_dynamics", needs_dynamics<L>},
             {"needs_brake_lag", needs_brake_lag<L>},

@@ -2,10 +2,7 @@
 /// What brakes can display against a wall at all, while the handle moves in a direction: no law can do more.
 #pragma once
 
-#include <passive_haptics/design/brake_motions.hpp>
-#include <passive_haptics/force/torques/free_joints.hpp>
-#include <passive_haptics/force/torques/generator_form.hpp>
-#include <passive_haptics/force/torques/settled_approximation.hpp>
+#include <passive_haptics/design/largest_resistance.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +17,10 @@ struct displayable_force {
   using scalar = typename M::scalar;  ///< Scalar of the mechanism.
 
   /// ok; else the rest says that there is nothing: state_not_finite (q or the direction), contact_invalid
-  /// (no normal), parameters_invalid (a limit), pose_undefined, singular_jacobian (redundant brakes and
-  /// inertial forces alone).
+  /// (no normal), parameters_invalid (a limit), pose_undefined, singular_jacobian (redundant brakes
+  /// only).
   status outcome = status::ok;
-  /// none or empty_cone where no producible force has a component along n, at whatever angle: a cycle also
+  /// none if no producible force has a component along n, at whatever angle: a cycle also
   /// stops at its max_approximation_angle.
   display_class display = display_class::none;
   /// gamma [rad] between n and the nearest producible force: 0 where n itself is one, pi / 2 where none is.
@@ -57,58 +54,6 @@ void describe(displayable_force<M>& found, const task_vector<M>& n, const Force&
   found.strongest_nearest = largest_share(Fc.torque, brakes);
 }
 
-// By half-spaces, and fewer brakes than joints: a self-motion that is left alone.
-template <leaves_free_joints_alone M>
-void find_nearest(displayable_force<M>& found, const brake_motions<M>& motions, const mechanism_pose<M>& pose,
-                  const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
-                  const switchable_brakes<M>& brakes) {
-  using T = typename M::scalar;
-  found.signs = signs_within(motions.signs(motions.rates().least_rates(), v), brakes);
-  const brake_vector<M> off = brakes_off(found.signs, brakes);
-  describe(found, n, approximate_within(forces_of_braked_joints(pose), E, found.signs, n, T(0), off), brakes);
-}
-
-// By half-spaces: as many brakes as joints, and a self-motion that is left alone.
-template <class M>
-void find_nearest(displayable_force<M>& found, const brake_motions<M>& motions, const mechanism_pose<M>&,
-                  const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
-                  const switchable_brakes<M>& brakes) {
-  using T = typename M::scalar;
-  found.signs = signs_within(motions.signs(motions.rates(), v), brakes);
-  const brake_vector<M> off = brakes_off(found.signs, brakes);
-  half_space_start start;
-  describe(found, n, approximate(E, found.signs, n, T(0), start, off), brakes);
-  if (M::dof > M::task_dimension && found.display == display_class::none && cone_is_zero(E, found.signs, off))
-    found.display = display_class::empty_cone;
-}
-
-// Of a self-motion that settles, by the best set of brakes at rest.
-template <Settles M>
-void find_nearest(displayable_force<M>& found, const brake_motions<M>& motions, const mechanism_pose<M>&,
-                  const brake_matrix<M>& E, const task_vector<M>& v, const task_vector<M>& n,
-                  const switchable_brakes<M>& brakes) {
-  using T = typename M::scalar;
-  switchable_brakes<M> in_motion = brakes;
-  in_motion.rate_dead_band.setConstant(motions.rate_dead_band());
-  const auto Fc = settled_forces(motions.rates(), E, in_motion, v).nearest(n, T(0));
-  found.signs = Fc.signs;
-  found.held = Fc.held;
-  describe(found, n, Fc, brakes);
-}
-
-// By generators: other than n brakes where n = d, and inertial forces.
-template <displays_by_generators M>
-void find_nearest(displayable_force<M>& found, const brake_motions<M>& motions, const mechanism_pose<M>&,
-                  const brake_matrix<M>&, const task_vector<M>& v, const task_vector<M>& n,
-                  const switchable_brakes<M>& brakes) {
-  using T = typename M::scalar;
-  const brake_matrix<M> G = transposed(motions.rates());
-  found.signs = signs_within(motions.signs(motions.rates(), v), brakes);
-  describe(found, n,
-           approximate_by_generators(G, found.signs, n, T(0), torque_units_of<M>(found.signs, brakes)),
-           brakes);
-}
-
 }  // namespace detail
 
 /// What these brakes can display against a wall with normal n while the end effector moves in `direction`, at
@@ -118,9 +63,8 @@ void find_nearest(displayable_force<M>& found, const brake_motions<M>& motions, 
 /// The motion decides the signs: w = T J^+ v, s = sgn(w), and brake i makes s_i t_i <= 0 (3). A brake that
 /// rests in this motion (|w_i| of rounding size) can hold either way, so s_i = 0. Of a direction that a
 /// singular pose does not allow, the part that it does counts. With self-motion (n > d) the rates are those
-/// once it has settled, with the brakes at rest that let most be displayed. Where it is left alone
-/// (kinetostatic) they are taken for the least that make the motion, J^+ v; with inertial forces, for those
-/// of a handle that is pulled along, M^-1 J^T Lambda v. More brakes than joints leave nothing to assume.
+/// once it has settled, with the brakes at rest that let most be displayed. More brakes than joints leave
+/// nothing to assume.
 ///
 /// The strongest normal force has any tangential part. By virtual work,
 ///
@@ -142,7 +86,7 @@ template <class M>
 displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
                                  const task_vector<M>& direction, const task_vector<M>& normal,
                                  const hybrid_brakes<M>& brakes) {
-  static_assert(has_known_forces<M, explain>());
+  static_assert(is_mechanism<M, explain>());
   displayable_force<M> found;
   found.outcome = detail::outcome_of<M>(q, direction, normal, brakes);
   if (found.outcome != status::ok) return found;
@@ -151,14 +95,14 @@ displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
     found.outcome = status::pose_undefined;
     return found;
   }
-  const detail::brake_motions<M> motions(mechanism, q, E, brakes.brakes);
+  const auto motions = form_of<M>::motions(mechanism, q, E, brakes.brakes);
   found.outcome = motions.outcome();
   if (found.outcome != status::ok) return found;
   const task_vector<M> v = direction_of(direction), n = direction_of(normal);
-  detail::find_nearest(found, motions, mechanism_pose<M>(mechanism, q), E, v, n, brakes.brakes);
+  const auto Fc = form_of<M>::nearest_in_motion(motions, E, v, n, brakes.brakes, found.signs, found.held);
+  detail::describe(found, n, Fc, brakes.brakes);
   if (brakes.has_motors())
-    found.strongest =
-        detail::strongest_in_motion(detail::brake_motions<M>(mechanism, q, E, brakes), v, n, brakes);
+    found.strongest = detail::strongest_in_motion(form_of<M>::motions(mechanism, q, E, brakes), v, n, brakes);
   else if (is_displayed(found.display)) found.strongest = detail::strongest_in_motion(motions, v, n, brakes);
   return found;
 }

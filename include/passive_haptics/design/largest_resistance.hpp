@@ -1,27 +1,19 @@
 /// @file
-/// What torques in a box make against the ways into a wall, by virtual work: the parts of displayable().
+/// The largest force of brakes along a normal, by virtual work, and the checks of the arguments: the parts of
+/// displayable() and sink_slope().
 #pragma once
 
-#include <passive_haptics/brake/at_rest/settled_rates.hpp>
-#include <passive_haptics/core/linear/cone.hpp>
-#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
-#include <passive_haptics/force/torques/nearest_torque.hpp>
+#include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/core/status.hpp>
+#include <passive_haptics/design/hybrid_brakes.hpp>
+#include <passive_haptics/force/forms/form_of.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace passive_haptics::detail {
-
-// s of rates w = A v. A rate of the size that rounding of A and E makes it is none: E w = v.
-template <class T, int Brakes, int D>
-vector<T, Brakes> signs_in_motion(const matrix<T, Brakes, D>& A, const matrix<T, D, Brakes>& E,
-                                  const vector<T, D>& v) {
-  const vector<T, Brakes> w = A * v;
-  const T terms = v.norm() + (E.cwiseAbs() * w.cwiseAbs()).norm();
-  const vector<T, Brakes> rounding = rounding_tolerance<T>(D + Brakes) * terms * A.rowwise().norm();
-  return (w.array().abs() > rounding.array()).select(w.array().sign(), T(0));
-}
 
 // Largest power t . w of torques in the box at rates w. A rate of rounding size is none.
 template <class T, int Brakes>
@@ -33,40 +25,55 @@ T largest_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& 
   return sum;
 }
 
-// visit(w) for rates w with E w = n, none if the end effector cannot move so. Among all such rates, one of
-// these is the least sum of w_i, each times a constant of its sign: it is least where as many rates as can be
-// are 0, so sets of moving brakes are tried.
-template <class T, int D, int Brakes, class Visit>
-void for_each_way(const matrix<T, D, Brakes>& E, const vector<T, D>& n, const Visit& visit) {
-  const T tolerance = rounding_tolerance<T>(D + Brakes);
-  for (half_space_set moving = 1; moving < (half_space_set{1} << Brakes); ++moving) {
-    matrix<T, D, Brakes> moved = E;
-    for (int i = 0; i < Brakes; ++i)
-      if ((moving >> i & 1u) == 0) moved.col(i).setZero();
-    const vector<T, Brakes> w = orthogonal_decomposition<T, D, Brakes>(moved, tolerance).solve(n);
-    const T rounding = tolerance * (T(1) + (moved.cwiseAbs() * w.cwiseAbs()).norm());
-    if ((moved * w - n).norm() <= rounding) visit(w);
-  }
-}
-
-// visit(w) for rates w of a device with self-motion whose end effector moves along n: W_S n of each set,
-// which has as many brakes at rest as can be. None if the structure holds it.
-template <class M, class Visit>
-void for_each_way(const settled_rates<M>& rates, const task_vector<M>& n, const Visit& visit) {
-  using T = typename M::scalar;
-  if (rates.held_by_structure(n).norm() > rounding_tolerance<T>(M::dof + M::brake_count)) return;
-  rates.for_each([&](brake_set, const typename settled_rates<M>::rate_map& W) {
-    visit(brake_vector<M>(W * n));
-    return false;
-  });
-}
-
 // Largest k for which the brakes can make torques k t.
 template <class B, class T, int Brakes>
 T largest_share(const vector<T, Brakes>& t, const B& brakes) {
   const vector<T, Brakes> bound = passive_haptics::torque_bounds_of(brakes, t);
   const auto shares = bound.array() / t.array().abs();
   return (t.array() != T(0)).select(shares, std::numeric_limits<T>::infinity()).minCoeff();
+}
+
+// Largest n . F of torques in a box: what they make against the easiest way. Infinite where there is none.
+template <class Motions, class T, int D, int Brakes>
+T strongest_of_box(const Motions& motions, const torque_box<T, Brakes>& box, const vector<T, D>& n) {
+  T least = std::numeric_limits<T>::infinity();
+  motions.for_each_way(
+      n, [&](const vector<T, Brakes>& w) { least = std::min(least, largest_resistance(box, w)); });
+  return least;
+}
+
+// Largest n . F of these brakes and motors while the end effector moves with v.
+template <class Motions, class T, int D, int Brakes>
+T strongest_in_motion(const Motions& motions, const vector<T, D>& v, const vector<T, D>& n,
+                      const hybrid_brake_parameters<T, Brakes>& brakes) {
+  T strongest = T(0);
+  motions.for_each([&](const auto& W) {
+    const auto box = passive_haptics::torque_box_of(motions.signs(W, v), brakes);
+    strongest = std::max(strongest, strongest_of_box(motions, box, n));
+  });
+  return strongest;
+}
+
+// The part of a direction along a wall, as a unit vector; 0 where there is none.
+template <class T, int D>
+vector<T, D> along_wall(const vector<T, D>& direction, const vector<T, D>& n) {
+  const vector<T, D> v = direction_of(direction), along = v - n.dot(v) * n;
+  return along.norm() > rounding_tolerance<T>(D) ? direction_of(along) : vector<T, D>(vector<T, D>::Zero());
+}
+
+// Neighbouring numbers of at least this size are 1e-4 rad or m apart: a joint position beyond it has no
+// meaningful sine.
+template <class T>
+inline constexpr T max_joint_position = T(1e-4) / std::numeric_limits<T>::epsilon();
+
+// Why there is no result: of q, direction, normal or brakes. Else ok.
+template <class M>
+status outcome_of(const joint_vector<M>& q, const task_vector<M>& direction, const task_vector<M>& normal,
+                  const hybrid_brakes<M>& brakes) {
+  if (!all_finite(q, direction)) return status::state_not_finite;
+  if (!(q.cwiseAbs().maxCoeff() <= max_joint_position<typename M::scalar>)) return status::pose_undefined;
+  if (!all_finite(normal) || normal.isZero(0)) return status::contact_invalid;
+  return brakes.is_valid() ? status::ok : status::parameters_invalid;
 }
 
 }  // namespace passive_haptics::detail

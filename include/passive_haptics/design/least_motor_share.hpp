@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
-#include <passive_haptics/design/brake_motions.hpp>
+#include <passive_haptics/design/largest_resistance.hpp>
 #include <passive_haptics/design/path_point.hpp>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ template <class T>
 struct motor_share_result {
   /// ok, also where no motors hold the hand; else state_not_finite (q or the direction), contact_invalid (no
   /// normal), parameters_invalid (a limit that is no finite number >= 0, or a push that is NaN),
-  /// pose_undefined, singular_jacobian (redundant brakes and inertial forces alone).
+  /// pose_undefined, singular_jacobian (redundant brakes only).
   status outcome = status::ok;
   /// Torque of each motor for the torque limit of its brake [1], >= 0. Infinite where no motors are enough,
   /// and where there is no result.
@@ -74,7 +74,7 @@ motor_share_result<typename M::scalar> least_motor_share(const M& mechanism, con
                                                          const task_vector<M>& normal,
                                                          const switchable_brakes<M>& brakes,
                                                          typename M::scalar push) {
-  static_assert(has_known_forces<M, explain>());
+  static_assert(is_mechanism<M, explain>());
   using T = typename M::scalar;
   motor_share_result<T> found;
   const hybrid_brakes<M> as_strong(brakes, brakes.torque_limit);
@@ -87,7 +87,7 @@ motor_share_result<typename M::scalar> least_motor_share(const M& mechanism, con
     found.outcome = status::pose_undefined;
     return found;
   }
-  const detail::brake_motions<M> motions(mechanism, q, E, as_strong);
+  const auto motions = form_of<M>::motions(mechanism, q, E, as_strong);
   found.outcome = motions.outcome();
   if (found.outcome != status::ok) return found;
   const task_vector<M> n = direction_of(normal), along = detail::along_wall(direction, n);

@@ -2,7 +2,7 @@
 /// How steeply a hand sinks into a wall that brakes cannot display.
 #pragma once
 
-#include <passive_haptics/design/brake_motions.hpp>
+#include <passive_haptics/design/largest_resistance.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ template <class T>
 struct sink_slope_result {
   /// ok, also where nothing holds the hand; else state_not_finite (q or the direction), contact_invalid (no
   /// normal), parameters_invalid (a limit, or a push that is NaN), pose_undefined, singular_jacobian
-  /// (redundant brakes and inertial forces alone).
+  /// (redundant brakes only).
   status outcome = status::ok;
   /// Metres into the wall for each metre along it [1], >= 0. Infinite where the hand is not held at any
   /// slope, and where there is no result.
@@ -33,8 +33,8 @@ vector<T, Brakes> without_rounding(const vector<T, Brakes>& w) {
 
 }  // namespace detail
 
-/// Least slope >= 0 at which brakes resist `push` [N] whose forces add up: those of n = d, of redundant
-/// brakes, and inertial ones. a and b (m): rates of the brakes for a unit velocity along the wall and out of
+/// Least slope >= 0 at which brakes resist `push` [N] whose forces add up: those of n = d, and of redundant
+/// brakes. a and b (m): rates of the brakes for a unit velocity along the wall and out of
 /// it, so that brake i turns at a_i - slope b_i. at_rest: the torques that each can make at rest [N m].
 /// motor_limit: what it can make however it turns [N m], from a motor beside it, or 0.
 ///
@@ -72,8 +72,8 @@ T least_sink_slope(const vector<T, Brakes>& a, const vector<T, Brakes>& b,
 namespace detail {
 
 // Of brakes whose forces do not add up: that of the whole box at each slope at which a brake turns round.
-template <class M>
-typename M::scalar sink_slope_by_trial(const brake_motions<M>& motions, const task_vector<M>& along,
+template <class M, class Motions>
+typename M::scalar sink_slope_by_trial(const Motions& motions, const task_vector<M>& along,
                                        const task_vector<M>& n, const hybrid_brakes<M>& brakes,
                                        typename M::scalar push) {
   using T = typename M::scalar;
@@ -112,9 +112,9 @@ typename M::scalar sink_slope_by_trial(const brake_motions<M>& motions, const ta
 ///
 /// A hand that sinks at slope s moves along t - s n, t the direction and n out of the wall. Brake i then
 /// turns at a_i - s b_i, with a = W t and b = W n (W = T J^+ and so on, see displayable), and from s = a_i /
-/// b_i on it pushes out of the wall. Where the brakes' forces add up (n = d, redundant brakes, inertial
-/// forces) the least slope is a weighted quantile of these (least_sink_slope). Else (n > d, singular poses)
-/// `strongest` of displayable is found at each of them, for each set of brakes that can come to rest.
+/// b_i on it pushes out of the wall. Where the brakes' forces add up (n = d, redundant brakes) the least
+/// slope is a weighted quantile of these (least_sink_slope). Else (n > d, singular poses) `strongest` of
+/// displayable is found at each of them, for each set of brakes that can come to rest.
 ///
 /// **No slope between them is less.** At s = a_i / b_i brake i rests and can hold either way, so that torques
 /// that are possible at slopes directly below or above it are possible there: the least slope is 0 or one of
@@ -123,8 +123,7 @@ typename M::scalar sink_slope_by_trial(const brake_motions<M>& motions, const ta
 /// **At steeper slopes the brakes hold, too**, if their forces add up or their self-motion settles. Let t* be
 /// torques at slope s, and w the rates of the easiest way into the wall (displayable), t*_i w_i >= 0, since
 /// t* makes most of a box that contains 0. At a steeper slope s + r the brakes can turn r w slower than at s,
-/// so that t* still takes power from none of them. Of a self-motion that is left alone (kinetostatic), and at
-/// singular poses, this need not be so.
+/// so that t* still takes power from none of them. At singular poses this need not be so.
 ///
 /// Motors of hybrid_brakes make motor_limit_i at any slope. Never allocates. Cost: some five times that of G
 /// for two brakes, of which least_sink_slope is an eighth; with self-motion up to C(m, n - d)^2 (m + 1) sums
@@ -134,7 +133,7 @@ sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint
                                                  const task_vector<M>& direction,
                                                  const task_vector<M>& normal, const hybrid_brakes<M>& brakes,
                                                  typename M::scalar push) {
-  static_assert(has_known_forces<M, explain>());
+  static_assert(is_mechanism<M, explain>());
   using T = typename M::scalar;
   sink_slope_result<T> found;
   found.outcome = detail::outcome_of<M>(q, direction, normal, brakes);
@@ -159,12 +158,10 @@ sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint
     found.outcome = status::pose_undefined;
     return found;
   }
-  const detail::brake_motions<M> motions(mechanism, q, E, brakes);
+  const auto motions = form_of<M>::motions(mechanism, q, E, brakes);
   found.outcome = motions.outcome();
   if (found.outcome != status::ok) return found;
-  if constexpr (has_inertial_forces<M>) found.slope = of_sum(transposed(motions.rates()));
-  else if constexpr (!displays_by_generators<M>)
-    found.slope = detail::sink_slope_by_trial(motions, along, n, brakes, push);
+  found.slope = detail::sink_slope_by_trial<M>(motions, along, n, brakes, push);
   return found;
 }
 

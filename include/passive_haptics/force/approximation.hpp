@@ -31,6 +31,12 @@ struct approximation_parameters {
   }
 };
 
+/// Where the next approximation begins.
+struct approximation_start {
+  half_space_start half_spaces = {};  ///< Of the search among half-spaces.
+  unsigned held = 0;                  ///< n > d: the brakes that come to rest, a bit for each; 0: none known.
+};
+
 /// A force that brakes can display and the torques that make it.
 template <class T, int D, int Brakes>
 struct approximated_force {

@@ -22,8 +22,6 @@ enum class display_class {
   none,         ///< No producible force has a component along the desired one.
   approximate,  ///< The nearest producible force, scaled so that its component along Fd is |Fd|.
   exact,        ///< Fd itself.
-  empty_cone,   ///< The cone is {0}: without driving its self-motion the device displays no force (n > d,
-                ///< kinetostatic).
 };
 
 /// The class in words.
@@ -41,7 +39,6 @@ constexpr std::string_view to_string(power_class c) {
 constexpr std::string_view to_string(display_class c) {
   switch (c) {
     case display_class::none: return "none";
-    case display_class::empty_cone: return "empty cone";
     case display_class::approximate: return "approximate";
     case display_class::exact: return "exact";
   }

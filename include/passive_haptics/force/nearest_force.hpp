@@ -4,7 +4,6 @@
 
 #include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/core/linear/cone.hpp>
-#include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
 
 namespace passive_haptics {
 
@@ -64,23 +63,6 @@ nearest_force_result<T, D, D> nearest_force(const diagonal_matrix<T, D>& E, cons
     result.active |= 1u << i;
   }
   return result;
-}
-
-/// True if C = {0}: no force at all can be displayed. Only with self-motion (n > d). If C held some F != 0, F
-/// would have a component against the sum of the half-spaces' normals, and the projection of that sum would
-/// not vanish. off: from brakes_off.
-template <class T, int D, int Brakes, class Off = all_brakes_on>
-bool cone_is_zero(const matrix<T, D, Brakes>& E, const vector<T, Brakes>& s, const Off& off = Off()) {
-  auto B = half_spaces_of(E, s, off);
-  constexpr int columns = decltype(B)::ColsAtCompileTime;
-  for (int i = 0; i < columns; ++i) B.col(i) = direction_of(column(B, i));
-  const vector<T, D> against = -B.rowwise().sum();
-  const T size = against.norm();
-  const auto tolerance = rounding_tolerance<T>(D + columns);
-  if (size > tolerance && project_onto_half_spaces(B, vector<T, D>(against / size)).point.norm() > tolerance)
-    return false;
-  // The normals may also cancel: then C is the space normal to all of them.
-  return orthogonal_decomposition<T, columns, D>(transposed(B), tolerance).rank() == D;
 }
 
 }  // namespace passive_haptics

@@ -15,8 +15,6 @@
 ///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of full rank,
 ///     with w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n); brakes on some
 ///     of the joints are given by braked_joints (mechanism/adaptors/braked_joints.hpp);
-///   - `static constexpr self_motion_form self_motion`, for n > d: what becomes of the joints that the hand
-///     does not lead (mechanism/self_motion.hpp);
 ///   - `pose(q) const`, of any type: what position and jacobian have in common, such as sines and cosines.
 ///     Both then take it in place of q as well; transmission and the members of Dynamics may. A control cycle
 ///     computes it once.

@@ -3,8 +3,6 @@
 // some quantity that decides is within rounding of its boundary, which is counted.
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 

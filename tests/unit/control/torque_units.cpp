@@ -131,7 +131,7 @@ TEST(torque_units, of_limits_that_are_0_or_infinite) {
   EXPECT_EQ(ph::torque_units(three(0, 4, 2)), three(0, 1, 0.5)) << "a limit of 0 is a brake that is off";
   EXPECT_EQ(ph::torque_units(three(0, 0, 0)), three(0, 0, 0));
   EXPECT_EQ(ph::torque_units(three(1, inf, 0)), three(1, 1, 0)) << "one without a limit: the least |t|";
-  const auto units = ph::torque_units_of<polar_arm>(three(1, 1, 1), ph::unlimited_brakes());
+  const auto units = ph::form_of<polar_arm>::units(three(1, 1, 1), ph::unlimited_brakes());
   static_assert(std::is_same_v<decltype(units), const ph::equal_units>);
 
   const polar_arm arm;
@@ -179,9 +179,9 @@ TEST(torque_units, of_an_interval_are_those_of_the_way_in_which_a_brake_can_push
   ph::switchable_brakes<polar_arm> brakes = polar_brakes({4, 4, 4});
   brakes.torque_lower = {-1, -2, 0};
   brakes.torque_upper = {2, 4, 4};
-  EXPECT_EQ(ph::torque_units_of<polar_arm>(three(1, 1, 1), brakes), three(0.5, 1, 0));
-  EXPECT_EQ(ph::torque_units_of<polar_arm>(three(-1, -1, -1), brakes), three(0.5, 1, 1));
-  EXPECT_EQ(ph::torque_units_of<polar_arm>(three(0, 0, -1), brakes), three(0.5, 1, 1));
+  EXPECT_EQ(ph::form_of<polar_arm>::units(three(1, 1, 1), brakes), three(0.5, 1, 0));
+  EXPECT_EQ(ph::form_of<polar_arm>::units(three(-1, -1, -1), brakes), three(0.5, 1, 1));
+  EXPECT_EQ(ph::form_of<polar_arm>::units(three(0, 0, -1), brakes), three(0.5, 1, 1));
 }
 
 // Of three brakes at rest any t with G t = F will do: t = u y, y = (G u)^+ F.

@@ -41,8 +41,7 @@ TEST(enumerations, have_words_for_each_power_class) {
 }
 
 TEST(enumerations, have_words_for_each_display_class) {
-  expect_words<ph::display_class>(static_cast<int>(ph::display_class::empty_cone) + 1,
-                                  "unknown display class");
+  expect_words<ph::display_class>(static_cast<int>(ph::display_class::exact) + 1, "unknown display class");
   EXPECT_EQ(to_string(ph::display_class::approximate), "approximate");
 }
 

@@ -128,10 +128,9 @@ TEST(classification, in_words) {
   EXPECT_EQ(to_string(ph::display_class::none), "none");
   EXPECT_EQ(to_string(ph::display_class::approximate), "approximate");
   EXPECT_EQ(to_string(ph::display_class::exact), "exact");
-  EXPECT_EQ(to_string(ph::display_class::empty_cone), "empty cone");
   EXPECT_EQ(to_string(ph::display_class(9)), "unknown display class");
   EXPECT_TRUE(is_displayed(ph::display_class::exact) && is_displayed(ph::display_class::approximate));
-  EXPECT_FALSE(is_displayed(ph::display_class::none) || is_displayed(ph::display_class::empty_cone));
+  EXPECT_FALSE(is_displayed(ph::display_class::none));
 }
 
 }  // namespace

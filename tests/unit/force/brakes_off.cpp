@@ -1,7 +1,7 @@
 // Cones of brakes of which some are off: half-spaces in pairs and generators that make nothing agree.
 #include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/force/approximation.hpp>
-#include <passive_haptics/force/torques/generator_form.hpp>
+#include <passive_haptics/force/forms/generator_form.hpp>
 
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -142,18 +142,6 @@ TEST(brakes_off, at_a_singular_pose_the_structure_still_holds) {
   EXPECT_EQ(oblique.display, ph::display_class::approximate);
   EXPECT_TRUE(oblique.torque.isZero(0));
   EXPECT_NEAR(oblique.force[1], 0, 1e-15);
-}
-
-// Three joints, a plane: with two brakes off a line is left at most, and often nothing.
-TEST(brakes_off, leave_an_empty_cone_where_each_force_needs_one) {
-  const ph::matrix<double, 2, 3> E{{1, 0, 1}, {0, 1, 1}};
-  const ph::vector<double, 3> s(-1, -1, -1);
-  EXPECT_FALSE(ph::cone_is_zero(E, s, ph::vector<double, 3>(0, 1, 0))) << "a ray is left";
-  EXPECT_TRUE(ph::cone_is_zero(E, s, ph::vector<double, 3>(0, 0, 1)));
-  EXPECT_FALSE(ph::cone_is_zero(E, ph::vector<double, 3>(0, 0, 0), ph::vector<double, 3>(0, 0, 1)));
-  EXPECT_TRUE(ph::cone_is_zero(E, s, ph::vector<double, 3>(0, 1, 1)));
-  EXPECT_TRUE(ph::cone_is_zero(E, ph::vector<double, 3>(0, 0, 0), ph::vector<double, 3>(1, 1, 1)));
-  EXPECT_EQ(ph::cone_is_zero(E, s, ph::vector<double, 3>(0, 0, 0)), ph::cone_is_zero(E, s));
 }
 
 }  // namespace

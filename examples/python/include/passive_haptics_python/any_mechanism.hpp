@@ -41,7 +41,7 @@ class any_mechanism {
     requires(!std::same_as<M, any_mechanism>)
   explicit any_mechanism(M mechanism) : held_(std::make_shared<model<M>>(std::move(mechanism))) {
     static_assert(M::dof == N && M::task_dimension == D && M::brake_count == N);
-    static_assert(!ph::detail::names_transmission<M> && !ph::detail::names_self_motion<M>);
+    static_assert(!ph::detail::names_transmission<M>);
     static_assert(
         ph::ExactMatrix<decltype(std::declval<const ph::mechanism_pose<M>&>().jacobian()), double, D, N>,
         "a diagonal J has bits of its own");

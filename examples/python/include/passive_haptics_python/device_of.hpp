@@ -9,9 +9,6 @@
 
 #include <passive_haptics/brake/passive_constraint.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
-#include <passive_haptics/control/ways/free_joints_form.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>

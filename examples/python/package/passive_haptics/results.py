@@ -48,7 +48,6 @@ class display_class(enum.IntEnum):
     none = 0
     approximate = 1
     exact = 2
-    empty_cone = 3
 
     @property
     def text(self) -> str:

@@ -2,7 +2,6 @@
 #undef PASSIVE_HAPTICS_FLATTEN
 #include "../batches_at_walls.hpp"
 
-#include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 
 namespace passive_haptics_python {

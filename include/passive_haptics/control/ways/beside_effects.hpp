@@ -68,15 +68,16 @@ struct beside_effects {
     const bool least_drag = !done.td.limited || setup.options.limits == saturation::keep_direction;
     if (least_drag && done.effects.force.isZero(T(0)) && done.effects.torque.isZero(T(0))) return done;
 
-    const auto map = passive_haptics::force_map_of(device.pose, device.E);
+    const auto map = form_of<M>::map(device.pose, device.E);
     if (!all_finite(map.G)) {
       done.outcome = status::pose_undefined;
       return done;
     }
-    const vector<T, m> signs = signs_for(device, done, memory.start);
+    const vector<T, m> signs = form_of<M>::signs_beside(device, done.walls.Fc_scaled, done.walls.td.torque,
+                                                        done.effects, memory.start);
     const auto box = passive_haptics::torque_box_of(signs, device.brakes);
     done.td.torque = torques_beside(map, box, done.td.torque, normals(), demand_of(device, done.effects),
-                                    passive_haptics::torque_units_of<M>(signs, device.brakes));
+                                    form_of<M>::units(signs, device.brakes));
     done.td.limited = done.td.limited || passive_haptics::any_at_limit(done.td.torque, device.brakes);
     if (!all_finite(done.td.torque)) done.outcome = status::result_not_finite;  // demands near overflow
     return done;
@@ -119,33 +120,6 @@ struct beside_effects {
   static joint_vector<M> torque_at_joints(const Device& device, const vector<T, d>& F) {
     if constexpr (m < M::dof) return transposed(jacobian_matrix<M>(device.pose.jacobian())) * F;
     else return device.pose.transposed_transmission() * brake_torque(device.E, F);
-  }
-
-  // Signs of the brakes: for n > d those of the walls once they have settled, else those for the force of the
-  // effects; brakes that walls leave to joints with a torque of their own resist their rates now
-  template <class Device>
-  vector<T, m> signs_for(const Device& device, [[maybe_unused]] const steps& done,
-                         [[maybe_unused]] approximation_start& start) const {
-    if constexpr (Settles<M>) {
-      vector<T, m> signs = settled_signs(device, done, start);
-      const matrix<T, M::dof, m> Tt = device.pose.transposed_transmission();
-      for (int i = 0; i < m; ++i)
-        if (done.td.torque[i] == T(0) && (Tt.col(i).array() * done.effects.torque.array() != T(0)).any())
-          signs[i] = device.s[i];
-      return signs;
-    } else {
-      return device.s;
-    }
-  }
-  template <class Device>
-  vector<T, m> settled_signs(const Device& device, const steps& done, approximation_start& start) const {
-    if (walls.demands_force() && is_displayed(done.walls.Fc_scaled.display))
-      return done.walls.Fc_scaled.signs;
-    const T size = done.effects.force.norm();
-    if (!(size > T(0))) return device.s;
-    const vector<T, d> n = done.effects.force / size;
-    const auto F = display_form<M>::nearest_at(device, device.v, device.v, n, T(0), start.held);
-    return is_displayed(F.display) ? F.signs : device.s;
   }
 
   // The forces of effects, and the torques of joints

@@ -5,29 +5,8 @@
 #include <passive_haptics/control/cycle_result.hpp>
 #include <passive_haptics/control/way.hpp>
 #include <passive_haptics/core/flatten.hpp>
-#include <passive_haptics/force/torques/force_map.hpp>
 
 namespace passive_haptics {
-
-/// What the brakes of M can display. Here by half-spaces; control/ways/generator_form.hpp has that of other
-/// than n brakes and of inertial forces, control/ways/settled_form.hpp that of a self-motion which settles.
-template <class M>
-struct display_form {
-  /// Fc for a desired force of 1 N: n itself, or the nearest force that the brakes can make with Fc . n = 1.
-  /// start: where the search begins, left for the next cycle.
-  template <class Device, class T, int D>
-  static auto nearest(const Device& device, const desired_force<T, D>& Fd, T min_cosine,
-                      approximation_start& start) {
-    return approximate(device.E, device.s, Fd.direction, min_cosine, start.half_spaces,
-                       passive_haptics::brakes_off(device.s, device.brakes));
-  }
-};
-template <displays_by_generators M>
-struct display_form<M>;
-template <Settles M>
-struct display_form<M>;
-template <leaves_free_joints_alone M>
-struct display_form<M>;
 
 /// One wall, or none.
 template <class Result, class Setup, class Walls>
@@ -56,8 +35,7 @@ struct one_wall {
   PASSIVE_HAPTICS_PART steps command(const Device& device, step_memory<L>& memory) const {
     const auto Fd = demanded();
     // 1. Fc: Fd itself, or the nearest force that the brakes can make with Fc . n = |Fd|
-    const auto Fc =
-        Fd.magnitude * display_form<M>::nearest(device, Fd, setup.options.min_cosine, memory.start);
+    const auto Fc = Fd.magnitude * form_of<M>::nearest(device, Fd, setup.options.min_cosine, memory.start);
     // 2. alpha: how much of it is displayed (12)
     const T alpha = setup.law.scale(
         contact_situation<T, d>{Fd.direction, Fd.magnitude, outward(Fd, device.v), device.hand_force});
@@ -91,7 +69,7 @@ struct one_wall {
   vector<T, d> commanded_force(const Device& device, const steps& done) const {
     if (!done.td.limited) return done.Fc_scaled.force;
     if (setup.options.limits == saturation::clamp_each)
-      return passive_haptics::force_map_of(device.pose, device.E).G * done.td.torque;
+      return form_of<M>::map(device.pose, device.E).G * done.td.torque;
     return done.td.torque.cwiseAbs().maxCoeff() / done.Fc_scaled.torque.cwiseAbs().maxCoeff() *
            done.Fc_scaled.force;
   }

@@ -8,7 +8,6 @@
 #include <passive_haptics/control/ways/one_wall.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
-#include <passive_haptics/force/torques/force_map.hpp>
 
 #include <array>
 #include <cmath>
@@ -25,7 +24,7 @@ struct several_walls {
   static constexpr int d = M::task_dimension;       ///< Task dimensions,
   static constexpr int m = M::brake_count;          ///< brakes.
   static constexpr int capacity = Walls::capacity;  ///< Walls at most.
-  using force = force_of_brakes<M>;                 ///< With the torques that make it.
+  using force = typename form_of<M>::force;         ///< With the torques that make it.
   static_assert(!saturates_before_scaling<L>,
                 "passive_haptics: a law that saturates before scaling takes one wall at a time; give this "
                 "scene a law without saturates_before_scaling (control/control_law.hpp).");
@@ -63,10 +62,13 @@ struct several_walls {
     const scales scale = scales_of(device);
     // 1. and 3. Fc': the force nearest to all alpha_j Fd_j that the brakes can make within their limits
     force Fc_scaled = {};
-    const vector<T, m> signs = signs_for(device, scale, memory.start, Fc_scaled);
-    const auto map = passive_haptics::force_map_of(device.pose, device.E);
+    const demand_list demands = demands_of(scale);
+    const vector<T, m> signs = form_of<M>::template signs<capacity>(
+        device, demands.all, demands.count, touched.size(), [this](int j) { return Fd(j); }, memory.start,
+        Fc_scaled);
+    const auto map = form_of<M>::map(device.pose, device.E);
     const auto box = passive_haptics::torque_box_of(signs, device.brakes);
-    find_force(Fc_scaled, scale, map, box, passive_haptics::torque_units_of<M>(signs, device.brakes));
+    find_force(Fc_scaled, demands, map, box, form_of<M>::units(signs, device.brakes));
     // 4. td: its torques, which are within the limits but for the rounding of a product
     return {scale,     signs,
             map,       box,
@@ -132,27 +134,10 @@ struct several_walls {
     return demands;
   }
 
-  // Signs of the brakes; for n > d once they have settled, which F has, too
-  template <class Device>
-  vector<T, m> signs_for(const Device& device, [[maybe_unused]] const scales& scale,
-                         [[maybe_unused]] approximation_start& start, [[maybe_unused]] force& F) const {
-    if constexpr (Settles<M>) {
-      const auto demands = demands_of(scale);
-      const vector<T, d> landed =
-          display_form<M>::landed_velocity(device, touched.size(), [this](int j) { return Fd(j); });
-      F = display_form<M>::template signs_at<capacity>(device, landed, device.v, demands.all, demands.count,
-                                                       start.held);
-      return F.signs;
-    } else {
-      return device.s;
-    }
-  }
-
   // The force that gives each wall alpha_j |Fd_j|, in order of priority
   template <class Units>
-  void find_force(force& F, const scales& scale, const force_map<T, d, m>& map, const torque_box<T, m>& box,
-                  Units units) const {
-    const auto demands = demands_of(scale);
+  void find_force(force& F, const demand_list& demands, const force_map<T, d, m>& map,
+                  const torque_box<T, m>& box, Units units) const {
     const auto met = contact_forces<T, d, m, capacity>(map, box, demands.all, demands.count, map.G, units);
     F.display = display_class::approximate;
     F.force = met.force;
@@ -177,9 +162,10 @@ struct several_walls {
     const vector<T, d> n = Fd(governing).direction;
     force F = done.Fc_scaled;
     if (!is_whole(done))
-      find_force(F, {}, done.map, passive_haptics::unbounded_torque_box_of(done.signs, device.brakes),
-                 passive_haptics::torque_units_of<M>(done.signs, device.brakes));
-    if (!displays_by_generators<M> && !is_in_cone(device, done, F)) {
+      find_force(F, demands_of({}), done.map,
+                 passive_haptics::unbounded_torque_box_of(done.signs, device.brakes),
+                 form_of<M>::units(done.signs, device.brakes));
+    if (!form_of<M>::is_in_cone(device, done.signs, done.map.G, F)) {
       F = done.Fc_scaled;
     } else {
       const T tolerance = rounding_tolerance<T>(m + capacity) * size_of_terms(done.map.G, F.torque);
@@ -205,21 +191,6 @@ struct several_walls {
     for (int i = 0; i < m; ++i)
       whole = whole && (t[i] == T(0) || (t[i] > done.box.lower[i] && t[i] < done.box.upper[i]));
     return whole;
-  }
-
-  // Whether brakes of these signs can make F, to rounding: s_i t_i <= 0 for t = E^T F, 0 where off
-  template <class Device>
-  static bool is_in_cone(const Device& device, const steps& done, const force& F) {
-    const matrix<T, d, m> E(device.E);
-    const vector<T, m> t = E.transpose() * F.force;
-    const T tolerance = rounding_tolerance<T>(1) * size_of_terms(done.map.G, F.torque);
-    const auto off = passive_haptics::brakes_off(done.signs, device.brakes);
-    bool all = true;
-    for (int i = 0; i < m; ++i) {
-      const T beyond = detail::is_off(off, i) ? std::abs(t[i]) : done.signs[i] * t[i];
-      all = all && beyond <= tolerance * E.col(i).norm();
-    }
-    return all;
   }
 };
 

@@ -4,12 +4,8 @@
 
 #include <passive_haptics/control/cycle_result.hpp>
 #include <passive_haptics/control/way.hpp>
-#include <passive_haptics/control/ways/free_joints_form.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
-#include <passive_haptics/force/torques/force_map.hpp>
 
 #include <algorithm>
 #include <type_traits>
@@ -46,8 +42,7 @@ struct torques_of_law {
     steps done{{}, {}, memory.law};
     done.wanted = torques_wanted(device, done.memory);
     if (all_finite(done.wanted)) {  // else a fault of the law, also where it would be released
-      if constexpr (!Settles<M>)    // whose signs change until it has settled
-        done.wanted = (device.s.array() * done.wanted.array() > T(0)).select(T(0), done.wanted);
+      done.wanted = form_of<M>::without_driving(done.wanted, device.s);
       [[maybe_unused]] const auto off = passive_haptics::brakes_off(device.s, device.brakes);
       unrolled<m>([&](auto i) {
         if (detail::is_off(off, i)) done.wanted[i] = T(0);
@@ -79,7 +74,7 @@ struct torques_of_law {
       result.power = is_nonzero(Fd) ? classify_power(Fd.direction.dot(device.v), can_be_displayed(device))
                                     : power_class::none;
     if constexpr (HasReports<Result>) {
-      force_of_brakes<M> F = as_force.Fc;
+      auto F = as_force.Fc;
       if (done.td.limited) {
         F.torque = done.td.torque;
         find_force(F, device, done.memory);
@@ -145,19 +140,11 @@ struct torques_of_law {
   // F = G t of the law's torques, for n > d once they have settled. At a singular pose that is the part that
   // can be observed. Exact where it is Fd, approximate where it has a component along Fd
   template <class Device>
-  void find_force(force_of_brakes<M>& F, const Device& device, const law_memory<L>& memory) const {
-    T terms = Fd.magnitude;  // size of what adds up to F [N]: that of its rounding
-    if constexpr (Settles<M>) {
-      approximation_start start;
-      if constexpr (requires { memory.start; }) start = memory.start;
-      F = display_form<M>::made_by(device, Fd, F.torque, start);
-    } else {
-      const matrix<T, d, m> G = passive_haptics::force_map_of(device.pose, device.E).G;
-      F.force = G * F.torque;
-      const matrix<T, d, m> E(device.E);
-      const vector<T, m> balance = Fd.magnitude * (absolute(transposed(E)) * absolute(Fd.direction));
-      terms = size_of_terms(G, vector<T, m>(balance + absolute(F.torque)));
-    }
+  void find_force(typename form_of<M>::force& F, const Device& device,
+                  [[maybe_unused]] const law_memory<L>& memory) const {
+    approximation_start start;
+    if constexpr (requires { memory.start; }) start = memory.start;
+    const T terms = form_of<M>::set_force(F, device, Fd, start);
     F.cosine_squared = cosine_squared(F.force, Fd.direction);
     const T off = (F.force - Fd.magnitude * Fd.direction).norm();
     F.display = off <= rounding_tolerance<T>(d + m) * terms ? display_class::exact
@@ -170,7 +157,7 @@ struct torques_of_law {
   bool can_be_displayed(const Device& device) const {
     approximation_start start;
     const T min_cosine = setup.options.min_cosine;
-    return display_form<M>::nearest(device, Fd, min_cosine, start).display == display_class::exact;
+    return form_of<M>::nearest(device, Fd, min_cosine, start).display == display_class::exact;
   }
 };
 

@@ -74,7 +74,7 @@ struct contact_forces_result {
 /// demand of 5e4 N does not drown one of 2 N that is first. Cost: core/linear/least_squares_by_priority.hpp,
 /// five levels.
 ///
-/// drag: what shall be least, |drag t|, where that is not |F|. u: units from torque_units_of.
+/// drag: what shall be least, |drag t|, where that is not |F|. u: units from form_of<M>::units.
 template <class T, int D, int Brakes, int Capacity, class Units = equal_units>
 contact_forces_result<T, D, Brakes, Capacity> contact_forces(
     const force_map<T, D, Brakes>& map, const torque_box<T, Brakes>& box,

@@ -15,7 +15,6 @@
 
 #include <passive_haptics/core/linear/elimination.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
-#include <passive_haptics/mechanism/self_motion.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -38,23 +37,6 @@ vector<T, Brakes> torque_units(const vector<T, Brakes>& t_max) {
     u[i] = t_max[i] > T(0) ? part : T(0);
   });
   return u;
-}
-
-/// u of the brakes of mechanism M with signs s. equal_units where nothing is named that could make a
-/// difference, and for devices whose torques follow from the force alone.
-template <class M, class B>
-auto torque_units_of([[maybe_unused]] const brake_vector<M>& s, [[maybe_unused]] const B& brakes) {
-  using T = typename M::scalar;
-  if constexpr (!displays_by_generators<M>) {
-    return equal_units();
-  } else if constexpr (SwitchableBrakes<B, T, M::brake_count>) {
-    const auto box = passive_haptics::torque_box_of(s, brakes);
-    return torque_units(brake_vector<M>(box.upper.cwiseMax(-box.lower)));
-  } else if constexpr (LimitedBrakes<B, T, M::brake_count>) {
-    return torque_units(brakes.torque_limit);
-  } else {
-    return equal_units();
-  }
 }
 
 /// 1 / u (m), which turns torques into the parts y; 1 for a brake that is off, which cannot move.

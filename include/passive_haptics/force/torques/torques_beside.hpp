@@ -18,7 +18,7 @@ struct effect_demand {
 
 /// Torques in the box that keep n_j . G t, the normal forces that t displays, and with what is left do, in
 /// this order of priority: the torques of joints; no self-motion; the force G t nearest to Fe; the least
-/// |t / u|, u being units from torque_units_of.
+/// |t / u|, u being units from form_of<M>::units.
 ///
 /// normals: n_j in rows, 0 beyond the walls. t in the box. Solved for the change of t, so that a wall of 5e4
 /// N leaves none of its rounding on an effect of 2 N, nor an effect any on the wall. Cost:

@@ -2,7 +2,7 @@
 /// A mechanism with everything that another one has: the base of those that add or change something.
 #pragma once
 
-#include <passive_haptics/mechanism/self_motion.hpp>
+#include <passive_haptics/mechanism/mechanism.hpp>
 
 #include <utility>
 
@@ -15,11 +15,10 @@ class wrapped_mechanism {
   static_assert(is_mechanism<M, explain>());
 
  public:
-  using scalar = typename M::scalar;                                  ///< Of M.
-  static constexpr int dof = M::dof;                                  ///< n
-  static constexpr int task_dimension = M::task_dimension;            ///< d
-  static constexpr int brake_count = M::brake_count;                  ///< m
-  static constexpr self_motion_form self_motion = self_motion_of<M>;  ///< That of M.
+  using scalar = typename M::scalar;                        ///< Of M.
+  static constexpr int dof = M::dof;                        ///< n
+  static constexpr int task_dimension = M::task_dimension;  ///< d
+  static constexpr int brake_count = M::brake_count;        ///< m
 
   /// The mechanism inside.
   const M& mechanism() const { return mechanism_; }

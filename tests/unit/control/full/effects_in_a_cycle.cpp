@@ -2,8 +2,6 @@
 #include "../../../property/custom_mechanisms.hpp"
 #include "../../support.hpp"
 
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>
@@ -85,7 +83,7 @@ struct random_cycle {
 
   // F = G t of the torques that are commanded; all brakes slip.
   auto map() const {
-    if constexpr (ph::displays_by_generators<M>) {
+    if constexpr (M::brake_count != M::dof) {
       return ph::force_generators(mechanism, state.q);
     } else {
       const auto E = ph::brake_jacobian(mechanism, state.q);

@@ -5,13 +5,11 @@
 #include <passive_haptics/control/laws/rivals/on_off_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
-#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -189,29 +187,6 @@ TEST(settled_brakes_off, a_limit_of_zero_is_off_for_displayable) {
   expect_displayable_without<3, 0>();
   expect_displayable_without<3, 1>();
   expect_displayable_without<4, 3>();
-}
-
-// Kinetostatically the free joint feels nothing of the force.
-TEST(settled_brakes_off, left_alone_have_the_force_of_an_arm_without_this_brake) {
-  const auto arm = ph::kinetostatic(arm_of_rods<3>());
-  const auto light = ph::kinetostatic(without<3, 1>::of(arm_of_rods<3>()));
-  using M = std::remove_cvref_t<decltype(arm)>;
-  using L = std::remove_cvref_t<decltype(light)>;
-  ph::brake_vector<M> limit(2, 0, 2);
-  ph::testing::random_source random(seed_of_brakes_off);
-  int displayed = 0;
-  for (int k = 0; k < 2000; ++k) {
-    SCOPED_TRACE(::testing::Message() << "seed " << seed_of_brakes_off << ", case " << k);
-    const auto q = random.normal_vector<double, 3>();
-    const auto v = random.direction<double, 2>(), n = random.direction<double, 2>();
-    const auto some = ph::displayable(arm, q, v, n, limit);
-    const auto all = ph::displayable(light, q, v, n, ph::brake_vector<L>(2, 2));
-    if (some.signs[0] != all.signs[0] || some.signs[2] != all.signs[1]) continue;  // of other least rates
-    ASSERT_EQ(ph::is_displayed(some.display), ph::is_displayed(all.display));
-    ASSERT_NEAR(some.angle, all.angle, 1e-9);
-    displayed += ph::is_displayed(all.display) ? 1 : 0;
-  }
-  EXPECT_GT(displayed, 50);
 }
 
 // Brakes that are off or work one way, at random, from cycle to cycle.

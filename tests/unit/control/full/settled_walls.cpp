@@ -2,7 +2,6 @@
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>

@@ -1,7 +1,6 @@
 // velocity_direct_control at two walls commands redundant brakes independently of the units of their rates.
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>

@@ -4,8 +4,6 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
 #include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/core/scalar/first_order_lag.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>

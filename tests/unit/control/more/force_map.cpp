@@ -3,7 +3,7 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/force/torques/force_map.hpp>
+#include <passive_haptics/force/forms/form_of.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

@@ -3,11 +3,6 @@
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/rivals/on_off_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
-#include <passive_haptics/control/ways/with_effects.hpp>
-#include <passive_haptics/force/effects/viscous_field.hpp>
-#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
@@ -66,10 +61,7 @@ double share_without_wall(const char* name, const M& mechanism) {
     EXPECT_EQ(result.outcome, ph::status::ok);
     if (!result.capacity.isZero(0)) continue;
     ++without;
-    bool empty = false;  // no force at all, of brakes that leave the self-motion alone
-    if constexpr (ph::self_motion_of<M> == ph::self_motion_form::kinetostatic)
-      empty = ph::cone_is_zero(ph::brake_jacobian(mechanism, state.q), result.signs);
-    EXPECT_EQ(result.display, empty ? ph::display_class::empty_cone : ph::display_class::none)
+    EXPECT_EQ(result.display, ph::display_class::none)
         << name << ": state " << k << " has no wall and says " << to_string(result.display);
   }
   const double share = static_cast<double>(without) / states;
@@ -82,14 +74,6 @@ double share_without_wall(const char* name, const M& mechanism) {
 TEST(self_motion, that_settles_leaves_the_wall) {
   EXPECT_LT(share_without_wall("3R", planar_arm<3>(particle_brake)), 0.05);
   EXPECT_LT(share_without_wall("4R", planar_arm<4>(particle_brake)), 0.05);
-}
-
-TEST(self_motion, of_arms_with_inertia_leaves_the_wall_at_first) {
-  EXPECT_LT(share_without_wall("3R, inertial", ph::inertial(planar_arm<3>(particle_brake))), 0.05);
-  EXPECT_LT(share_without_wall("4R, inertial", ph::inertial(planar_arm<4>(particle_brake))), 0.05);
-  // What lighter rotors leave to the links, nobody's torques can undo
-  EXPECT_LT(share_without_wall("3R, inertial, without rotors", ph::inertial(planar_arm<3>(0))), 0.08);
-  EXPECT_LT(share_without_wall("4R, inertial, without rotors", ph::inertial(planar_arm<4>(0))), 0.05);
 }
 
 // A narrower angle leaves fewer states with a force; brakes cut one by one make more.
@@ -158,33 +142,6 @@ TEST(self_motion, is_left_alone_by_a_relay_too) {
   EXPECT_GT(held, 140);
 }
 
-// An arm without a mass in a pose has no forces there.
-TEST(self_motion, by_an_inertia_that_is_undefined_is_a_fault) {
-  struct torn_arm : arm<3> {
-    ph::matrix<double, 3, 3> mass_matrix(const ph::vector<double, 3>& q) const {
-      return (q[0] > 1 ? std::numeric_limits<double>::quiet_NaN() : 1.0) * arm<3>::mass_matrix(q);
-    }
-  };
-  const auto mechanism = ph::inertial(torn_arm{planar_arm<3>(particle_brake)});
-  ph::contacts<2, 2> walls;
-  walls.push_back({.normal = {0, 1}, .depth = 1, .stiffness = 3});
-  walls.push_back({.normal = {1, 0}, .depth = 1, .stiffness = 3});
-  const ph::viscous_field<double, 2> honey({.viscosity = ph::matrix<double, 2, 2>::Identity()});
-  for (const double q : {0.5, 1.5}) {
-    const auto outcome = [&](const auto& touched) {
-      ph::step_memory<ph::no_direct_control> memory;
-      return ph::step(mechanism, ph::unlimited_brakes(), touched, ph::no_direct_control(),
-                      ph::device_state<std::remove_const_t<decltype(mechanism)>>{
-                          0, {q, 1, 1}, {-1, -1, 1}, {0, 0}},
-                      memory)
-          .outcome;
-    };
-    const ph::status expected = q > 1 ? ph::status::pose_undefined : ph::status::ok;
-    EXPECT_EQ(outcome(walls), expected);
-    EXPECT_EQ(outcome(ph::with_effects(ph::contacts<2, 1>(), honey)), expected);
-  }
-}
-
 // A law whose torque is no number releases all brakes, also where no set of brakes displays anything.
 struct broken_law {
   static constexpr bool commands_torques = true;
@@ -212,9 +169,4 @@ TEST(self_motion, of_a_law_without_numbers_is_a_fault) {
     ASSERT_EQ(result.outcome, ph::status::result_not_finite) << k;
     ASSERT_TRUE(result.capacity.isZero(0)) << k;
   }
-}
-
-TEST(self_motion, left_alone_costs_the_wall_and_says_so) {
-  EXPECT_GT(share_without_wall("3R, kinetostatic", ph::kinetostatic(planar_arm<3>(particle_brake))), 0.25);
-  EXPECT_GT(share_without_wall("4R, kinetostatic", ph::kinetostatic(planar_arm<4>(particle_brake))), 0.5);
 }

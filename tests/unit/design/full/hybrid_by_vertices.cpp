@@ -4,7 +4,6 @@
 #include <passive_haptics/design/least_motor_share.hpp>
 #include <passive_haptics/design/sink_slope.hpp>
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
-#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
@@ -180,13 +179,10 @@ TEST(hybrid_brakes, make_what_the_vertices_of_their_torques_make) {
   compare_with_vertices(ph::five_bar<double, 4>(), low, high, 300);
   compare_with_vertices(ph::delta<double>(), each<3>(-0.3), each<3>(1.1), 300);
   compare_with_vertices(chains::irregular_chain<double, 3, 3>::make(), each<3>(-2), each<3>(2), 300);
-  compare_with_vertices(ph::settled(equal_links<3>()), each<3>(-2), each<3>(2), 300);
-  compare_with_vertices(ph::settled(chains::irregular_chain<double, 4, 3>::make()), each<4>(-2), each<4>(2),
-                        200);
+  compare_with_vertices(equal_links<3>(), each<3>(-2), each<3>(2), 300);
+  compare_with_vertices(chains::irregular_chain<double, 4, 3>::make(), each<4>(-2), each<4>(2), 200);
   compare_with_vertices(ph::braked_joints<ph::serial_chain<double, 3, 2>, 0, 2>(equal_links<3>()),
                         each<3>(-2), each<3>(2), 300);
-  compare_with_vertices(ph::kinetostatic(equal_links<3>()), each<3>(-2), each<3>(2), 300);
-  compare_with_vertices(ph::kinetostatic(equal_links<4>()), each<4>(-2), each<4>(2), 200);
 }
 
 }  // namespace

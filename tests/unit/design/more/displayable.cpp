@@ -88,29 +88,6 @@ TEST(displayable, by_generators_adds_up_what_each_brake_resists) {
   EXPECT_LE(found.strongest_nearest, found.strongest);
 }
 
-// Three slides, of which the last moves nothing but the brakes.
-struct coupled_slides {
-  using scalar = double;
-  static constexpr int dof = 3, task_dimension = 2, brake_count = 3;
-  static constexpr auto self_motion = ph::self_motion_form::kinetostatic;
-  ph::vector<double, 2> position(const ph::vector<double, 3>& q) const { return {q[0], q[1]}; }
-  ph::matrix<double, 2, 3> jacobian() const { return ph::matrix<double, 2, 3>{{1, 0, 0}, {0, 1, 0}}; }
-  ph::matrix<double, 3, 3> transmission() const {
-    return ph::matrix<double, 3, 3>{{1, 0, 1}, {1, 1, 1}, {1, 0, 2}};
-  }
-};
-
-// Moving along x, every force that leaves the self-motion alone would have a brake drive.
-TEST(displayable, knows_the_empty_cone) {
-  const auto display = [](const ph::vector<double, 2>& v, const ph::vector<double, 2>& n) {
-    return ph::displayable(coupled_slides(), {0, 0, 0}, v, n).display;
-  };
-  for (const ph::vector<double, 2>& n : {ph::vector<double, 2>(-1, 0), ph::vector<double, 2>(0, 1)})
-    EXPECT_EQ(display({1, 0}, n), ph::display_class::empty_cone);
-  EXPECT_EQ(display({0, 1}, {0, 1}), ph::display_class::none) << "there are other forces";
-  EXPECT_EQ(display({0, 1}, {0, -1}), ph::display_class::exact);
-}
-
 TEST(displayable, depends_on_no_length_of_the_normal_or_the_direction) {
   const tendon_arm arm;
   const ph::vector<double, 2> q(0.7, 1.1), limit(1, 2), n(-0.6, 0.8), v(0.28, -0.96);

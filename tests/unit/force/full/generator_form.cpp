@@ -1,9 +1,6 @@
-// The cone by its generators: the same as by half-spaces where both exist; inertial forces; the empty cone.
+// The cone by its generators: the same as by half-spaces where both exist.
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/ways/generator_form.hpp>
-#include <passive_haptics/control/ways/settled_form.hpp>
-#include <passive_haptics/mechanism/adaptors/with_self_motion.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
@@ -70,81 +67,6 @@ TEST(torque_box, leaves_a_brake_at_rest_free_within_its_limit) {
   const auto box = ph::torques_within<double, 3>({1, -1, 0}, {2, 3, 4});
   EXPECT_EQ(box.lower, (ph::vector<double, 3>(-2, 0, -4)));
   EXPECT_EQ(box.upper, (ph::vector<double, 3>(0, 3, 4)));
-}
-
-// F = G t accelerates the end effector as the brakes do: J M^-1 J^T F = J M^-1 T^T t.
-TEST(inertial_forces, accelerate_the_end_effector_as_the_brakes_do) {
-  using chain = ph::serial_chain_with_inertia<double, 3, 2>;
-  auto parameters = ph::planar_arm<double>(std::array<double, 3>{0.2, 0.15, 0.1});
-  ph::serial_chain_inertia<double, 3, 2> inertia;
-  for (auto& link : inertia.links) {
-    link.mass = 0.2;
-    link.about_centre.setConstant(1e-3);
-  }
-  const chain arm(parameters, inertia);
-  std::mt19937_64 engine(3);
-  std::uniform_real_distribution<double> angle(-2, 2);
-  for (int k = 0; k < 200; ++k) {
-    const ph::vector<double, 3> q(angle(engine), angle(engine), angle(engine)),
-        t(angle(engine), angle(engine), angle(engine));
-    const auto J = arm.jacobian(q);
-    const auto G = ph::inertial_force_generators(arm, q);
-    const ph::matrix<double, 3, 3> W = arm.mass_matrix(q).inverse();
-    const ph::vector<double, 2> by_force = J * W * J.transpose() * G * t, by_brakes = J * W * t;
-    ASSERT_LE((by_force - by_brakes).norm(), 1e-11 * (1 + by_brakes.norm())) << "case " << k << ", seed 3";
-  }
-}
-
-// What a planar 3R arm can display: leaving its self-motion alone often nothing, inertially always something.
-TEST(self_motion, leaves_an_empty_cone_in_about_a_quarter_of_the_poses_of_a_planar_3R_arm) {
-  using chain = ph::serial_chain<double, 3, 2>;
-  const chain arm(ph::planar_arm<double>(std::array<double, 3>{0.2, 0.2, 0.2}));
-  std::mt19937_64 engine(4);
-  std::uniform_real_distribution<double> angle(-3.1, 3.1);
-  const int poses = 20000;
-  int empty = 0;
-  for (int k = 0; k < poses; ++k) {
-    const auto E = ph::brake_jacobian(arm, {angle(engine), angle(engine), angle(engine)});
-    const ph::vector<double, 3> s(angle(engine) > 0 ? 1 : -1, angle(engine) > 0 ? 1 : -1,
-                                  angle(engine) > 0 ? 1 : -1);
-    const bool zero = ph::cone_is_zero(E, s);
-    empty += zero;
-    // By looking into 64 directions: if one of them is displayable, the cone is not {0}.
-    bool found = false;
-    for (int a = 0; a < 64 && !found; ++a) {
-      const ph::vector<double, 2> n(std::cos(0.0982 * a), std::sin(0.0982 * a));
-      found = ph::nearest_force(E, s, n).force.norm() > 1e-9;
-    }
-    ASSERT_EQ(found, !zero) << "case " << k << ", seed 4";
-  }
-  const double share = static_cast<double>(empty) / poses;
-  std::printf("empty cone in %.1f %% of %d poses\n", 100 * share, poses);
-  EXPECT_NEAR(share, 0.25, 0.02);
-}
-
-TEST(self_motion, is_reported_by_a_step) {
-  using chain = ph::kinetostatic_mechanism<ph::serial_chain<double, 3, 2>>;
-  const chain arm(
-      ph::serial_chain<double, 3, 2>(ph::planar_arm<double>(std::array<double, 3>{0.2, 0.2, 0.2})));
-  const ph::vector<double, 3> q(0.3, 1.2, -0.8);
-  const ph::point<2> x = arm.position(q);
-  int seen[5] = {};
-  for (int a = 0; a < 8; ++a) {
-    const ph::point<2> n(std::cos(0.8 * a + 0.1), std::sin(0.8 * a + 0.1));
-    ph::controller control(arm, ph::brakes_of<chain>(),
-                           ph::scene(ph::wall(ph::half_space<2>(x + 1e-4 * n, n))), ph::no_direct_control());
-    for (int pattern = 0; pattern < 8; ++pattern) {
-      const ph::device_state<chain> state{
-          0, q, {pattern & 1 ? 1.0 : -1.0, pattern & 2 ? 1.0 : -1.0, pattern & 4 ? 1.0 : -1.0}, {0, 0}};
-      const auto result = control(state);
-      ++seen[static_cast<int>(result.display)];
-      if (result.display == ph::display_class::empty_cone) {
-        EXPECT_TRUE(result.capacity.isZero(0));
-      }
-    }
-  }
-  EXPECT_GT(seen[static_cast<int>(ph::display_class::approximate)], 0);
-  EXPECT_GT(seen[static_cast<int>(ph::display_class::empty_cone)], 0);
 }
 
 // At a singularity of type 2 J is unbounded; its inverse, and so the generators, are not.

@@ -1,7 +1,7 @@
 // The torques of redundant brakes: they make the nearest force, none shorter does, neighbours are neighbours.
 #include "../least_torque_oracle.hpp"
 
-#include <passive_haptics/force/torques/generator_form.hpp>
+#include <passive_haptics/force/forms/generator_form.hpp>
 
 #include <gtest/gtest.h>
 #include <Eigen/QR>

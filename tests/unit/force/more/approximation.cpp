@@ -1,7 +1,7 @@
-// Nearest forces and approximations of three brakes by hand: the empty cone, right angles and the largest
+// Nearest forces and approximations of three brakes by hand: right angles and the largest
 // angle.
 #include <passive_haptics/force/approximation.hpp>
-#include <passive_haptics/force/torques/generator_form.hpp>
+#include <passive_haptics/force/forms/generator_form.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
@@ -12,20 +12,6 @@ namespace {
 
 using pair = ph::vector<double, 2>;
 using triple = ph::vector<double, 3>;
-
-TEST(cone_is_zero, where_half_spaces_face_away_from_each_other_all_around) {
-  const ph::matrix<double, 2, 3> around{{2, 0, -1}, {-1, 1, 0}}, opposed{{1, -2, 0}, {0, 0, 0}};
-  EXPECT_TRUE(ph::cone_is_zero(around, triple(1, 1, 1)));
-  EXPECT_TRUE(ph::cone_is_zero(around, triple(-1, -1, -1)));
-  EXPECT_FALSE(ph::cone_is_zero(around, triple(1, 1, -1)));
-  EXPECT_FALSE(ph::cone_is_zero(around, triple(1, 1, 0)));
-  EXPECT_FALSE(ph::cone_is_zero(opposed, triple(1, 1, 1))) << "a line is left";
-  for (const triple& unit : {triple(1e-200, 1e-200, 1e-200), triple(1, 1e-9, 1e9), triple(1e200, 1, 1e200)}) {
-    const ph::matrix<double, 2, 3> scaled = around * unit.asDiagonal();
-    EXPECT_TRUE(ph::cone_is_zero(scaled, triple(1, 1, 1))) << unit.transpose();
-    EXPECT_FALSE(ph::cone_is_zero(scaled, triple(1, 1, -1))) << unit.transpose();
-  }
-}
 
 // Where the nearest force is 0 there is nothing to make longer.
 TEST(approximation, is_none_at_a_right_angle_even_if_any_angle_will_do) {

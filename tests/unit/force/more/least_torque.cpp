@@ -3,7 +3,7 @@
 #include <passive_haptics/brake/brake_jacobian.hpp>
 #include <passive_haptics/brake/force_generators.hpp>
 #include <passive_haptics/brake/signs.hpp>
-#include <passive_haptics/force/torques/generator_form.hpp>
+#include <passive_haptics/force/forms/generator_form.hpp>
 #include <passive_haptics/mechanism/models/five_bar.hpp>
 
 #include <gtest/gtest.h>

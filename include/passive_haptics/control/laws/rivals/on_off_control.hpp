@@ -90,22 +90,18 @@ struct on_off_control {
     }
     if (count == 0) return brake_vector<M>::Zero();
     if (count == 1) {
-      const auto Fc = on[0].magnitude *
-                      display_form<M>::nearest(device, on[0], device.options.min_cosine, remembered.start);
+      const auto Fc =
+          on[0].magnitude * form_of<M>::nearest(device, on[0], device.options.min_cosine, remembered.start);
       return passive_haptics::within_limits(Fc.torque, device.brakes, device.options.limits).torque;
     }
-    brake_vector<M> signs = device.s;
-    if constexpr (Settles<M>) {
-      const auto wall = [&](int j) { return on[static_cast<std::size_t>(j)]; };
-      signs = display_form<M>::template signs_at<Capacity>(
-                  device, display_form<M>::landed_velocity(device, count, wall), device.v, demands, count,
-                  remembered.start.held)
-                  .signs;
-    }
-    const auto map = passive_haptics::force_map_of(device.pose, device.E);
+    typename form_of<M>::force F;
+    const brake_vector<M> signs = form_of<M>::template signs<Capacity>(
+        device, demands, count, count, [&](int j) { return on[static_cast<std::size_t>(j)]; },
+        remembered.start, F);
+    const auto map = form_of<M>::map(device.pose, device.E);
     const auto box = passive_haptics::torque_box_of(signs, device.brakes);
-    return contact_forces<T, D, M::brake_count, Capacity>(
-               map, box, demands, count, map.G, passive_haptics::torque_units_of<M>(signs, device.brakes))
+    return contact_forces<T, D, M::brake_count, Capacity>(map, box, demands, count, map.G,
+                                                          form_of<M>::units(signs, device.brakes))
         .torque;
   }
 

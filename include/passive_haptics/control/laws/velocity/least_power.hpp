@@ -69,7 +69,7 @@ vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
 /// Torques for several walls together: forces [N] as near to the wanted ones as may be, sum of squares, of
 /// these the least power, and where brakes at rest need none, the least |t / u|. A wall of no demand is
 /// not left to the others' forces: coupled forces are met together. rows: Lambda_j g_j. u: units from
-/// torque_units_of. Cost: core/linear/least_squares_by_priority.hpp, two levels.
+/// form_of<M>::units. Cost: core/linear/least_squares_by_priority.hpp, two levels.
 template <class T, int Brakes, int Walls, class Units = equal_units>
 vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, const vector<T, Walls>& wanted,
                                       const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,

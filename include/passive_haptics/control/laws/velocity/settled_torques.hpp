@@ -6,8 +6,7 @@
 #include <passive_haptics/brake/signs.hpp>
 #include <passive_haptics/control/cycle_inputs.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
-#include <passive_haptics/control/ways/one_wall.hpp>
-#include <passive_haptics/force/torques/force_map.hpp>
+#include <passive_haptics/force/forms/form_of.hpp>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +29,7 @@ struct settled_torques {
 
 /// The torques for walls whose demands want n_j . F = force_j >= 0, by the signs of brakes that have settled
 /// at the velocity v' `landed` [m/s], or at v `now`, where those display less. One wall gets force_j by the
-/// nearest force, several by contact_forces. Cost: display_form, and for several walls a contact_forces.
+/// nearest force, several by contact_forces. Cost: a nearest force, and for several walls a contact_forces.
 template <Settles M, int Capacity, class Device, class T, int D>
 settled_torques<T, M::brake_count, Capacity> settled_torques_at(
     const Device& device, const vector<T, D>& landed, const vector<T, D>& now,
@@ -40,8 +39,8 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
   settled_torques<T, m, Capacity> all;
   brake_set held;
   if (count == 1) {
-    const auto unit = display_form<M>::nearest_at(device, landed, now, demands[0].normal,
-                                                  device.options.min_cosine, start.held);
+    const auto unit =
+        form_of<M>::nearest_at(device, landed, now, demands[0].normal, device.options.min_cosine, start.held);
     held = unit.held;
     const vector<T, m> bound = passive_haptics::torque_bounds_of(device.brakes, unit.torque);
     const auto largest =
@@ -55,9 +54,9 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
         all.capacity[i] = std::min(demands[0].force * std::abs(unit.torque[i]), bound[i]);
   } else {
     const auto settled =
-        display_form<M>::template signs_at<Capacity>(device, landed, now, demands, count, start.held);
+        form_of<M>::template signs_at<Capacity>(device, landed, now, demands, count, start.held);
     held = settled.held;
-    const auto map = passive_haptics::force_map_of(device.pose, device.E);
+    const auto map = form_of<M>::map(device.pose, device.E);
     const auto box = passive_haptics::torque_box_of(settled.signs, device.brakes);
     const auto met = contact_forces<T, D, m, Capacity>(map, box, demands, count);
     const vector<T, m> limit = passive_haptics::largest_torques_of<T, m>(device.brakes);
@@ -121,7 +120,7 @@ auto settled_torques_for(const Device& device, const pose_dynamics<M>& dynamics,
       follows -= n.dot(follows) * n;
     }
   }
-  const task_vector<M> landed = dynamics.velocity + gained + T(display_form<M>::mobility) * follows;
+  const task_vector<M> landed = dynamics.velocity + gained + T(form_of<M>::mobility) * follows;
   return passive_haptics::settled_torques_at<M, static_cast<int>(Capacity)>(device, landed, dynamics.velocity,
                                                                             demands, count, start);
 }

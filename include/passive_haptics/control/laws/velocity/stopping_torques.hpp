@@ -9,7 +9,7 @@
 #include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
-#include <passive_haptics/force/torques/torque_units.hpp>
+#include <passive_haptics/force/forms/form_of.hpp>
 
 #include <algorithm>
 #include <array>
@@ -100,7 +100,7 @@ brake_vector<M> stopping_torques(const pose_dynamics<M>& dynamics, const weighte
   }
   const matrix<T, n, m> per_torque = dynamics.mass.half_solve(dynamics.Tt);
   const joint_vector<M> wanted = -held * motion.push - motion.now / time;
-  const auto u = passive_haptics::torque_units_of<M>(brake_vector<M>(brake_vector<M>::Zero()), brakes);
+  const auto u = form_of<M>::units(brake_vector<M>(brake_vector<M>::Zero()), brakes);
   const matrix<T, m, m> parts = passive_haptics::parts_per_torque<T, m>(u).asDiagonal();
   const auto within = [&](const brake_vector<M>& low, const brake_vector<M>& high) -> brake_vector<M> {
     return least_squares_by_priority(low, high, least_squares_level{per_torque, wanted},

@@ -145,7 +145,7 @@ class velocity_direct_control {
     const bool alone = demanding == 1;
     const auto brakes = passive_haptics::torque_ranges_of(
         device, dynamics, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
-    const auto u = passive_haptics::torque_units_of<M>(brake_vector<M>(-brakes.sign), device.brakes);
+    const auto u = form_of<M>::units(brake_vector<M>(-brakes.sign), device.brakes);
     brake_vector<M> t = least_power_torques(walls, demanding, brakes, w, u);
     for (int j = 0; j < count; ++j) learn(walls[std::size_t(j)], brakes, t, dt);
     if constexpr (Capacity > 1)

@@ -1,0 +1,251 @@
+/// @file
+/// The forces of a device whose self-motion settles (n > d): the cones of all sets of brakes that can come to
+/// rest.
+#pragma once
+
+#include <passive_haptics/brake/at_rest/settled_rates.hpp>
+#include <passive_haptics/force/desired_force.hpp>
+#include <passive_haptics/force/forms/half_space_form.hpp>
+#include <passive_haptics/force/torques/settled_approximation.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace passive_haptics {
+
+namespace detail {
+
+// The motions of brakes once a self-motion has settled: rates w = W v for each set of brakes that can be at
+// rest.
+template <class M>
+class settled_ways_to_move {
+  using T = typename M::scalar;
+  static constexpr int d = M::task_dimension, m = M::brake_count;
+  static constexpr T tolerance = rounding_tolerance<T>(M::dof + m);
+
+ public:
+  using rate_map = typename settled_rates<M>::rate_map;  ///< W
+
+  // Of the brakes in a pose, without those that make no torque.
+  settled_ways_to_move(const mechanism_pose<M>& pose, brake_set without_torque)
+      : rates_(pose, tolerance, without_torque) {}
+
+  static constexpr status outcome() { return status::ok; }
+  const settled_rates<M>& rates() const { return rates_; }
+  // visit(W) for each W.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    rates_.for_each([&](brake_set, const rate_map& W) {
+      visit(W);
+      return false;
+    });
+  }
+  // The rate that rounding may make of none, for a unit velocity.
+  T rate_dead_band() const { return tolerance * rates_.least_rates().norm(); }
+  // s while the end effector moves with v.
+  vector<T, m> signs(const rate_map& W, const vector<T, d>& v) const {
+    brake_parameters<T, m> in_motion;
+    in_motion.rate_dead_band.setConstant(rate_dead_band());
+    return brake_signs<T, m>(W * v, vector<T, m>::Zero(), in_motion);
+  }
+  // visit(w) for the rates w at which the end effector may move along n: W n of each W. None if the structure
+  // holds it.
+  template <class Visit>
+  void for_each_way(const vector<T, d>& n, const Visit& visit) const {
+    if (rates_.held_by_structure(n).norm() > tolerance) return;
+    for_each([&](const rate_map& W) { visit(vector<T, m>(W * n)); });
+  }
+
+ private:
+  settled_rates<M> rates_;
+};
+
+}  // namespace detail
+
+/// The operations on the forces of M's brakes once its self-motion has settled. Inherited: whether a force is
+/// in a cone, as the signs are then given.
+template <class M>
+struct settled_form : private half_space_form<M> {
+  using T = typename M::scalar;                ///< Scalar.
+  static constexpr int d = M::task_dimension;  ///< Task dimensions,
+  static constexpr int m = M::brake_count;     ///< brakes.
+  using force = settled_force<T, d, m>;        ///< With the torques that produce it, and settled signs.
+  using half_space_form<M>::is_in_cone;
+  using half_space_form<M>::units;
+
+  /// What a push of the hand along the walls counts for in the velocity v' [m/s per N].
+  static constexpr double mobility = 0.005;
+
+  /// The velocity v' [m/s] by whose signs brakes are chosen: that of a handle which no longer sinks into any
+  /// of `count` walls, Fd(j) being what wall j demands, and which goes where the hand pushes along them. The
+  /// velocity now may only be that of the landing; and at rest it would leave all brakes without a sign, so
+  /// that any force looked possible. Cost: some products; four sweeps for several walls.
+  template <class Device, class Demands>
+  static task_vector<M> landed_velocity(const Device& device, int count, const Demands& Fd) {
+    task_vector<M> along = device.hand_force, landed = device.v;
+    for (int sweep = 0; sweep < (count > 1 ? 4 : 1); ++sweep) {
+      for (int j = 0; j < count; ++j) {
+        const auto wall = Fd(j);
+        along -= wall.direction.dot(along) * wall.direction;
+        landed += std::max(T(0), -outward(wall, landed)) * wall.direction;
+      }
+    }
+    return landed + T(mobility) * along;
+  }
+
+  /// Fc for a desired force of 1 N, by the signs at the landed velocity; where these display nothing, at the
+  /// velocity now. start: S of the cycle before.
+  template <class Device>
+  static force nearest(const Device& device, const desired_force<T, d>& Fd, T min_cosine,
+                       approximation_start& start) {
+    const task_vector<M> landed = landed_velocity(device, 1, [&](int) { return Fd; });
+    return nearest_at(device, landed, device.v, Fd.direction, min_cosine, start.held);
+  }
+
+  /// Fc for a unit force n by the signs at a velocity v' [m/s], or where these display nothing at v. held: S,
+  /// in and out.
+  template <class Device>
+  static force nearest_at(const Device& device, const task_vector<M>& landed, const task_vector<M>& v,
+                          const task_vector<M>& n, T min_cosine, unsigned& held) {
+    const settled_rates<M> rates = rates_of(device);
+    auto F = settled_forces(rates, device.E, device.brakes, landed).nearest(n, min_cosine, held);
+    if (!is_displayed(F.display))
+      F = settled_forces(rates, device.E, device.brakes, v).nearest(n, min_cosine, held);
+    held = F.held;
+    return F;
+  }
+
+  /// S, s* and v' for the first `count` of several demands: at the landed velocity, or at v where that leaves
+  /// less of them by settled_gain (in a corner no velocity is left by which brakes could be chosen). held: S,
+  /// in and out.
+  template <int Capacity, class Device>
+  static force signs_at(const Device& device, const task_vector<M>& landed, const task_vector<M>& v,
+                        const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
+                        int count, unsigned& held) {
+    const settled_rates<M> rates = rates_of(device);
+    const auto at = [&](const task_vector<M>& velocity) {
+      return settled_forces(rates, device.E, device.brakes, velocity)
+          .template signs_for<Capacity>(demands, count, held);
+    };
+    auto found = at(landed);
+    if (found.left.first + found.left.others > T(settled_gain))
+      if (const auto now = at(v); now.left.is_less_than(found.left, T(settled_gain))) found = now;
+    held = found.signs.held;
+    return found.signs;
+  }
+
+  /// Signs s* of the brakes for the first `count` of several demands of walls, `wall_count` of them, wall(j)
+  /// the desired force of wall j. F gets S, s* and v'.
+  template <int Capacity, class Device, class Demands, class Wall>
+  static brake_vector<M> signs(const Device& device, const Demands& demands, int count, int wall_count,
+                               const Wall& wall, approximation_start& start, force& F) {
+    const task_vector<M> landed = landed_velocity(device, wall_count, wall);
+    F = signs_at<Capacity>(device, landed, device.v, demands, count, start.held);
+    return F.signs;
+  }
+  /// Signs of the brakes for effects in addition to walls, for which the brakes make F by the torques td:
+  /// those of the walls once they have settled, else those for the force of the effects. Brakes that walls
+  /// leave to joints with a torque of their own resist their rates now.
+  template <class Device, class Effects>
+  static brake_vector<M> signs_beside(const Device& device, const force& F, const brake_vector<M>& td,
+                                      const Effects& effects, approximation_start& start) {
+    brake_vector<M> signs = device.s;
+    if (is_displayed(F.display)) {
+      signs = F.signs;
+    } else if (const T size = effects.force.norm(); size > T(0)) {
+      const task_vector<M> n = effects.force / size;
+      const force Fe = nearest_at(device, device.v, device.v, n, T(0), start.held);
+      if (is_displayed(Fe.display)) signs = Fe.signs;
+    }
+    const matrix<T, M::dof, m> Tt = device.pose.transposed_transmission();
+    for (int i = 0; i < m; ++i)
+      if (td[i] == T(0) && (Tt.col(i).array() * effects.torque.array() != T(0)).any()) signs[i] = device.s[i];
+    return signs;
+  }
+  /// Torques t [N m] of a law: all of them, as signs change until the self-motion has settled.
+  static const brake_vector<M>& without_driving(const brake_vector<M>& t, const brake_vector<M>&) {
+    return t;
+  }
+  /// Commanded torques td [N m] as brakes of signs s produce them now: td are capacities, and each brake
+  /// resists its rate now, if it can this way.
+  template <class B>
+  static brake_vector<M> resisting(const brake_vector<M>& td, const brake_vector<M>& s,
+                                   [[maybe_unused]] const B& brakes) {
+    if constexpr (SwitchableBrakes<B, T, m>)
+      return (-s.cwiseProduct(td.cwiseAbs())).cwiseMax(brakes.torque_lower).cwiseMin(brakes.torque_upper);
+    else return -s.cwiseProduct(td.cwiseAbs());
+  }
+
+  /// F = (T J^+)^T t of torques that leave the self-motion alone, (T N)^T t = 0.
+  template <class EMatrix>
+  static force_map<T, d, m> map(const mechanism_pose<M>& pose, const EMatrix&) {
+    return passive_haptics::force_map_of(settled_rates<M>(pose));
+  }
+  /// Sets F to the force that brakes of the capacities F.torque make at the velocity now, once settled with
+  /// the brakes at rest of `start`, or with those of nearest() if these cannot be at rest. Returns the size
+  /// of what adds up to it [N]: that of its rounding.
+  template <class Device>
+  static T set_force(force& F, const Device& device, const desired_force<T, d>& Fd,
+                     approximation_start start) {
+    const brake_vector<M> capacity = F.torque;
+    F = {};
+    F.torque = capacity;  // a NaN of the law stays, whatever is known of S
+    const settled_rates<M> rates = rates_of(device);
+    typename settled_rates<M>::rate_map W;
+    if (!rates.find(start.held, W)) {
+      start.held = nearest(device, Fd, T(0), start).held;
+      if (!rates.find(start.held, W)) return Fd.magnitude;
+    }
+    F.held = start.held;
+    F.velocity = device.v;
+    F.signs = settled_forces(rates, device.E, device.brakes, device.v).signs_of(W);
+    const brake_vector<M> sense = brake_torque(device.E, Fd.direction);  // of those at rest
+    for (int i = 0; i < m; ++i)
+      F.torque[i] = std::copysign(capacity[i], F.signs[i] != T(0) ? -F.signs[i] : sense[i]);
+    const auto off = passive_haptics::brakes_off(F.signs, device.brakes);
+    for (int i = 0; i < m; ++i)
+      if (detail::is_off(off, i)) F.torque[i] = T(0);
+    F.force = W.transpose() * F.torque;
+    return Fd.magnitude;
+  }
+
+  /// The motions of the brakes in pose q, for design. Brakes that make no torque hold nothing.
+  template <class B>
+  static detail::settled_ways_to_move<M> motions(const M& mechanism, const joint_vector<M>& q,
+                                                 const brake_matrix<M>&, const B& brakes) {
+    const torque_box<T, m> box = torque_box_of(brake_vector<M>(brake_vector<M>::Zero()), brakes);
+    brake_set without_torque = 0;
+    for (int i = 0; i < m; ++i)
+      if (!(box.lower[i] < T(0)) && !(box.upper[i] > T(0))) without_torque |= brake_set(1) << i;
+    return {mechanism_pose<M>(mechanism, q), without_torque};
+  }
+  /// Fc for a unit force n while the end effector moves with v, by the best set of brakes at rest. Sets the
+  /// signs, and that set.
+  template <class B>
+  static force nearest_in_motion(const detail::settled_ways_to_move<M>& moving, const brake_matrix<M>& E,
+                                 const task_vector<M>& v, const task_vector<M>& n, const B& brakes,
+                                 brake_vector<M>& signs, brake_set& held) {
+    B in_motion = brakes;
+    in_motion.rate_dead_band.setConstant(moving.rate_dead_band());
+    const force Fc = settled_forces(moving.rates(), E, in_motion, v).nearest(n, T(0));
+    signs = Fc.signs;
+    held = Fc.held;
+    return Fc;
+  }
+  /// F [N] of torques t while the end effector moves and the brakes `held` are at rest; 0 if they cannot be.
+  static task_vector<M> force_in_motion(const mechanism_pose<M>& pose, const brake_vector<M>& t,
+                                        brake_set held) {
+    typename settled_rates<M>::rate_map W;
+    if (!settled_rates<M>(pose).find(held, W)) return task_vector<M>::Zero();
+    return W.transpose() * t;
+  }
+
+ private:
+  template <class Device>
+  static settled_rates<M> rates_of(const Device& device) {
+    return settled_rates<M>(device.pose, settled_rates<M>::default_share,
+                            passive_haptics::brakes_without_torque<T, m>(device.brakes));
+  }
+};
+
+}  // namespace passive_haptics
