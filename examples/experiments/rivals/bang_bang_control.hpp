@@ -1,4 +1,4 @@
-// Bang-bang control: brakes that are locked or free turn the handle towards a wanted direction of motion.
+// Brakes that are locked or free turn the handle towards a wanted direction of motion.
 #pragma once
 
 #include "intended_rates.hpp"

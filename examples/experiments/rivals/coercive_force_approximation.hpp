@@ -1,5 +1,4 @@
-// Coercive force approximation: the brakes that move into the wall are held, so that what motion is left
-// leads out.
+// The brakes that move into the wall are held, so that the remaining motion leads out.
 #pragma once
 
 #include "intended_rates.hpp"

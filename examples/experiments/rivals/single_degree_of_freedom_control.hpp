@@ -1,4 +1,4 @@
-// Single-degree-of-freedom control: one brake is locked, and the handle follows its path.
+// One brake is locked, and the handle follows its path.
 #pragma once
 
 #include "intended_rates.hpp"

@@ -1,5 +1,4 @@
-// Velocity ratio control: the wanted direction of motion is a ratio of the brakes' rates; who is too fast is
-// braked.
+// The wanted direction of motion is a ratio of the brakes' rates; a brake that is too fast is braked.
 #pragma once
 
 #include "intended_rates.hpp"
