@@ -146,8 +146,7 @@ int main(int count, char** arguments) {
   stage<ph::viscous_field_parameters<T, 2>, ph::detents_parameters<T, 2>, ph::guide_parameters<T, 2>,
         ph::wall_friction_parameters<T>, ph::end_stops_parameters<T, 2>>("Effects");
   stage<ph::approximation_parameters<T>, ph::direct_control, ph::velocity_direct_control_parameters,
-        ph::on_off_parameters, ph::bang_bang_parameters, ph::single_degree_of_freedom_parameters,
-        ph::velocity_ratio_parameters, ph::momentum_observer_parameters, ph::release_probe_parameters,
+        ph::on_off_parameters, ph::momentum_observer_parameters, ph::release_probe_parameters,
         ph::sensorless_parameters>("Control");
   stage<ph::braked_wall>("Design");
   stage<ph::brake_resistance<T>, ph::coulomb_brake<T>, ph::stribeck_brake<T>, ph::magnetorheological_brake<T>,

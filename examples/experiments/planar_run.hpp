@@ -2,6 +2,10 @@
 #pragma once
 
 #include "planar.hpp"
+#include "rivals/bang_bang_control.hpp"
+#include "rivals/coercive_force_approximation.hpp"
+#include "rivals/single_degree_of_freedom_control.hpp"
+#include "rivals/velocity_ratio_control.hpp"
 
 #include <Eigen/LU>
 
@@ -33,11 +37,11 @@ auto with_law(law which, const setup& how, F&& f) {
     case law::direct_dead_band: return f(ph::direct_control{.velocity_dead_band = how.velocity_dead_band});
     case law::velocity: return f(ph::velocity_direct_control());
     case law::velocity_on_touch: return f(ph::velocity_direct_control({.approach_speed = 0}));
-    case law::coercive: return f(ph::coercive_force_approximation());
-    case law::single_degree_of_freedom: return f(ph::single_degree_of_freedom_control());
-    case law::velocity_ratio: return f(ph::velocity_ratio_control());
+    case law::coercive: return f(coercive_force_approximation());
+    case law::single_degree_of_freedom: return f(single_degree_of_freedom_control());
+    case law::velocity_ratio: return f(velocity_ratio_control());
     case law::on_off: return f(ph::on_off_control());
-    case law::bang_bang: return f(ph::bang_bang_control());
+    case law::bang_bang: return f(bang_bang_control());
   }
   throw std::logic_error("a law without a case");
 }

@@ -2,6 +2,10 @@
 #pragma once
 
 #include "effect_run.hpp"
+#include "rivals/bang_bang_control.hpp"
+#include "rivals/coercive_force_approximation.hpp"
+#include "rivals/single_degree_of_freedom_control.hpp"
+#include "rivals/velocity_ratio_control.hpp"
 #include "scene_run.hpp"
 
 namespace experiments {
@@ -19,10 +23,10 @@ scene_bench bench_of_all(const scene_device<M>& device) {
   add("direct_control", ph::direct_control());
   add("saturated_direct_control", ph::saturated_direct_control());
   add("no_direct_control", ph::no_direct_control());
-  laws.push_back(column<M>("coercive_force_approximation", false, ph::coercive_force_approximation()));
-  laws.push_back(column<M>("bang_bang_control", false, ph::bang_bang_control()));
-  laws.push_back(column<M>("single_degree_of_freedom_control", true, ph::single_degree_of_freedom_control()));
-  laws.push_back(column<M>("velocity_ratio_control", true, ph::velocity_ratio_control()));
+  laws.push_back(column<M>("coercive_force_approximation", false, coercive_force_approximation()));
+  laws.push_back(column<M>("bang_bang_control", false, bang_bang_control()));
+  laws.push_back(column<M>("single_degree_of_freedom_control", true, single_degree_of_freedom_control()));
+  laws.push_back(column<M>("velocity_ratio_control", true, velocity_ratio_control()));
   scene_bench bench = bench_of(device, laws);
   const auto effects = all_effects<M>();
   for (const auto& e : effects) bench.effects.push_back(e.row);

@@ -51,12 +51,8 @@
 #include <passive_haptics/control/batch/batch_controller.hpp>
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/recommended_law.hpp>
-#include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
-#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
-#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/laws/rivals/velocity_ratio_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>

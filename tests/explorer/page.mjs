@@ -387,7 +387,6 @@ async function in_browser(browser) {
           '#v1/?mechanism=five_bar_4&q=3.1,0',
           /q = '3.1,0', expected joint positions at which the chain closes/,
         ],
-        ['#v1/?mechanism=five_bar_4&law=coercive_force_approximation', /one brake per joint/],
         [device + '&foo', /setting = 'foo', expected NAME=VALUE/],
         [device + '&foo=3', /setting = 'foo', expected a name/],
         [device + '&mechanism.length_1=-1', /length_1 \[m\] = -1, expected a finite number > 0/],
@@ -419,6 +418,13 @@ async function in_browser(browser) {
       await page.waitForFunction(() => /hand = 'along'/.test(document.getElementById('warning').textContent));
     });
   });
+
+  await test('a link with a law that was removed opens with another one, and the page names both', () =>
+    with_page('#v1/?page=forces&mechanism=two_link&law=coercive_force_approximation', {}, async page => {
+      const warning = await page.locator('#warning').textContent();
+      expect(/'coercive_force_approximation' was removed.*: direct_control$/.test(warning), 'the laws', warning);
+      expect((await page.locator('#law').inputValue()) === 'direct_control', 'the law of the page');
+    }));
 
   await test('the picture is saved as SVG', () =>
     with_page('#v1/fig2', {prepare: keep_saved}, async page => {

@@ -5,11 +5,7 @@
 #include "device_cases.hpp"
 
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
-#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
-#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/laws/rivals/velocity_ratio_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/testing/control_law_properties.hpp>
 #include <passive_haptics/testing/fault_properties.hpp>
 

@@ -197,7 +197,7 @@ bool run_scene(const std::string& device, const std::string& law, const std::str
                const std::string& in, const std::string& to);
 bool run_log(const std::string& device, const std::string& law, const std::string& mode,
              const std::string& in, const std::string& to);
-bool run_rival(const std::string& device, const std::string& law, const std::string& mode,
+bool run_tendon(const std::string& device, const std::string& law, const std::string& mode,
                const std::string& in, const std::string& to);
 
 }  // namespace reference

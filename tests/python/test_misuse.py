@@ -190,7 +190,7 @@ MISUSES = [
     (lambda: ph.controller("arm", arm.brakes(), scene, ph.direct_control()), TypeError, "mechanism = 'arm' (str)"),
     (lambda: ph.controller(arm, ph.delta().brakes(), scene, ph.direct_control()), TypeError, "for its number of brakes"),
     (lambda: ph.controller(arm, arm.brakes(), scene, "direct_control"), TypeError, "expected a law such as"),
-    (lambda: ph.controller(table, table.brakes(), scene, ph.bang_bang_control()), TypeError,
+    (lambda: ph.controller(table, table.brakes(), scene, ph.no_direct_control()), TypeError,
      "expected a law that the mechanism is built with: direct_control, saturated_direct_control"),
     (lambda: ph.controller(ph.delta(), ph.delta().brakes(), scene, ph.direct_control()), ValueError,
      "scene has dimension 2, expected 3"),

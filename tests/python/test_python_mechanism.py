@@ -254,7 +254,7 @@ MISUSES = [
     (lambda: arm(jacobian=lambda q: 1.0).jacobian([0, 1]), TypeError, "jacobian(q) = 1.0 (float), expected an array of 2 x 2"),
     (lambda: arm(**{**INERTIA, "mass_matrix": lambda q: np.eye(3)}), None, ""),
     (lambda: ph.controller(arm(), case.brakes(), case.scene(), ph.velocity_direct_control()), TypeError, "needs a mass_matrix"),
-    (lambda: ph.controller(arm(), case.brakes(), case.scene(), ph.bang_bang_control()), TypeError, "expected direct_control, "),
+    (lambda: ph.controller(arm(), case.brakes(), case.scene(), ph.no_direct_control()), TypeError, "expected direct_control, "),
     (lambda: ph.simulated_device(arm(), case.brakes(), 0.5, [0, 1]), TypeError, "simulated_device needs a mechanism with inertia"),
     (lambda: ph.simulated_device(arm(**{**INERTIA, "mass_matrix": lambda q: np.eye(3)}), case.brakes(), 0.5, [0, 1]),
      ValueError, "shape of mass_matrix(q) = (3, 3), expected an array of 2 x 2"),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import passive_haptics as ph
-from devices import DEVICES, LAWS, RIVALS, Case
+from devices import DEVICES, LAWS, OTHER_LAWS, Case
 from passive_haptics import _native
 
 SHAPES = [
@@ -51,7 +51,7 @@ def values():
         yield device.brakes()
         yield device.brakes(torque_limit=np.linspace(0.1, 0.7, device.brake_count))
         yield device.recommended_law()
-    for law in [law for law in LAWS if law != "recommended"] + RIVALS:
+    for law in [law for law in LAWS if law != "recommended"] + OTHER_LAWS:
         yield getattr(ph, law)()
     yield ph.direct_control(velocity_dead_band=0.01)
     yield ph.velocity_direct_control(force_share=0.1)

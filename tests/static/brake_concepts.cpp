@@ -80,9 +80,6 @@ static_assert(!ph::BrakesFor<double, arm> && !ph::BrakesFor<ph::brakes_of<ph::tw
 // What a law says that it needs
 static_assert(!ph::needs_hand_force<ph::no_direct_control> && ph::needs_hand_force<ph::direct_control>);
 static_assert(!ph::needs_dynamics<ph::direct_control> && ph::needs_dynamics<ph::velocity_direct_control>);
-static_assert(ph::needs_torque_limit<ph::velocity_ratio_control> &&
-              ph::needs_torque_limit<ph::single_degree_of_freedom_control> &&
-              !ph::needs_torque_limit<ph::velocity_direct_control>);
 
 // A controller's brakes are those that it is made of, brakes_of<M> where nothing else is said
 using plane = ph::static_scene<ph::half_space<2>>;

@@ -128,12 +128,7 @@ static_assert(ph::ControlLaw<ph::no_direct_control> && ph::ControlLaw<ph::direct
 static_assert(!ph::needs_hand_force<ph::no_direct_control> && ph::needs_hand_force<ph::direct_control>);
 static_assert(ph::TorqueLaw<ph::velocity_direct_control> && !ph::ScalingLaw<ph::velocity_direct_control>);
 static_assert(ph::ScalingLaw<ph::direct_control> && !ph::TorqueLaw<ph::direct_control>);
-static_assert(ph::TorqueLaw<ph::coercive_force_approximation> &&
-              !ph::needs_hand_force<ph::coercive_force_approximation>);
-static_assert(ph::TorqueLaw<ph::single_degree_of_freedom_control> &&
-              ph::TorqueLaw<ph::velocity_ratio_control>);
 static_assert(ph::TorqueLaw<ph::on_off_control> && !ph::needs_hand_force<ph::on_off_control>);
-static_assert(ph::TorqueLaw<ph::bang_bang_control> && !ph::needs_hand_force<ph::bang_bang_control>);
 
 struct complete_law {
   template <class T, int D>

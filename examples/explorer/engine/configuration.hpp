@@ -173,7 +173,6 @@ struct configuration {
     read(all, given);
     check_names(all, given);
     for_each_table([](const char*, const char*, const auto& table) { ph::require_valid(table); });
-    if (law == law_kind::coercive_force_approximation && m != n) refuse_law(law);
     static_cast<void>(shape_of<d>(top.scene));
   }
 

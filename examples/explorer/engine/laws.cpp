@@ -17,8 +17,4 @@ const char* id_of(law_kind kind) {
   return "";
 }
 
-void refuse_law(law_kind kind) {
-  refuse("law", id_of(kind), "another law for this device: this one needs one brake per joint");
-}
-
 }  // namespace explorer

@@ -8,8 +8,7 @@
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 
@@ -41,8 +40,7 @@ enum class law_kind {
   direct_control,
   saturated_direct_control,
   velocity_direct_control,
-  on_off_control,
-  coercive_force_approximation
+  on_off_control
 };
 
 /// What the catalogue has of a law.
@@ -71,16 +69,12 @@ inline constexpr law_description laws[] = {
      "The brakes keep the handle at a small depth by the inertia of the device and their own lag: it glides.",
      ""},
     {law_kind::on_off_control, "on_off_control",
-     "The whole force or none, by a relay that looks ahead by the lag of the brakes.", ""},
-    {law_kind::coercive_force_approximation, "coercive_force_approximation",
-     "Each brake takes its own part of the wall's force, or none where it would have to drive.", ""}};
+     "The whole force or none, by a relay that looks ahead by the lag of the brakes.", ""}};
 
 /// The law of an id. Throws std::invalid_argument.
 law_kind law_of(const std::string& id);
 /// The id of a law.
 const char* id_of(law_kind kind);
-/// Throws std::invalid_argument: this law is not for the device.
-[[noreturn]] void refuse_law(law_kind kind);
 
 /// The parameters of all laws; those of the chosen one are shown.
 struct law_settings {
@@ -97,8 +91,7 @@ struct law_settings {
       case law_kind::saturated_direct_control: return f(saturated);
       case law_kind::velocity_direct_control: return f(velocity);
       case law_kind::on_off_control: return f(on_off);
-      case law_kind::no_direct_control:
-      case law_kind::coercive_force_approximation: return;
+      case law_kind::no_direct_control: return;
     }
   }
 };
@@ -136,7 +129,7 @@ class control_of final : public any_control<M> {
 
 }  // namespace detail
 
-/// The controller under a law. Throws std::invalid_argument if the law is not for this mechanism.
+/// The controller under a law.
 template <class M>
 std::unique_ptr<any_control<M>> make_control(law_kind kind, const law_settings& law, const M& mechanism,
                                              const typename any_control<M>::brakes& brakes,
@@ -150,12 +143,9 @@ std::unique_ptr<any_control<M>> make_control(law_kind kind, const law_settings& 
     case law_kind::direct_control: return under(scaled_forces{true, law.direct});
     case law_kind::saturated_direct_control: return under(law.saturated);
     case law_kind::velocity_direct_control: return under(ph::velocity_direct_control(law.velocity));
-    case law_kind::on_off_control: return under(ph::on_off_control{law.on_off});
-    case law_kind::coercive_force_approximation:
-      if constexpr (M::brake_count == M::dof) return under(ph::coercive_force_approximation());
-      break;
+    case law_kind::on_off_control: break;
   }
-  refuse_law(kind);
+  return under(ph::on_off_control{law.on_off});
 }
 
 }  // namespace explorer

@@ -68,9 +68,7 @@ bool is_replayable(const configuration<E>& c) {
   usual.law = now.law;
   const field_list fields = now.fields(), defaults = usual.fields();
   const std::string& scene = c.top.scene;
-  if (!E::has_replay || c.wall.rate != 0 || c.law == law_kind::on_off_control ||
-      c.law == law_kind::coercive_force_approximation)
-    return false;
+  if (!E::has_replay || c.wall.rate != 0 || c.law == law_kind::on_off_control) return false;
   if (!scene.starts_with("plane:") && !scene.starts_with("solid:") && !scene.starts_with("hollow:"))
     return false;
   for (std::size_t k = 0; k < fields.size(); ++k) {

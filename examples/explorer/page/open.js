@@ -16,18 +16,23 @@ const preset_of = id => engine.catalogue.presets.find(preset => preset.id === id
 const preset_laws = law => (law === 'no_direct_control' ? [law] : ['no_direct_control', law]);
 
 // Opens what a link names; without one, the hand along a wall. A link that cannot be opened leaves what is
-// shown, and the page states the reason.
+// shown, and the page states the reason. A link with a law that was removed opens without it.
 export function open_link() {
   const is_place = location.hash === '#stage'; // of "Skip to the device"
   if (is_place && app.device) return;
-  const reason = open_hash(is_place ? '' : location.hash);
+  const link = parse_link(is_place ? '' : location.hash),
+    law = link.settings?.get('law'),
+    is_removed = law === 'coercive_force_approximation';
+  if (is_removed) link.settings.delete('law');
+  const reason = open_page(link);
   if (reason && !app.device) turn_to(questions[0]);
-  warn(reason && 'This link cannot be opened: ' + reason);
+  if (reason) warn('This link cannot be opened: ' + reason);
+  else if (is_removed) warn(`${quoted(law)} was removed, this page shows: ${app.laws.join(', ') || app.law}`);
+  else warn('');
 }
 
 // Returns why it cannot be opened, or nothing.
-function open_hash(hash) {
-  const {page, settings, reason} = parse_link(hash);
+function open_page({page, settings, reason}) {
   if (reason) return reason;
   const name = settings ? (settings.get('page') ?? questions[1].id) : (page ?? questions[0].id),
     question = questions.find(other => other.id === name);

@@ -5,11 +5,7 @@
 
 #include <passive_haptics_python/laws.hpp>
 
-#include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
-#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
-#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/laws/rivals/velocity_ratio_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 
 namespace passive_haptics_python {
 namespace {
@@ -37,13 +33,6 @@ void bind_laws(py::module_& module) {
       module, "on_off_control",
       "The whole approximated force or none, by a relay. recommended_law for a mechanism without inertia.");
   bind_law<ph::no_direct_control>(module, "no_direct_control", "The approximated force as it is, alpha = 1.");
-  bind_law<ph::bang_bang_control>(module, "bang_bang_control", "A rival: brakes locked or free.");
-  bind_law<ph::coercive_force_approximation>(module, "coercive_force_approximation",
-                                             "A rival: each brake takes its own part of the force.");
-  bind_law<ph::single_degree_of_freedom_control>(module, "single_degree_of_freedom_control",
-                                                 "A rival: one brake is locked.");
-  bind_law<ph::velocity_ratio_control>(module, "velocity_ratio_control",
-                                       "A rival: the ratio of the brakes' rates is controlled.");
 }
 
 }  // namespace passive_haptics_python

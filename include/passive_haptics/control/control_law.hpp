@@ -87,8 +87,8 @@ using law_memory = typename detail::memory_of<L>::type;
 ///     `memory&` as well. What a cycle leaves in it is kept only if the cycle ends well;
 ///   - `void released(memory&, double time) const noexcept`, called in each cycle that commands nothing (free
 ///     space, faults), so that the law can follow what was commanded;
-///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag, needs_torque_limit`: what it
-///     reads of the state, the mechanism and the brakes. False where they are not named;
+///   - `static constexpr bool needs_hand_force, needs_dynamics, needs_brake_lag`: what it reads of the state,
+///     the mechanism and the brakes. False where they are not named;
 ///   - `static constexpr bool needs_sensed_at`: it reads contact::sensed_at. A contact without it is a fault,
 ///     status::contact_invalid;
 ///   - `static constexpr bool needs_rising_time`: it uses time differences. A cycle that is no later than the
@@ -135,8 +135,5 @@ inline constexpr int most_contacts = [] {
   if constexpr (requires { L::most_contacts; }) return L::most_contacts;
   else return std::numeric_limits<int>::max();
 }();
-/// Whether a law reads the torque limits, so that brakes without any are none for it.
-template <class L>
-inline constexpr bool needs_torque_limit = requires { requires L::needs_torque_limit; };
 
 }  // namespace passive_haptics

@@ -66,10 +66,6 @@ consteval bool is_law_for() {
     static_assert(!Explain,
                   "passive_haptics: this law needs the brakes' lag: give the brakes a time_constant "
                   "(brake_parameters), or take a law that needs none.");
-  else if constexpr (needs_torque_limit<L> && !names_torque_limit<B>)
-    static_assert(
-        !Explain,
-        "passive_haptics: this law locks brakes: give the brakes a torque_limit (brake_parameters).");
   else return true;
   return Explain;
 }

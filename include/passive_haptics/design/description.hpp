@@ -95,7 +95,6 @@ constexpr description<9> describe() {
   return {{{{"needs_hand_force", needs_hand_force<L>},
             {"needs_dynamics", needs_dynamics<L>},
             {"needs_brake_lag", needs_brake_lag<L>},
-            {"needs_torque_limit", needs_torque_limit<L>},
             {"needs_sensed_at", needs_sensed_at<L>},
             {"needs_rising_time", needs_rising_time<L>},
             {"nulls_normal_force", nulls_normal_force<L>},

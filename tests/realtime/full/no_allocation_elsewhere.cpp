@@ -16,9 +16,9 @@ TEST(no_allocation, in_a_step_with_a_transmission_that_depends_on_the_pose) {
   run_all(custom::coupled_arm<double>(), 1.5);
 }
 
-// The laws that command torques, and the cycle without a force sensor.
+// A law that commands torques.
 template <class M>
-void run_torque_laws(const M& mechanism, double size) {
+void run_torque_law(const M& mechanism, double size) {
   constexpr int d = M::task_dimension;
   const auto walls =
       ph::scene(ph::wall(ph::half_space<d>(ph::point<d>::UnitX() * (size / 3), ph::point<d>::UnitX()), 1e3),
@@ -26,18 +26,14 @@ void run_torque_laws(const M& mechanism, double size) {
   ways seen;
   using walls_type = decltype(walls);
   using felt = ph::device_state<M>;
-  run<M, ph::coercive_force_approximation, walls_type, felt>(mechanism, walls, {}, seen);
-  run<M, ph::single_degree_of_freedom_control, walls_type, felt>(mechanism, walls, {}, seen);
-  run<M, ph::velocity_ratio_control, walls_type, felt>(mechanism, walls, {}, seen);
   run<M, ph::on_off_control, walls_type, felt>(mechanism, walls, {}, seen);
-  run<M, ph::bang_bang_control, walls_type, felt>(mechanism, walls, {}, seen);
-  EXPECT_TRUE(seen.free && seen.fault && seen.exact);
+  EXPECT_TRUE(seen.fault && seen.exact);
 }
 
-TEST(no_allocation, in_laws_that_command_torques) {
-  run_torque_laws(ph::tendon_two_link<double>(), 0.3);
-  run_torque_laws(ph::xy_table<float>(), 0.3);
-  run_torque_laws(custom::spatial_arm<double>(), 0.4);
+TEST(no_allocation, in_a_law_that_commands_torques) {
+  run_torque_law(ph::tendon_two_link<double>(), 0.3);
+  run_torque_law(ph::xy_table<float>(), 0.3);
+  run_torque_law(custom::spatial_arm<double>(), 0.4);
 }
 
 // With effects of every kind beside the same walls.

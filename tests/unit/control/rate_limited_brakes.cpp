@@ -3,7 +3,7 @@
 
 #include <passive_haptics/brake/models/rate_limited_brakes.hpp>
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
@@ -50,7 +50,7 @@ void expect_the_limits_of_the_moment() {
 
 TEST(rate_limited_cycle, is_that_of_the_limits_of_the_moment) {
   expect_the_limits_of_the_moment<ph::direct_control, ph::xy_table<float>>();
-  expect_the_limits_of_the_moment<ph::single_degree_of_freedom_control, ph::xy_table<double>>();
+  expect_the_limits_of_the_moment<ph::on_off_control, ph::xy_table<double>>();
   expect_the_limits_of_the_moment<ph::velocity_direct_control, ph::tendon_two_link<double>>();
 }
 

@@ -1,11 +1,7 @@
 // Several walls at once in a whole step: what the law wants of each, and what is reported of it.
 #include "../support.hpp"
 
-#include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
-#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
-#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/laws/rivals/velocity_ratio_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
@@ -181,9 +177,7 @@ void expect_reports_of_each() {
 
 TEST(corner, reports_each_touched_wall_under_every_law) {
   expect_reports_of_each<ph::no_direct_control, ph::direct_control, ph::velocity_direct_control,
-                         ph::coercive_force_approximation, ph::single_degree_of_freedom_control,
-                         ph::velocity_ratio_control, ph::on_off_control, ph::bang_bang_control,
-                         strong_torques>();
+                         ph::on_off_control, strong_torques>();
 }
 
 // The limits hold, and that one is reached is said.
@@ -287,10 +281,10 @@ TYPED_TEST(several_contacts, release_the_brakes_where_pose_or_rates_are_undefine
   const auto nowhere = state_of<hyperbola<T>>({0, 1}, {1, 1});
   const auto too_fast = state_of<arm>({2, -1}, {0, most});
   expect_none(step_once<ph::no_direct_control>(hyperbola<T>(), {}, nowhere, a, b));
-  expect_none(step_once<ph::coercive_force_approximation>(hyperbola<T>(), {}, nowhere, a));
-  expect_none(step_once<ph::coercive_force_approximation>(hyperbola<T>(), {}, nowhere, a, b));
+  expect_none(step_once<strong_torques>(hyperbola<T>(), {}, nowhere, a));
+  expect_none(step_once<strong_torques>(hyperbola<T>(), {}, nowhere, a, b));
   expect_none(step_once<ph::no_direct_control>(arm(), {}, too_fast, a, b));
-  expect_none(step_once<ph::coercive_force_approximation>(arm(), {}, too_fast, b));
+  expect_none(step_once<strong_torques>(arm(), {}, too_fast, b));
 }
 
 // Two walls of a narrow wedge: the force that meets both is far larger than what each asks for, and so is its

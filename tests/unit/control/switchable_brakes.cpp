@@ -107,10 +107,6 @@ TEST(switchable_brakes, make_no_torque_beyond_their_intervals_under_any_law) {
   expect_no_torque_that_a_brake_cannot_make<ph::saturated_direct_control>(planar());
   expect_no_torque_that_a_brake_cannot_make<ph::velocity_direct_control>(planar());
   expect_no_torque_that_a_brake_cannot_make<ph::on_off_control>(planar());
-  expect_no_torque_that_a_brake_cannot_make<ph::bang_bang_control>(planar());
-  expect_no_torque_that_a_brake_cannot_make<ph::coercive_force_approximation>(planar());
-  expect_no_torque_that_a_brake_cannot_make<ph::single_degree_of_freedom_control>(planar());
-  expect_no_torque_that_a_brake_cannot_make<ph::velocity_ratio_control>(planar());
 }
 
 TEST(switchable_brakes, more_than_joints_make_no_torque_beyond_their_intervals_under_any_law) {
@@ -119,8 +115,6 @@ TEST(switchable_brakes, more_than_joints_make_no_torque_beyond_their_intervals_u
   expect_no_torque_that_a_brake_cannot_make<ph::saturated_direct_control>(redundant());
   expect_no_torque_that_a_brake_cannot_make<ph::velocity_direct_control>(redundant());
   expect_no_torque_that_a_brake_cannot_make<ph::on_off_control>(redundant());
-  expect_no_torque_that_a_brake_cannot_make<ph::bang_bang_control>(redundant());
-  expect_no_torque_that_a_brake_cannot_make<ph::single_degree_of_freedom_control>(redundant());
 }
 
 // Intervals that cut nothing.

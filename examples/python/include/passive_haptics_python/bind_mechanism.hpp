@@ -4,7 +4,7 @@
 
 #include <passive_haptics_python/mechanisms.hpp>
 
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 
 namespace passive_haptics_python {
 

@@ -366,58 +366,6 @@ class no_direct_control(law):
     @property
     def parameters(self) -> dict[str, Any]:
         """A copy of all parameters, by their names."""
-class bang_bang_control(law):
-    """A rival: brakes locked or free.
-
-    Parameters:
-        reference_depth [m]: a finite number; default 0.001
-        approach_length [m]: a finite number > 0; default 0.002
-        approach_slope [1]: a finite number >= 0; default 0.7
-        approach_hysteresis [1]: a finite number >= 0; default 0.6
-        following_hysteresis [1]: a finite number >= 0; default 0.6
-    """
-    def __init__(self, reference_depth: float = ..., approach_length: float = ..., approach_slope: float = ..., approach_hysteresis: float = ..., following_hysteresis: float = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of all parameters, by their names."""
-class coercive_force_approximation(law):
-    """A rival: each brake takes its own part of the force."""
-    def __init__(self) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of all parameters, by their names."""
-class single_degree_of_freedom_control(law):
-    """A rival: one brake is locked.
-
-    Parameters:
-        reference_depth [m]: a finite number; default 0.001
-        band [m]: a finite number >= 0; default 0.0003
-    """
-    def __init__(self, reference_depth: float = ..., band: float = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of all parameters, by their names."""
-class velocity_ratio_control(law):
-    """A rival: the ratio of the brakes' rates is controlled.
-
-    Parameters:
-        reference_depth [m]: a finite number; default 0.001
-        approach_length [m]: a finite number > 0; default 0.01
-        steepest_slope [1]: a finite number >= 0; default 0.2
-        gain [1]: a finite number >= 0; default 1.0
-    """
-    def __init__(self, reference_depth: float = ..., approach_length: float = ..., steepest_slope: float = ..., gain: float = ...) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    __hash__: None  # type: ignore[assignment]
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """A copy of all parameters, by their names."""
 class brake_parameters(metaclass=_class):
     """The parameters of the brakes of a device."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...

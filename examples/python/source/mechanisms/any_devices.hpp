@@ -6,7 +6,7 @@
 #include <passive_haptics_python/any_mechanism.hpp>
 #include <passive_haptics_python/laws.hpp>
 
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 
 #include <memory>
 

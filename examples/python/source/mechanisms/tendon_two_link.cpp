@@ -1,21 +1,15 @@
-// The paper's device, with the rival laws.
+// The paper's device, with every law.
 #include <precompiled.hpp>
 
 #include "inverse.hpp"
 
-#include <passive_haptics/control/laws/rivals/bang_bang_control.hpp>
-#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/laws/rivals/velocity_ratio_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 
 namespace passive_haptics_python {
 
 using arm = ph::tendon_two_link<double>;
 using all_laws = law_list<ph::direct_control, ph::saturated_direct_control, ph::velocity_direct_control,
-                          ph::no_direct_control, ph::on_off_control, ph::bang_bang_control,
-                          ph::coercive_force_approximation, ph::single_degree_of_freedom_control,
-                          ph::velocity_ratio_control>;
+                          ph::no_direct_control, ph::on_off_control>;
 PASSIVE_HAPTICS_PYTHON_BATCHES_ELSEWHERE(ph::tendon_two_link<double>);
 
 void bind_tendon_two_link(py::module_& module) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/device_state.hpp>
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 

@@ -32,9 +32,9 @@ struct sensorless_parameters {
 /// A brake at rest has sign 0 and may hold either way, as for any state without a hand force. Of all forces
 /// that the estimate allows, the law gets the one by which the hand does to brakes at rest what it last did
 /// to them: while a brake holds, the hand's force on it cannot be observed. Probes test the value that is
-/// kept. Laws that choose by which way a brake at rest is pushed (single_degree_of_freedom_control,
-/// velocity_ratio_control) do not get it. A law does not see that its brakes are probed: after a probe the
-/// command is higher than the law's, until the brakes make what the law counts on.
+/// kept. Laws that choose by which way a brake at rest is pushed do not get it. A law does not see that its
+/// brakes are probed: after a probe the command is higher than the law's, until the brakes make what the law
+/// counts on.
 ///
 /// A hand that presses without moving along sinks by its probes: 2 N by 0.1 to 0.3 mm/s if the rates are
 /// exact, and more with coarse encoders (docs/guide/control.md). In a corner each wall sinks so: there

@@ -3,8 +3,7 @@
 #include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
@@ -231,7 +230,6 @@ TYPED_TEST(absent_members, are_members_that_say_nothing_without_a_hand_force) {
   using blind = ph::sensorless_device_state<M>;
   const ph::unlimited_brakes none;
   expect_twins<M, ph::no_direct_control, blind>({}, one, none, unbounded<M>());
-  expect_twins<M, ph::coercive_force_approximation, blind>({}, one, none, unbounded<M>());
   expect_twins<M, ph::on_off_control, blind>({}, one, none, unbounded<M>());
 }
 

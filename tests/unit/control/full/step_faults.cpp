@@ -2,10 +2,7 @@
 #include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws/rivals/coercive_force_approximation.hpp>
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
-#include <passive_haptics/control/laws/rivals/single_degree_of_freedom_control.hpp>
-#include <passive_haptics/control/laws/rivals/velocity_ratio_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
@@ -91,9 +88,8 @@ void expect_faults() {
 
 template <class L>
 struct a_step_under : ::testing::Test {};
-using laws = ::testing::Types<ph::no_direct_control, ph::direct_control, ph::coercive_force_approximation,
-                              ph::single_degree_of_freedom_control, ph::velocity_ratio_control,
-                              ph::on_off_control, ph::velocity_direct_control>;
+using laws = ::testing::Types<ph::no_direct_control, ph::direct_control, ph::on_off_control,
+                              ph::velocity_direct_control>;
 TYPED_TEST_SUITE(a_step_under, laws);
 
 TYPED_TEST(a_step_under, names_every_number_that_is_none_in_state_and_contacts) {

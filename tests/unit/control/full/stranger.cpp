@@ -118,7 +118,7 @@ TEST(functions_of_a_users_namespace, change_no_torque_law) {
 #define OF(space) CAPACITIES(space, arm, space::room(), ph::on_off_control())
   OF_BOTH(OF);
 #undef OF
-#define OF(space) CAPACITIES(space, redundant_arm, space::room(), ph::single_degree_of_freedom_control())
+#define OF(space) CAPACITIES(space, redundant_arm, space::room(), ph::on_off_control())
   OF_BOTH(OF);
 #undef OF
 }

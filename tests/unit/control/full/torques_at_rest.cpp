@@ -1,6 +1,6 @@
 // What exact torques on brakes at rest change along a wall: a loop with them beside one with the static rule.
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/sensorless/torques_at_rest.hpp>

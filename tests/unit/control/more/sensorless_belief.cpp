@@ -1,7 +1,7 @@
 // Which hand force a law is told of where no sensor tells it, and what is forgotten with the motion.
 #include "../../support.hpp"
 
-#include <passive_haptics/control/laws/rivals/on_off_control.hpp>
+#include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

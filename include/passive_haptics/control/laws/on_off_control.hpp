@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/laws/contact_memory.hpp>
-#include <passive_haptics/control/laws/rivals/touch_margin.hpp>
+#include <passive_haptics/control/laws/touch_margin.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 #include <passive_haptics/core/parameters.hpp>
 
@@ -43,10 +43,11 @@ struct on_off_parameters {
 ///
 /// Reference: the switching line in the plane of error and rate, Tsypkin, Relay control systems, Cambridge
 /// University Press, 1984. Brakes that are on or off, with a hysteresis and without a force sensor, lead a
-/// walker along a path in Andreetto, Divan, Fontanelli, Palopoli, 2016 (bang_bang_control is that law): for
-/// small angles sigma / (tau |v|) is the error of its slope, with an approach length of tau |v|. Assumed:
-/// here the depth is judged a time ahead and not a length, so that the brakes' lag is met at any speed; a
-/// wall lets a hand leave, so there is no turn into it; the approximated force for a locked brake.
+/// walker along a path in Andreetto, Divan, Fontanelli, Palopoli, Passive robotic walker path following with
+/// bang-bang hybrid control paradigm, IEEE/RSJ Int. Conf. on Intelligent Robots and Systems, 2016: for small
+/// angles sigma / (tau |v|) is the error of its slope, with an approach length of tau |v|. Assumed: here the
+/// depth is judged a time ahead and not a length, so that the brakes' lag is met at any speed; a wall lets a
+/// hand leave, so there is no turn into it; the approximated force for a locked brake.
 struct on_off_control {
   static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
   static constexpr bool needs_sensed_at = true;   ///< Carries a held contact on to where the handle is.
