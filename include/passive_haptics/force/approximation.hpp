@@ -153,8 +153,19 @@ struct vectors_of_brakes {
 
 }  // namespace detail
 
-/// Fc for two brakes in the plane: one that would drive is released, the other alone makes Fc along its
-/// reference force R (Fig. 3), at right angles to the released one's column of E: Fc = R / (R . n).
+/// Fc for two brakes in the plane (Fig. 3): a brake that would drive is released, the other one makes Fc
+/// along its reference force R, at right angles to the released one's column of E. In scalars:
+///
+///     t_1 = e_1 . n,  t_2 = e_2 . n                             columns e_1, e_2 of E
+///     if s_1 t_1 <= 0 and s_2 t_2 <= 0:                         exact, Fc = n
+///     for (i, j) = (1, 2) and (2, 1):
+///       if s_j t_j > 0:                                         j would drive
+///         R = (-e_j,y, e_j,x)                                   reference force of i
+///         t_i = e_i . R / (R . n),  t_j = 0
+///         if s_i t_i <= 0 and |R . n| >= min_cosine |R|:        approximate, Fc = R / (R . n)
+///     otherwise:                                                none, Fc = 0
+///
+/// The code does this for both brakes at a time and without a branch, as the signs are as random as motion.
 template <class T, class Off = all_brakes_on>
 approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T, 2>& s,
                                         const vector<T, 2>& n, T min_cosine, half_space_start&,

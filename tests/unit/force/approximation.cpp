@@ -4,6 +4,7 @@
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include <cmath>
 #include <limits>
@@ -68,6 +69,65 @@ TEST(approximation, of_two_brakes_is_the_nearest_force_made_longer) {
     const double min_cosine = k % 2 == 0 ? 0.02 : 0.7;
     expect_nearest_scaled(E, s, n, min_cosine);
     expect_nearest_scaled(ph::diagonal_matrix<double, 2>(E(0, 0), E(1, 1)), s, n, min_cosine);
+  }
+}
+
+// Fig. 3 in scalars, as the header prints it. off: 1 for a brake that makes no torque.
+ph::approximated_force<double, 2, 2> by_figure_3(const ph::matrix<double, 2, 2>& E, const force& s,
+                                                 const force& n, double min_cosine, const force& off) {
+  const force t = E.transpose() * n;
+  const auto cannot = [&](int i) { return s[i] * t[i] > 0 || (off[i] > 0 && t[i] != 0); };
+  if (!cannot(0) && !cannot(1)) return {ph::display_class::exact, n, t, 1};
+  for (const int i : {0, 1}) {
+    const int j = 1 - i;
+    if (!cannot(j) || off[i] > 0) continue;
+    const force R(-E(1, j), E(0, j));
+    const double along = R.dot(n), t_i = E.col(i).dot(R) / along;
+    if (s[i] * t_i <= 0 && std::abs(along) >= min_cosine * R.norm())
+      return {ph::display_class::approximate, R / along, t_i * force::Unit(i),
+              along * along / R.squaredNorm()};
+  }
+  return {};
+}
+
+// Approximations of all signs, with brakes on and off, are those of Fig. 3; the largest angle is acos(0.3).
+void expect_figure_3(const ph::matrix<double, 2, 2>& E, const force& n) {
+  SCOPED_TRACE(::testing::Message() << "E =\n" << E << "\nn = " << n.transpose());
+  for (int k = 0; k < 36; ++k) {
+    SCOPED_TRACE(k);
+    const force s(k % 3 - 1, k / 3 % 3 - 1), off(k / 9 % 2, k / 18);
+    ph::half_space_start start;
+    const auto wanted = by_figure_3(E, s, n, 0.3, off);
+    const auto expect_wanted = [&](const ph::approximated_force<double, 2, 2>& F) {
+      ASSERT_EQ(F.display, wanted.display);
+      EXPECT_LE((F.force - wanted.force).norm(), 1e-15 * wanted.force.norm());
+      EXPECT_LE((F.torque - wanted.torque).norm(), 1e-14 * E.norm() * wanted.force.norm());
+      EXPECT_NEAR(F.cosine_squared, wanted.cosine_squared, 1e-15);
+    };
+    expect_wanted(ph::approximate(E, s, n, 0.3, start, off));
+    if (off.isZero(0)) expect_wanted(ph::approximate(E, s, n, 0.3));
+    // In singular poses a diagonal E also displays what needs no torque of brakes that are off
+    if (E(0, 1) == 0 && E(1, 0) == 0 && (off.isZero(0) || E.determinant() != 0))
+      expect_wanted(ph::approximate(ph::diagonal_matrix<double, 2>(E(0, 0), E(1, 1)), s, n, 0.3, start, off));
+  }
+}
+
+TEST(approximation, of_two_brakes_is_that_of_figure_3) {
+  ph::testing::random_source random(3);
+  for (int k = 0; k < 1000; ++k) {
+    ph::matrix<double, 2, 2> E;
+    for (double& x : E.reshaped()) x = random.normal<double>();
+    expect_figure_3(E, random.direction<double, 2>());
+  }
+}
+
+// Small whole numbers give columns that are 0, parallel, opposed and at right angles to the force.
+TEST(approximation, of_two_brakes_at_the_edges_is_that_of_figure_3) {
+  for (int k = 0; k < 5 * 5 * 5 * 5; ++k) {
+    const double unit = k % 3 == 0 ? 1 : (k % 3 == 1 ? 1e-50 : 1e50);
+    const ph::matrix<double, 2, 2> E{{k % 5 - 2.0, k / 5 % 5 - 2.0}, {k / 25 % 5 - 2.0, k / 125 - 2.0}};
+    for (const force& n : {force(1, 0), force(-1, 0), force(0, 1), force(0.6, 0.8), force(-0.6, 0.8)})
+      expect_figure_3(unit * E, n);
   }
 }
 

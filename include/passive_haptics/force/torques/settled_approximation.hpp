@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 
 namespace passive_haptics {
 
@@ -112,13 +111,12 @@ class settled_forces {
   settled_shortfall<T> shortfall_of(
       brake_set S, const rate_map& W, const vector<T, m>& signs,
       const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands, int count) const {
-    return with_generators(S, W, signs, [&](const auto& G, const auto& s) {
-      constexpr int brakes = std::remove_cvref_t<decltype(s)>::SizeAtCompileTime;
-      auto box =
-          torques_within<T, brakes>(s, vector<T, brakes>::Constant(std::numeric_limits<T>::infinity()));
-      for (int i = 0; i < brakes; ++i)
-        if (G.col(i).isZero(T(0))) box.lower[i] = box.upper[i] = T(0);
-      const auto met = contact_forces<T, d, brakes, Capacity>({G}, box, demands, count);
+    return visit_active(S, W, signs, [&]<int Brakes>(const active_brakes<Brakes>& active) {
+      auto box = torques_within<T, Brakes>(active.s,
+                                           vector<T, Brakes>::Constant(std::numeric_limits<T>::infinity()));
+      for (int k = 0; k < Brakes; ++k)
+        if (active.G.col(k).isZero(T(0))) box.lower[k] = box.upper[k] = T(0);
+      const auto met = contact_forces<T, d, Brakes, Capacity>({active.G}, box, demands, count);
       if constexpr (has_intervals)
         if (must_hold_otherwise(S, signs, met.force)) {
           const auto all = contact_forces<T, d, m, Capacity>(
@@ -135,6 +133,21 @@ class settled_forces {
     vector<T, m> signs = vector<T, m>::Zero();
     T cosine = T(0);             // 0 where nothing is displayed, 1 where n is
     bool is_restricted = false;  // by one-way brakes of S
+  };
+
+  // The brakes that turn and their forces F = G t, G = W_S^T
+  template <int Brakes>
+  struct active_brakes {
+    matrix<T, d, Brakes> G;                                    // 0 for one that is off
+    vector<T, Brakes> s;                                       // their signs
+    std::array<int, static_cast<std::size_t>(Brakes)> number;  // which they are
+
+    // t of these, 0 for the others
+    vector<T, m> of_all(const vector<T, Brakes>& t) const {
+      vector<T, m> all = vector<T, m>::Zero();
+      for (int k = 0; k < Brakes; ++k) all[number[std::size_t(k)]] = t[k];
+      return all;
+    }
   };
 
   // Whether a one-way brake of S would have to hold F the other way, beyond rounding
@@ -155,8 +168,8 @@ class settled_forces {
   void weigh(const vector<T, d>& n, T least, candidate& c) const {
     c.signs = signs_of(c.W);
     const vector<T, d> structure = rates_.held_by_structure(n), rest = n - structure;
-    vector<T, d> Fp = structure + with_generators(c.S, c.W, c.signs, [&](const auto& G, const auto& s) {
-                        return nearest_point(G, s, rest);
+    vector<T, d> Fp = structure + visit_active(c.S, c.W, c.signs, [&](const auto& active) {
+                        return nearest_point(active, rest);
                       });
     if constexpr (has_intervals) {
       c.is_restricted = must_hold_otherwise(c.S, c.signs, Fp);
@@ -167,49 +180,38 @@ class settled_forces {
     c.cosine = exact ? T(1) : cosine >= least ? std::min(cosine, T(1) - rounding_tolerance<T>(1)) : T(0);
   }
 
-  // F = W_S^T t: visit(G, s) of the brakes that turn, m - r as a rule; 0 for one that is off
+  // visit(active) of the brakes that turn, m - r as a rule, else all
   template <class Visit>
-  auto with_generators(brake_set S, const rate_map& W, const vector<T, m>& signs, const Visit& visit) const {
-    if constexpr (has_intervals) {
-      const vector<T, m> off = brakes_off(signs, brakes_);
-      const rate_map on = (vector<T, m>::Ones() - off).asDiagonal() * W;
-      return with_all_on(S, on, vector<T, m>((off.array() > T(0)).select(T(1), signs)), visit);
-    } else {
-      return with_all_on(S, W, signs, visit);
-    }
-  }
-  template <class Visit>
-  static auto with_all_on(brake_set S, const rate_map& W, const vector<T, m>& signs, const Visit& visit) {
+  auto visit_active(brake_set S, const rate_map& W, const vector<T, m>& signs, const Visit& visit) const {
     constexpr int moving = m - r;
-    if constexpr (moving > 0) {
-      if (holds<r>(S)) {
-        matrix<T, d, moving> G;
-        vector<T, moving> s;
-        each_moving(S, [&](int i, int k) {
-          G.col(k) = W.row(i).transpose();
-          s[k] = signs[i];
-        });
-        return visit(G, s);
-      }
-    }
-    return visit(transposed(W), signs);
+    if constexpr (moving > 0)
+      if (holds<r>(S)) return visit(active_of<moving>(S, W, signs));
+    return visit(active_of<m>(0, W, signs));
   }
-
-  template <class Visit>
-  static void each_moving(brake_set S, const Visit& visit) {
-    for (int i = 0, k = 0; i < m; ++i)
-      if (!contains(S, i)) visit(i, k++);
+  template <int Brakes>
+  active_brakes<Brakes> active_of(brake_set at_rest, const rate_map& W, const vector<T, m>& signs) const {
+    const auto off = brakes_off(signs, brakes_);
+    active_brakes<Brakes> active;
+    for (int i = 0, k = 0; i < m; ++i) {
+      if (contains(at_rest, i)) continue;
+      const bool is_off = detail::is_off(off, i);
+      active.G.col(k) = W.row(i).transpose();
+      active.s[k] = is_off ? T(1) : signs[i];
+      if (is_off) active.G.col(k).setZero();
+      active.number[std::size_t(k++)] = i;
+    }
+    return active;
   }
 
   // The point of nearest_torque without its torques, where that is less work
   template <int Brakes>
-  static vector<T, d> nearest_point(const matrix<T, d, Brakes>& G, const vector<T, Brakes>& s,
-                                    const vector<T, d>& n) {
+  static vector<T, d> nearest_point(const active_brakes<Brakes>& active, const vector<T, d>& n) {
     constexpr T max_square = sizeof(T) > sizeof(float) ? T(1e60) : T(1e15);
+    const auto& G = active.G;
     const T square = G.squaredNorm();
-    if (s.prod() == T(0) || !(square < max_square && square > T(1) / max_square))
-      return nearest_torque(G, s, n).force;
-    return detail::face_of(matrix<T, d, Brakes>(G * vector<T, Brakes>(-s).asDiagonal()), n).point;
+    if (active.s.prod() == T(0) || !(square < max_square && square > T(1) / max_square))
+      return nearest_torque(G, active.s, n).force;
+    return detail::face_of(matrix<T, d, Brakes>(G * vector<T, Brakes>(-active.s).asDiagonal()), n).point;
   }
 
   // Fc = Fp / |Fp|^2 and t = E^T Fc. Where rounding left a brake a torque that it should not or cannot have,
@@ -220,19 +222,17 @@ class settled_forces {
     if (!(c.cosine > T(0))) return F;
     const vector<T, d> structure = rates_.held_by_structure(n), rest = n - structure;
     vector<T, m> pushes = vector<T, m>::Zero();
-    const auto nearest = [&](const auto& G, const auto& s) {
-      const auto found = nearest_torque(G, s, rest);
-      if constexpr (std::remove_cvref_t<decltype(s)>::SizeAtCompileTime == m) pushes = found.torque;
-      else each_moving(c.S, [&](int i, int k) { pushes[i] = found.torque[k]; });
-      return found.force;
-    };
     vector<T, d> Fp = structure;
     if (has_intervals && c.is_restricted) {
       const auto found = nearest_restricted(c, rest);
       pushes = found.torque;
       Fp += found.force;
     } else {
-      Fp += with_generators(c.S, c.W, c.signs, nearest);
+      Fp += visit_active(c.S, c.W, c.signs, [&](const auto& active) {
+        const auto found = nearest_torque(active.G, active.s, rest);
+        pushes = active.of_all(found.torque);
+        return found.force;
+      });
     }
     const bool exact = c.cosine == T(1);
     const T square = exact ? T(1) : Fp.squaredNorm();

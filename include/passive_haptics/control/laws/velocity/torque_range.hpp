@@ -73,17 +73,14 @@ T within_interval(T strength, [[maybe_unused]] const B& brakes, [[maybe_unused]]
   }
 }
 
-/// The reach of all brakes. w: their rates once the handle keeps its depth. The signs are taken from w, not
-/// from the rates now, which may be those of a landing. A brake at rest contributes at most twice its holding
-/// torque, and nothing if that torque has the wrong sign.
-///
-/// g: of the wall where there is one alone; a brake whose rate now pushes the handle out of it is taken so
-/// even if that will not last. Null for several walls, where the rates now decide the signs of brakes
-/// that turn.
+/// The ranges of all brakes for one wall with this g. w: their rates once the handle keeps its depth. The
+/// signs are taken from w, not from the rates now, which may be those of a landing; but a brake whose rate
+/// now pushes the handle out of the wall is taken so even if that will not last. A brake at rest contributes
+/// at most twice its holding torque, and nothing if that torque has the wrong sign.
 template <class M, class Device>
 torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
     const Device& device, const pose_dynamics<M>& dynamics, const brake_vector<M>& w,
-    const brake_vector<M>* g, const brake_lag_model& model, double horizon) {
+    const brake_vector<M>& g, const brake_lag_model& model, double horizon) {
   using T = typename M::scalar;
   constexpr int m = M::brake_count;
   constexpr T max_held(2);  // of what holds a brake at rest, by a sensor and inertia that are off
@@ -103,15 +100,10 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
     holding =
         passive_haptics::holding_torques(dynamics, device.hand_force, range.at_rest, made, strength, range.A);
   unrolled<m>([&](auto i) {
-    const T band = rate_dead_band_of<T>(device.brakes, i);
-    const bool turns = g == nullptr && !range.at_rest[i];
-    const T rate = turns ? dynamics.rates[i] : (g != nullptr && slips(w[i], band) ? w[i] : -holding[i]);
+    const T rate = slips(w[i], rate_dead_band_of<T>(device.brakes, i)) ? w[i] : -holding[i];
     range.sign[i] = rate > T(0) ? T(-1) : T(1);
-    range.sign_is_lasting[i] = true;
-    if (g != nullptr && range.sign[i] * (*g)[i] <= T(0) && dynamics.rates[i] * (*g)[i] < T(0)) {
-      range.sign[i] = -range.sign[i];
-      range.sign_is_lasting[i] = false;
-    }
+    range.sign_is_lasting[i] = !(range.sign[i] * g[i] <= T(0) && dynamics.rates[i] * g[i] < T(0));
+    if (!range.sign_is_lasting[i]) range.sign[i] = -range.sign[i];
     range.smallest[i] =
         within_interval(strength[i], device.brakes, i, false, range.sign[i]) * (T(1) - range.lag_share[i]);
     range.largest[i] = passive_haptics::torque_bound_of<T>(device.brakes, i, range.sign[i]);
@@ -125,6 +117,16 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
     range.largest[i] = std::max(range.smallest[i], range.largest[i]);
   });
   return range;
+}
+
+/// The same for several walls, where the rates now decide the signs of brakes that turn.
+template <class M, class Device>
+torque_range<typename M::scalar, M::brake_count> torque_ranges_of(const Device& device,
+                                                                  const pose_dynamics<M>& dynamics,
+                                                                  const brake_lag_model& model,
+                                                                  double horizon) {
+  const brake_vector<M> no_landing = brake_vector<M>::Zero();
+  return passive_haptics::torque_ranges_of(device, dynamics, dynamics.rates, no_landing, model, horizon);
 }
 
 }  // namespace passive_haptics

@@ -120,41 +120,14 @@ class velocity_direct_control {
       walls[std::size_t(j)] = passive_haptics::demand_of(touched[j], device, dynamics, Fh, dt, moved,
                                                          remembered.walls[j], p_, lag);
     const int count = touched.size();
-    [[maybe_unused]] const auto stopping = [&](const weighted_motion<M>& motion) {
-      return stop(device, dynamics, motion, remembered);
-    };
     if constexpr (Capacity > 1)
       if (count > 1) {
         const weighted_motion<M> motion(dynamics, qd, device.hand_force);
-        if (passive_haptics::is_cornered(dynamics, motion, walls, count, lag)) return stopping(motion);
+        if (passive_haptics::is_cornered(dynamics, motion, walls, count, lag))
+          return stop(device, dynamics, motion, remembered);
       }
-    // One wall decides by itself; of several those that demand a force
-    const int demanding = count == 1 ? 1 : passive_haptics::demanding_first(walls, count);
-    if constexpr (Settles<M>) {
-      const auto found = passive_haptics::settled_torques_for<M>(
-          device, dynamics, walls, count, demanding, static_cast<T>(p_.force_share), remembered.start);
-      for (auto j = std::size_t(0); j < std::size_t(count); ++j) {
-        const bool demands = j < std::size_t(demanding);
-        walls[j].learn(found.made[j], demands ? found.largest[j] : std::numeric_limits<T>::infinity(),
-                       found.sticks, dt, p_);
-      }
-      return passive_haptics::torques_to_command(
-          device, found.capacity, passive_haptics::lag_shares(device.brakes, p_.horizon), remembered.brakes);
-    }
-    const brake_vector<M> w = passive_haptics::landing_rates(walls, demanding, dynamics);
-    const bool alone = demanding == 1;
-    const auto brakes = passive_haptics::torque_ranges_of(
-        device, dynamics, w, alone ? &walls[0].along.g : nullptr, remembered.brakes, p_.horizon);
-    const auto u = form_of<M>::units(brake_vector<M>(-brakes.sign), device.brakes);
-    brake_vector<M> t = least_power_torques(walls, demanding, brakes, w, u);
-    for (int j = 0; j < count; ++j) learn(walls[std::size_t(j)], brakes, t, dt);
-    if constexpr (Capacity > 1)
-      if (count > 1 && passive_haptics::enters_undisplayed(walls, count, brakes, t))
-        return stopping(weighted_motion<M>(dynamics, qd, device.hand_force));
-    const bool sinks = alone && walls[0].speed_error > T(0);
-    for (int i = 0; i < m; ++i)
-      if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
-    return passive_haptics::torques_to_command(device, t, brakes.lag_share, remembered.brakes);
+    if constexpr (Settles<M>) return settled_torque(device, dynamics, walls, count, dt, remembered);
+    else return least_power_torque(device, dynamics, qd, walls, count, dt, remembered);
   }
 
   /// Free space or a fault: the walls are forgotten.
@@ -165,6 +138,50 @@ class velocity_direct_control {
   }
 
  private:
+  // n > d: torques by the signs of brakes that have settled
+  template <class M, class Device, class Wall, std::size_t Capacity>
+  brake_vector<M> settled_torque(const Device& device, const pose_dynamics<M>& dynamics,
+                                 std::array<Wall, Capacity>& walls, int count, double dt,
+                                 memory& remembered) const {
+    using T = typename M::scalar;
+    const int demanding = passive_haptics::demanding_first(walls, count);
+    const auto found = passive_haptics::settled_torques_for<M>(
+        device, dynamics, walls, count, demanding, static_cast<T>(p_.force_share), remembered.start);
+    for (auto j = std::size_t(0); j < std::size_t(count); ++j) {
+      const bool demands = j < std::size_t(demanding);
+      walls[j].learn(found.made[j], demands ? found.largest[j] : std::numeric_limits<T>::infinity(),
+                     found.sticks, dt, p_);
+    }
+    return passive_haptics::torques_to_command(
+        device, found.capacity, passive_haptics::lag_shares(device.brakes, p_.horizon), remembered.brakes);
+  }
+
+  // n = d: torques of least power
+  template <class M, class Device, class Wall, std::size_t Capacity>
+  brake_vector<M> least_power_torque(const Device& device, const pose_dynamics<M>& dynamics,
+                                     const joint_vector<M>& qd, std::array<Wall, Capacity>& walls, int count,
+                                     double dt, memory& remembered) const {
+    using T = typename M::scalar;
+    constexpr int m = M::brake_count;
+    const int demanding = passive_haptics::demanding_first(walls, count);
+    const brake_vector<M> w = passive_haptics::landing_rates(walls, demanding, dynamics);
+    const bool alone = demanding == 1;
+    const auto brakes =
+        alone ? passive_haptics::torque_ranges_of(device, dynamics, w, walls[0].along.g, remembered.brakes,
+                                                  p_.horizon)
+              : passive_haptics::torque_ranges_of(device, dynamics, remembered.brakes, p_.horizon);
+    const auto u = form_of<M>::units(brake_vector<M>(-brakes.sign), device.brakes);
+    brake_vector<M> t = least_power_torques(walls, demanding, brakes, w, u);
+    for (int j = 0; j < count; ++j) learn(walls[std::size_t(j)], brakes, t, dt);
+    if constexpr (Capacity > 1)
+      if (count > 1 && passive_haptics::enters_undisplayed(walls, count, brakes, t))
+        return stop(device, dynamics, weighted_motion<M>(dynamics, qd, device.hand_force), remembered);
+    const bool sinks = alone && walls[0].speed_error > T(0);
+    for (int i = 0; i < m; ++i)
+      if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
+    return passive_haptics::torques_to_command(device, t, brakes.lag_share, remembered.brakes);
+  }
+
   // Low-passed joint rates [rad/s or m/s]
   template <class M>
   joint_vector<M> smooth_rates(const joint_vector<M>& qd, double dt, memory& remembered) const {

@@ -62,9 +62,10 @@ wall_demand<T, D, M::brake_count> demand_of(const contact<D>& sensed, const Devi
   return {along, speed_error, static_cast<T>(-outward), damping, feedforward, force, &state};
 }
 
-/// Brings walls that demand a force to the front; the number of these.
+/// Brings walls that demand a force to the front; the number of these. One wall decides by itself.
 template <class Wall, std::size_t Capacity>
 int demanding_first(std::array<Wall, Capacity>& walls, int count) {
+  if (count == 1) return 1;
   const auto end =
       std::partition(walls.begin(), walls.begin() + count, [](const Wall& wall) { return wall.force > 0; });
   return static_cast<int>(end - walls.begin());
