@@ -2,101 +2,108 @@
 #
 #     sed -E -i -f docs/renamed.sed my_program.cpp
 #
-# Where a header stands
-s#\bcontrol/extensions/rate_limited_brakes\.hpp#brake/models/rate_limited_brakes.hpp#g
-s#\bbrake/measurement/encoder_axes\.hpp#brake/models/encoder_axes.hpp#g
-s#\bbrake/models/any_brake\.hpp#plant/brakes/any_brake.hpp#g
-s#\bbrake/models/compensated_brake\.hpp#plant/brakes/compensated_brake.hpp#g
-s#\bbrake/models/coulomb_brake\.hpp#plant/brakes/coulomb_brake.hpp#g
-s#\bbrake/models/delayed_brake\.hpp#plant/brakes/delayed_brake.hpp#g
-s#\bbrake/models/eddy_current_brake\.hpp#plant/brakes/eddy_current_brake.hpp#g
-s#\bbrake/models/magnetorheological_brake\.hpp#plant/brakes/magnetorheological_brake.hpp#g
-s#\bbrake/models/stribeck_brake\.hpp#plant/brakes/stribeck_brake.hpp#g
-s#\bbrake/models/first_order_lag\.hpp#core/scalar/first_order_lag.hpp#g
-s#\bcore/unrolled\.hpp#core/flatten.hpp#g
-s#\bcore/linear/orthogonalisation\.hpp#core/linear/orthogonal_decomposition.hpp#g
-s#\bscene/mesh/proxy\.hpp#scene/proxy/proxy_way.hpp#g
-s#\bscene/mesh/proxy_contacts\.hpp#scene/proxy/proxy_contacts.hpp#g
-s#\bcontact_not_finite\b#contact_invalid#g
-s#\bcontrol/effects/walls_and_effects\.hpp#control/ways/walls_and_effects.hpp#g
-s#\bcontrol/effects/with_effects\.hpp#control/ways/with_effects.hpp#g
-s#\bcontrol/laws/bang_bang_control\.hpp#control/laws/rivals/bang_bang_control.hpp#g
-s#\bcontrol/laws/coercive_force_approximation\.hpp#control/laws/rivals/coercive_force_approximation.hpp#g
-s#\bcontrol/laws/intended_rates\.hpp#control/laws/rivals/intended_rates.hpp#g
-s#\bcontrol/laws/on_off_control\.hpp#control/laws/rivals/on_off_control.hpp#g
-s#\bcontrol/laws/single_degree_of_freedom_control\.hpp#control/laws/rivals/single_degree_of_freedom_control.hpp#g
-s#\bcontrol/laws/velocity_ratio_control\.hpp#control/laws/rivals/velocity_ratio_control.hpp#g
-s#\bcontrol/laws/brake_lag\.hpp#control/laws/velocity/brake_lag.hpp#g
-s#\bcontrol/laws/velocity_direct_control\.hpp#control/laws/velocity/velocity_direct_control.hpp#g
-s#\bcontrol/laws/velocity_direct_control_parameters\.hpp#control/laws/velocity/velocity_direct_control_parameters.hpp#g
-s#\bcontrol/normal_force/acceleration_display\.hpp#control/laws/velocity/acceleration_display.hpp#g
-s#\bcontrol/normal_force/brake_reach\.hpp#control/laws/velocity/torque_range.hpp#g
-s#\bcontrol/normal_force/least_power\.hpp#control/laws/velocity/least_power.hpp#g
-s#\bcontrol/normal_force/braked_wall_at\.hpp#design/braked_wall_at.hpp#g
-s#\bcontrol/normal_force/wall_limits\.hpp#design/wall_limits.hpp#g
-s#\bcontrol/extensions/plausibility\.hpp#design/plausibility.hpp#g
+# The same file serves programs in Python and configurations of brake_driver.
+#
+# Headers
 s#\bbrake/drawing/fme_boundary\.hpp#design/fme_boundary.hpp#g
-s#\bforce/display/displayable\.hpp#design/displayable.hpp#g
-s#\bforce/display/undisplayable_share\.hpp#design/undisplayable_share.hpp#g
-s#\bdriver/identification/bench_run\.hpp#bench/bench_run.hpp#g
-s#\bdriver/identification/bench_sample\.hpp#bench/bench_sample.hpp#g
-s#\bdriver/identification/current_ramp\.hpp#bench/current_ramp.hpp#g
-s#\bdriver/identification/curve_fit\.hpp#bench/curve_fit.hpp#g
-s#\bdriver/identification/magnetorheological_loop\.hpp#bench/magnetorheological_loop.hpp#g
-s#\bdriver/identification/rate_sweep\.hpp#bench/rate_sweep.hpp#g
-s#\bdriver/identification/step_response\.hpp#bench/step_response.hpp#g
-s#\binterop/files/file_bytes\.hpp#scene/files/file_bytes.hpp#g
-s#\binterop/files/file_kind\.hpp#scene/files/file_kind.hpp#g
-s#\binterop/files/mesh_source\.hpp#scene/files/mesh_source.hpp#g
-s#\binterop/files/obj\.hpp#scene/files/obj.hpp#g
-s#\binterop/files/ply\.hpp#scene/files/ply.hpp#g
-s#\binterop/files/ply_header\.hpp#scene/files/ply_header.hpp#g
-s#\binterop/files/polygons\.hpp#scene/files/polygons.hpp#g
-s#\binterop/files/stl\.hpp#scene/files/stl.hpp#g
-s#\bcore/generators/column_subset\.hpp#core/linear/column_subset.hpp#g
-s#\bcore/generators/generated_cone\.hpp#core/linear/generated_cone.hpp#g
-s#\bcore/generators/least_distance\.hpp#core/linear/least_distance.hpp#g
-s#\bcore/generators/least_norm\.hpp#core/linear/least_norm.hpp#g
-s#\bcore/priorities/elimination\.hpp#core/linear/elimination.hpp#g
-s#\bcore/priorities/least_squares_by_priority\.hpp#core/linear/least_squares_by_priority.hpp#g
-s#\bcore/priorities/prioritised_least_squares\.hpp#core/linear/prioritised_least_squares.hpp#g
-s#\bscene/shapes/room\.hpp#scene/shapes/walls_of.hpp#g
+s#\bbrake/measurement/encoder_axes\.hpp#brake/models/encoder_axes.hpp#g
+s#\bbrake/models/(any|compensated|coulomb|delayed|eddy_current|magnetorheological|stribeck)_brake\.hpp#plant/brakes/\1_brake.hpp#g
+s#\bbrake/models/first_order_lag\.hpp#core/scalar/first_order_lag.hpp#g
 s#\bcontrol/account\.hpp#control/cycle_result.hpp#g
 s#\bcontrol/stages\.hpp#control/cycle_inputs.hpp#g
-s#\bcontrol/effects/effect_stages\.hpp#control/ways/beside_effects.hpp#g
-s#\bcontrol/extensions/force_map\.hpp#force/torques/force_map.hpp#g
-s#\bcontrol/extensions/generator_form\.hpp#control/ways/generator_form.hpp#g
-s#\bcontrol/extensions/several_contacts\.hpp#control/ways/several_walls.hpp#g
-s#\bcontrol/laws/torque_law\.hpp#control/ways/torque_law.hpp#g
+s#\bcontrol/effects/effect_stages\.hpp#control/pipelines/beside_effects.hpp#g
+s#\bcontrol/effects/(walls_and_effects|with_effects)\.hpp#control/pipelines/\1.hpp#g
+s#\bcontrol/extensions/several_contacts\.hpp#control/pipelines/several_walls.hpp#g
+s#\bcontrol/laws/torque_law\.hpp#control/pipelines/torque_law.hpp#g
+s#\bcontrol/extensions/(force_map|generator_form)\.hpp#force/forms/form_of.hpp#g
+s#\bforce/torques/(force_map|generator_form)\.hpp#force/forms/form_of.hpp#g
+s#\bcontrol/ways/(free_joints|generator|settled)_form\.hpp#force/forms/form_of.hpp#g
+s#\bcontrol/ways/#control/pipelines/#g
+s#\bcontrol/way\.hpp#control/pipeline.hpp#g
+s#\bcontrol/extensions/rate_limited_brakes\.hpp#brake/models/rate_limited_brakes.hpp#g
+s#\bcontrol/extensions/plausibility\.hpp#design/plausibility.hpp#g
+s#\bcontrol/laws/rivals/(on_off_control|touch_margin)\.hpp#control/laws/\1.hpp#g
+s#\bcontrol/laws/(brake_lag|velocity_direct_control|velocity_direct_control_parameters)\.hpp#control/laws/velocity/\1.hpp#g
+s#\bcontrol/normal_force/acceleration_display\.hpp#control/laws/velocity/acceleration_display.hpp#g
+s#\bcontrol/normal_force/brake_reach\.hpp#control/laws/velocity/torque_range.hpp#g
+s#\bcontrol/(normal_force|laws/velocity)/least_power\.hpp#control/laws/velocity/min_power.hpp#g
+s#\bcontrol/normal_force/(braked_wall_at|wall_limits)\.hpp#design/\1.hpp#g
+s#\bcore/generators/(column_subset|generated_cone|least_distance|least_norm)\.hpp#core/linear/\1.hpp#g
+s#\bcore/priorities/(elimination|least_squares_by_priority|prioritised_least_squares)\.hpp#core/linear/\1.hpp#g
+s#\bcore/linear/orthogonalisation\.hpp#core/linear/orthogonal_decomposition.hpp#g
+s#\bcore/linear/sine_cosine\.hpp#core/scalar/sine_cosine.hpp#g
+s#\bcore/difference_of_products\.hpp#core/scalar/difference_of_products.hpp#g
 s#\bcore/scalar/bit_cast\.hpp#core/arithmetic.hpp#g
+s#\bcore/unrolled\.hpp#core/flatten.hpp#g
+s#\bdesign/largest_resistance\.hpp#design/max_resistance.hpp#g
+s#\bdesign/least_motor_share\.hpp#design/min_motor_share.hpp#g
+s#\bdriver/identification/#bench/#g
+s#\bforce/display/(displayable|undisplayable_share)\.hpp#design/\1.hpp#g
+s#\binterop/files/#scene/files/#g
 s#\bmechanism/models/(joint_solution|two_link_inverse)\.hpp#mechanism/models/inverse_kinematics.hpp#g
+s#\bscene/mesh/proxy_contacts\.hpp#scene/proxy/proxy_contacts.hpp#g
+s#\bscene/(mesh/proxy|proxy/proxy_way)\.hpp#scene/proxy/proxy_path.hpp#g
+s#\bscene/shapes/room\.hpp#scene/shapes/walls_of.hpp#g
 # Types and functions
-s/\bph::room\(/ph::walls_of(/g
 s/\bph::alone\(/ph::as_single(/g
-s/\bph::at_once\(/ph::releases_immediately(/g
-s/\bph::in_doubt\(/ph::invalidates_position(/g
 s/\bph::asks\(/ph::is_nonzero(/g
+s/\bph::at_once\(/ph::releases_immediately(/g
 s/\bph::choose\(/ph::select(/g
+s/\bph::force_of\b/ph::desired_force_of/g
+s/\bph::in_doubt\(/ph::invalidates_position(/g
 s/\bph::pose\(/ph::mechanism_pose(/g
-s/\bonly_contact\b/single_contact/g
+s/\bph::room\(/ph::walls_of(/g
+s/\b(const )?ph::scene ([a-z_]+)\(/const auto \2 = ph::scene(/g
+s/\b(const )?ph::scene ([a-z_]+)\{(.*)\};/const auto \2 = ph::scene(\3);/g
+s/\bbest_cosine\b/max_cosine/g
 s/\bbrake_reach</torque_range</g
-# Members
-s/\bheld_over\(\)/pending_fault()/g
-s/\blarge_over\(/suspicious_above(/g
+s/\bcontact_not_finite\b/contact_invalid/g
+s/\bfastest_time_constant\b/min_time_constant/g
 s/\bfor_each_large\b/for_each_suspicious/g
+s/\bleast_motor_share\b/min_motor_share/g
+s/\bleast_sink_slope\b/min_sink_slope/g
+s/\bonly_contact\b/single_contact/g
+s/\bproxy_way\b/proxy_path/g
+s/\bway_of</pipeline_of</g
+s/\bworst_release_time\b/max_release_time/g
+# Members
+s/\bdepth_max\b/max_depth/g
+s/\bdeepest_rest\b/max_rest_depth/g
+s/\bfastest_rise\b/max_rise_rate/g
 s/\bgives_way\b/nulls_normal_force/g
-s/\bmost_overruns\b/max_overruns/g
-s/\bmost_missed\b/max_missed/g
-s/static constexpr bool inertial_forces = false/static constexpr auto self_motion = ph::self_motion_form::kinetostatic/g
-s/static constexpr bool inertial_forces = true/static constexpr auto self_motion = ph::self_motion_form::inertial/g
-s/const char\* owner\b/const char* type_name/g
-# A contact's wall, its position and a report's first are words that other types have, too; the compiler finds them:
-# contact::wall, contact_report::wall, step_result::wall -> wall_number, contact::position -> sensed_at,
-# contact_report::first -> has_priority
+s/\b(greatest|largest)_current\b/max_current/g
+s/\bheld_over\(\)/pending_fault()/g
+s/\bhighest_temperature\b/max_temperature/g
+s/\blarge_over\(/suspicious_above(/g
+s/\blargest_(brake_power|rate|reading|start_depth)\b/max_\1/g
+s/\bleast_cosine\b/min_cosine/g
+s/\bleast_slenderness\b/min_slenderness/g
+s/\blongest_(bench_overtime|gap|period|sample_period|sleep|time_constant)\b/max_\1/g
+s/\blongest_look\b/max_look_time/g
+s/\bmost_(contacts|missed|overruns)\b/max_\1/g
+s/\bstrongest_nearest\b/max_approximated_force/g
+s/\bconst char\* owner\b/const char* type_name/g
+s/\.strongest\b/.max_force/g
+s/\.let_go\(/.release_immediately(/g
+s/\.largest\(\)/.maximum()/g
+s/\bcurrents\.largest\b/currents.max_current/g
+s/\bcurrents = \{\.largest\b/currents = {.max_current/g
+s/\bat_release\.longest\(\)/at_release.max_duration()/g
+# of wall_following_parameters
+s/\.longest( = |\b)/.max_duration\1/g
+s/\.deepest( = |\b)/.max_depth\1/g
+s/\bwall_following_parameters\(longest=/wall_following_parameters(max_duration=/g
+# of the tendon device
+s/\.arm\.(length_1|length_2|mass_1|mass_2|handle_mass|rotor_inertia_1|rotor_inertia_2)\b/.\1/g
+s/\{\.arm = \{([^{}]*)\}/{\1/g
 # Requirements of a type
 s#\bmechanism_requirements<([^<>]+)>::met#is_mechanism<\1, true>()#g
 s#\bbrake_requirements<([^<>]+)>::met#are_brakes<\1, true>()#g
 s#\bbrake_model_requirements<([^<>]+)>::met#is_brake_model<\1, true>()#g
 s#\bport_requirements<([^<>]+)>::met#is_port<\1, true>()#g
 s#\bsensor_requirements<([^<>]+)>::met#is_force_sensor<\1, true>()#g
-s#\bself_motion_requirements<([^<>]+)>::met#has_known_forces<\1, true>()#g
+# Some names are words that other types have, too. The compiler finds them:
+# - contact::wall, contact_report::wall, step_result::wall -> wall_number; contact::position -> sensed_at;
+#   contact_report::first -> has_priority
+# - restart() of rate estimators and calibrations -> reset()
+# - torque_range::smallest, largest -> lower, upper; hazard::longest -> max_time

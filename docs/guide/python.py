@@ -115,6 +115,6 @@ result = relay(ph.device_state(time=0, q=[1.2, 0.25], qd=[0.1, 0.1], hand_force=
 # Values
 assert pickle.loads(pickle.dumps(control)) == control
 try:
-    ph.tendon_two_link(arm={"length_1": -1})
+    ph.tendon_two_link(length_1=-1)
 except ValueError as error:
     print(error)

@@ -29,7 +29,7 @@ test_wall convex_wall() { return test_wall(ph::disc({0.11, 0.55}, 0.325)); }
 run_result follow_with_arm(law which, const test_wall& wall, const setup& how) {
   using arm = ph::tendon_two_link<double>;
   ph::tendon_two_link_parameters<double> real, believed;
-  auto& p = believed.arm;
+  auto& p = believed;
   for (double* mass : {&p.mass_1, &p.mass_2, &p.handle_mass, &p.rotor_inertia_1, &p.rotor_inertia_2})
     *mass *= how.inertia;
   device<arm> d{arm(real), arm(believed), {}, {}, ph::encoder_parameters().resolution, {}};

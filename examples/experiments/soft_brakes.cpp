@@ -38,8 +38,7 @@ struct outcome {
 
 tendon tendon_of(double inertia) {
   ph::tendon_two_link_parameters<double> p;
-  auto& a = p.arm;
-  for (double* mass : {&a.mass_1, &a.mass_2, &a.handle_mass, &a.rotor_inertia_1, &a.rotor_inertia_2})
+  for (double* mass : {&p.mass_1, &p.mass_2, &p.handle_mass, &p.rotor_inertia_1, &p.rotor_inertia_2})
     *mass *= inertia;
   return tendon(p);
 }

@@ -148,8 +148,7 @@ using arm_3r = ph::serial_chain_with_inertia<double, 3, 3>;
 
 tendon tendon_of(double s) {
   ph::tendon_two_link_parameters<double> p;
-  auto& a = p.arm;
-  for (double* mass : {&a.mass_1, &a.mass_2, &a.handle_mass, &a.rotor_inertia_1, &a.rotor_inertia_2})
+  for (double* mass : {&p.mass_1, &p.mass_2, &p.handle_mass, &p.rotor_inertia_1, &p.rotor_inertia_2})
     *mass *= s;
   return tendon(p);
 }

@@ -91,7 +91,7 @@ DESIGNS = (
     design(
         "the paper's device", ("link 1 [m]", "link 2 [m]", "k2 [1]", *BASE), (0.15, 0.15, PAPERS_K2, 0, 0),
         (LINK, LINK, (0.1, 2.5), *AROUND_BASE),
-        lambda v: ph.tendon_two_link(arm={"length_1": v[0], "length_2": v[1]}, reduction_2=v[2]), pose_by_inverse,
+        lambda v: ph.tendon_two_link(length_1=v[0], length_2=v[1], reduction_2=v[2]), pose_by_inverse,
     ),
     design(
         "five-bar", ("upper links [m]", "lower links [m]", "base distance [m]", *BASE), (0.1, 0.13, 0.05, 0, 0),

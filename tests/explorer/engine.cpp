@@ -279,6 +279,11 @@ TEST(explorer, refused_settings_change_nothing) {
   EXPECT_EQ(made->changed().text(), before);
 }
 
+TEST(explorer, reads_links_of_earlier_versions) {
+  const auto made = explorer::make_device(settings("mechanism=tendon_two_link\nmechanism.arm.length_1=0.2"));
+  EXPECT_NE(made->changed().text().find("mechanism.length_1=0.2\n"), std::string::npos);
+}
+
 TEST(explorer, an_absent_brake_makes_no_torque) {
   const auto made = explorer::make_device(settings(preset_of("one-brake").settings));
   made->evaluate();

@@ -44,7 +44,7 @@ class liar:
 
 MISUSES = [
     # Parameters
-    (lambda: ph.tendon_two_link(lenght_1=0.2), TypeError, "has no parameter 'lenght_1', expected arm, reduction_2"),
+    (lambda: ph.tendon_two_link(lenght_1=0.2), TypeError, "has no parameter 'lenght_1', expected length_1, "),
     (lambda: ph.tendon_two_link(reduction_2=0), ValueError, "reduction_2 [1] = 0, expected a finite number > 0"),
     (lambda: ph.tendon_two_link(reduction_2=nan), ValueError, "reduction_2 [1] = nan, expected a finite number > 0"),
     (lambda: ph.tendon_two_link(reduction_2="0.4"), TypeError, "reduction_2 = '0.4' (str), expected a number"),
@@ -54,11 +54,11 @@ MISUSES = [
     (lambda: ph.tendon_two_link(reduction_2=np.bool_(1)), TypeError, "(numpy.bool_), expected a number"),
     (lambda: ph.tendon_two_link(reduction_2=np.array([1.0])), TypeError, "expected a number"),
     (lambda: ph.tendon_two_link(reduction_2=10**400), ValueError, "expected a number that a double can hold"),
-    (lambda: ph.tendon_two_link(arm=0.15), TypeError, "arm = 0.15 (float), expected a dict of length_1"),
-    (lambda: ph.tendon_two_link({"length_3": 1}), TypeError, "arm has no parameter 'length_3'"),
-    (lambda: ph.tendon_two_link({"length_1": -1}), ValueError, "arm.length_1 [m] = -1, expected a finite number > 0"),
-    (lambda: ph.tendon_two_link({}, 0.4, 3), TypeError, "takes 2 parameters, 3 were given"),
-    (lambda: ph.tendon_two_link({}, arm={}), TypeError, "arm of tendon_two_link was given twice"),
+    (lambda: ph.stribeck_brake(coulomb=0.15), TypeError, "coulomb = 0.15 (float), expected a dict of torque_limit"),
+    (lambda: ph.stribeck_brake({"length_3": 1}), TypeError, "coulomb has no parameter 'length_3'"),
+    (lambda: ph.stribeck_brake({"gain": -1}), ValueError, "coulomb.gain [1] = -1, expected a finite number > 0"),
+    (lambda: ph.stribeck_brake({}, 1.5, 0.05, 3), TypeError, "takes 3 parameters, 4 were given"),
+    (lambda: ph.stribeck_brake({}, coulomb={}), TypeError, "coulomb of stribeck_brake was given twice"),
     (lambda: ph.five_bar(assembly="up"), ValueError, "assembly = 'up' (str), expected 'left' or 'right'"),
     (lambda: ph.five_bar(assembly=1), TypeError, "assembly = 1 (int), expected 'left' or 'right'"),
     (lambda: ph.five_bar(base_distance=1), ValueError, "less than all others together"),

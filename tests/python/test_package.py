@@ -60,7 +60,7 @@ def test_stubs_pass_mypy_and_stubtest(tmp_path):
 
 def test_guide_runs():
     text = run(sys.executable, os.path.join(ROOT, "docs", "guide", "python.py"))
-    assert "arm.length_1 [m] = -1, expected a finite number > 0" in text
+    assert "length_1 [m] = -1, expected a finite number > 0" in text
 
 
 def test_picture_is_drawn(tmp_path):

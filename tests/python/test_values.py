@@ -144,11 +144,11 @@ def test_every_class_is_among_them():
 
 
 def test_parameters_are_those_of_the_tables():
-    arm = ph.tendon_two_link(arm={"length_2": 0.2})
-    assert arm.parameters["arm"]["length_2"] == 0.2
-    assert arm.parameters["arm"]["length_1"] == 0.15
+    arm = ph.tendon_two_link(length_2=0.2)
+    assert arm.parameters["length_2"] == 0.2
+    assert arm.parameters["length_1"] == 0.15
     assert arm.parameters["reduction_2"] == 0.4
-    assert repr(arm) == "tendon_two_link(arm={'length_2': 0.2})"
+    assert repr(arm) == "tendon_two_link(length_2=0.2)"
     assert "reduction_2 [1]: a finite number > 0; default 0.4" in ph.tendon_two_link.__doc__
     assert ph.tendon_two_link(**arm.parameters) == arm
     with pytest.raises(TypeError):

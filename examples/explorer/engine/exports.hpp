@@ -12,7 +12,7 @@
 ///
 ///     mechanism=tendon_two_link      an id of the catalogue
 ///     law=direct_control             an id of the catalogue
-///     mechanism.arm.length_1=0.15    a member of the mechanism's table
+///     mechanism.length_1=0.15        a member of the mechanism's table
 ///     brakes.torque_limit=1,1        a member of the table of the brakes
 ///     brakes.present=1,0             which joints have brakes
 ///     law.margin=0.2                 a member of the table of the law
@@ -66,7 +66,7 @@ EXPLORER_EXPORT int explorer_set(void* device, const char* settings);
 EXPLORER_EXPORT const char* explorer_settings(void* device);
 /// The form of the device, JSON: a list of
 ///
-///     {"name": "mechanism.arm.length_1", "group": "mechanism" | "brakes" | "law" | "options" | "scene" |
+///     {"name": "mechanism.length_1", "group": "mechanism" | "brakes" | "law" | "options" | "scene" |
 ///     "hand",
 ///      "label": "length_1", "unit": "m", "expected": "a finite number > 0", "kind": "number" | "choice" |
 ///      "bool", "choices": [...], "size": 1, "value": "0.15", "default": "0.15"}

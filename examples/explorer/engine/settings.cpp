@@ -24,6 +24,10 @@ const std::string* settings::find(std::string_view name) const {
 }
 
 void settings::set(std::string_view name, std::string_view value) {
+  // A link of an earlier version: the links of the tendon device had a table of their own
+  constexpr std::string_view old_prefix = "mechanism.arm.";
+  if (name.starts_with(old_prefix))
+    return set(std::string("mechanism.").append(name.substr(old_prefix.size())), value);
   for (auto& [known, old] : lines_)
     if (known == name) {
       old = value;

@@ -196,7 +196,7 @@ TEST_F(a_configuration, in_another_unit_is_remarked_upon) {
       check("[mechanism]\nlength_1 = 15\n[homing]\npose = [0, 0]\n[[wall]]\npoint = [0, 20]\nstiffness = 10");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(
-      o.err.starts_with("remark: arm.length_1 [m] = 15, usually within 5 m: millimetres?\n"
+      o.err.starts_with("remark: length_1 [m] = 15, usually within 5 m: millimetres?\n"
                         "remark: stiffness of a wall [N/m] = 10, usually 100 to 1e9: N/mm?\n"))
       << o.err;
 }

@@ -115,7 +115,7 @@ TEST_F(a_log, that_is_wrong_is_named_with_file_line_and_column) {
            {words{"--parameter=length_1=x"}, 2,
             "error: --parameter: length_1: 'x' in 'x', expected a finite number\n"},
            {words{"--parameter=length_1=-1"}, 2,
-            "error: passive_haptics: arm.length_1 [m] = -1, expected a finite number > 0\n"},
+            "error: passive_haptics: length_1 [m] = -1, expected a finite number > 0\n"},
            {words{"--mechanism=five_bar", "--parameter=assembly=up"}, 2,
             "error: --parameter: 'up', expected one of left, right\n"},
            {words{"--wall=cube:1"}, 2, "error: --wall: shape 'cube', expected plane:, solid: or hollow:\n"},

@@ -797,17 +797,16 @@ class tendon_two_link(mechanism):
     It has 2 joints, 2 brakes and 2 task dimensions.
 
     Parameters:
-        arm: a dict
-            length_1 [m]: a finite number > 0; default 0.15
-            length_2 [m]: a finite number > 0; default 0.15
-            mass_1 [kg]: a finite number > 0; default 0.2
-            mass_2 [kg]: a finite number > 0; default 0.2
-            handle_mass [kg]: a finite number >= 0; default 0.1
-            rotor_inertia_1 [kg m^2]: a finite number >= 0; default 5e-05
-            rotor_inertia_2 [kg m^2]: a finite number >= 0; default 5e-05
+        length_1 [m]: a finite number > 0; default 0.15
+        length_2 [m]: a finite number > 0; default 0.15
+        mass_1 [kg]: a finite number > 0; default 0.2
+        mass_2 [kg]: a finite number > 0; default 0.2
+        handle_mass [kg]: a finite number >= 0; default 0.1
+        rotor_inertia_1 [kg m^2]: a finite number >= 0; default 5e-05
+        rotor_inertia_2 [kg m^2]: a finite number >= 0; default 5e-05
         reduction_2 [1]: a finite number > 0; default 0.4
     """
-    def __init__(self, arm: Mapping[str, object] = ..., reduction_2: float = ...) -> None: ...
+    def __init__(self, length_1: float = ..., length_2: float = ..., mass_1: float = ..., mass_2: float = ..., handle_mass: float = ..., rotor_inertia_1: float = ..., rotor_inertia_2: float = ..., reduction_2: float = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     def brakes(self, torque_limit: Numbers = ..., rate_dead_band: Numbers = ..., torque_dead_band: Numbers = ..., time_constant: Numbers = ..., torque_lower: Numbers = ..., torque_upper: Numbers = ...) -> brakes_2:

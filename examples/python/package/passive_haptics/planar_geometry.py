@@ -41,10 +41,6 @@ def _two_link(p: Parameters, q: Array, handle: Array) -> planar_geometry:
     return _serial([np.zeros(2), p["length_1"] * _along(q[0]), handle])
 
 
-def _tendon_two_link(p: Parameters, q: Array, handle: Array) -> planar_geometry:
-    return _two_link(p["arm"], q, handle)
-
-
 def _xy_table(p: Parameters, q: Array, handle: Array) -> planar_geometry:
     return _serial([np.zeros(2), np.array([q[0], 0.0]), handle])
 
@@ -81,7 +77,7 @@ def _chain_with_inertia(p: Parameters, q: Array, handle: Array) -> planar_geomet
 
 _geometries: dict[str, collections.abc.Callable[[Parameters, Array, Array], planar_geometry]] = {
     "two_link": _two_link,
-    "tendon_two_link": _tendon_two_link,
+    "tendon_two_link": _two_link,
     "xy_table": _xy_table,
     "five_bar": _five_bar,
     "five_bar_with_four_brakes": _five_bar,

@@ -17,7 +17,7 @@ struct reference {
 
   template <class T>
   reference(const ph::tendon_two_link_parameters<T>& p, const ph::vector<T, 2>& q) {
-    const cpp_bin_float_50 l1 = p.arm.length_1, l2 = p.arm.length_2, k2 = p.reduction_2;
+    const cpp_bin_float_50 l1 = p.length_1, l2 = p.length_2, k2 = p.reduction_2;
     const cpp_bin_float_50 q1 = q[0], q12 = cpp_bin_float_50(q[0]) + cpp_bin_float_50(q[1]);
     x[0] = l1 * cos(q1) + l2 * cos(q12);
     x[1] = l1 * sin(q1) + l2 * sin(q12);

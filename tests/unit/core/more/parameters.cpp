@@ -68,8 +68,15 @@ TYPED_TEST(parameters, of_the_tendon_device_are_checked) {
   using P = ph::tendon_two_link_parameters<TypeParam>;
   const auto construct = [](const P& p) { ph::tendon_two_link<TypeParam>{p}; };
   expect_rule(P(), [](P& p) -> auto& { return p.reduction_2; }, "reduction_2 [1]", rule::positive, construct);
-  expect_rule(
-      P(), [](P& p) -> auto& { return p.arm.length_2; }, "arm.length_2 [m]", rule::positive, construct);
+  expect_rule(P(), [](P& p) -> auto& { return p.length_2; }, "length_2 [m]", rule::positive, construct);
+}
+
+TEST(parameters_of_a_mechanism, are_given_by_their_names) {
+  EXPECT_EQ(ph::two_link<double>({.length_1 = 0.2}).parameters().length_1, 0.2);
+  EXPECT_EQ(ph::tendon_two_link<double>({.length_1 = 0.2, .reduction_2 = 1}).parameters().length_1, 0.2);
+  EXPECT_EQ(ph::xy_table<double>({.mass_x = 3}).mass_matrix({0, 0}).diagonal()[0], 3);
+  EXPECT_EQ(ph::five_bar<double>({.proximal_1 = 0.12}).parameters().proximal_1, 0.12);
+  EXPECT_EQ(ph::delta<double>({.upper_arm = 0.12}).parameters().upper_arm, 0.12);
 }
 
 TYPED_TEST(parameters, of_the_xy_table_are_checked) {
