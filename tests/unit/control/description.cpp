@@ -10,7 +10,6 @@ namespace {
 static_assert(ph::describe<ph::tendon_two_link<double>>().has("transmission"));
 static_assert(ph::describe<ph::tendon_two_link<double>>().has("pose"));
 static_assert(ph::describe<ph::tendon_two_link<double>>().has("mass_matrix"));
-static_assert(!ph::describe<ph::tendon_two_link<double>>().has("self_motion"));
 static_assert(ph::describe<ph::direct_control>().has("needs_hand_force"));
 static_assert(!ph::describe<ph::direct_control>().has("memory"));
 static_assert(ph::describe<ph::velocity_direct_control>().has("memory"));
@@ -37,10 +36,10 @@ static_assert(!ph::describe<state_of_a_sensor>().has("hand_force"), "a name that
 TEST(a_description, lists_what_was_found_and_what_was_not) {
   EXPECT_EQ(to_text(ph::describe(ph::tendon_two_link<double>())),
             "jacobian, transmission, pose, mass_matrix, bias_torque, bias_acceleration, "
-            "inverse_transposed_jacobian; not found: brake_bias_acceleration, inverse_jacobian, self_motion");
+            "inverse_transposed_jacobian; not found: brake_bias_acceleration, inverse_jacobian");
   EXPECT_EQ(to_text(ph::describe(position_alone())),
             "none; not found: jacobian, transmission, pose, mass_matrix, bias_torque, bias_acceleration, "
-            "brake_bias_acceleration, inverse_jacobian, inverse_transposed_jacobian, self_motion");
+            "brake_bias_acceleration, inverse_jacobian, inverse_transposed_jacobian");
   EXPECT_FALSE(ph::describe<not_const>().has("mass_matrix")) << "a function that is not const";
   EXPECT_EQ(to_text(ph::describe(ph::brakes_of<position_alone>())),
             "torque_limit, rate_dead_band, torque_dead_band, time_constant; not found: torque_lower, "

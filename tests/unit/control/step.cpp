@@ -1,6 +1,7 @@
 // One control cycle: what it decides, and what it refuses.
 #include "../support.hpp"
 
+#include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
 #include <passive_haptics/control/ways/torque_law.hpp>
 
 #include <passive_haptics/control/controller.hpp>

@@ -1,6 +1,5 @@
 /// @file
-/// The forces of a device whose self-motion settles (n > d): the cones of all sets of brakes that can come to
-/// rest.
+/// The forces of a device with self-motion (n > d): the cones of all sets of brakes that can come to rest.
 #pragma once
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
@@ -62,8 +61,7 @@ class settled_ways_to_move {
 
 }  // namespace detail
 
-/// The operations on the forces of M's brakes once its self-motion has settled. Inherited: whether a force is
-/// in a cone, as the signs are then given.
+/// The operations on the forces of M's brakes once its self-motion has settled.
 template <class M>
 struct settled_form : private half_space_form<M> {
   using T = typename M::scalar;                ///< Scalar.
@@ -102,8 +100,7 @@ struct settled_form : private half_space_form<M> {
     return nearest_at(device, landed, device.v, Fd.direction, min_cosine, start.held);
   }
 
-  /// Fc for a unit force n by the signs at a velocity v' [m/s], or where these display nothing at v. held: S,
-  /// in and out.
+  /// Fc for a unit force n by the signs at a velocity v' [m/s], or if these display nothing at v. Updates S.
   template <class Device>
   static force nearest_at(const Device& device, const task_vector<M>& landed, const task_vector<M>& v,
                           const task_vector<M>& n, T min_cosine, unsigned& held) {
@@ -116,8 +113,7 @@ struct settled_form : private half_space_form<M> {
   }
 
   /// S, s* and v' for the first `count` of several demands: at the landed velocity, or at v where that leaves
-  /// less of them by settled_gain (in a corner no velocity is left by which brakes could be chosen). held: S,
-  /// in and out.
+  /// less of them by settled_gain (in a corner no velocity is left to choose brakes by). Updates S, `held`.
   template <int Capacity, class Device>
   static force signs_at(const Device& device, const task_vector<M>& landed, const task_vector<M>& v,
                         const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
@@ -176,7 +172,7 @@ struct settled_form : private half_space_form<M> {
     else return -s.cwiseProduct(td.cwiseAbs());
   }
 
-  /// F = (T J^+)^T t of torques that leave the self-motion alone, (T N)^T t = 0.
+  /// F = G t of torques that leave the self-motion alone.
   template <class EMatrix>
   static force_map<T, d, m> map(const mechanism_pose<M>& pose, const EMatrix&) {
     return passive_haptics::force_map_of(settled_rates<M>(pose));
@@ -200,11 +196,11 @@ struct settled_form : private half_space_form<M> {
     F.velocity = device.v;
     F.signs = settled_forces(rates, device.E, device.brakes, device.v).signs_of(W);
     const brake_vector<M> sense = brake_torque(device.E, Fd.direction);  // of those at rest
-    for (int i = 0; i < m; ++i)
-      F.torque[i] = std::copysign(capacity[i], F.signs[i] != T(0) ? -F.signs[i] : sense[i]);
     const auto off = passive_haptics::brakes_off(F.signs, device.brakes);
     for (int i = 0; i < m; ++i)
-      if (detail::is_off(off, i)) F.torque[i] = T(0);
+      F.torque[i] = detail::is_off(off, i)
+                        ? T(0)
+                        : std::copysign(capacity[i], F.signs[i] != T(0) ? -F.signs[i] : sense[i]);
     F.force = W.transpose() * F.torque;
     return Fd.magnitude;
   }

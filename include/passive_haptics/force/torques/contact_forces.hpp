@@ -2,6 +2,7 @@
 /// One set of brake torques for several contacts.
 #pragma once
 
+#include <passive_haptics/brake/at_rest/settled_rates.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 #include <passive_haptics/core/scalar/difference_of_products.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
@@ -45,6 +46,15 @@ force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
   const orthogonal_decomposition<T, Brakes, D> Et(transposed(E), tolerance);
   force_map<T, D, Brakes> map{Et.pseudo_inverse()};
   if (Et.rank() < Brakes) map.P = Et.left_null_projection();
+  return map;
+}
+
+/// The force map of a device with self-motion: F = (T J^+)^T t of torques with (T N)^T t = 0.
+template <class M>
+force_map<typename M::scalar, M::task_dimension, M::brake_count> force_map_of(const settled_rates<M>& rates) {
+  constexpr int m = M::brake_count, rows = m < M::dof ? m : M::dof;
+  force_map<typename M::scalar, M::task_dimension, m> map{rates.least_rates().transpose()};
+  map.P.template topRows<rows>() = rates.of_self_motion().transpose().template topRows<rows>();
   return map;
 }
 

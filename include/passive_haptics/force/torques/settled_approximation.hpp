@@ -16,15 +16,6 @@
 
 namespace passive_haptics {
 
-/// F = G t of a device with self-motion.
-template <class M>
-force_map<typename M::scalar, M::task_dimension, M::brake_count> force_map_of(const settled_rates<M>& rates) {
-  constexpr int m = M::brake_count, rows = m < M::dof ? m : M::dof;
-  force_map<typename M::scalar, M::task_dimension, m> map{rates.least_rates().transpose()};
-  map.P.template topRows<rows>() = rates.of_self_motion().transpose().template topRows<rows>();
-  return map;
-}
-
 /// What another set of brakes at rest must be better by, in cos(gamma), before it takes over: between sets
 /// that are as good as each other the tangential part of a force would jump with each count of the encoders.
 inline constexpr double settled_gain = 0.1;
