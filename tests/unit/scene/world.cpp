@@ -229,8 +229,9 @@ TYPED_TEST(world, looks_at_all_that_is_touched_however_few_it_lists) {
       const auto distance = [&](const auto& ball) { return (x - ball).norm() - radius; };
       auto missed = std::count_if(balls.begin(), balls.end(), [&](const auto& b) { return distance(b) < 0; });
       if (!near.idle(x))
-        near.visit(tree, x, [&](int place) {
-          const double free = distance(balls[static_cast<std::size_t>(tree.item(place))]);
+        near.visit(tree, x, [&](ph::world_item item) {
+          const double free =
+              distance(balls[static_cast<std::size_t>(tree.item(static_cast<int>(item.place())))]);
           missed -= free < 0;
           return std::max(free, 0.0);
         });

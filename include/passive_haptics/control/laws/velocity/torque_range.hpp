@@ -119,7 +119,7 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
   return range;
 }
 
-/// The same for several walls, where the rates now decide the signs of brakes that turn.
+/// For several walls, where the rates now decide the signs of brakes that turn.
 template <class M, class Device>
 torque_range<typename M::scalar, M::brake_count> torque_ranges_of(const Device& device,
                                                                   const pose_dynamics<M>& dynamics,
