@@ -255,7 +255,7 @@ double time_to_zero(const row& r) {
 
 double stated(std::string_view begins) {
   for (const ph::hazard& h : ph::hazards())
-    if (h.what.starts_with(begins)) return h.longest;
+    if (h.what.starts_with(begins)) return h.max_time;
   std::fprintf(stderr, "error: hazards() has none that begins with '%s'\n", std::string(begins).c_str());
   std::exit(1);
 }

@@ -71,7 +71,7 @@ struct counted : S {
 
 struct check {
   bool same = true;
-  long touched = 0, looks = 0, most_looks = 0;  // most beyond the contacts, in one cycle
+  long touched = 0, looks = 0, max_looks = 0;  // most beyond the contacts, in one cycle
 };
 
 check against_a_scan(const many_shapes::shapes<3>& all, const path& hand) {
@@ -84,7 +84,7 @@ check against_a_scan(const many_shapes::shapes<3>& all, const path& hand) {
     looks = 0;
     const auto& found = ph::sense(world, hand[k]);
     result.looks += looks;
-    result.most_looks = std::max(result.most_looks, looks - found.size() - world.left_out());
+    result.max_looks = std::max(result.max_looks, looks - found.size() - world.left_out());
     result.touched += found.size();
     result.same = result.same && many_shapes::same(found, many_shapes::scan<4>(all, hand[k]));
   }
@@ -185,8 +185,8 @@ int main(int argc, char** argv) {
   const check found = against_a_scan(all, hand);
   std::printf("in %d cycles %ld contacts%s; %.3f distances a cycle, in the worst %ld beyond the contacts\n",
               cycles, found.touched, found.same ? ", the same as by a scan" : "",
-              static_cast<double>(found.looks) / cycles, found.most_looks);
-  if (!found.same || found.most_looks > 64) {
+              static_cast<double>(found.looks) / cycles, found.max_looks);
+  if (!found.same || found.max_looks > 64) {
     std::fprintf(stderr, "error: %s\n",
                  found.same ? "more than 64 distances in one cycle" : "not the contacts of a scan");
     return 1;

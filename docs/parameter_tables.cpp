@@ -108,7 +108,7 @@ void table() {
 }
 
 template <class... Ps>
-void stage(const std::string& name) {
+void layer(const std::string& name) {
   std::cout << "\n## " << name << " {#parameters_of_stage_" << name << "}\n";
   (table<Ps>(), ...);
 }
@@ -134,26 +134,26 @@ void list_others(const fs::path& include) {
 int main(int count, char** arguments) {
   if (count != 2) return 2;
   using T = double;
-  stage<ph::two_link_parameters<T>, ph::tendon_two_link_parameters<T>, ph::xy_table_parameters<T>,
+  layer<ph::two_link_parameters<T>, ph::tendon_two_link_parameters<T>, ph::xy_table_parameters<T>,
         ph::five_bar_parameters<T>, ph::delta_parameters<T>, ph::chain_joint<T, 3>,
         ph::serial_chain_parameters<T, 3, 3>, ph::link_inertia<T, 3>, ph::serial_chain_inertia<T, 3, 3>>(
       "Mechanisms");
-  stage<ph::brake_parameters<T, 2>, ph::switchable_brake_parameters<T, 2>>("Brakes");
-  stage<ph::half_space_parameters<3>, ph::ball_parameters<3>, ph::box_parameters<3>,
+  layer<ph::brake_parameters<T, 2>, ph::switchable_brake_parameters<T, 2>>("Brakes");
+  layer<ph::half_space_parameters<3>, ph::ball_parameters<3>, ph::box_parameters<3>,
         ph::capsule_parameters<3>, ph::convex_polygon_parameters<3>, ph::convex_polytope_parameters<3, 4>,
         ph::offset_parameters, ph::height_field_parameters, ph::hold_parameters, ph::latest_scene_parameters>(
       "Scenes");
-  stage<ph::viscous_field_parameters<T, 2>, ph::detents_parameters<T, 2>, ph::guide_parameters<T, 2>,
+  layer<ph::viscous_field_parameters<T, 2>, ph::detents_parameters<T, 2>, ph::guide_parameters<T, 2>,
         ph::wall_friction_parameters<T>, ph::end_stops_parameters<T, 2>>("Effects");
-  stage<ph::approximation_parameters<T>, ph::direct_control, ph::velocity_direct_control_parameters,
+  layer<ph::approximation_parameters<T>, ph::direct_control, ph::velocity_direct_control_parameters,
         ph::on_off_parameters, ph::momentum_observer_parameters, ph::release_probe_parameters,
         ph::sensorless_parameters>("Control");
-  stage<ph::braked_wall>("Design");
-  stage<ph::brake_resistance<T>, ph::coulomb_brake<T>, ph::stribeck_brake<T>, ph::magnetorheological_brake<T>,
+  layer<ph::braked_wall>("Design");
+  layer<ph::brake_resistance<T>, ph::coulomb_brake<T>, ph::stribeck_brake<T>, ph::magnetorheological_brake<T>,
         ph::eddy_current_brake<T>, ph::delayed_brake<ph::coulomb_brake<T>>,
         ph::presliding_brake<ph::coulomb_brake<T>>, ph::encoder_parameters, ph::force_sensor_parameters,
         ph::following_hand_parameters<T>, ph::wall_following_parameters>("Simulation");
-  stage<ph::control_loop_parameters, ph::real_time_parameters, ph::supervisor_parameters,
+  layer<ph::control_loop_parameters, ph::real_time_parameters, ph::supervisor_parameters,
         ph::polling_parameters, ph::encoder_limits, ph::sensor_limits<2>, ph::current_limits<2>,
         ph::release_parameters, ph::safe_port_parameters<2, 2>, ph::encoder_calibration_parameters<2>,
         ph::rate_estimator_parameters, ph::brake_curve, ph::planar_sensor_frame<2>,

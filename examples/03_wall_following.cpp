@@ -96,7 +96,7 @@ ph::contact_metrics follow(Law law, double environment_rate, run_log& log) {
 
 void print_line(double environment_rate, const char* law_name, const ph::contact_metrics& f) {
   std::printf("%5.0f Hz  %-24s %8d %8.1f %8.1f %8.2f %8.0f %% %9.2f %9.2f%s\n", environment_rate, law_name,
-              f.separations, 1e3 * f.depth_max, 1e3 * f.depth_mean, 1e3 * f.depth_std, 100 * f.stick_share,
+              f.separations, 1e3 * f.max_depth, 1e3 * f.depth_mean, 1e3 * f.depth_std, 100 * f.stick_share,
               f.hand_force_std, f.retarding_force, f.arrived ? "" : "   (did not arrive)");
   std::fflush(stdout);
 }
@@ -188,14 +188,14 @@ int main(int argc, char** argv) try {
               "depth", "brake 2", "Fh std", "retarding");
   std::printf("%-8s  %-24s %8s %8s %8s %8s %10s %9s %9s\n", "", "", "tions", "[mm]", "mean", "std", "sticks",
               "[N]", "force [N]");
-  double most_power = 0;  // that any brake gave to the device [W]
+  double max_power = 0;  // that any brake gave to the device [W]
   constexpr double drawn = 20;
   for (const double rate : {1000.0, drawn}) {
     const auto run = [&](const char* law_name, auto law) {
       run_log log(rate == drawn ? live_port : 0);
       const ph::contact_metrics figures = follow(law, rate, log);
       print_line(rate, law_name, figures);
-      most_power = std::max(most_power, figures.largest_brake_power);
+      max_power = std::max(max_power, figures.max_brake_power);
       if (rate == drawn)
         example::write_file(directory / std::string("wall_following_").append(law_name).append(".csv"),
                             log.text());
@@ -209,7 +209,7 @@ int main(int argc, char** argv) try {
       "before alpha,\n"
       "and a hand that yields. With stronger brakes, or alpha before the limit as printed, it bounces on: "
       "docs/results.md.");
-  std::printf("The most power that a brake gave to the device in any time step: %.0e W.\n\n", most_power);
+  std::printf("The most power that a brake gave to the device in any time step: %.0e W.\n\n", max_power);
   example::draw(directory, "gliding", depth_script("wall_following"));
   example::draw(directory, "wall_following", plot_script("wall_following", drawn));
   std::printf("data:    %s\n", std::filesystem::weakly_canonical(directory / "wall_following_*.csv").c_str());

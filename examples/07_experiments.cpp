@@ -84,7 +84,7 @@ void follow_walls(report& table, page_tables& page) {
   for (std::size_t k = 0; k < cells.size(); ++k)
     if (cells[k].which == law::direct)
       std::printf("  %s, %s: %.1e", cells[k].wall->name.c_str(), hertz(cells[k].rate).c_str(),
-                  runs[k].least_alpha);
+                  runs[k].min_alpha);
   std::printf("\n");
 
   const auto figures = [&](const named_wall& wall, double rate, law which) {
@@ -95,7 +95,7 @@ void follow_walls(report& table, page_tables& page) {
   const auto line = [&](const std::string& name, const named_wall& wall, law which) {
     const auto fast = figures(wall, 1000, which), slow = figures(wall, 20, which);
     return markdown_row({name, written("%d / %d", fast.separations, slow.separations),
-                         written("%.1f / %.1f", 1e3 * fast.depth_max, 1e3 * slow.depth_max),
+                         written("%.1f / %.1f", 1e3 * fast.max_depth, 1e3 * slow.max_depth),
                          written("%.2f / %.2f", 1e3 * fast.depth_std, 1e3 * slow.depth_std),
                          written("%.1f / %.1f", 1e3 * fast.depth_range, 1e3 * slow.depth_range),
                          written("%.0f / %.0f %%", 100 * fast.stick_share, 100 * slow.stick_share),
@@ -221,7 +221,7 @@ void penetration(const std::filesystem::path& directory) {
         setup how;
         how.lag = cells[k].lag;
         how.approach = cells[k].speed;
-        return follow_with_arm(cells[k].which, planar.wall, how).figures.depth_max;
+        return follow_with_arm(cells[k].which, planar.wall, how).figures.max_depth;
       },
       [&](std::size_t k, double depth) {
         const auto& [which, speed, lag] = cells[k];
@@ -295,7 +295,7 @@ void random_plants(page_tables& page, const std::filesystem::path& directory) {
   page["random_plants"] = markdown_head(
       {"wall", "law", "plants with separations", "median deviation [mm]", "largest [mm]", "deepest [mm]"});
   for (const batch_row& row : rows) {
-    const auto spread = values_of(row.figures, &m::depth_std), depth = values_of(row.figures, &m::depth_max);
+    const auto spread = values_of(row.figures, &m::depth_std), depth = values_of(row.figures, &m::max_depth);
     page["random_plants"] +=
         markdown_row({row.setting, row.law, written("%ld of %zu", separated(row.figures), row.figures.size()),
                       written("%.3f", 1e3 * median(spread)),
@@ -377,18 +377,18 @@ void in_space(report& table, page_tables& page, const std::filesystem::path& dir
       std::string separations, depth, spread;
       for (const law which : {law::none, law::direct, law::velocity}) {
         int count = 0;
-        double deepest = 0, worst = 0;
+        double max_depth = 0, worst = 0;
         for (std::size_t k = 0; k < cells.size(); ++k) {
           const cell& c = cells[k];
           if (c.device != device || c.wall != wall || c.rate == 1000 || c.which != which) continue;
           for (const auto& f : runs[k].figures) {
             count += f.separations;
-            deepest = std::max(deepest, f.depth_max);
+            max_depth = std::max(max_depth, f.max_depth);
             worst = std::max(worst, f.depth_std);
           }
         }
         separations += (which == law::none ? "" : " / ") + written("%d", count);
-        depth += (which == law::none ? "" : " / ") + written("%.1f", 1e3 * deepest);
+        depth += (which == law::none ? "" : " / ") + written("%.1f", 1e3 * max_depth);
         spread = written("%.2f", 1e3 * worst);
       }
       page["in_space"] +=
@@ -410,7 +410,7 @@ bool arms(page_tables& page, arm_extent extent) {
                      ? arm_head() + arm_lines(rows)
                      : with_rows(example::page_of_tables(results_page).table("arms"), rows);
   constexpr double rounding = 1e-15;  // [W]
-  const double power = largest_power(rows);
+  const double power = max_power(rows);
   std::printf("\nThe most power that a brake gave to its arm in any time step: %.0e W\n", power);
   if (!(power < rounding)) std::printf("FAILS: over %.0e W\n", rounding);
   std::fflush(stdout);
@@ -625,7 +625,7 @@ int main(int argc, char** argv) try {
       "The most power that a brake gave to its device in any time step: %.0e W. The energy balance closes "
       "within %.0e of\n"
       "what the brakes took.\n",
-      table.most_power(), table.worst_imbalance());
+      table.max_power(), table.max_imbalance());
   example::write_file(directory / "experiments.csv", table.csv());
   std::printf("table:   %s\n", std::filesystem::weakly_canonical(directory / "experiments.csv").c_str());
   return hold && agrees ? 0 : 1;

@@ -32,7 +32,7 @@ namespace {
 using device = ph::tendon_two_link<double>;  // which gets two such brakes
 
 constexpr double current = 0.5, steady_rate = 2, pause = 0.5, ramp_time = 10;  // [A, rad/s, s, s]
-constexpr double slowest = 0.02, fastest = 20, sweep_time = 40;                // [rad/s, rad/s, s]
+constexpr double min_rate = 0.02, max_rate = 20, sweep_time = 40;              // [rad/s, rad/s, s]
 
 // Currents [A] at a time [s] of each test; the axis turns steadily but in the sweep.
 double step_up(double t) { return t < pause ? 0 : current; }
@@ -43,7 +43,7 @@ double ramp(double t) {
 double hold(double) { return current; }
 
 double steady(double) { return steady_rate; }
-double sweep(double t) { return slowest * std::pow(fastest / slowest, t / sweep_time); }
+double sweep(double t) { return min_rate * std::pow(max_rate / min_rate, t / sweep_time); }
 
 void print(const char* name, const ph::estimate& found, const char* unit) {
   std::printf("  %-18s %10.5g +- %.2g %s\n", name, found.value, found.standard_error, unit);
@@ -99,7 +99,7 @@ void identify(const Model& brake, const Torque& torque_at, const std::filesystem
   print("residual_torque", loop.residual_torque, "N m");
   print("hysteresis", loop.hysteresis, "N m");
   for (std::size_t i = 0; i < loop.rising.size(); ++i)
-    std::printf("  %6.3f A: up %8.5f, down %8.5f N m\n", 0.1 * static_cast<double>(i) * loop.greatest_current,
+    std::printf("  %6.3f A: up %8.5f, down %8.5f N m\n", 0.1 * static_cast<double>(i) * loop.max_current,
                 loop.rising[i].value, loop.falling[i].value);
   if (const std::string error = validate(loop.curve()); !error.empty()) std::printf("  %s\n", error.c_str());
 

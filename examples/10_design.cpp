@@ -20,7 +20,7 @@ namespace {
 
 void print_row(const std::string& name, const design::task_figures& f) {
   std::printf("%-26s %9.0f %5.2f %9.1f %6.0f %6.0f %10.2f %9.2f\n", name.c_str(),
-              100 * (f.exact + f.approximate), f.drag, f.strongest, 100 * f.held, 100 * f.sinking,
+              100 * (f.exact + f.approximate), f.drag, f.max_force, 100 * f.held, 100 * f.sinking,
               f.sink_slope, f.isotropy);
 }
 

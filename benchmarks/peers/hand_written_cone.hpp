@@ -47,7 +47,7 @@ class cone {
   const numbers<Columns>& coefficients() const { return coefficient_; }
 
  private:
-  static constexpr int most = Rows < Columns ? Rows : Columns;
+  static constexpr int max_active = Rows < Columns ? Rows : Columns;
   static constexpr double eps = std::numeric_limits<double>::epsilon();
 
   static constexpr unsigned bit(int j) { return 1u << j; }
@@ -65,7 +65,7 @@ class cone {
   int most_violated() const {
     int found = -1;
     double farthest = 0;  // squared distance
-    if (size_ == most) return found;
+    if (size_ == max_active) return found;
     for (int j = 0; j < Columns; ++j) {
       if ((used_ | refused_) & bit(j)) continue;
       const double outside = dot(b_[j], p_);
@@ -117,7 +117,7 @@ class cone {
   // way.
   void become_feasible() {
     for (bool newcomer = true; size_ > 0; newcomer = false) {
-      double y[most];
+      double y[max_active];
       solve(y);
       double step = 1;
       int leaving = -1;
@@ -138,7 +138,7 @@ class cone {
   }
 
   // R y = Q^T f
-  void solve(numbers<most>& y) const {
+  void solve(numbers<max_active>& y) const {
     for (int c = size_ - 1; c >= 0; --c) {
       double rest = z_[c];
       for (int d = c + 1; d < size_; ++d) rest -= R_[c][d] * y[d];
@@ -148,8 +148,8 @@ class cone {
 
   // Those behind the leaving member are appended anew.
   void remove(int leaving) {
-    int later[most] = {}, count = 0;
-    double later_mu[most] = {};
+    int later[max_active] = {}, count = 0;
+    double later_mu[max_active] = {};
     for (int c = leaving; c < size_; ++c) used_ &= ~bit(member_[c]);
     for (int c = leaving + 1; c < size_; ++c, ++count) {
       later[count] = member_[c];
@@ -168,10 +168,10 @@ class cone {
   const numbers<Rows>* b_;
   const numbers<Rows>* f_;
   double p_[Rows], coefficient_[Columns], squared_norm_[Columns];
-  double Q_[most][Rows], R_[most][most];  // Q by columns, R by rows
-  double z_[most], mu_[most];             // Q^T f, and the coefficients of the members
+  double Q_[max_active][Rows], R_[max_active][max_active];  // Q by columns, R by rows
+  double z_[max_active], mu_[max_active];                   // Q^T f, and the coefficients of the members
   double rounding_;
-  int member_[most], size_;
+  int member_[max_active], size_;
   unsigned used_, refused_;
 };
 

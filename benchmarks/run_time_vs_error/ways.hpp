@@ -105,14 +105,14 @@ using orthogonal = Eigen::CompleteOrthogonalDecomposition<Square>;
 // redundancy resolution for real-time kinematic control of robot manipulators, IEEE Trans. Robotics and
 // Automation 13 (3), 1997.
 struct damped_svd {
-  static constexpr double threshold = 1e-3;     // of the largest singular value
-  static constexpr double most_damping = 1e-3;  // the same
+  static constexpr double threshold = 1e-3;    // of the largest singular value
+  static constexpr double max_damping = 1e-3;  // the same
   template <class Square>
   static Square of(const Square& Jt) {
     using T = typename Square::Scalar;
     const Eigen::JacobiSVD<Square> svd(Jt, Eigen::ComputeFullU | Eigen::ComputeFullV);
     auto sigma = svd.singularValues();
-    const T low = static_cast<T>(threshold) * sigma[0], most = static_cast<T>(most_damping) * sigma[0];
+    const T low = static_cast<T>(threshold) * sigma[0], most = static_cast<T>(max_damping) * sigma[0];
     const T share = sigma[sigma.size() - 1] / low;
     const T square = share < T(1) ? (T(1) - share * share) * most * most : T(0);
     sigma = sigma.array() / (sigma.array().square() + square);

@@ -13,7 +13,7 @@ struct device {
   double length_1, length_2, reduction_2, per_reduction_2;  // [m], [m], [1], [1]
   // Of both brakes [rad/s], [N m], [N m]
   double rate_dead_band, torque_limit, torque_dead_band;
-  double least_cosine, rounding;  // [1]
+  double min_cosine, rounding;  // [1]
 };
 
 struct wall {

@@ -47,7 +47,7 @@ template <class Two>
   const pair alone = area / along;
   const truths drives = way * t > zero, some = drives | swapped(drives);
   const truths taken =
-      swapped(drives) & (way * alone <= zero) & (along * along >= d.least_cosine * d.least_cosine * square);
+      swapped(drives) & (way * alone <= zero) & (along * along >= d.min_cosine * d.min_cosine * square);
   const pair command = select(some, select(taken, alone, zero), t);
 
   const pair power = t * w;

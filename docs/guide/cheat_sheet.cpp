@@ -28,7 +28,7 @@ int main() {
   std::cout << all.capacity.transpose() << " N m, " << to_string(all.outcome) << ", " << display_text(all)
             << ", alpha " << all.alpha << "\n";
 
-  // The stages one by one
+  // The layers one by one
   const auto J = ph::jacobian(arm, state.q);
   const auto E = ph::brake_jacobian(arm, state.q);         // v = E w, t = E^T F
   const auto w = ph::brake_rates(arm, state.q, state.qd);  // [rad/s]

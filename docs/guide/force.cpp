@@ -23,8 +23,8 @@ int main() {
   double share_back = 0;
   for (const double way : {1.0, -1.0}) {
     const auto there = ph::displayable(tendon, pose_at(0.1), {way, 0}, out, limit);
-    std::cout << "at x = 0.1 m: gamma " << ph::degrees(there.angle) << " deg, up to " << there.strongest
-              << " N, by force approximation " << there.strongest_nearest << " N\n";
+    std::cout << "at x = 0.1 m: gamma " << ph::degrees(there.angle) << " deg, up to " << there.max_force
+              << " N, by force approximation " << there.max_approximated_force << " N\n";
 
     const auto along = [&](double u) {
       return ph::path_point<ph::tendon_two_link<double>>{pose_at(0.045 + 0.125 * u), {way, 0}, out};

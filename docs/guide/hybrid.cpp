@@ -15,7 +15,7 @@ int main() {
   auto brakes = ph::hybrid_brakes<device>::with_limits({0.3, 0.3});
   std::cout << "without motors the hand sinks " << 1e3 * ph::sink_depth(arm, back, brakes, 2.0) << " mm\n";
 
-  const double share = ph::least_motor_share(arm, back, brakes.brakes, 2.0);
+  const double share = ph::min_motor_share(arm, back, brakes.brakes, 2.0);
   brakes.motor_limit = share * brakes.brakes.torque_limit;
   const double depth = ph::sink_depth(arm, back, brakes, 2.0);
   std::cout << "motors of " << 100 * share << " % hold it: " << 1e3 * depth << " mm\n";

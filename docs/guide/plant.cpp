@@ -17,6 +17,6 @@ int main() {
   const ph::following_hand<double, 2> hand({1, 0}, start);
   ph::simulated_device<device> simulated(arm, brakes, hand.parameters().mass, q);
   const auto figures = ph::follow_wall(simulated, control, wall, hand, {.path_end = 0.1});
-  std::cout << figures.separations << " separations, depth up to " << 1e3 * figures.depth_max << " mm\n";
+  std::cout << figures.separations << " separations, depth up to " << 1e3 * figures.max_depth << " mm\n";
   return figures.arrived ? 0 : 1;
 }

@@ -35,7 +35,7 @@ forces, outcome = arm.reference_forces(q)
 signs = arm.brake_signs(q, [0.5, -0.2])
 nearest = arm.nearest_force(q, signs, [0, -5])
 found = arm.displayable(q, velocity=[0.05, 0], normal=[0, -1], brakes=brakes)
-print(f"{found.strongest:.1f} N at most, {np.degrees(found.angle):.0f} degrees off")
+print(f"{found.max_force:.1f} N at most, {np.degrees(found.angle):.0f} degrees off")
 landing = arm.braked_wall_at(
     q, [0.05, 0.1], [0, -1], brakes, residual_torque=[0.01, 0.01], resolution=[1e-4, 1e-4], hand_mass=0.4
 )
@@ -53,7 +53,7 @@ device = ph.simulated_device(arm, brakes, hand_mass=0.5, q=arm.inverse([0.0, 0.2
 hand = ph.following_hand(direction=[1, 0], start=device.position, push=2)
 plane = ph.half_space([0, 0.225], [0, -1])
 gentle = ph.controller(arm, brakes, ph.scene(ph.wall(plane, 1e4)), arm.recommended_law(brakes))
-metrics, samples = ph.follow_wall(device, gentle, plane, hand, ph.wall_following_parameters(longest=2), record=True)
+metrics, samples = ph.follow_wall(device, gentle, plane, hand, ph.wall_following_parameters(max_duration=2), record=True)
 print(f"{metrics.separations} separations, {1e3 * metrics.depth_mean:.1f} mm deep; {metrics.end.text}")
 deepest = samples["time"][np.argmax(samples["depth"])]
 

@@ -18,7 +18,7 @@ int main() {
   std::cout << ph::reason_for_law(arm, brakes) << "\n";
 
   ph::device_state<scara> state;
-  double deepest = 0;
+  double max_depth = 0;
   for (int k = 0; k < 500; ++k) {  // each millisecond
     state.time = 1e-3 * k;
     state.q = device.q();
@@ -28,8 +28,8 @@ int main() {
     if (result.outcome != ph::status::ok) return 1;
     const ph::vector<double, 2> current = result.capacity / 0.5;  // [A] for brakes of 0.5 N m/A
     for (int i = 0; i < 10; ++i) device.advance(1e-4, 0.5 * current, {0.3, 1});  // and a push [N]
-    deepest = std::max(deepest, -table.distance(device.position()));
+    max_depth = std::max(max_depth, -table.distance(device.position()));
   }
-  std::cout << 1e3 * deepest << " mm deep at most\n";
-  return deepest > 0 && deepest < 0.005 ? 0 : 1;  // without brakes the hand would be far behind the wall
+  std::cout << 1e3 * max_depth << " mm deep at most\n";
+  return max_depth > 0 && max_depth < 0.005 ? 0 : 1;  // without brakes the hand would be far behind the wall
 }

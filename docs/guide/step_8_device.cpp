@@ -73,14 +73,14 @@ int main() {
                          ph::velocity_direct_control());
   ph::safe_port<board, force_sensor> port(
       {&hardware}, {&hardware},
-      {.sensor = {.range = {50, 50}}, .currents = {.largest = {0.5, 0.5}}, .hold_over = 1});
+      {.sensor = {.range = {50, 50}}, .currents = {.max_current = {0.5, 0.5}}, .hold_over = 1});
   if (const std::string missing = port.open(); !missing.empty()) {
     std::cerr << missing << "\n";
     return 1;
   }
 
-  double deepest = 0;
-  ph::control_loop loop({.max_overruns = 1000, .longest_sleep = 1});  // on a machine that does much else
+  double max_depth = 0;
+  ph::control_loop loop({.max_overruns = 1000, .max_sleep = 1});  // on a machine that does much else
   const ph::loop_report report = loop.run(
       [&](const ph::loop_cycle& now) {
         port.read(now.time);
@@ -88,12 +88,12 @@ int main() {
         auto state = calibration.state(port.position_time(), port.position(), port.force());
         state.time = now.time;  // of this cycle: the sample may be that of the cycle before
         port.write(calibration.currents(control(state).capacity));
-        deepest = std::max(deepest, hardware.device.position()[1] - wall);
+        max_depth = std::max(max_depth, hardware.device.position()[1] - wall);
         return now.number < 500;
       },
       [] { return false; }, [&](ph::fault why) { port.release({why}); });
 
-  std::cout << report.cycles << " cycles; " << 1e3 * deepest << " mm deep at most\n";
-  const bool held = deepest > 0 && deepest < 0.05;  // free, the hand would be 0.25 m deep
+  std::cout << report.cycles << " cycles; " << 1e3 * max_depth << " mm deep at most\n";
+  const bool held = max_depth > 0 && max_depth < 0.05;  // free, the hand would be 0.25 m deep
   return held && hardware.torque.isZero(0) ? 0 : 1;
 }

@@ -50,5 +50,5 @@ TEST(air_brakes, hold_a_hand_at_a_wall) {
   ph::controller control(arm, brakes, ph::scene(ph::wall(wall)), ph::velocity_direct_control());
   const auto figures = ph::follow_wall(simulated, control, wall, hand, {.path_end = 0.1});
   EXPECT_TRUE(figures.arrived);
-  EXPECT_LT(figures.depth_max, 0.003);
+  EXPECT_LT(figures.max_depth, 0.003);
 }

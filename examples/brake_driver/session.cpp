@@ -104,10 +104,10 @@ class session {
   // Whatever ended the loop released the brakes: what may flow on is given each cycle, to its end. Then 0 A:
   // a port with a thread of its own reports later whether the device took it
   void see_the_release_through(ph::control_loop<>& loop, ph::loop_report& report) {
-    const double end = ph::monotonic_seconds() + configuration_.safety.at_release.longest();
+    const double end = ph::monotonic_seconds() + configuration_.safety.at_release.max_duration();
     go_on_while(loop, report,
                 [&](double now) { return now < end && port_.applied() != ph::brake_currents<axes>{}; });
-    port_.let_go();
+    port_.release_immediately();
     const double latest = ph::monotonic_seconds() + configuration_.safety.hold_over;
     go_on_while(loop, report,
                 [&](double now) { return now < latest && !port_.applied_is_known() && !port_.is_lost(); });
@@ -160,7 +160,7 @@ class session {
   // Not deep in a wall, which would hold the handle there
   void activate(const samples& read) {
     deepest_ = device_->deepest_wall(read);
-    if (!deepest_.is_over(configuration_.start.largest_start_depth))
+    if (!deepest_.is_over(configuration_.start.max_start_depth))
       was_active_ = port_.activate() || was_active_;
   }
 
@@ -175,7 +175,7 @@ class session {
     r.doing = doing_;
     r.state = port_.state();
     r.reason = port_.reason();
-    if (r.state == ph::port_state::ready && deepest_.is_over(configuration_.start.largest_start_depth))
+    if (r.state == ph::port_state::ready && deepest_.is_over(configuration_.start.max_start_depth))
       r.too_deep = deepest_;
     r.needs_homing = port_.needs_homing();
     r.held_over = port_.pending_fault();
@@ -205,7 +205,7 @@ class session {
     const auto line = [](const char* name, const ph::duration_histogram& h) {
       const auto at = [&](double share) { return duration(static_cast<double>(h.percentile(share))); };
       std::cout << name << "  mean " << duration(h.mean()) << ", p50 " << at(0.5) << ", p99 " << at(0.99)
-                << ", p99.9 " << at(0.999) << ", max " << duration(static_cast<double>(h.largest())) << "\n"
+                << ", p99.9 " << at(0.999) << ", max " << duration(static_cast<double>(h.maximum())) << "\n"
                 << bars(h);
     };
     std::cout << "\n"
@@ -223,7 +223,7 @@ class session {
       std::cout << (doing_ == phase::homing ? "homing" : "taring")
                 << " did not end: " << (faults_ > 0 ? "the brakes were released first" : device_->hindrance())
                 << "\n";
-    else if (!was_active_ && deepest_.is_over(configuration_.start.largest_start_depth))
+    else if (!was_active_ && deepest_.is_over(configuration_.start.max_start_depth))
       std::cout << not_activated_in_words(deepest_) << "\n";
     for (const auto& [device, samples] : {std::pair{"encoders", &port_.encoder_rejections()},
                                           std::pair{"force sensor", &port_.force_rejections()}})

@@ -91,10 +91,10 @@ void draw_devices(const std::filesystem::path& directory, const std::string& nam
 void draw_reductions(const std::filesystem::path& directory, const std::string& name,
                      const std::vector<std::pair<double, task_figures>>& by_reduction) {
   std::ostringstream csv;
-  csv << "k2,displayed,held,drag,strongest\n";
+  csv << "k2,displayed,held,drag,max_force\n";
   for (const auto& [k2, f] : by_reduction)
     csv << k2 << "," << 100 * (f.exact + f.approximate) << "," << 100 * f.held << "," << f.drag << ","
-        << f.strongest << "\n";
+        << f.max_force << "\n";
   example::write_file(directory / (name + ".csv"), csv.str());
   const std::string file = name + ".csv";
   std::ostringstream script;

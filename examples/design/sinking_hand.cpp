@@ -98,7 +98,7 @@ void compare_motors(const std::filesystem::path& directory) {
       std::printf("  %-6s %9.0f ", way == forth ? "forth" : "back", push);
       if (std::isfinite(depth)) std::printf("%12.2f", 1e3 * depth);
       else std::printf("%12s", "not held");
-      std::printf(" %12.1f\n", 100 * ph::least_motor_share(arm, along(way), brakes.brakes, push));
+      std::printf(" %12.1f\n", 100 * ph::min_motor_share(arm, along(way), brakes.brakes, push));
     }
 
   constexpr int places = 200;
@@ -108,14 +108,13 @@ void compare_motors(const std::filesystem::path& directory) {
     for (int k = 0; k < places; ++k) {
       const auto at = along(back)((k + 0.5) / places);
       const double slope = ph::sink_slope(arm, at.q, at.direction, at.normal, brakes, push).slope;
-      const double share =
-          ph::least_motor_share(arm, at.q, at.direction, at.normal, brakes.brakes, push).share;
+      const double share = ph::min_motor_share(arm, at.q, at.direction, at.normal, brakes.brakes, push).share;
       table << arm.position(at.q)[0] << ", " << slope << ", " << 100 * share << "\n";
     }
     table << "\n\n";
   }
-  example::write_file(directory / "least_motors.csv", table.str());
-  example::draw(directory, "least_motors", R"gnuplot(
+  example::write_file(directory / "min_motors.csv", table.str());
+  example::draw(directory, "min_motors", R"gnuplot(
 set encoding utf8
 set terminal svg noenhanced size 1100,460 font 'sans,13' background 'white'
 set output output
@@ -131,11 +130,11 @@ color(k) = word('#0072b2 #009e73 #e69f00 #d55e00', k)
 push(k) = word('1 2 4 8', k)
 set title 'without motors: how steeply the hand sinks'
 set ylabel 'sink slope [m/m]'
-plot for [k=1:4] 'least_motors.csv' index k-1 using 1:2 with lines lw 11-2*k lc rgb color(k) title push(k).' N'.(k == 4 ? ', left of 0.1 m at no slope' : '')
+plot for [k=1:4] 'min_motors.csv' index k-1 using 1:2 with lines lw 11-2*k lc rgb color(k) title push(k).' N'.(k == 4 ? ', left of 0.1 m at no slope' : '')
 set title 'with motors: how much holds it'
 set yrange [0:160]
 set ylabel "motor beside each brake [% of the brake's limit]"
-plot for [k=1:4] 'least_motors.csv' index k-1 using 1:3 with lines lw 3 lc rgb color(k) title push(k).' N'
+plot for [k=1:4] 'min_motors.csv' index k-1 using 1:3 with lines lw 3 lc rgb color(k) title push(k).' N'
 unset multiplot
 )gnuplot");
 }

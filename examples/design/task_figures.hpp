@@ -38,7 +38,7 @@ candidate(M, Inverse, ph::task_grid<double, 2>) -> candidate<M, Inverse>;
 struct task_figures {
   double exact = 0, approximate = 0, none = 0;  // shares [1]
   double drag = 0;                              // the median of what is displayed [1]
-  double strongest = 0;                         // mean [N]
+  double max_force = 0;                         // mean [N]
   double held = 0, sinking = 0, lost = 0;       // shares: slope 0, finite, infinite [1]
   double sink_slope = 0;                        // the median of what sinks [1]
   double isotropy = 0;                          // mean [1]
@@ -70,7 +70,7 @@ task_figures over_task(const candidate<M, Inverse>& device) {
       mean.approximate += at.display == ph::display_class::approximate;
       mean.none += !is_displayed(at.display);
       if (is_displayed(at.display)) drags.push_back(at.drag);
-      mean.strongest += at.strongest;
+      mean.max_force += at.max_force;
       mean.held += at.sink_slope == 0;
       mean.lost += std::isinf(at.sink_slope);
       if (at.sink_slope > 0 && std::isfinite(at.sink_slope)) slopes.push_back(at.sink_slope);
@@ -78,7 +78,7 @@ task_figures over_task(const candidate<M, Inverse>& device) {
     }
   }
   for (double* share :
-       {&mean.exact, &mean.approximate, &mean.none, &mean.strongest, &mean.held, &mean.lost, &mean.isotropy})
+       {&mean.exact, &mean.approximate, &mean.none, &mean.max_force, &mean.held, &mean.lost, &mean.isotropy})
     *share /= count;
   mean.sinking = 1 - mean.held - mean.lost;
   mean.drag = median(drags);

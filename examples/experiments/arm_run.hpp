@@ -58,7 +58,7 @@ inline std::string name_of(arm_law which) {
 template <class M>
 arm_start<M> draw_start(const M& arm, std::size_t k) {
   constexpr std::uint64_t seed = 20040627;
-  constexpr double least_reach = 0.056;  // geometric mean of the singular values of J [m]
+  constexpr double min_reach = 0.056;  // geometric mean of the singular values of J [m]
   constexpr int d = M::task_dimension;
   auto bits = ph::random_bits(seed, k);
   const auto between = [&](double low, double high) { return low + (high - low) * ph::uniform_number(bits); };
@@ -76,7 +76,7 @@ arm_start<M> draw_start(const M& arm, std::size_t k) {
     const ph::task_vector<M> u = any_direction();
     start.direction = (u - start.normal * start.normal.dot(u)).normalized();
     const ph::jacobian_matrix<M> J(ph::jacobian(arm, start.q));
-    if (std::pow((J * J.transpose()).determinant(), 0.5 / d) < least_reach) continue;
+    if (std::pow((J * J.transpose()).determinant(), 0.5 / d) < min_reach) continue;
     if constexpr (M::brake_count == M::dof) return start;
     for (const double way : {1.0, -1.0}) {
       const auto found =
@@ -84,7 +84,7 @@ arm_start<M> draw_start(const M& arm, std::size_t k) {
                           ph::brake_vector<M>(ph::brake_vector<M>::Constant(arm_torque_limit)));
       start.direction *= way;
       if (ph::is_displayed(found.display) && std::cos(found.angle) >= 0.6 &&
-          found.strongest_nearest >= 2 * arm_push)
+          found.max_approximated_force >= 2 * arm_push)
         return start;
     }
   }
@@ -156,8 +156,8 @@ arm_result follow_arm(const arm_kind<M>& kind, const Law& law, const arm_start<M
   p.control_period = period;
   p.encoder_resolution = counts ? count : 0;
   p.path_end = start.direction.dot(x0) + 0.06;
-  p.longest = 3;
-  p.deepest = 0.03;
+  p.max_duration = 3;
+  p.max_depth = 0.03;
   p.watched_brake = 0;
   const ph::brake_vector<M> limit = brakes.torque_limit;
   long steps = 0, looked = 0, weak = 0;
@@ -169,7 +169,7 @@ arm_result follow_arm(const arm_kind<M>& kind, const Law& law, const arm_start<M
         const ph::task_vector<M> out = wall.gradient(s.position);
         const ph::task_vector<M> along = start.direction - out * out.dot(start.direction);
         ++looked;
-        weak += !(ph::displayable(kind.arm, plant.q(), along, out, limit).strongest > arm_push);
+        weak += !(ph::displayable(kind.arm, plant.q(), along, out, limit).max_force > arm_push);
       });
   result.weak = looked > 0 ? static_cast<double>(weak) / static_cast<double>(looked) : 0;
   return result;
@@ -197,7 +197,7 @@ inline arm_cell cell_of(const std::vector<arm_result>& results, std::size_t firs
     cell.separating += r.figures.separates();
     cell.too_weak += !r.glides() && r.weak > 0.1;
     spread.push_back(r.figures.depth_std);
-    cell.largest_power = std::max(cell.largest_power, r.figures.largest_brake_power);
+    cell.max_power = std::max(cell.max_power, r.figures.max_brake_power);
   }
   std::nth_element(spread.begin(), spread.begin() + static_cast<std::ptrdiff_t>(count / 2), spread.end());
   cell.median_std = spread[count / 2];

@@ -63,11 +63,11 @@ std::vector<arm_row> follow_with_arms(arm_extent extent) {
   return rows;
 }
 
-double largest_power(const std::vector<arm_row>& rows) {
+double max_power(const std::vector<arm_row>& rows) {
   double largest = 0;
   for (const arm_row& row : rows)
     for (const auto& cell : row.cells)
-      if (cell) largest = std::max(largest, cell->largest_power);
+      if (cell) largest = std::max(largest, cell->max_power);
   return largest;
 }
 

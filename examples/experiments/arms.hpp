@@ -19,9 +19,9 @@ inline constexpr std::size_t sampled_setting = 1;                 // exact encod
 struct arm_cell {
   int gliding = 0;  // touched, never separated, depth up to 10 mm, arrived
   int separating = 0;
-  int too_weak = 0;          // not gliding, and on over a tenth of the way no set of brakes displays 2 N
-  double median_std = 0;     // of the depth [m]
-  double largest_power = 0;  // that a brake gave to the device in a time step [W]
+  int too_weak = 0;       // not gliding, and on over a tenth of the way no set of brakes displays 2 N
+  double median_std = 0;  // of the depth [m]
+  double max_power = 0;   // that a brake gave to the device in a time step [W]
 };
 
 struct arm_row {
@@ -35,7 +35,7 @@ inline constexpr std::size_t arm_table_runs = 32 * arm_settings * arm_walls, arm
 std::vector<arm_row> follow_with_arms(arm_extent extent);
 
 // The largest power that a brake gave to its device in a time step of these runs [W].
-double largest_power(const std::vector<arm_row>& rows);
+double max_power(const std::vector<arm_row>& rows);
 
 // The rows as a table of Markdown; what was not measured is "-".
 std::string arm_head();

@@ -99,7 +99,7 @@ std::string known_of(const std::vector<brake_case>& cases) {
       {"brake: what is known of it", "separations", "standard deviation [mm]", "deepest [mm]", "drag [N]"});
   for (std::size_t k = 0; k < cases.size(); ++k)
     table += markdown_row({cases[k].name, written("%d", runs[k].separations),
-                           written("%.2f", 1e3 * runs[k].depth_std), written("%.1f", 1e3 * runs[k].depth_max),
+                           written("%.2f", 1e3 * runs[k].depth_std), written("%.1f", 1e3 * runs[k].max_depth),
                            written("%.2f", runs[k].retarding_force)});
   return table;
 }
@@ -129,7 +129,7 @@ void laws_and_brakes(page_tables& page) {
     for (std::size_t j = 0; j < brakes.size(); ++j) {
       const ph::contact_metrics& f = runs[i * brakes.size() + j];
       holds.push_back(written("%d / %.2f", f.separations, 1e3 * f.depth_std));
-      feels.push_back(written("%.1f / %.2f", 1e3 * f.depth_max, f.retarding_force));
+      feels.push_back(written("%.1f / %.2f", 1e3 * f.max_depth, f.retarding_force));
     }
     hold += markdown_row(holds);
     feel += markdown_row(feels);

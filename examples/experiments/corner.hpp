@@ -36,9 +36,9 @@ struct corner_device {
 // The obstacle that the hand meets while it glides along a wall.
 struct obstacle {
   enum class kind { meeting_walls, convex_edge, opposite_wall, wall_below } what = kind::meeting_walls;
-  double least_angle = 60, largest_angle = 150;  // of a corner or an edge [deg]
-  double distance = 0;                           // of a wall that is parallel [m]
-  int walls = 2;                                 // of a corner
+  double min_angle = 60, max_angle = 150;  // of a corner or an edge [deg]
+  double distance = 0;                     // of a wall that is parallel [m]
+  int walls = 2;                           // of a corner
 };
 
 // The walls and the hand's way: along walls[0] to the apex, then a push between the normals, or past the
@@ -131,7 +131,7 @@ corner<M> draw_corner(const corner_device<M>& device, const obstacle& o, std::ui
     c.apex = device.mechanism.position(c.q);
     if (!c.apex.allFinite()) continue;
     const V n = any_direction(), u = any_direction(), side = (u - n * n.dot(u)).normalized();
-    const double turn = ph::radians(180 - between(o.least_angle, o.largest_angle));
+    const double turn = ph::radians(180 - between(o.min_angle, o.max_angle));
     std::vector<V> normals{n};
     V away = side;  // from the apex, where the hand begins
     c.passes = o.what != meeting_walls;

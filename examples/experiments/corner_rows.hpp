@@ -75,8 +75,8 @@ class corner_columns {
   void add_law(const char* name, const Control& control) {
     const corner_row row =
         follow({.walls = walls_}, {.pulls_out = true}, maker(device_.mechanism, control), 1);
-    const double law = row.quantile(0.95, [](const auto& r) { return r.deepest; }),
-                 locked = row.quantile(0.95, [](const auto& r) { return r.deepest_locked; });
+    const double law = row.quantile(0.95, [](const auto& r) { return r.max_depth; }),
+                 locked = row.quantile(0.95, [](const auto& r) { return r.max_locked_depth; });
     const auto percent = [&](int corner_result::* member) {
       return 100.0 * row.total(member) / std::max(row.total(&corner_result::pulls), 1);
     };
@@ -101,8 +101,7 @@ class corner_columns {
       rows[at++].push_back(std::move(cell));
     };
     const auto add_corner = [&](const char* name, double least, double largest, const corner_hand& hand) {
-      const auto row =
-          follow({.least_angle = least, .largest_angle = largest, .walls = walls_}, hand, make, share);
+      const auto row = follow({.min_angle = least, .max_angle = largest, .walls = walls_}, hand, make, share);
       add(tables_.corners, corner, name, written("%d / %d of %d", row.sinking(), row.leaving(), row.held()));
     };
     add_corner("30 to 60 deg", 30, 60, {});

@@ -21,9 +21,9 @@ struct corner_result {
   bool arrived = false;  // touched a second wall, or passed
   double first = 0,
          first_alone = 0;  // largest depth in the first wall until then, and without the others [m]
-  double deepest = 0, deepest_locked = 0;  // in any wall; with brakes locked from the touch on [m]
-  bool held = false;                       // locked brakes hold
-  bool sinks = false, left = false;        // under the law; a wall that was touched is left
+  double max_depth = 0, max_locked_depth = 0;  // in any wall; with brakes locked from the touch on [m]
+  bool held = false;                           // locked brakes hold
+  bool sinks = false, left = false;            // under the law; a wall that was touched is left
   int separations = 0;
   // Ways in which it pulls; of these as soon, and as light, as out of one wall or of brakes that are released
   int pulls = 0, in_time = 0, no_heavier = 0;
@@ -75,26 +75,26 @@ class corner_run {
   corner_result result() {
     corner_result r;
     moment now{loop_at(corner_, corner_.q)};
-    while (now.loop.time() < longest && !(r.arrived = has_arrived(now))) glide(corner_, now);
-    r.first = now.deepest[0];
+    while (now.loop.time() < max_time && !(r.arrived = has_arrived(now))) glide(corner_, now);
+    r.first = now.max_depth[0];
     const corner<M> first = corner_.only(0);
     moment alone{loop_at(first, corner_.q)};
     while (alone.loop.steps < now.loop.steps) glide(first, alone);
-    r.first_alone = std::max(alone.deepest[0], corner_.edge ? behind_edge() : 0);
+    r.first_alone = std::max(alone.max_depth[0], corner_.edge ? behind_edge() : 0);
     if (r.arrived && !corner_.passes) stay(now, r);
     for (const ph::contact_meter& meter : now.meters) r.separations += meter.result().separations;
     return r;
   }
 
  private:
-  static constexpr double longest = 4, pushing = 3;  // [s]
-  static constexpr double damping = 20;              // of a hand that pushes or pulls [N s/m]
+  static constexpr double max_time = 4, pushing = 3;  // [s]
+  static constexpr double damping = 20;               // of a hand that pushes or pulls [N s/m]
   struct moment {
     closed_loop<M> loop;
     V force = V::Zero();
     std::vector<ph::contact_meter> meters = std::vector(3, ph::contact_meter(1, closed_loop<M>::time_step));
-    ph::vector<double, 3> depth = ph::vector<double, 3>::Zero(), deepest = depth;  // in each wall [m]
-    bool left = false;                                                             // a wall that was touched
+    ph::vector<double, 3> depth = ph::vector<double, 3>::Zero(), max_depth = depth;  // in each wall [m]
+    bool left = false;  // a wall that was touched
   };
   struct way_out {
     double wait = 1;  // until the handle has moved by 0.5 mm [s]
@@ -114,12 +114,12 @@ class corner_run {
       const auto k = static_cast<std::size_t>(j);
       const double depth = now.depth[j] = c.depth(k, now.loop.plant.position());
       now.meters[k].add({.depth = depth});
-      now.deepest[j] = std::max(now.deepest[j], depth);
-      now.left = now.left || (now.deepest[j] > 0 && depth < -ph::contact_meter::hysteresis);
+      now.max_depth[j] = std::max(now.max_depth[j], depth);
+      now.left = now.left || (now.max_depth[j] > 0 && depth < -ph::contact_meter::hysteresis);
     }
   }
   bool has_arrived(const moment& now) const {
-    if (!corner_.passes) return now.deepest.tail(2).maxCoeff() > 0;
+    if (!corner_.passes) return now.max_depth.tail(2).maxCoeff() > 0;
     return corner_.direction.dot(now.loop.plant.position() - corner_.apex) > device_.where.path_length / 2;
   }
   void glide(const corner<M>& c, moment& now) const {
@@ -135,8 +135,8 @@ class corner_run {
     ph::joint_vector<M> q = corner_.q;
     move_to<M>(device_, second.start, q);
     moment now{loop_at(second, q)};
-    while (now.loop.time() < longest && !has_arrived(now)) glide(second, now);
-    return now.deepest[0];
+    while (now.loop.time() < max_time && !has_arrived(now)) glide(second, now);
+    return now.max_depth[0];
   }
   // Between the normals, until a time after the touch.
   void push(moment& now, const moment& touch, double until) const {
@@ -170,8 +170,8 @@ class corner_run {
     r.held = grows_by(locked) < 0.05 * growth;
     r.sinks = grows_by(now) > growth;
     r.left = now.left;
-    r.deepest = now.deepest.maxCoeff();
-    r.deepest_locked = locked.deepest.maxCoeff();
+    r.max_depth = now.max_depth.maxCoeff();
+    r.max_locked_depth = locked.max_depth.maxCoeff();
   }
   // Along the bisector and along each wall, away from the others.
   void pull_out(const moment& now, corner_result& r) const {

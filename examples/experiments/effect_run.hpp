@@ -115,7 +115,7 @@ effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>&
     const double from = hand.progress(plant.position());
     const auto figures =
         ph::follow_wall(plant, control, where.plane(0), hand,
-                        {.time_step = 2.5e-4, .path_end = from + length, .longest = longest});
+                        {.time_step = 2.5e-4, .path_end = from + length, .max_duration = longest});
     start = now + 1e-3;
     return std::pair(figures, hand.progress(plant.position()) - from);
   };
@@ -123,7 +123,7 @@ effect_figures follow_effect(const scene_device<M>& device, const effect_row<M>&
   const auto first = go(where.along, 0.02, 0.5), second = go(where.along, 0.02, 0.5);
   figures.moved = first.second + second.second;
   figures.creep = second.second / 0.5;
-  figures.deepest = std::max(first.first.depth_max, second.first.depth_max);
+  figures.max_depth = std::max(first.first.max_depth, second.first.max_depth);
   const double turned = now;
   p.push = -p.push;
   const auto back = go(-where.along, 0.5e-3, 2);

@@ -28,7 +28,7 @@ struct felt_state {
 };
 
 // Of J, from J J^T.
-inline double least_singular_value_of(const ph::matrix<double, 2, 2>& squared) {
+inline double min_singular_value_of(const ph::matrix<double, 2, 2>& squared) {
   const double mean = squared.trace() / 2;
   return std::sqrt(mean - std::sqrt(std::max(0.0, mean * mean - squared.determinant())));
 }
@@ -37,7 +37,7 @@ inline double least_singular_value_of(const ph::matrix<double, 2, 2>& squared) {
 template <class M>
 felt_state<M> draw_felt_state(const M& arm, std::uint64_t seed, std::size_t k) {
   constexpr int n = M::dof, d = M::task_dimension;
-  constexpr double least_singular_value = 0.04, speed = 0.05;  // [m], [m/s]
+  constexpr double min_singular_value = 0.04, speed = 0.05;  // [m], [m/s]
   auto bits = ph::random_bits(seed, k);
   const auto between = [&](double low, double high) { return low + (high - low) * ph::uniform_number(bits); };
   const auto any_direction = [&] {
@@ -54,7 +54,7 @@ felt_state<M> draw_felt_state(const M& arm, std::uint64_t seed, std::size_t k) {
     state.v = speed * any_direction();
     if (state.n.dot(state.v) > 0) state.v = -state.v;
     const ph::jacobian_matrix<M> J(ph::jacobian(arm, state.q));
-    if (least_singular_value_of(J * J.transpose()) < least_singular_value) continue;
+    if (min_singular_value_of(J * J.transpose()) < min_singular_value) continue;
     const ph::matrix<double, n, d> by_inertia =
         ph::matrix<double, n, n>(arm.mass_matrix(state.q)).inverse() * J.transpose();
     state.qd = by_inertia * ph::matrix<double, d, d>(J * by_inertia).partialPivLu().solve(state.v);
@@ -65,10 +65,10 @@ felt_state<M> draw_felt_state(const M& arm, std::uint64_t seed, std::size_t k) {
 // Fc of 1 N along n and its torques; none if cos(gamma) is 0.3 or less.
 template <class M>
 auto force_for(const M& arm, const felt_state<M>& state, const ph::brakes_of<M>& brakes) {
-  constexpr double least_cosine = 0.3;
+  constexpr double min_cosine = 0.3;
   const ph::brake_matrix<M> E(ph::brake_jacobian(arm, state.q));
   const ph::settled_rates<M> rates(ph::mechanism_pose<M>(arm, state.q));
-  return ph::settled_forces(rates, E, brakes, state.v).nearest(state.n, least_cosine);
+  return ph::settled_forces(rates, E, brakes, state.v).nearest(state.n, min_cosine);
 }
 
 // What the hand feels, and the rates of the brakes when the averaging begins.

@@ -108,9 +108,9 @@ std::string file_name(number_range which) {
 std::string run_by_number(number_range which) {
   const std::vector<cell> settings = cells();
   const std::size_t count = which.last - which.first + 1;
-  if (count > most_of_a_part)
+  if (count > max_of_a_part)
     throw std::invalid_argument(text_of(which) + ", expected a part of at most " +
-                                std::to_string(most_of_a_part) + "; run smaller parts and merge them");
+                                std::to_string(max_of_a_part) + "; run smaller parts and merge them");
   progress_bar::plan(count);
   std::string table = numbered_head();
   on_all_cores(

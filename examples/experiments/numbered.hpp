@@ -15,7 +15,7 @@ struct number_range {
   std::uint64_t first, last;
 };
 
-inline constexpr std::uint64_t most_of_a_part = 1'000'000;  // their results are kept in memory
+inline constexpr std::uint64_t max_of_a_part = 1'000'000;  // their results are kept in memory
 
 // What is wrong with a range; empty if nothing.
 std::string range_error(number_range which);

@@ -62,7 +62,7 @@ std::string reading_table(const std::vector<reading_cell>& cells) {
     table += markdown_row({written("%s, %.0f Hz", c.wall.c_str(), c.rate), std::string(name_of(c.which)),
                            c.which == law::none ? "" : written("%d of %zu", c.reproduced, c.figures.size()),
                            written("%.0f", median(c.figures, &m::separations)),
-                           written("%.1f", 1e3 * median(c.figures, &m::depth_max)),
+                           written("%.1f", 1e3 * median(c.figures, &m::max_depth)),
                            written("%.1f", 1e3 * median(c.figures, &m::depth_mean)),
                            written("%.2f", 1e3 * median(c.figures, &m::depth_std)),
                            written("%.0f %%", 100 * median(c.figures, &m::stick_share)),

@@ -91,7 +91,7 @@ struct instant {
 struct run_result {
   ph::contact_metrics figures;
   ph::energy_balance energy;
-  double least_alpha = 1;  // over the run, where a wall was touched
+  double min_alpha = 1;  // over the run, where a wall was touched
   std::vector<instant> trace;
 };
 

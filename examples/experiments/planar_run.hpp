@@ -74,7 +74,7 @@ run_result follow(const device<M, Brakes, Model>& d, law which, const test_wall&
                            ph::held_scene(ph::scene(ph::wall(wall)), 1 / how.environment_rate), control_law);
     double kept = -trace_period;
     return ph::follow_wall(plant, control, wall, hand, p, [&](const ph::wall_following_sample<M>& s) {
-      if (s.control->wall_number >= 0) result.least_alpha = std::min(result.least_alpha, s.control->alpha);
+      if (s.control->wall_number >= 0) result.min_alpha = std::min(result.min_alpha, s.control->alpha);
       if (s.time - kept < trace_period * (1 - 1e-9)) return;
       kept = s.time;
       result.trace.push_back({s.time, s.depth, s.control->alpha, s.position, s.rates, s.control->capacity,

@@ -18,14 +18,13 @@ void report::add(const table_row& row) {
   const auto& f = row.figures;
   std::printf("%-8s %-15s %-16s %-34s %5d %8.3f %8.3f %8.3f %8.3f %5.0f %% %7.2f %7.1f%s\n",
               row.device.c_str(), row.wall.c_str(), row.environment.c_str(), row.law.c_str(), f.separations,
-              1e3 * f.depth_std, 1e3 * f.depth_range, 1e3 * f.depth_mean, 1e3 * f.depth_max,
+              1e3 * f.depth_std, 1e3 * f.depth_range, 1e3 * f.depth_mean, 1e3 * f.max_depth,
               100 * f.stick_share, f.retarding_force, 1e3 * f.brake_energy,
               f.arrived ? "" : ("  (" + std::string(to_string(f.end)) + ")").c_str());
   std::fflush(stdout);
   csv_ += csv_line(row);
-  most_power_ = std::max(most_power_, f.largest_brake_power);
-  if (f.brake_energy > 0)
-    worst_imbalance_ = std::max(worst_imbalance_, std::abs(row.imbalance) / f.brake_energy);
+  max_power_ = std::max(max_power_, f.max_brake_power);
+  if (f.brake_energy > 0) max_imbalance_ = std::max(max_imbalance_, std::abs(row.imbalance) / f.brake_energy);
 }
 
 }  // namespace experiments

@@ -13,13 +13,13 @@ class report {
   void section(std::string_view title);  // prints a heading
   void add(const table_row& row);        // prints a line
   std::string csv() const { return csv_; }
-  double most_power() const { return most_power_; }  // that a brake gave to its device [W]
+  double max_power() const { return max_power_; }  // that a brake gave to its device [W]
   // Of the energy, for each joule that the brakes took.
-  double worst_imbalance() const { return worst_imbalance_; }
+  double max_imbalance() const { return max_imbalance_; }
 
  private:
   std::string csv_ = csv_head();
-  double most_power_ = 0, worst_imbalance_ = 0;
+  double max_power_ = 0, max_imbalance_ = 0;
 };
 
 }  // namespace experiments

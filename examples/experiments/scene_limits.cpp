@@ -10,7 +10,7 @@ void scene_figures::add(const scene_figures& other) {
                        &scene_figures::not_left, &scene_figures::separations})
     this->*m += other.*m;
   for (const auto m :
-       {&scene_figures::deepest, &scene_figures::deviation, &scene_figures::drag, &scene_figures::leave})
+       {&scene_figures::max_depth, &scene_figures::deviation, &scene_figures::drag, &scene_figures::leave})
     this->*m = std::max(this->*m, other.*m);
 }
 
@@ -18,7 +18,7 @@ void effect_figures::add(const effect_figures& other) {
   hands += other.hands;
   not_left += other.not_left;
   for (const auto m :
-       {&effect_figures::moved, &effect_figures::creep, &effect_figures::deepest, &effect_figures::leave})
+       {&effect_figures::moved, &effect_figures::creep, &effect_figures::max_depth, &effect_figures::leave})
     this->*m = std::max(this->*m, other.*m);
 }
 
@@ -29,7 +29,7 @@ std::string unfit(const scene_cell& cell) {
   if (!cell.kind.is_world && cell.specimen.is_thin && cell.law.name == "velocity_direct_control")
     return "a controller rejects walls that are thinner than three times the law's rest depth";
   const int walls = cell.specimen.walls + (cell.kind.has_bar || cell.kind.has_mesh);
-  if (walls > cell.law.most_walls) return "the law takes one wall";
+  if (walls > cell.law.max_walls) return "the law takes one wall";
   return "";
 }
 
@@ -38,7 +38,7 @@ std::string worse_than(const scene_figures& reference, const scene_figures& figu
   if (figures.not_left > reference.not_left) return "never left";
   if (figures.arrived < reference.arrived) return "stuck";
   if (figures.separations > 0 && reference.separations == 0) return "separates";
-  if (figures.deepest > 1.5 * reference.deepest) return "deep";
+  if (figures.max_depth > 1.5 * reference.max_depth) return "deep";
   return "";
 }
 

@@ -138,11 +138,11 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
   };
   const carried_shape<D> shape{placed, displacement};
   const ph::following_hand<double, D> hand(where.along, x, p);
-  ph::wall_following_parameters run{.time_step = time_step, .longest = 2.5, .deepest = 0.02};
+  ph::wall_following_parameters run{.time_step = time_step, .max_duration = 2.5, .max_depth = 0.02};
   run.path_end = hand.progress(x) + length;
   const ph::contact_metrics glide = ph::follow_wall(plant, control, shape, hand, run);
   figures.separations = glide.separations;
-  figures.deepest = glide.depth_max;
+  figures.max_depth = glide.max_depth;
   figures.deviation = glide.depth_std;
   figures.drag = glide.retarding_force;
   figures.arrived = glide.arrived;
@@ -155,7 +155,7 @@ scene_figures follow_scene(const scene_device<M>& device, const any_specimen<M::
   p = {.speed = 0, .stiffness = 0, .damping = 0, .push = -p.push, .mass = p.mass};
   const ph::following_hand<double, D> puller(out, plant.position(), p);
   run.path_end = puller.progress(plant.position()) + depth;
-  run.longest = 1;
+  run.max_duration = 1;
   const ph::contact_metrics leaving = ph::follow_wall(plant, control, shape, puller, run);
   figures.leave = leaving.duration;
   figures.not_left = !leaving.arrived;

@@ -67,7 +67,7 @@ class scene_tables {
            l.name + (l.has_sensor ? "" : ", no sensor"), written("%.1f / %.1f", 1e3 * a.moved, 1e3 * b.moved),
            written("%.1f / %.1f", 1e3 * a.creep, 1e3 * b.creep),
            written("%.0f / %.0f", 1e3 * a.leave, 1e3 * b.leave), written("%d / %d", a.not_left, b.not_left),
-           c.has_wall ? written("%.1f / %.1f", 1e3 * a.deepest, 1e3 * b.deepest) : ""});
+           c.has_wall ? written("%.1f / %.1f", 1e3 * a.max_depth, 1e3 * b.max_depth) : ""});
     }
     std::printf("\nEffects, %s / %s\n\n%s", benches_[0].device.c_str(), benches_[1].device.c_str(),
                 all.c_str());
@@ -145,7 +145,7 @@ class scene_tables {
     judged now{figures, 1, ""};
     const char* where = &*first == &cell.specimen ? scene_kinds[0].name : kind.name;
     if (const auto found = results_.find({where, c.bench, first->name, c.law}); found != results_.end()) {
-      now.ratio = figures.deepest / found->second.figures.deepest;
+      now.ratio = figures.max_depth / found->second.figures.max_depth;
       now.worse = worse_than(found->second.figures, figures);
     }
     if (!now.worse.empty()) {
@@ -157,7 +157,7 @@ class scene_tables {
           markdown_row({cell.bench.device, cell.specimen.name, kind.name,
                         cell.law.name + (cell.law.has_sensor ? "" : ", no sensor"), now.worse,
                         written("%.2f", now.ratio), written("%d", figures.separations),
-                        written("%.2f", 1e3 * figures.deepest), written("%.2f", 1e3 * figures.deviation),
+                        written("%.2f", 1e3 * figures.max_depth), written("%.2f", 1e3 * figures.deviation),
                         written("%.2f", figures.drag), written("%.0f", 1e3 * figures.leave),
                         written("%d / %d / %d", figures.arrived, figures.through, figures.not_left),
                         limit == nullptr ? "unexplained" : limit->where});

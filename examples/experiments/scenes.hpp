@@ -48,13 +48,13 @@ struct scene_specimen {
 struct scene_law {
   std::string name;
   bool has_sensor = true;
-  int most_walls = 1000;  // that it takes
+  int max_walls = 1000;  // that it takes
 };
 
 // The figures of one hand, or the worst of several.
 struct scene_figures {
   int hands = 0, arrived = 0, through = 0, not_left = 0, separations = 0;
-  double deepest = 0, deviation = 0, drag = 0, leave = 0;  // [m], [m], [N], [s]
+  double max_depth = 0, deviation = 0, drag = 0, leave = 0;  // [m], [m], [N], [s]
 
   void add(const scene_figures& other);
 };
@@ -67,7 +67,7 @@ struct scene_effect {
 // The figures of one hand that pushes against an effect, or the worst of several.
 struct effect_figures {
   int hands = 0, not_left = 0;
-  double moved = 0, creep = 0, deepest = 0, leave = 0;  // [m], [m/s], in the wall [m], [s]
+  double moved = 0, creep = 0, max_depth = 0, leave = 0;  // [m], [m/s], in the wall [m], [s]
 
   void add(const effect_figures& other);
 };

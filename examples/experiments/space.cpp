@@ -14,7 +14,7 @@ namespace {
 using space_vector = ph::vector<double, 3>;
 constexpr double gap = 0.004, approach = 0.1,
                  speed = 0.05;  // at the start [m], [m/s], and along the wall [m/s]
-constexpr double longest = 8;   // [s]
+constexpr double max_time = 8;  // [s]
 
 // Three revolute joints, 0.1 m of column, two links of 0.15 m: uniform rods of 0.2 kg, 0.1 kg at the handle.
 using arm = ph::serial_chain_with_inertia<double, 3, 3>;
@@ -119,7 +119,7 @@ space_result follow(const place<M>& at, const std::vector<touch>& walls, const S
 
   std::vector<ph::contact_meter> meters(walls.size(), ph::contact_meter(at.length, how.time_step));
   space_result result;
-  const long steps = std::lround(longest / how.time_step), cycle = std::lround(1e-3 / how.time_step);
+  const long steps = std::lround(max_time / how.time_step), cycle = std::lround(1e-3 / how.time_step);
   space_vector capacity = space_vector::Zero();
   for (long k = 0; k < steps; ++k) {
     const double time = static_cast<double>(k) * how.time_step;

@@ -15,7 +15,7 @@ std::string csv_line(const table_row& row) {
   std::ostringstream line;
   line << row.device << ", " << row.wall << ", " << row.environment << ", " << row.law << ", "
        << f.separations << ", " << 1e3 * f.depth_std << ", " << 1e3 * f.depth_range << ", "
-       << 1e3 * f.depth_mean << ", " << 1e3 * f.depth_max << ", " << 100 * f.stick_share << ", "
+       << 1e3 * f.depth_mean << ", " << 1e3 * f.max_depth << ", " << 100 * f.stick_share << ", "
        << f.retarding_force << ", " << 1e3 * f.brake_energy << ", " << f.duration << ", "
        << (f.arrived ? "yes" : "no") << "\n";
   return line.str();

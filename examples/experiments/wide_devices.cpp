@@ -86,10 +86,10 @@ ph::contact_metrics follow_under_law(const kind<M>& k, const ph::random_device<M
     std::mt19937_64 bits = ph::random_bits(seed + 1, number);  // others than those of the device
     brakes.time_constant *= 0.3 * std::pow(10.0, ph::uniform_number(bits));
     inertia = d.inertia * 0.5 * std::pow(4.0, ph::uniform_number(bits));
-    constexpr double longest_dead_time = 0.010;  // [s]
+    constexpr double max_dead_time = 0.010;  // [s]
     if (what == belief::extreme)
       late_cycles = static_cast<std::size_t>(
-          std::lround(longest_dead_time * ph::uniform_number(bits) / d.run.control_period));
+          std::lround(max_dead_time * ph::uniform_number(bits) / d.run.control_period));
   }
   const ph::half_space<M::task_dimension> wall(d.plane.surface, d.plane.normal);
   ph::controller control(k.make(inertia), brakes,
@@ -125,7 +125,7 @@ wide_row follow_all(const kind<M>& k, std::uint64_t seed, std::size_t count, bel
   row.count = count;
   std::vector<double> spread;
   for (const outcome& o : outcomes) {
-    row.largest_power = std::max(row.largest_power, o.figures.largest_brake_power);
+    row.max_power = std::max(row.max_power, o.figures.max_brake_power);
     if (o.held) {
       ++row.held;
       continue;
@@ -208,14 +208,14 @@ std::pair<int, double> separating(std::uint64_t seed, belief what, double rest_d
     d.run.time_step = 2e-4;
     return follow_under_law(tendons, d, seed, number, what, {.rest_depth = rest_depth});
   });
-  std::vector<double> deepest;
+  std::vector<double> max_depth;
   int count = 0;
   for (const ph::contact_metrics& f : figures) {
     count += f.separates();
-    deepest.push_back(f.depth_max);
+    max_depth.push_back(f.max_depth);
   }
-  std::sort(deepest.begin(), deepest.end());
-  return {count, deepest[deepest.size() / 2]};
+  std::sort(max_depth.begin(), max_depth.end());
+  return {count, max_depth[max_depth.size() / 2]};
 }
 
 }  // namespace
@@ -224,10 +224,10 @@ std::vector<rest_depth_row> follow_at_rest_depths() {
   constexpr std::uint64_t first_seed = 20261, second_seed = 31337;
   std::vector<rest_depth_row> rows;
   for (const double depth : {1e-3, 2e-3, 4e-3}) {
-    const auto [known, deepest] = separating(first_seed, belief::data_sheet, depth);
+    const auto [known, max_depth] = separating(first_seed, belief::data_sheet, depth);
     rows.push_back({depth, known, separating(second_seed, belief::data_sheet, depth).first,
                     separating(first_seed, belief::wrong, depth).first,
-                    separating(first_seed, belief::extreme, depth).first, deepest});
+                    separating(first_seed, belief::extreme, depth).first, max_depth});
   }
   return rows;
 }
@@ -238,7 +238,7 @@ std::string rest_depth_table(const std::vector<rest_depth_row>& rows) {
   for (const rest_depth_row& r : rows)
     table += markdown_row({written("%g", 1e3 * r.rest_depth), written("%d", r.first_seed),
                            written("%d", r.second_seed), written("%d", r.wrong), written("%d", r.extreme),
-                           written("%.1f", 1e3 * r.median_deepest)});
+                           written("%.1f", 1e3 * r.median_max_depth)});
   return table;
 }
 

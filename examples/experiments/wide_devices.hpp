@@ -16,10 +16,10 @@ struct wide_row {
   int separating = 0;  // of the others
   int floating = 0;
   int never = 0;
-  int deep = 0;                              // over 10 mm,
-  int deep_nothing = 0;                      // of these: on over a tenth of the way nothing can be displayed,
-  int deep_weak = 0;                         // or less than what the hand pushes with 10 mm deep
-  double median_std = 0, largest_power = 0;  // [m], [W]
+  int deep = 0;                          // over 10 mm,
+  int deep_nothing = 0;                  // of these: on over a tenth of the way nothing can be displayed,
+  int deep_weak = 0;                     // or less than what the hand pushes with 10 mm deep
+  double median_std = 0, max_power = 0;  // [m], [W]
 };
 
 enum class belief {
@@ -36,7 +36,7 @@ std::vector<wide_row> follow_with_wide_devices(std::uint64_t seed, belief what, 
 struct rest_depth_row {
   double rest_depth = 0;  // [m]
   int first_seed = 0, second_seed = 0, wrong = 0, extreme = 0;
-  double median_deepest = 0;  // of the devices of the first seed [m]
+  double median_max_depth = 0;  // of the devices of the first seed [m]
 };
 std::vector<rest_depth_row> follow_at_rest_depths();
 std::string rest_depth_table(const std::vector<rest_depth_row>& rows);

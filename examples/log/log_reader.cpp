@@ -36,7 +36,7 @@ bool is_separator_line(std::string_view line) { return line.size() == 5 && line.
 }  // namespace
 
 log_reader::log_reader(std::istream& in, std::string name)
-    : lines_(in, longest_line), file_(std::move(name)) {
+    : lines_(in, max_line_length), file_(std::move(name)) {
   lines_.limit_zeros(1);  // the one that ends a text in C
   read_header();
   for (std::size_t i = 0; i < names_.size(); ++i)

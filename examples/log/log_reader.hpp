@@ -25,7 +25,8 @@ struct log_error : std::runtime_error {
 /// behind a #, a line "sep=;" before them.
 class log_reader {
  public:
-  static constexpr std::size_t longest_line = 4096;  ///< Longer lines are a mistake, not a log [characters].
+  static constexpr std::size_t max_line_length =
+      4096;  ///< Longer lines are a mistake, not a log [characters].
 
   /// Reads the header. name: of the file, for the messages.
   log_reader(std::istream& in, std::string name);

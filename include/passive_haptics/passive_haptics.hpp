@@ -55,15 +55,15 @@
 #include <passive_haptics/control/laws/recommended_law.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
 #include <passive_haptics/control/sensorless/torques_at_rest.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/control/ways/with_effects.hpp>
 
 #include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/design/description.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
-#include <passive_haptics/design/least_motor_share.hpp>
+#include <passive_haptics/design/min_motor_share.hpp>
 #include <passive_haptics/design/plausibility.hpp>
 #include <passive_haptics/design/recorded_motion.hpp>
 #include <passive_haptics/design/sink_depth.hpp>

@@ -1,7 +1,7 @@
 // expect: passive_haptics: a law that saturates before scaling takes one wall at a time
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/scene.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

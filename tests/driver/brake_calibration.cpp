@@ -201,7 +201,7 @@ TEST(brake_calibration, is_back_at_rest_after_a_restart) {
   calibration.currents({0.0, 0.0});
   EXPECT_DOUBLE_EQ(calibration.torque()[0], 0.2) << "remanence";
   EXPECT_EQ(calibration.currents({0.1, 0.1})[0], 0) << "which makes this already";
-  calibration.restart();
+  calibration.reset();
   EXPECT_DOUBLE_EQ(calibration.currents({0.1, 0.1})[0], 0.1);
 }
 
@@ -279,10 +279,10 @@ TEST(brake_calibration, names_what_is_wrong) {
             "brakes[1].table[0].torque [N m] = 0, expected the residual_torque");
   EXPECT_EQ(error([](curve& p) { p.current_limit = 1.5; }),
             "brakes[1].current_limit [A] = 1.5, expected at most the last current of the table");
-  EXPECT_EQ(error([](curve& p) { p.highest_temperature = 290; }),
-            "brakes[1].highest_temperature [K] = 290, expected at least reference_temperature");
+  EXPECT_EQ(error([](curve& p) { p.max_temperature = 290; }),
+            "brakes[1].max_temperature [K] = 290, expected at least reference_temperature");
   EXPECT_EQ(error([](curve& p) { p.loss_per_kelvin = 0.02; }),
-            "brakes[1].loss_per_kelvin [1/K] = 0.02, expected less than 1 / (highest_temperature - "
+            "brakes[1].loss_per_kelvin [1/K] = 0.02, expected less than 1 / (max_temperature - "
             "reference_temperature)");
 }
 

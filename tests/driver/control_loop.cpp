@@ -74,8 +74,8 @@ TEST_F(a_control_loop, wakes_at_absolute_times_however_late_each_cycle_is) {
   }
   EXPECT_EQ(report.cycles, 10u);
   EXPECT_EQ(report.overruns + report.missed, 0u);
-  EXPECT_EQ(report.compute.largest(), 300'000);
-  EXPECT_EQ(report.late.largest(), 100'000);
+  EXPECT_EQ(report.compute.maximum(), 300'000);
+  EXPECT_EQ(report.late.maximum(), 100'000);
   EXPECT_EQ(released, std::vector{ph::fault::user}) << "released at the end in any case";
   EXPECT_EQ(report.ended_by, ph::fault::none);
 }
@@ -165,7 +165,7 @@ TEST_F(a_control_loop, that_was_stopped_or_slept_too_long_releases_before_the_ne
 }
 
 TEST_F(a_control_loop, may_sleep_just_so_long) {
-  parameters.longest_sleep = 0.25;
+  parameters.max_sleep = 0.25;
   clock.late = [](int k) { return k == 3 ? 250 * ms : k == 6 ? 250 * ms + 1000 : 0; };
   std::vector<std::size_t> released_before;
   run([&](const ph::loop_cycle& now) {
@@ -274,8 +274,8 @@ TEST(control_loop_parameters, are_checked_by_name) {
   EXPECT_EQ(validate(ph::control_loop_parameters{.period = 0}), "period [s] = 0, expected 1e-6 to 1");
   EXPECT_EQ(validate(ph::control_loop_parameters{.max_overruns = -1}),
             "max_overruns = -1, expected a whole number >= 0");
-  EXPECT_EQ(validate(ph::control_loop_parameters{.longest_sleep = 0}),
-            "longest_sleep [s] = 0, expected a finite number > 0");
+  EXPECT_EQ(validate(ph::control_loop_parameters{.max_sleep = 0}),
+            "max_sleep [s] = 0, expected a finite number > 0");
   EXPECT_THROW(ph::control_loop({.period = 2}), std::invalid_argument);
 }
 
@@ -297,7 +297,7 @@ TEST(a_duration_histogram, has_percentiles_within_a_sixteenth) {
       EXPECT_LE(static_cast<double>(h.percentile(share)), exact * (1 + 1.0 / 16) + 1)
           << scale << ", " << share;
     }
-    EXPECT_EQ(h.largest(), all.back());
+    EXPECT_EQ(h.maximum(), all.back());
     EXPECT_EQ(h.count(), 10'000u);
     EXPECT_NEAR(h.mean(), scale, 0.05 * scale);
   }

@@ -10,8 +10,8 @@ namespace {
 namespace serial = example::serial;
 
 struct board {
-  std::array<std::uint16_t, serial::most_channels> current{};
-  std::array<std::int32_t, serial::most_channels> count{};
+  std::array<std::uint16_t, serial::max_channels> current{};
+  std::array<std::int32_t, serial::max_channels> count{};
   std::uint8_t bad_encoders = 0, bad_brakes = 0;
   std::uint16_t largest = 0;
   serial::decoder host;
@@ -28,7 +28,7 @@ struct board {
     for (const std::uint8_t b : bytes)
       if (host.take(b) == serial::outcome::packet) sent.push_back(host.last());
   }
-  bool at_rest() const { return current == std::array<std::uint16_t, serial::most_channels>{}; }
+  bool at_rest() const { return current == std::array<std::uint16_t, serial::max_channels>{}; }
 };
 
 constexpr firmware::settings usual{};

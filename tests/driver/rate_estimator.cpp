@@ -202,7 +202,7 @@ TEST(rate_estimator, tells_no_rate_within_its_dead_band_and_sees_twice_that) {
 // (c)
 TEST(rate_estimator, lags_behind_an_acceleration_by_no_more_than_documented) {
   random_source random(13);
-  double largest_share = 0;
+  double max_share = 0;
   for (int run = 0; run < 500; ++run) {
     const double a = random.positive(100.0, 1e7), v0 = random.wide(1.0, 1e4), x0 = random.uniform(0.0, 1.0);
     const double lag = ph::rate_lag(1, window, T, a);
@@ -213,19 +213,19 @@ TEST(rate_estimator, lags_behind_an_acceleration_by_no_more_than_documented) {
       if (k == 0) continue;
       const double span = estimator.span(0);
       ASSERT_LE(span / 2, lag * (1 + 1e-6)) << "a " << a;
-      largest_share = std::max(largest_share, span / 2 / lag);
+      max_share = std::max(max_share, span / 2 / lag);
       const double steps = estimate == 0 ? 2 : 1;
       ASSERT_LT(std::abs(estimate - (v0 + a * (t - span / 2))), steps / span * (1 + 1e-6));
     }
   }
-  std::cout << "group delay up to " << largest_share << " of rate_lag\n";
-  EXPECT_GT(largest_share, 0.9) << "the bound is far from what happens";
+  std::cout << "group delay up to " << max_share << " of rate_lag\n";
+  EXPECT_GT(max_share, 0.9) << "the bound is far from what happens";
 }
 
 // (d)
 TEST(rate_estimator, has_the_right_sign_after_a_reversal_or_a_start_within_the_documented_time) {
   random_source random(14);
-  double largest_share = 0, earliest = 1e9, latest = 0;
+  double max_share = 0, earliest = 1e9, latest = 0;
   for (int run = 0; run < 4000; ++run) {
     const double a = random.positive(100.0, 1e7), turn = random.uniform(0.03, 0.031),
                  x0 = random.uniform(0.0, 1.0);
@@ -242,13 +242,13 @@ TEST(rate_estimator, has_the_right_sign_after_a_reversal_or_a_start_within_the_d
     // The next sample is right
     ASSERT_LE(last_wrong + T - turn, onset * (1 + 1e-9))
         << "a " << a << (from_rest ? " from rest" : " reversed");
-    largest_share = std::max(largest_share, (last_wrong + T - turn) / onset);
+    max_share = std::max(max_share, (last_wrong + T - turn) / onset);
     earliest = std::min(earliest, onset);
     latest = std::max(latest, onset);
   }
-  std::cout << "seen after up to " << largest_share << " of rate_onset, " << earliest << " to " << latest
+  std::cout << "seen after up to " << max_share << " of rate_onset, " << earliest << " to " << latest
             << " s\n";
-  EXPECT_GT(largest_share, 0.8) << "the bound is far from what happens";
+  EXPECT_GT(max_share, 0.8) << "the bound is far from what happens";
 }
 
 // (f)
@@ -278,7 +278,7 @@ TEST(rate_estimator, loses_no_axis_to_another_that_is_no_number) {
 TEST(rate_estimator, starts_anew) {
   ph::rate_estimator<1> estimator;
   for (int k = 0; k < 50; ++k) estimator.add(k * T, one(5 * k));
-  estimator.restart();
+  estimator.reset();
   EXPECT_EQ(estimator.rate()[0], 0);
   EXPECT_EQ(estimator.add(0.0, one(0))[0], 0) << "an earlier time is new";
   EXPECT_NEAR(estimator.add(T, one(7))[0], 7 / T, 1e-9);

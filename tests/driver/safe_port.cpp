@@ -17,7 +17,7 @@ safe::parameters usual() {
   safe::parameters p;
   p.encoders.frozen_travel = 2048;
   p.sensor.range.fill(100);
-  p.currents.largest.fill(1);
+  p.currents.max_current.fill(1);
   p.currents.continuous.fill(0.9);
   p.currents.heat.fill(0.05);
   return p;
@@ -529,7 +529,7 @@ TEST(a_counter, that_can_wrap_within_the_period_is_refused_when_the_port_opens) 
   EXPECT_EQ(
       opened(0.0125),
       "period [s] = 0.0125, expected less than 0.01023, within which a counter of 12 bits can wrap unseen: "
-      "shorten it, lower encoders.largest_rate or use a wider counter");
+      "shorten it, lower encoders.max_rate or use a wider counter");
 }
 
 // By the median of the first 20 spacings; the samples themselves are dated nearer to each other.
@@ -664,7 +664,7 @@ TEST(an_encoder_check, takes_only_counts_that_the_counter_has) {
       first = check({0, 0, {count}, {true}}, true) == ph::fault_record{};
       EXPECT_EQ(check.position()[0], first ? count : 0);
     }
-    ph::encoder_check<1> check({.largest_rate = bits > 0 ? 100 : 1e300});
+    ph::encoder_check<1> check({.max_rate = bits > 0 ? 100 : 1e300});
     check.set_counter_bits(bits);
     check({0, 0, {-64}, {true}}, true);  // from where no good count is further than 64
     later = check({1, 1, {count}, {true}}, true) == ph::fault_record{};
@@ -692,7 +692,7 @@ TEST(an_encoder_check, loses_no_count_where_each_tenth_sample_is_none) {
 }
 
 TEST(a_jump, cannot_be_waited_out) {
-  ph::encoder_check<1> check({.largest_rate = 1000});
+  ph::encoder_check<1> check({.max_rate = 1000});
   ph::port_sample<1> sample{0, 0, {0}, {true}};
   EXPECT_EQ(check(sample, true).what, ph::fault::none);
   for (int k = 1; k <= 5000; ++k) {  // 5 s, in which it could have gone 5000 counts
@@ -805,7 +805,7 @@ TEST(rejected_samples, are_a_share_of_those_that_arrived_not_of_the_reads) {
 TEST(an_encoder_check, allows_the_largest_rate_and_a_count_at_each_end) {
   // After `later` [s], moved so far
   const auto after = [](double later, double moved) {
-    ph::encoder_check<2> check({.largest_rate = 1000});
+    ph::encoder_check<2> check({.max_rate = 1000});
     EXPECT_EQ(check({7, 0, {5, -3}, {true, true}}, true), ph::fault_record{});
     const auto found = check({7 + later, 1, {5, -3 + moved}, {true, true}}, true);
     EXPECT_EQ(check.position()[1], found.what == ph::fault::none ? -3 + moved : -3);
@@ -823,7 +823,7 @@ TEST(an_encoder_check, allows_the_largest_rate_and_a_count_at_each_end) {
 }
 
 TEST(an_encoder_check, counts_the_way_of_the_others_since_each_encoder_changed) {
-  ph::encoder_check<3> check({.largest_rate = 1e6, .frozen_travel = 1});
+  ph::encoder_check<3> check({.max_rate = 1e6, .frozen_travel = 1});
   ph::port_sample<3> sample{0, 0, {0, 0, 0}, {true, true, true}};
   // Each encoder moves so far; which one is frozen, or -1
   const auto frozen = [&](const std::array<double, 3>& moved, bool free) {
@@ -856,7 +856,7 @@ TEST(an_encoder_check, without_a_travel_never_asks_whether_an_encoder_froze) {
 TEST(a_current_limiter, clamps_slows_and_spares_each_coil) {
   using currents = ph::brake_currents<2>;
   ph::current_limiter<2> limiter(
-      {.largest = {0.3, 2}, .continuous = {0.2, 1.5}, .heat = {10, 1}, .fastest_rise = {0.5, 0}});
+      {.max_current = {0.3, 2}, .continuous = {0.2, 1.5}, .heat = {10, 1}, .max_rise_rate = {0.5, 0}});
   EXPECT_FALSE(limiter.lowered_by_heat());
   EXPECT_EQ(limiter({9, 9}, 0.125), (currents{0.0625, 2}));
   EXPECT_FALSE(limiter.lowered_by_heat());
@@ -887,7 +887,7 @@ TEST(the_currents, never_pass_their_limit) {
 
 TEST(the_currents, rise_no_faster_than_they_may_and_fall_at_once) {
   auto p = usual();
-  p.currents.fastest_rise = {100, 0};
+  p.currents.max_rise_rate = {100, 0};
   rig r(p);
   r.wanted = {0.5, 0.5};
   r.cycle();
@@ -928,7 +928,7 @@ TEST(the_currents, of_a_coil_that_gets_too_warm_are_lowered_until_it_is_cooler) 
 
 TEST(the_currents, rise_from_nothing_after_a_pause_and_after_a_release) {
   auto p = usual();
-  p.currents.fastest_rise = {100, 0};
+  p.currents.max_rise_rate = {100, 0};
   p.at_release.policy = ph::release_policy::hold;
   rig r(p);
   r.take_samples();
@@ -949,7 +949,7 @@ TEST(the_currents, rise_from_nothing_after_a_pause_and_after_a_release) {
 
 TEST(the_currents, are_held_by_a_clock_that_goes_back) {
   auto p = usual();
-  p.currents.fastest_rise.fill(100);
+  p.currents.max_rise_rate.fill(100);
   p.at_release.policy = ph::release_policy::hold;
   rig r(p);
   r.wanted = {0, 0};
@@ -989,7 +989,7 @@ TEST(a_release_profile, is_known_by_its_time_alone) {
     return profile;
   };
   const auto zero = of({});
-  EXPECT_EQ(ph::release_parameters{}.longest(), 0);
+  EXPECT_EQ(ph::release_parameters{}.max_duration(), 0);
   EXPECT_EQ(zero(5), currents{});
   EXPECT_TRUE(zero.over(5));
 
@@ -1160,7 +1160,7 @@ TEST(a_release_policy, is_not_begun_anew_after_the_program_let_go) {
   p.at_release.policy = ph::release_policy::hold;
   rig r(p);
   r.hold();
-  r.port.let_go();
+  r.port.release_immediately();
   r.port.release({ph::fault::supervisor_lost}, {{r.time, {0.5, 0.25}}});
   r.cycles(3);
   EXPECT_EQ(r.device.currents, ph::brake_currents<2>{});
@@ -1187,7 +1187,7 @@ TEST(a_release_policy, ends_at_once_where_the_program_lets_go) {
     p.at_release.policy = policy;
     rig r(p);
     r.hold();
-    r.port.let_go();
+    r.port.release_immediately();
     EXPECT_FALSE(r.device.flows());
     EXPECT_EQ(r.port.applied(), ph::brake_currents<2>{});
     EXPECT_EQ(r.port.state(), ph::port_state::released);
@@ -1350,8 +1350,8 @@ TEST(the_parameters, of_a_safe_port_are_checked_by_name) {
     return validate(p);
   };
   EXPECT_EQ(error([](auto&) {}), "");
-  EXPECT_EQ(error([](auto& p) { p.currents.largest[1] = -1; }),
-            "currents.largest[1] [A] = -1, expected a finite number > 0");
+  EXPECT_EQ(error([](auto& p) { p.currents.max_current[1] = -1; }),
+            "currents.max_current[1] [A] = -1, expected a finite number > 0");
   EXPECT_EQ(error([](auto& p) { p.currents.heat[0] = fake::nan; }),
             "currents.heat[0] [A^2 s] = nan, expected a finite number > 0");
   EXPECT_EQ(error([](auto& p) { p.sensor.range[2] = 0; }),

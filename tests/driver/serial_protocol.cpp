@@ -50,7 +50,7 @@ class random_packets {
     const auto n = static_cast<std::uint32_t>(bits_());
     return n % 3 == 0 ? special[(n >> 8) % special.size()] : n;
   }
-  std::uint8_t channels() { return static_cast<std::uint8_t>(1 + bits_() % serial::most_channels); }
+  std::uint8_t channels() { return static_cast<std::uint8_t>(1 + bits_() % serial::max_channels); }
   serial::currents currents() {
     serial::currents m;
     m.brakes = channels();
@@ -116,7 +116,7 @@ TEST(serial_protocol, a_frame_has_delimiters_at_its_ends_only) {
   random_packets random;
   for (int k = 0; k < 20'000; ++k) {
     const bytes f = encoded(random.packet());
-    ASSERT_LE(f.size(), serial::longest_frame);
+    ASSERT_LE(f.size(), serial::max_frame);
     for (std::size_t i = 0; i < f.size(); ++i)
       ASSERT_EQ(f[i] == 0, i == 0 || i + 1 == f.size()) << "byte " << i << " of packet " << k;
   }
@@ -139,7 +139,7 @@ TEST(serial_protocol, a_content_of_another_length_is_refused) {
   serial::currents c;
   serial::hello h;
   serial::sample s;
-  for (std::size_t size = 0; size <= serial::longest_payload; ++size) {
+  for (std::size_t size = 0; size <= serial::max_payload; ++size) {
     serial::packet p;
     p.size = static_cast<std::uint8_t>(size);
     p.payload[0] = serial::protocol_version;

@@ -125,8 +125,7 @@ struct a_supervised_loop : ::testing::Test {
     if (!record.start().empty() || !guard.start().empty() || !port.open().empty()) return 2;
     device->supervisor = guard.pid();
     const ph::stop_signals signals;
-    ph::control_loop loop_at_1_khz(
-        ph::control_loop_parameters{.max_overruns = 1000000, .longest_sleep = 1e9});
+    ph::control_loop loop_at_1_khz(ph::control_loop_parameters{.max_overruns = 1000000, .max_sleep = 1e9});
     int k = 0;
     const auto report = loop_at_1_khz.run(
         [&](const ph::loop_cycle& now) {
@@ -260,7 +259,7 @@ TEST_F(a_supervised_loop, that_is_killed_holds_so_long_as_the_user_says) {
 TEST_F(a_supervised_loop, that_holds_too_warm_a_coil_gives_it_less_in_the_end) {
   ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.02},
                                      {.policy = ph::release_policy::hold, .hold_time = 100},
-                                     {.largest = {1}, .continuous = {0.4}, .heat = {0.01}});
+                                     {.max_current = {1}, .continuous = {0.4}, .heat = {0.01}});
   ASSERT_EQ(guard.start(), "");
   guard.beat(1, {0.5});  // 0.11 s until it is too warm
   EXPECT_TRUE(eventually([&] { return device->current == 0.5; }));
@@ -274,7 +273,7 @@ TEST_F(a_supervised_loop, that_holds_too_warm_a_coil_gives_it_less_in_the_end) {
 TEST_F(a_supervised_loop, warmed_its_coils_already_before_it_fell_silent) {
   ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.2},
                                      {.policy = ph::release_policy::hold, .hold_time = 100},
-                                     {.largest = {1}, .continuous = {0.4}, .heat = {0.01}});
+                                     {.max_current = {1}, .continuous = {0.4}, .heat = {0.01}});
   ASSERT_EQ(guard.start(), "");
   device->supervisor = guard.pid();
   guard.beat(1, {0.5});
@@ -287,7 +286,7 @@ TEST_F(a_supervised_loop, warmed_its_coils_already_before_it_fell_silent) {
 TEST_F(a_supervised_loop, warmed_its_coils_by_no_more_than_flowed) {
   ph::supervisor<keeping_port> guard(keeping_port{&*device}, {.timeout = 0.05},
                                      {.policy = ph::release_policy::hold, .hold_time = 100},
-                                     {.largest = {1}, .continuous = {0.4}, .heat = {0.3}});
+                                     {.max_current = {1}, .continuous = {0.4}, .heat = {0.3}});
   ASSERT_EQ(guard.start(), "");
   device->supervisor = guard.pid();
   for (const double start = ph::monotonic_seconds(); ph::monotonic_seconds() < start + 0.3; usleep(1000))

@@ -62,7 +62,8 @@ void check(example::configuration c) {
     device->deepest_wall(now);
     const auto currents = device->cycle(now, example::phase::running, r);
     for (std::size_t i = 0; i < currents.size(); ++i)
-      require(currents[i] >= 0 && currents[i] <= c.safety.currents.largest[i], "a current out of its limits");
+      require(currents[i] >= 0 && currents[i] <= c.safety.currents.max_current[i],
+              "a current out of its limits");
   }
 }
 

@@ -42,7 +42,7 @@ class checked_decoder {
     const bool listened = std::exchange(listens_, true);
     if (o == serial::outcome::packet) {
       require(listened && frame_of(tested_.last()) == came, "a packet of other bytes");
-      require(tested_.last().size <= serial::longest_payload, "a packet that is too long");
+      require(tested_.last().size <= serial::max_payload, "a packet that is too long");
     } else {
       require((o == serial::outcome::damaged) == (listened && !came.empty()), "damage where there is none");
       require(!listened || std::find(sent_.begin(), sent_.end(), came) == sent_.end(),
@@ -59,7 +59,7 @@ class checked_decoder {
  private:
   static bytes frame_of(const serial::packet& p) {
     const serial::frame f = serial::encode(p);
-    require(f.size <= serial::longest_frame && f.byte[0] == 0 && f.byte[f.size - 1] == 0,
+    require(f.size <= serial::max_frame && f.byte[0] == 0 && f.byte[f.size - 1] == 0,
             "a frame without its ends");
     return bytes(f.byte.begin() + 1, f.byte.begin() + static_cast<std::ptrdiff_t>(f.size - 1));
   }
@@ -169,7 +169,7 @@ class bench {
     serial::packet p;
     p.type = choice & 8 ? in_.byte() : static_cast<std::uint8_t>(usual.type);
     p.sequence = in_.byte();
-    const auto content = in_.bytes(choice & 16 ? in_.byte() % (serial::longest_payload + 1) : usual.size);
+    const auto content = in_.bytes(choice & 16 ? in_.byte() % (serial::max_payload + 1) : usual.size);
     p.size = static_cast<std::uint8_t>(content.size());
     std::copy(content.begin(), content.end(), p.payload.begin());
     return p;

@@ -5,8 +5,8 @@
 #include "../tested_types.hpp"
 
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/control/sensorless/sensorless_controller.hpp>
-#include <passive_haptics/control/ways/with_effects.hpp>
 #include <passive_haptics/force/effects/detents.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>
@@ -108,12 +108,12 @@ using felt_devices = tested_types<device_case<ph::tendon_two_link<double>>, clos
                                   closed_chains::desktop_delta<double>>;
 TYPED_TEST_SUITE(effects_without_a_sensor, felt_devices);
 
-// Within worst_release_time, and the time to fall out of the wall. Off a wall the hand does not push along.
+// Within max_release_time, and the time to fall out of the wall. Off a wall the hand does not push along.
 TYPED_TEST(effects_without_a_sensor, hold_a_push_and_let_the_hand_back) {
   using M = typename TypeParam::mechanism;
   constexpr int d = M::task_dimension;
   const M device = TypeParam::make();
-  const double stated = ph::worst_release_time(ph::release_probe_parameters());
+  const double stated = ph::max_release_time(ph::release_probe_parameters());
   double creep = 0, back = 0, off_the_wall = 0;
   int hands = 0;
   for (unsigned seed = 1; hands < 8; ++seed) {

@@ -32,7 +32,7 @@ TEST(scenes, are_felt_as_the_analytic_shape_or_named_in_the_limits) {
         const std::string worse = worse_than(is_reference ? alone.at({l, meant}) : here.at(meant), figures);
         EXPECT_TRUE(worse.empty() || limit_of(cell, worse) != nullptr)
             << cell.specimen.name << ", " << kind.name << ", " << cell.law.name << ": " << worse << ", "
-            << 1e3 * figures.deepest << " mm, separations " << figures.separations;
+            << 1e3 * figures.max_depth << " mm, separations " << figures.separations;
       }
     }
 }

@@ -23,7 +23,7 @@ void write_figures(const M& mechanism, const task<M>& given, doubles_out& out) {
     const auto sink = ph::sink_slope(mechanism, at.q, at.direction, at.normal, brakes, push);
     const auto f = ph::design_figures_at(mechanism, at, brakes, push);
     for (const int whole : {int(sink.outcome), int(f.outcome), int(f.display)}) out.add(double(whole));
-    for (const double x : {sink.slope, f.cosine, f.drag, f.strongest, f.sink_slope, f.isotropy}) out.add(x);
+    for (const double x : {sink.slope, f.cosine, f.drag, f.max_force, f.sink_slope, f.isotropy}) out.add(x);
   }
 }
 
@@ -44,7 +44,7 @@ void write_runs(const M& mechanism, const task<M>& given, doubles_out& out) {
   constexpr int d = M::task_dimension;
   const ph::half_space<d> plane(given.point, given.normal);
   ph::wall_following_parameters p;
-  p.longest = 0.5;
+  p.max_duration = 0.5;
   p.path_end = 10;
   const auto& start = given.states[100];
   ph::vector<double, d> along = ph::vector<double, d>::Zero();
@@ -62,8 +62,8 @@ void write_runs(const M& mechanism, const task<M>& given, doubles_out& out) {
       out.add(now.control->capacity);
       out.add(now.control->alpha);
     });
-    for (const double x : {f.depth_mean, f.depth_std, f.depth_max, f.stick_share, f.hand_force_std,
-                           f.retarding_force, f.brake_energy, f.largest_brake_power, f.duration})
+    for (const double x : {f.depth_mean, f.depth_std, f.max_depth, f.stick_share, f.hand_force_std,
+                           f.retarding_force, f.brake_energy, f.max_brake_power, f.duration})
       out.add(x);
   };
   run(ph::simulated_device<M>(mechanism, given.brakes, 0.5, start.q));

@@ -4,7 +4,7 @@
 #include <passive_haptics/control/batch/batch_controller.hpp>
 #include <passive_haptics/control/laws/recommended_law.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/scene/scene.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 
@@ -198,6 +198,6 @@ bool run_scene(const std::string& device, const std::string& law, const std::str
 bool run_log(const std::string& device, const std::string& law, const std::string& mode,
              const std::string& in, const std::string& to);
 bool run_tendon(const std::string& device, const std::string& law, const std::string& mode,
-               const std::string& in, const std::string& to);
+                const std::string& in, const std::string& to);
 
 }  // namespace reference

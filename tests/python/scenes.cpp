@@ -1,7 +1,7 @@
 // Meshes, worlds, held scenes and effects.
 #include "reference.hpp"
 
-#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/force/effects/detents.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>

@@ -45,7 +45,7 @@ def test_figures(name, tmp_path):
         case.device.sink_slope(q, force, case.normal, brakes, PUSH) for q, force in zip(case.q, case.hand_force)
     ]
     columns = [[outcome for _, outcome in sinks], found["outcome"], found["display"], [slope for slope, _ in sinks]]
-    columns += [found[field] for field in ("cosine", "drag", "strongest", "sink_slope", "isotropy")]
+    columns += [found[field] for field in ("cosine", "drag", "max_force", "sink_slope", "isotropy")]
     same_bits(np.column_stack([np.asarray(c, dtype=float) for c in columns]).ravel(), of_cpp(case, "figures", tmp_path))
     assert 0.3 < np.mean(found["outcome"] == ph.status.ok) < 1
     assert np.isfinite(found["sink_slope"]).mean() > 0.05
@@ -66,7 +66,7 @@ def run_of(case, brakes):
     along = np.zeros(case.device.task_dimension)
     along[:2] = case.normal[1], -case.normal[0]
     hand = ph.following_hand(along, device.position)
-    parameters = ph.wall_following_parameters(longest=0.5, path_end=10)
+    parameters = ph.wall_following_parameters(max_duration=0.5, path_end=10)
     shape = ph.half_space(case.point, case.normal)
     return ph.follow_wall(device, case.controller("direct_control"), shape, hand, parameters, record=True)
 
@@ -74,8 +74,8 @@ def run_of(case, brakes):
 def numbers_of(metrics, rows):
     fields = ("time", "depth", "position", "brake_torque", "hand_force", "capacity", "alpha")
     samples = np.column_stack([rows[field] for field in fields])
-    figures = [metrics.depth_mean, metrics.depth_std, metrics.depth_max, metrics.stick_share, metrics.hand_force_std]
-    figures += [metrics.retarding_force, metrics.brake_energy, metrics.largest_brake_power, metrics.duration]
+    figures = [metrics.depth_mean, metrics.depth_std, metrics.max_depth, metrics.stick_share, metrics.hand_force_std]
+    figures += [metrics.retarding_force, metrics.brake_energy, metrics.max_brake_power, metrics.duration]
     return np.concatenate([samples.ravel(), figures])
 
 
@@ -97,7 +97,7 @@ def test_runs_without_a_record_are_the_same_runs():
     metrics, rows = run_of(case, case.brakes())
     device = ph.simulated_device(case.device, case.brakes(), 0.5, case.q[START])
     hand = ph.following_hand([case.normal[1], -case.normal[0]], device.position)
-    parameters = ph.wall_following_parameters(longest=0.5, path_end=10)
+    parameters = ph.wall_following_parameters(max_duration=0.5, path_end=10)
     shape = ph.half_space(case.point, case.normal)
     again, none = ph.follow_wall(device, case.controller("direct_control"), shape, hand, parameters)
     assert again == metrics and len(none) == 0
@@ -134,8 +134,8 @@ def test_sink_slope_beside_its_definition():
         if not 0 < slope < 100:
             continue
         tried += 1
-        above = arm.displayable(q, t - 1.001 * slope * n, n, brakes).strongest
-        below = arm.displayable(q, t - 0.999 * slope * n, n, brakes).strongest
+        above = arm.displayable(q, t - 1.001 * slope * n, n, brakes).max_force
+        below = arm.displayable(q, t - 0.999 * slope * n, n, brakes).max_force
         assert above >= PUSH > below
     assert tried > 50
     assert arm.sink_slope([0.5, 1], [1, 0], [0, -1], arm.brakes(torque_limit=[0, 0]))[0] == float("inf")
@@ -179,7 +179,7 @@ case = Case("two_link", 10_000, 1)
 arm, plane, control = case.device, ph.half_space([0, 0.2], [0, -1]), case.controller("direct_control")
 device = ph.simulated_device(arm, case.brakes(), 0.5, case.q[100])
 hand = ph.following_hand([1, 0], device.position)
-parameters = ph.wall_following_parameters(longest=1e5, path_end=1e5, deepest=1e9)
+parameters = ph.wall_following_parameters(max_duration=1e5, path_end=1e5, max_depth=1e9)
 signal.signal(signal.SIGINT, signal.default_int_handler)
 threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
 try:

@@ -26,7 +26,7 @@ def run(law, longest=0.3):
     device = ph.simulated_device(ARM, ARM.brakes(), 0.5, ARM.inverse([0.045, 0.221])[0])
     hand = ph.following_hand([1, 0], device.position)
     control = ph.controller(ARM, ARM.brakes(), ph.scene(ph.wall(WALL)), law)
-    parameters = ph.wall_following_parameters(longest=longest)
+    parameters = ph.wall_following_parameters(max_duration=longest)
     return ph.follow_wall(device, control, WALL, hand, parameters, record=True)[1]
 
 

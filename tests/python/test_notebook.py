@@ -37,7 +37,7 @@ assert abs(at_both_ends[0] - 3) < 1 and abs(at_both_ends[1] - 33) < 2
 bounces, rows = follow(PAPERS_WALL, ph.no_direct_control())
 glides, _ = follow(PAPERS_WALL, ph.saturated_direct_control())
 assert bounces.separations >= 4 and glides.separations <= 1 and glides.depth_std < bounces.depth_std
-assert rows["depth"].max() == bounces.depth_max
+assert rows["depth"].max() == bounces.max_depth
 bounces, _ = follow(PAPERS_WALL, ph.no_direct_control(), period=0.05)
 glides, _ = follow(PAPERS_WALL, ph.saturated_direct_control(), period=0.05)
 assert bounces.separations >= 3 and glides.separations <= 1 and glides.depth_std < bounces.depth_std

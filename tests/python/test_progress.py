@@ -37,7 +37,7 @@ def slow_run():
     slow = ph.python_mechanism(2, 2, slow_position, device.jacobian)
     control = ph.controller(slow, slow.brakes(), ph.scene(ph.wall(far)), ph.direct_control())
     hand = ph.following_hand([1, 0], simulated.position, push=0)
-    return ph.follow_wall(simulated, control, far, hand, ph.wall_following_parameters(longest=5, path_end=1e3))
+    return ph.follow_wall(simulated, control, far, hand, ph.wall_following_parameters(max_duration=5, path_end=1e3))
 
 
 @pytest.mark.parametrize("call, of, total", [(slow_map, "places", 2000), (slow_run, "ms at most", 5_000)])

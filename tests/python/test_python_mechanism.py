@@ -103,7 +103,7 @@ def test_simulations_with_inertia(name):
     hand = ph.following_hand([case.normal[1], -case.normal[0]], mine.position(case.q[100]))
     simulated = ph.simulated_device(mine, case.brakes(), 0.5, case.q[100])
     shape = ph.half_space(case.point, case.normal)
-    metrics, rows = ph.follow_wall(simulated, control, shape, hand, ph.wall_following_parameters(longest=0.05), record=True)
+    metrics, rows = ph.follow_wall(simulated, control, shape, hand, ph.wall_following_parameters(max_duration=0.05), record=True)
     assert metrics.end == ph.run_end.time_over and len(rows) == 500 and np.isfinite(rows["position"]).all()
 
 

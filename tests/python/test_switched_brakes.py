@@ -66,8 +66,8 @@ def test_a_brake_that_is_off_displays_nothing():
     arm = ph.tendon_two_link()
     q, motion, normal = [0.7, 0.8], [0.05, 0.02], [0, -1]
     off = arm.brakes(torque_lower=[0, 0], torque_upper=[0, 0])
-    assert arm.displayable(q, motion, normal, arm.brakes()).strongest > 0
-    assert arm.displayable(q, motion, normal, off).strongest == 0
+    assert arm.displayable(q, motion, normal, arm.brakes()).max_force > 0
+    assert arm.displayable(q, motion, normal, off).max_force == 0
     assert arm.sink_slope(q, [1, 0], normal, off)[0] == inf
 
 

@@ -97,7 +97,7 @@ def values():
     yield ph.simulated_device(ph.two_link(), [BRAKES[0], BRAKES[1]], 0, [0.5, 0.5])
     yield ph.following_hand([1, 0], [0.1, 0.2])
     yield ph.following_hand([0, 0, 1], [0.1, 0.2, 0.3], push=3)
-    yield ph.wall_following_parameters(longest=2, noise_seed=7)
+    yield ph.wall_following_parameters(max_duration=2, noise_seed=7)
     yield ph.python_mechanism(2, 2, boom)
     yield ph.python_mechanism(dof=2, task_dimension=2, position=boom, jacobian=boom)
 

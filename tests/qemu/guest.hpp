@@ -28,8 +28,8 @@ using sensor = example::comedi_force_sensor<2>;
 inline port::parameters port_parameters(const std::string& device = self_configured) {
   port::parameters p;
   p.device = device;
-  p.brakes[0] = {.channel = 2, .amperes_per_volt = amperes_per_volt, .largest_current = 4};
-  p.brakes[1] = {.channel = 5, .amperes_per_volt = amperes_per_volt, .largest_current = 4};
+  p.brakes[0] = {.channel = 2, .amperes_per_volt = amperes_per_volt, .max_current = 4};
+  p.brakes[1] = {.channel = 5, .amperes_per_volt = amperes_per_volt, .max_current = 4};
   return p;
 }
 

@@ -55,7 +55,7 @@ class program {
   using safe = ph::safe_port<port, sensor>;
   static safe::parameters limits() {
     safe::parameters p;
-    p.currents.largest = p.currents.continuous = {4, 4};
+    p.currents.max_current = p.currents.continuous = {4, 4};
     return p;
   }
 
@@ -76,8 +76,8 @@ outcome ten_seconds() {
   const auto us = [](std::int64_t ns) { return text(1e-3 * static_cast<double>(ns), " us"); };
   const std::string figures =
       text(report.cycles, " cycles in ", duration, " s, ", report.overruns, " overruns, ", report.missed,
-           " missed; woken ", us(report.late.largest()), " late at most; a cycle takes ",
-           us(report.compute.percentile(0.5)), ", at most ", us(report.compute.largest()), "; read back ",
+           " missed; woken ", us(report.late.maximum()), " late at most; a cycle takes ",
+           us(report.compute.percentile(0.5)), ", at most ", us(report.compute.maximum()), "; read back ",
            1e3 * p.worst, " mV off at most");
   const bool good = report.cycles == cycles && report.overruns == 0 && report.missed == 0 && p.supervised &&
                     p.released.what == ph::fault::user && std::abs(duration - 10) < 1e-3 &&

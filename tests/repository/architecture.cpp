@@ -25,9 +25,9 @@ std::multiset<std::string> path_in(const std::string& page) {
   for (std::string line; std::getline(in, line);) {
     if (std::regex_match(line, match, item)) all.insert(match[1]);
     if (!std::regex_match(line, match, rest)) continue;
-    const std::string stage = match[1], names = match[2];
+    const std::string layer = match[1], names = match[2];
     for (std::sregex_iterator i(names.begin(), names.end(), name), end; i != end; ++i)
-      all.insert(stage + i->str(1) + ".hpp");
+      all.insert(layer + i->str(1) + ".hpp");
   }
   return all;
 }
@@ -38,16 +38,16 @@ std::set<std::string> folders_in(const std::string& page) {
   std::set<std::string> all;
   std::istringstream in(page);
   std::smatch match;
-  std::string stage;
+  std::string layer;
   for (std::string line; std::getline(in, line);) {
     if (!std::regex_match(line, match, folder)) continue;
-    if (!match[1].matched) stage = match[2];
-    all.insert(match[1].matched ? stage + "/" + match[2].str() : stage);
+    if (!match[1].matched) layer = match[2];
+    all.insert(match[1].matched ? layer + "/" + match[2].str() : layer);
   }
   return all;
 }
 
-// What the page lacks, lists twice, or lists as of the path though it stands in a room.
+// What the page lacks, lists twice, or lists as of the path though it is in a subdirectory.
 errors check_path(const std::string& page, const texts& headers, const std::set<std::string>& rooms_files) {
   std::multiset<std::string> path(rooms_files.begin(), rooms_files.end());
   for (const auto& [header, text] : headers) {
@@ -71,10 +71,10 @@ errors check_folders(const std::string& page, const texts& headers) {
   return all;
 }
 
-// Read with the path, though they stand in rooms.
-const std::set<std::string> read_with_the_path{"control/ways/one_wall.hpp", "mechanism/models/two_link.hpp",
-                                               "mechanism/models/tendon_two_link.hpp",
-                                               "scene/shapes/half_space.hpp"};
+// Read with the path, though they are in subdirectories.
+const std::set<std::string> read_with_the_path{
+    "control/pipelines/one_wall.hpp", "mechanism/models/two_link.hpp", "mechanism/models/tendon_two_link.hpp",
+    "scene/shapes/half_space.hpp"};
 
 std::string architecture() {
   return read(std::filesystem::path(PASSIVE_HAPTICS_SOURCE_DIR) / "docs" / "architecture.md");

@@ -15,8 +15,8 @@ namespace {
 
 using namespace repository;
 
-constexpr int most_lines = 250;
-constexpr int most_columns = 110;  // as in .clang-format
+constexpr int max_lines = 250;
+constexpr int max_columns = 110;  // as in .clang-format
 
 errors check_form(const texts& headers) {
   errors all;
@@ -25,7 +25,7 @@ errors check_form(const texts& headers) {
       all.push_back(path + ": does not open with /// @file and a sentence");
     if (text.find("\n#pragma once\n") == std::string::npos) all.push_back(path + ": no #pragma once");
     const auto lines = std::count(text.begin(), text.end(), '\n');
-    if (lines > most_lines) all.push_back(path + ": " + std::to_string(lines) + " lines");
+    if (lines > max_lines) all.push_back(path + ": " + std::to_string(lines) + " lines");
   }
   return all;
 }
@@ -42,7 +42,7 @@ errors check_width(const texts& headers) {
     int number = 0;
     for (std::string line; std::getline(in, line);) {
       ++number;
-      if (const long columns = columns_of(line); columns > most_columns)
+      if (const long columns = columns_of(line); columns > max_columns)
         all.push_back(path + ":" + std::to_string(number) + ": " + std::to_string(columns) + " columns");
     }
   }

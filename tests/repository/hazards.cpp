@@ -101,7 +101,7 @@ std::string table() {
 
 TEST(hazards, of_a_bench_are_those_of_its_parameters) {
   EXPECT_EQ(ph::driver_timing().bench_hold_over, ph::bench_parameters().hold_over);
-  EXPECT_EQ(ph::driver_timing().bench_overtime, ph::longest_bench_overtime);
+  EXPECT_EQ(ph::driver_timing().bench_overtime, ph::max_bench_overtime);
 }
 
 TEST(hazards, have_a_test_each) {
@@ -134,7 +134,7 @@ TEST(hazards, follow_the_parameters) {
   p.at_release = {.policy = ph::release_policy::hold, .ramp_time = 3, .hold_time = 7};
   const auto of = [&](std::string_view begins) {
     for (const auto& one : ph::hazards(p))
-      if (one.what.starts_with(begins)) return one.longest;
+      if (one.what.starts_with(begins)) return one.max_time;
     ADD_FAILURE() << begins;
     return 0.0;
   };

@@ -17,7 +17,7 @@ using errors = std::vector<std::string>;
 
 constexpr const char* umbrella = "passive_haptics.hpp";
 
-// What stands directly in the folder of one of these is the reader's path; the rest lives in rooms.
+// The files directly in the directory of one of these are the reader's path; the rest is in subdirectories.
 inline const std::set<std::string> path_stages{"core", "mechanism", "brake", "scene", "force", "control"};
 
 inline std::string read(const std::filesystem::path& path) {

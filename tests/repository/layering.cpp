@@ -1,4 +1,5 @@
-// Data flows one way through the folders of include/, the path includes no rooms, every header is reached.
+// Data flows one way through the folders of include/, the path includes no subdirectories, every header is
+// reached.
 #include "headers.hpp"
 
 #include <gtest/gtest.h>
@@ -12,16 +13,16 @@ namespace {
 
 using namespace repository;
 
-// Stages: a folder includes itself and folders of a lower stage.
-const std::map<std::string, int> stages{{"core", 0},   {"mechanism", 1}, {"brake", 2},   {"scene", 3},
+// Layers: a directory includes itself and those of a lower layer.
+const std::map<std::string, int> layers{{"core", 0},   {"mechanism", 1}, {"brake", 2},   {"scene", 3},
                                         {"force", 4},  {"control", 5},   {"design", 6},  {"plant", 7},
                                         {"driver", 7}, {"bench", 8},     {"interop", 9}, {"testing", 9}};
 // Folders that nobody else includes, so not the umbrella either; but suites of testing/ are about ports, too,
 // and a bench has one.
 const std::set<std::string> leaves{"driver", "bench", "interop", "testing"};
 // Rooms that headers of the path may include.
-const std::set<std::string> rooms_of_the_path{"core/scalar", "core/linear", "force/torques", "force/forms",
-                                              "control/ways"};
+const std::set<std::string> subdirectories_of_the_path{"core/scalar", "core/linear", "force/torques",
+                                                       "force/forms", "control/pipelines"};
 
 bool is_dependency(const std::string& include, const std::string& folder) {
   if (include.find_first_of("/.") == std::string::npos) return true;  // the standard library
@@ -36,7 +37,7 @@ errors check_flow(const texts& headers) {
   errors all;
   for (const auto& [path, text] : headers) {
     const std::string from = stage_of(path);
-    if (path != umbrella && !stages.contains(from)) all.push_back(path + ": no stage has this folder");
+    if (path != umbrella && !layers.contains(from)) all.push_back(path + ": no layer has this directory");
     for (const std::string& include : includes_of(text)) {
       const std::string target = own(include);
       const std::string to = stage_of(target);
@@ -49,8 +50,8 @@ errors check_flow(const texts& headers) {
       } else if (to != from && leaves.contains(to) &&
                  !(to == "driver" && (from == "testing" || from == "bench"))) {
         all.push_back(path + ": nobody else includes " + to + "/: " + include);
-      } else if (path != umbrella && to != from && stages.contains(from) &&
-                 stages.at(to) >= stages.at(from)) {
+      } else if (path != umbrella && to != from && layers.contains(from) &&
+                 layers.at(to) >= layers.at(from)) {
         all.push_back(path + ": against the flow: " + include);
       }
     }
@@ -65,8 +66,8 @@ errors check_path(const texts& headers) {
     for (const std::string& include : includes_of(text)) {
       const std::string target = own(include);
       const bool in_a_room = folder_of(target) != stage_of(target);
-      if (in_a_room && !rooms_of_the_path.contains(folder_of(target)))
-        all.push_back(path + ": of the path, includes of a room: " + include);
+      if (in_a_room && !subdirectories_of_the_path.contains(folder_of(target)))
+        all.push_back(path + ": of the path, includes of a subdirectory: " + include);
     }
   }
   return all;

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using repository::errors;
 
-constexpr long most_words = 40;  // of a sentence
+constexpr long max_words = 40;  // of a sentence
 
 // A paragraph, a cell of a table, a comment or the text of a string, and the line on which it begins.
 struct passage {
@@ -132,7 +132,7 @@ errors check(const std::string& path, const passages& all) {
       found.push_back(where + "'" + word.str(2) + "'");
     if (text.starts_with("The same")) found.push_back(where + "opens with 'The same'");
     for (std::sregex_token_iterator i(text.begin(), text.end(), sentence_end, -1), end; i != end; ++i)
-      if (const long words = count_words(*i); words > most_words)
+      if (const long words = count_words(*i); words > max_words)
         found.push_back(where + "a sentence of " + std::to_string(words) + " words");
   }
   return found;
@@ -176,7 +176,7 @@ TEST(words_check, notices_words_in_comments_strings_and_pages) {
 
 TEST(words_check, notices_sentences_that_are_too_long) {
   std::string forty;
-  for (long k = 0; k < most_words; ++k) forty += "word ";
+  for (long k = 0; k < max_words; ++k) forty += "word ";
   EXPECT_EQ(check("a.md", passages_of_page(forty + ". " + forty + "\n")), errors());
   EXPECT_EQ(check("a.md", passages_of_page(forty + "\nword\n")), errors{"a.md:1: a sentence of 41 words"});
   EXPECT_EQ(check("a.hpp", passages_of_source("/// " + forty + "\n/// 12 = 12 word.\n")),

@@ -2,8 +2,8 @@
 // test.
 #pragma once
 
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/force/forms/form_of.hpp>
 
 #include <cmath>

@@ -21,10 +21,10 @@ using ph::testing::random_source;
 // turns of the counter.
 struct axis {
   random_source& random;
-  double largest_rate, position = 0;  // [counts/s], [counts]
+  double max_rate, position = 0;  // [counts/s], [counts]
 
   void advance(double seconds, double turn) {
-    const double reach = largest_rate * seconds;
+    const double reach = max_rate * seconds;
     double way = random.coin() ? random.uniform(-reach, reach) : random.coin() ? reach : -reach;
     const double turns = std::round(way / turn) * turn + random.uniform(-2.0, 2.0);
     if (random.coin() && std::abs(turns) <= reach) way = turns;
@@ -90,7 +90,7 @@ class trial {
  private:
   ph::safe_port<port>::parameters parameters() {
     ph::safe_port<port>::parameters p;
-    p.encoders = {.largest_rate = hand_.largest_rate, .frozen_travel = 0};
+    p.encoders = {.max_rate = hand_.max_rate, .frozen_travel = 0};
     p.at_release.policy = static_cast<ph::release_policy>(random_.uniform(0.0, 3.0));
     p.hold_over = random_.positive(2 * period_, 0.2);
     if (random_.coin()) p.period = period_;

@@ -2,8 +2,8 @@
 // from denormal to nearly overflowing, coincident and opposed walls.
 #pragma once
 
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <Eigen/LU>

@@ -103,7 +103,7 @@ real nearest_cosine(const rows& generators, const row& n) {
 // The best over all sets S of r brakes: with qd from J qd = v, T_S qd = 0, the others' torques make F = W_S^T
 // t.
 template <class M>
-real best_cosine(const M& arm, const ph::task_vector<M>& v, const ph::task_vector<M>& n) {
+real max_cosine(const M& arm, const ph::task_vector<M>& v, const ph::task_vector<M>& n) {
   constexpr int N = M::dof, D = M::task_dimension, m = M::brake_count;
   const row wanted(n.begin(), n.end());
   real best = 0;
@@ -191,7 +191,7 @@ TYPED_TEST(settled_cone, is_the_best_of_all_sets_of_brakes_at_rest) {
     const ph::settled_forces forces(rates, E, brakes, v);
     const auto F = forces.nearest(n, 0.0);
     const double cosine = ph::is_displayed(F.display) ? F.cosine() : 0.0;
-    const double expected = static_cast<double>(best_cosine(arm, v, n));
+    const double expected = static_cast<double>(max_cosine(arm, v, n));
     ASSERT_NEAR(cosine, expected, 1e-9) << "state " << k;
     worst = std::max(worst, std::abs(cosine - expected));
     ASSERT_EQ(F.display == ph::display_class::exact, expected > 1 - 1e-13) << "state " << k;

@@ -6,7 +6,7 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "../tested_types.hpp"
 
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/testing/support/print.hpp>
 
 #include <gtest/gtest.h>

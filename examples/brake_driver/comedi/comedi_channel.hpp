@@ -19,7 +19,7 @@ namespace ph = passive_haptics;
 struct comedi_channel {
   unsigned subdevice = 0, channel = 0, range = 0;
   unsigned reference = AREF_GROUND;
-  lsampl_t largest = 0;         ///< The largest sample; the smallest is 0.
+  lsampl_t max_sample = 0;      ///< The largest sample; the smallest is 0.
   lsampl_t zero = 0;            ///< The sample nearest to 0 V.
   double low = 0, high = 0;     ///< The range [V].
   double samples_per_volt = 0;  ///< [1/V]
@@ -29,7 +29,7 @@ struct comedi_channel {
   lsampl_t sample(double volts) const noexcept {
     if (!(volts < 0 || volts > 0)) return zero;
     if (volts <= low) return 0;
-    if (volts >= high) return largest;
+    if (volts >= high) return max_sample;
     return static_cast<lsampl_t>(std::floor((volts - low) * samples_per_volt + 0.5));
   }
   /// [V]

@@ -56,7 +56,7 @@ class comedi_device {
     if (c.channel >= static_cast<unsigned>(count < 0 ? 0 : count)) {
       text << name << " = " << c.channel << ", expected less than " << count
            << ", the number of channels of subdevice " << c.subdevice;
-    } else if (c.largest = comedi_get_maxdata(get(), c.subdevice, c.channel); c.largest == 0) {
+    } else if (c.max_sample = comedi_get_maxdata(get(), c.subdevice, c.channel); c.max_sample == 0) {
       text << name << " = " << c.channel << ": subdevice " << c.subdevice
            << " reports no largest sample (maxdata), expected at least 1; this driver cannot be used";
     }
@@ -75,8 +75,8 @@ class comedi_device {
     comedi_range range = *r;
     c.low = range.min;
     c.high = range.max;
-    c.samples_per_volt = c.largest / (c.high - c.low);
-    c.zero = comedi_from_phys(0, &range, c.largest);
+    c.samples_per_volt = c.max_sample / (c.high - c.low);
+    c.zero = comedi_from_phys(0, &range, c.max_sample);
     return "";
   }
 

@@ -56,7 +56,7 @@ class comedi_force_sensor {
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       const lsampl_t s = voltages_.samples[i];
       sample.value[i] = inputs_[i].volts(s);
-      sample.valid[i] = s > 0 && s < inputs_[i].largest;
+      sample.valid[i] = s > 0 && s < inputs_[i].max_sample;
     }
     return ph::port_status::ok;
   }

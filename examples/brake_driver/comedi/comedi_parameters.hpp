@@ -27,7 +27,7 @@ struct comedi_brake {
   /// Of the amplifier [A/V]; there is no default.
   double amperes_per_volt = 0;
   /// What the range must reach [A]: open() checks it. 0: whatever it reaches, currents beyond are clamped.
-  double largest_current = 0;
+  double max_current = 0;
 
   /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
@@ -39,7 +39,7 @@ struct comedi_brake {
                                    ph::range::positive.as("a finite number > 0, the amplifier's gain"))
                                 .suspicious_below(1e-6)
                                 .suspicious_above(1000),
-                            member("largest_current", &p::largest_current, "A", ph::range::not_negative));
+                            member("max_current", &p::max_current, "A", ph::range::not_negative));
   }
 };
 

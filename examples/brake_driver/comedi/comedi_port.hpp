@@ -83,7 +83,7 @@ class comedi_port {
 
   /// Width of the counters, the same of all; 0 without encoders and before open().
   int counter_bits() const noexcept {
-    return Encoders == 0 ? 0 : static_cast<int>(std::bit_width(counters_.front().largest));
+    return Encoders == 0 ? 0 : static_cast<int>(std::bit_width(counters_.front().max_sample));
   }
 
  private:
@@ -107,15 +107,14 @@ class comedi_port {
 
   std::string check_currents(const std::string& name, const comedi_brake& b, const comedi_channel& c) const {
     std::ostringstream text;
-    const double needed = b.largest_current / b.amperes_per_volt;
+    const double needed = b.max_current / b.amperes_per_volt;
     if (!(c.low <= 0 && c.high > 0)) {
       text << name << "range = " << b.range << " (" << c.low << " to " << c.high
            << " V), expected one from 0 V, where the brake is free, upwards: the channel has"
            << device_.ranges(c);
     } else if (needed > c.high) {
-      text << name << "largest_current [A] = " << b.largest_current << " takes " << needed
-           << " V, expected at most " << c.high << " V: lower it, or take another of the ranges"
-           << device_.ranges(c);
+      text << name << "max_current [A] = " << b.max_current << " takes " << needed << " V, expected at most "
+           << c.high << " V: lower it, or take another of the ranges" << device_.ranges(c);
     }
     return text.str();
   }
@@ -136,11 +135,11 @@ class comedi_port {
   }
 
   std::string check_width(const std::string& name, const comedi_channel& c) const {
-    const unsigned expected = counters_.front().largest;
-    if (c.largest == expected && c.largest > 1 && std::has_single_bit(std::uint64_t{c.largest} + 1))
+    const unsigned expected = counters_.front().max_sample;
+    if (c.max_sample == expected && c.max_sample > 1 && std::has_single_bit(std::uint64_t{c.max_sample} + 1))
       return "";
     std::ostringstream text;
-    text << name << "channel = " << c.channel << " counts to " << c.largest
+    text << name << "channel = " << c.channel << " counts to " << c.max_sample
          << ", expected 2^n - 1, the same of all encoders: take counters of one kind";
     return text.str();
   }
@@ -150,7 +149,7 @@ class comedi_port {
     const comedi_encoder& e = p_.encoders[i];
     if (e.setup == comedi_counter_setup::keep) return "";
     comedi_t* const card = device_.get();
-    const unsigned s = counters_[i].subdevice, middle = counters_[i].largest / 2 + 1;
+    const unsigned s = counters_[i].subdevice, middle = counters_[i].max_sample / 2 + 1;
     bool done = comedi_reset(card, s) >= 0;
     // The counter itself and the two registers that it is loaded from
     for (unsigned place = 0; place < 3; ++place)

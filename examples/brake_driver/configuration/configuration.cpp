@@ -10,10 +10,8 @@ namespace example {
 namespace {
 
 // Keys that have other names than the members that they set.
-const std::map<std::string_view, std::string_view> keys{{"continuous", "continuous_current"},
-                                                        {"largest", "current_limit"},
-                                                        {"largest_current", "current_limit"},
-                                                        {"surface_point", "point"}};
+const std::map<std::string_view, std::string_view> keys{
+    {"continuous", "continuous_current"}, {"max_current", "current_limit"}, {"surface_point", "point"}};
 
 template <class Parameters>
 void check(const toml_section& from, const Parameters& p) {
@@ -111,11 +109,11 @@ void read_brakes(toml_section from, configuration& c) {
   for (const ph::brake_curve& curve : c.curves) check(from, curve);
   from.read_all(c.brakes);
 
-  c.safety.currents.largest = limit;
+  c.safety.currents.max_current = limit;
   c.safety.currents.continuous = limit;
   from.read("continuous_current", c.safety.currents.continuous);
   from.read("heat", c.safety.currents.heat);
-  from.read("fastest_rise", c.safety.currents.fastest_rise);
+  from.read("max_rise_rate", c.safety.currents.max_rise_rate);
   check(from, c.safety.currents);
 }
 
@@ -125,7 +123,7 @@ void read_encoders(toml_section from, configuration& c) {
   from.read("counts_per_turn", c.encoders.counts_per_turn);
   from.read("slides", c.encoders.slides);
   from.read("window", c.rates.window);
-  from.read("largest_rate", c.safety.encoders.largest_rate);
+  from.read("max_rate", c.safety.encoders.max_rate);
   from.read("frozen_travel", c.safety.encoders.frozen_travel);
   check(from, c.encoders);
   check(from, c.rates);
@@ -227,7 +225,7 @@ void read_port(toml_section from, configuration& c) {
                     "counter_setup = \"ni_quadrature\" beside it, else no terminal is set; add it, or "
                     "remove the key");
     for (std::size_t i = 0; i < static_cast<std::size_t>(axes); ++i) {
-      c.comedi.brakes[i] = {channel[i], range[i], gain[i], c.safety.currents.largest[i]};
+      c.comedi.brakes[i] = {channel[i], range[i], gain[i], c.safety.currents.max_current[i]};
       c.comedi.encoders[i] = {
           subdevice[i], counter[i],
           setup == "keep" ? comedi_counter_setup::keep : comedi_counter_setup::ni_quadrature, a[i], b[i]};

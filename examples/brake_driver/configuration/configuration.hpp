@@ -36,14 +36,13 @@ struct named_wall {
 
 /// Where the handle may be when the brakes come on.
 struct start_parameters {
-  double largest_start_depth = 0.005;  ///< Deepest that it may be in a wall [m].
+  double max_start_depth = 0.005;  ///< Deepest that it may be in a wall [m].
 
   /// The table of passive_haptics/core/parameters.hpp.
   static constexpr auto members() {
     using p = start_parameters;
-    return ph::member_table(
-        ph::member("largest_start_depth", &p::largest_start_depth, "m", ph::range::not_negative)
-            .suspicious_above(0.1));
+    return ph::member_table(ph::member("max_start_depth", &p::max_start_depth, "m", ph::range::not_negative)
+                                .suspicious_above(0.1));
   }
 };
 

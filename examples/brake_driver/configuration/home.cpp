@@ -8,7 +8,7 @@
 namespace example {
 namespace {
 
-constexpr double least_remarked = 5e-5;  // [m], half of the last digit that is printed
+constexpr double min_remarked = 5e-5;  // [m], half of the last digit that is printed
 
 ph::point<2> home_position(const configuration& c) {
   if (c.mechanism == "xy_table") return ph::xy_table<double>(c.xy_table).position(c.home);
@@ -77,9 +77,9 @@ std::string home_in_words(const configuration& c) {
   for (const named_wall& wall : c.named_walls) {
     const double distance = wall.distance(x);
     text += "wall " + std::to_string(++number) + " (" + wall.type + "): " + millimetres(std::abs(distance)) +
-            (distance >= 0                ? " in front of it\n"
-             : distance > -least_remarked ? " inside it\n"
-                                          : " inside it: " + free_side(wall.type) + "?\n");
+            (distance >= 0              ? " in front of it\n"
+             : distance > -min_remarked ? " inside it\n"
+                                        : " inside it: " + free_side(wall.type) + "?\n");
   }
   return text;
 }
@@ -90,12 +90,11 @@ std::string home_error(const configuration& c) {
   if (!ph::all_finite(x))
     return "pose = " + pair_in_words("(%.6g, %.6g) rad", c.home) +
            ", expected one in which the mechanism has a handle; are lengths and pose those of this device?";
-  if (const wall_depth deepest = deepest_wall(c.named_walls, x);
-      deepest.is_over(c.start.largest_start_depth)) {
+  if (const wall_depth deepest = deepest_wall(c.named_walls, x); deepest.is_over(c.start.max_start_depth)) {
     const std::string& type = c.named_walls[static_cast<std::size_t>(deepest.number - 1)].type;
     return pose + ", " + millimetres(deepest.depth) + " inside wall " + std::to_string(deepest.number) +
-           " (" + type + "), expected at most largest_start_depth, " +
-           ph::detail::number_text(1e3 * c.start.largest_start_depth) + " mm" + likely_cause(c, type);
+           " (" + type + "), expected at most max_start_depth, " +
+           ph::detail::number_text(1e3 * c.start.max_start_depth) + " mm" + likely_cause(c, type);
   }
   if (looks_like_degrees(c)) return pose + ", expected angles within a turn" + likely_cause(c, "");
   return "";
@@ -104,7 +103,7 @@ std::string home_error(const configuration& c) {
 std::string not_activated_in_words(const wall_depth& deepest) {
   if (!std::isfinite(deepest.depth)) return "not activated: it is not known where the handle is";
   return "not activated: the handle is " + millimetres(deepest.depth) + " inside wall " +
-         std::to_string(deepest.number) + ", more than largest_start_depth; move it out";
+         std::to_string(deepest.number) + ", more than max_start_depth; move it out";
 }
 
 }  // namespace example

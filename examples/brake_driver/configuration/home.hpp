@@ -14,7 +14,7 @@ struct wall_depth {
   int number = 0;    ///< From 1; 0 for none.
   double depth = 0;  ///< < 0 in front of it, NaN where the point is not known [m].
 
-  /// Whether brakes must not come on here; largest: the largest_start_depth [m].
+  /// Whether brakes must not come on here; largest: the max_start_depth [m].
   bool is_over(double largest) const noexcept { return number > 0 && !(depth <= largest); }
 };
 

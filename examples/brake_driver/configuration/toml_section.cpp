@@ -38,8 +38,8 @@ bool speaks_of(std::string_view error, std::string_view key) {
 
 // A value or a key may be as long as its file.
 std::string beginning_of(std::string text) {
-  constexpr std::size_t most = 200;  // characters
-  if (text.size() > most) text.replace(most, text.npos, "...");
+  constexpr std::size_t max_length = 200;  // characters
+  if (text.size() > max_length) text.replace(max_length, text.npos, "...");
   return text;
 }
 
@@ -64,13 +64,12 @@ std::optional<double> number_of(const toml::node& n) {
 
 // toml++ bounds how deep brackets are, but takes the tables of a.b.c apart by recursion.
 void require_shallow_keys(const std::string& path, const std::string& text) {
-  constexpr std::ptrdiff_t most_dots = 200;
+  constexpr std::ptrdiff_t max_dots = 200;
   std::istringstream lines(text);
   int number = 1;
   for (std::string line; std::getline(lines, line); ++number)
-    if (std::count(line.begin(), line.end(), '.') > most_dots)
-      throw std::invalid_argument(path + ":" + std::to_string(number) + ": over " +
-                                  std::to_string(most_dots) +
+    if (std::count(line.begin(), line.end(), '.') > max_dots)
+      throw std::invalid_argument(path + ":" + std::to_string(number) + ": over " + std::to_string(max_dots) +
                                   " dots in a line, expected fewer; break it into lines");
 }
 
@@ -125,11 +124,11 @@ toml_section toml_section::nothing() {
 }
 
 toml_section toml_section::file(const std::string& path) {
-  constexpr std::uintmax_t most_bytes = 1 << 20;
+  constexpr std::uintmax_t max_bytes = 1 << 20;
   toml_section whole = nothing();
   whole.state_->file = path;
   std::string text;
-  if (const auto error = passive_haptics::read_file(path, text, most_bytes); !error.empty())
+  if (const auto error = passive_haptics::read_file(path, text, max_bytes); !error.empty())
     whole.state_->fail(nullptr, error);
   require_shallow_keys(path, text);
   try {
@@ -248,13 +247,13 @@ void toml_section::read(std::string_view key, std::string& value,
   state_->expected(key, *node, std::string("one of ").append(all));
 }
 
-std::size_t toml_section::read_pairs(std::string_view key, double* values, std::size_t most) {
+std::size_t toml_section::read_pairs(std::string_view key, double* values, std::size_t max_pairs) {
   const toml::node* node = state_->find(key);
   if (node == nullptr) return 0;
   std::ostringstream what;
-  what << "pairs of numbers, at most " << most << " of them";
+  what << "pairs of numbers, at most " << max_pairs << " of them";
   const toml::array* list = node->as_array();
-  if (list == nullptr || list->size() > most) state_->expected(key, *node, what.str());
+  if (list == nullptr || list->size() > max_pairs) state_->expected(key, *node, what.str());
   for (std::size_t i = 0; i < list->size(); ++i) {
     const toml::array* pair = (*list)[i].as_array();
     if (pair == nullptr || pair->size() != 2) state_->expected(key, *node, what.str());

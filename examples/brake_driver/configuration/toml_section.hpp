@@ -68,8 +68,8 @@ class toml_section {
       require_allowed(other == keys.end() ? member.name : other->second, error);
     });
   }
-  /// Rows of pairs, as [[0, 0], [0.5, 0.4]]; how many there are, at most `most`.
-  std::size_t read_pairs(std::string_view key, double* values, std::size_t most);
+  /// Rows of pairs, as [[0, 0], [0.5, 0.4]]; how many there are, at most `max_pairs`.
+  std::size_t read_pairs(std::string_view key, double* values, std::size_t max_pairs);
 
   /// The table [key]; an empty one if it is not there.
   toml_section section(std::string_view key);

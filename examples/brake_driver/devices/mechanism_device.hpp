@@ -21,9 +21,7 @@ class mechanism_device final : public haptic_device {
         calibration_(mechanism, {c.encoders, c.rates, c.curves, c.force}, c.sensor_frame),
         control_(mechanism, c.brakes, walls(c.walls), law),
         homing_(calibration_.encoders, calibration_.axis_positions(c.home), c.homing),
-        tare_({.duration = c.homing.duration,
-               .tolerance = c.tare_tolerance,
-               .longest_gap = c.homing.longest_gap}) {
+        tare_({.duration = c.homing.duration, .tolerance = c.tare_tolerance, .max_gap = c.homing.max_gap}) {
     if (c.port == "simulated") plant_ = std::make_shared<simulation<M>>(mechanism, c);
   }
 
@@ -59,7 +57,7 @@ class mechanism_device final : public haptic_device {
         return doing_ == phase::homing ? "the handle moved by more than [homing] tolerance"
                                        : "the force changed by more than [sensor] tare_tolerance";
       case ph::steady_status::interrupted:
-        return "samples came more than [homing] longest_gap apart, or not at all";
+        return "samples came more than [homing] max_gap apart, or not at all";
       default: return "the program ended before it was over";
     }
   }

@@ -28,8 +28,8 @@ concept Board = requires(B board, std::size_t i, std::uint16_t current, std::spa
 
 /// What the board is built for; the host learns it from the hello.
 struct settings {
-  std::uint8_t encoders = 2;           ///< At most serial::most_channels.
-  std::uint8_t brakes = 2;             ///< At most serial::most_channels.
+  std::uint8_t encoders = 2;           ///< At most serial::max_channels.
+  std::uint8_t brakes = 2;             ///< At most serial::max_channels.
   std::uint16_t current_limit = 5000;  ///< [serial::current_unit]: 0.5 A.
   std::uint16_t watchdog = 20;         ///< [ms]
   std::uint16_t period = 1000;         ///< Of tick() [us].

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     const std::string_view name = argv[i];
     if (i + 1 == argc) return usage();
     const int n = std::atoi(argv[i + 1]);
-    const bool count = n >= 1 && n <= int{example::serial::most_channels};
+    const bool count = n >= 1 && n <= int{example::serial::max_channels};
     if (name == "--encoders" && count) settings.encoders = static_cast<std::uint8_t>(n);
     else if (name == "--brakes" && count) settings.brakes = static_cast<std::uint8_t>(n);
     else if (name == "--watchdog" && n >= 2 && n <= 60'000) settings.watchdog = static_cast<std::uint16_t>(n);

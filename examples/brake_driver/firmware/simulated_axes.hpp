@@ -44,9 +44,9 @@ class simulated_axes {
   }
 
  private:
-  double time_ = 0;                                                // [s]
-  std::array<double, example::serial::most_channels> position_{};  // [counts]
-  std::array<std::uint16_t, example::serial::most_channels> current_{};
+  double time_ = 0;                                               // [s]
+  std::array<double, example::serial::max_channels> position_{};  // [counts]
+  std::array<std::uint16_t, example::serial::max_channels> current_{};
 };
 
 }  // namespace firmware

@@ -86,12 +86,12 @@ struct rdt_record {
 ///   `bad_sample` if only datagrams of another length came. `no_sample` if nothing came, also while the
 ///   network or the sensor refuses: after a pull of a cable or a power failure the sensor comes back, and
 ///   records are then requested again, every `silence` seconds. `failed` if the socket itself is broken, or
-///   not open. At most most_datagrams + 1 system calls and a send.
+///   not open. At most max_datagrams + 1 system calls and a send.
 /// Nothing but open() allocates, waits or looks up a name.
 class net_ft {
  public:
-  static constexpr int channel_count = 6;     ///< Fx, Fy, Fz, Tx, Ty, Tz.
-  static constexpr int most_datagrams = 256;  ///< Of one read(): 36 ms of a sensor at its fastest.
+  static constexpr int channel_count = 6;    ///< Fx, Fy, Fz, Tx, Ty, Tz.
+  static constexpr int max_datagrams = 256;  ///< Of one read(): 36 ms of a sensor at its fastest.
 
   /// Throws std::invalid_argument with the text of validate(p).
   explicit net_ft(const net_ft_parameters& p) : parameters_(ph::require_valid(p)) {}
@@ -132,7 +132,7 @@ class net_ft {
     std::array<std::uint8_t, rdt_record::size> bytes;
     rdt_record newest;
     bool fresh = false, damaged = false;
-    for (int i = 0; i < most_datagrams; ++i) {
+    for (int i = 0; i < max_datagrams; ++i) {
       const auto got = peer_.receive(bytes);
       if (got == udp_peer::broken) return ph::port_status::failed;
       if (got == udp_peer::nothing) break;

@@ -41,7 +41,7 @@ class simulation {
         sensor_({.corner = 200, .noise = c.simulation.sensor_noise, .seed = c.simulation.seed}),
         wire_(c.simulation.watchdog, c.simulation.wire) {
     const ph::following_hand<double, 2> hand({1, 0}, device_.position());
-    ph::require_no_error(ph::check_time_step(dt, hand.fastest_time_constant(device_.min_mass())));
+    ph::require_no_error(ph::check_time_step(dt, hand.min_time_constant(device_.min_mass())));
   }
 
   /// From now on the hand may take the handle, as a user may once taring is done.
@@ -84,7 +84,7 @@ class simulation {
   static constexpr int counter_bits = 24;
 
  private:
-  static constexpr double dt = 1e-4, most_at_once = 0.1, turn = 1 << counter_bits;  // [s, s, counts]
+  static constexpr double dt = 1e-4, max_at_once = 0.1, turn = 1 << counter_bits;  // [s, s, counts]
   static constexpr std::array<double, axes> somewhere{100.0, turn - 200};
   inline static const ph::vector<double, 2> offset{0.3, -0.2};  // [N]
 
@@ -129,7 +129,7 @@ class simulation {
     const double now = ph::monotonic_seconds();
     if (start_ < 0) start_ = now;
     // A program that was stopped does not catch up on hours
-    if (now - start_ - time_ > most_at_once) start_ = now - time_ - most_at_once;
+    if (now - start_ - time_ > max_at_once) start_ = now - time_ - max_at_once;
     const ph::brake_currents<axes> flowing = wire_->flowing(now);
     for (; time_ + dt <= now - start_; time_ += dt) {
       ph::vector<double, axes> strength;

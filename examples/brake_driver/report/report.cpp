@@ -99,7 +99,7 @@ std::string duration(double nanoseconds) {
 
 std::string bars(const ph::duration_histogram& h) {
   std::string all;
-  for (std::uint64_t to = 1024; to / 2 <= static_cast<std::uint64_t>(h.largest()); to *= 2) {
+  for (std::uint64_t to = 1024; to / 2 <= static_cast<std::uint64_t>(h.maximum()); to *= 2) {
     const std::uint64_t count = h.between(all.empty() ? 0 : to / 2, to);
     if (all.empty() && count == 0) continue;
     const double share = static_cast<double>(count) / static_cast<double>(h.count());
@@ -195,7 +195,7 @@ void report_sink::show() {
         number("%.2f", r.hand_force[0]).c_str(), number("%.2f", r.hand_force[1]).c_str(),
         displays(r) ? ph::display_text(r.decision).data() : "no display",
         number("%.3f", r.current[0]).c_str(), number("%.3f", r.current[1]).c_str(), ampere,
-        duration(static_cast<double>(late_.largest())).c_str(),
+        duration(static_cast<double>(late_.maximum())).c_str(),
         loss().empty() ? "" : ("  " + loss()).c_str());
     write_shown();
     return;
@@ -225,7 +225,7 @@ void report_sink::show() {
                   duration(static_cast<double>(h->percentile(0.5))).c_str(),
                   duration(static_cast<double>(h->percentile(0.99))).c_str(),
                   duration(static_cast<double>(h->percentile(0.999))).c_str(),
-                  duration(static_cast<double>(h->largest())).c_str());
+                  duration(static_cast<double>(h->maximum())).c_str());
   if (!loss().empty()) table += loss() + "\n";
   table += "late, of " + text("%llu cycles\n", static_cast<unsigned long long>(count_)) + bars(late_);
 

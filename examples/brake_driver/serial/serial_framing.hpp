@@ -11,13 +11,13 @@
 
 namespace example::serial {
 
-inline constexpr std::size_t longest_payload = 48;  ///< [bytes]
-inline constexpr std::size_t header_size = 5;       ///< Type and sequence [bytes].
-inline constexpr std::size_t checksum_size = 4;     ///< [bytes]
-inline constexpr std::size_t longest_body = header_size + longest_payload + checksum_size;  ///< [bytes]
-inline constexpr std::size_t longest_frame =
-    longest_body + 3;  ///< A delimiter, one byte of COBS, a delimiter [bytes].
-static_assert(longest_body < 254, "COBS then needs one byte more, for any content");
+inline constexpr std::size_t max_payload = 48;   ///< [bytes]
+inline constexpr std::size_t header_size = 5;    ///< Type and sequence [bytes].
+inline constexpr std::size_t checksum_size = 4;  ///< [bytes]
+inline constexpr std::size_t max_body = header_size + max_payload + checksum_size;  ///< [bytes]
+inline constexpr std::size_t max_frame =
+    max_body + 3;  ///< A delimiter, one byte of COBS, a delimiter [bytes].
+static_assert(max_body < 254, "COBS then needs one byte more, for any content");
 
 /// CRC-32 of IEEE 802.3: polynomial 0x04C11DB7, reflected, starts with and is inverted by 0xFFFFFFFF. Of
 /// "123456789": 0xCBF43926.
@@ -77,10 +77,10 @@ class byte_reader {
 
 /// What a frame carries.
 struct packet {
-  std::uint8_t type = 0;       ///< See message_type.
-  std::uint32_t sequence = 0;  ///< One more with each packet of a sender, modulo 2^32.
-  std::uint8_t size = 0;       ///< Of the payload [bytes], at most longest_payload.
-  std::array<std::uint8_t, longest_payload> payload{};  ///< Of which the first `size` count.
+  std::uint8_t type = 0;                            ///< See message_type.
+  std::uint32_t sequence = 0;                       ///< One more with each packet of a sender, modulo 2^32.
+  std::uint8_t size = 0;                            ///< Of the payload [bytes], at most max_payload.
+  std::array<std::uint8_t, max_payload> payload{};  ///< Of which the first `size` count.
 
   /// The bytes that count.
   constexpr std::span<const std::uint8_t> content() const { return std::span(payload).first(size); }
@@ -88,8 +88,8 @@ struct packet {
 
 /// A packet as it goes onto the line.
 struct frame {
-  std::array<std::uint8_t, longest_frame> byte{};  ///< Of which the first `size` count.
-  std::size_t size = 0;                            ///< [bytes]
+  std::array<std::uint8_t, max_frame> byte{};  ///< Of which the first `size` count.
+  std::size_t size = 0;                        ///< [bytes]
 
   /// The bytes that count.
   constexpr std::span<const std::uint8_t> content() const { return std::span(byte).first(size); }
@@ -98,7 +98,7 @@ struct frame {
 /// 0x00, COBS(type, sequence, payload, CRC-32), 0x00. It opens with a delimiter, too, so that neither noise
 /// nor half a frame before it takes it along.
 constexpr frame encode(const packet& p) {
-  std::array<std::uint8_t, longest_body> body{};
+  std::array<std::uint8_t, max_body> body{};
   byte_writer out(body);
   out.put(p.type, 1);
   out.put(p.sequence, 4);
@@ -152,14 +152,14 @@ class decoder {
   constexpr const packet& last() const { return last_; }
 
  private:
-  std::array<std::uint8_t, longest_body + 1> stuffed_{};
+  std::array<std::uint8_t, max_body + 1> stuffed_{};
   std::size_t size_ = 0;
   bool synchronised_ = false;
   packet last_;
 
   constexpr bool finish(std::size_t size) {
     if (size > stuffed_.size()) return false;
-    std::array<std::uint8_t, longest_body + 1> body{};
+    std::array<std::uint8_t, max_body + 1> body{};
     std::size_t n = 0;
     for (std::size_t i = 0; i < size;) {
       const std::size_t next = i + stuffed_[i];
@@ -167,7 +167,7 @@ class decoder {
       for (++i; i < next; ++i) body[n++] = stuffed_[i];
       if (i < size) body[n++] = 0;
     }
-    if (n < header_size + checksum_size || n > longest_body) return false;
+    if (n < header_size + checksum_size || n > max_body) return false;
     const auto checked = std::span<const std::uint8_t>(body).first(n - checksum_size);
     if (byte_reader(std::span<const std::uint8_t>(body).subspan(checked.size())).get(4) != crc32(checked))
       return false;

@@ -34,8 +34,8 @@ namespace example {
 ///   - release: throws away what waits, and sends the release three times, so that one disturbance does not
 ///     take all. If it gets lost nevertheless the device's watchdog does the same. Safe in a signal handler.
 template <int Encoders, int Brakes>
-  requires(Encoders >= 1 && Encoders <= int{serial::most_channels} && Brakes >= 1 &&
-           Brakes <= int{serial::most_channels})
+  requires(Encoders >= 1 && Encoders <= int{serial::max_channels} && Brakes >= 1 &&
+           Brakes <= int{serial::max_channels})
 class serial_port {
  public:
   static constexpr int encoder_count = Encoders;  ///< Channels of a sample.
@@ -158,11 +158,11 @@ class serial_port {
   // were.
   template <class F>
   std::size_t take(F&& f) noexcept {
-    constexpr std::size_t most = 4096;
+    constexpr std::size_t max_bytes = 4096;
     std::array<std::uint8_t, 512> bytes;
     std::size_t all = 0, count = 0;
     lost_ = lost_ || !line_.is_open();
-    while (!lost_ && all < most) {
+    while (!lost_ && all < max_bytes) {
       const auto ended = line_.read(bytes, count);
       lost_ = ended == serial_line::transfer::lost;
       if (ended != serial_line::transfer::done) break;

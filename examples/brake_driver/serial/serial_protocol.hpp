@@ -8,9 +8,9 @@
 namespace example::serial {
 
 inline constexpr std::uint8_t protocol_version = 1;
-inline constexpr std::size_t most_channels = 8;        ///< Brakes, and encoders, of one device.
-inline constexpr double current_unit = 1e-4;           ///< Of currents on the line [A].
-inline constexpr std::uint16_t most_current = 0xFFFF;  ///< What a message can carry [current_unit].
+inline constexpr std::size_t max_channels = 8;        ///< Brakes, and encoders, of one device.
+inline constexpr double current_unit = 1e-4;          ///< Of currents on the line [A].
+inline constexpr std::uint16_t max_current = 0xFFFF;  ///< What a message can carry [current_unit].
 
 /// The first byte of a packet. The high bit: from the device.
 enum class message_type : std::uint8_t {
@@ -23,8 +23,8 @@ enum class message_type : std::uint8_t {
 
 /// Currents of all brakes.
 struct currents {
-  std::uint8_t brakes = 0;                             ///< How many count.
-  std::array<std::uint16_t, most_channels> current{};  ///< [current_unit]
+  std::uint8_t brakes = 0;                            ///< How many count.
+  std::array<std::uint16_t, max_channels> current{};  ///< [current_unit]
   bool operator==(const currents&) const = default;
 };
 
@@ -51,7 +51,7 @@ struct sample {
   std::uint8_t state = 0;           ///< The bits above.
   std::uint8_t encoder_faults = 0;  ///< Bit i: counts of encoder i are not to be trusted.
   std::uint8_t brake_faults = 0;    ///< Bit i: brake i does not get its current.
-  std::array<std::int32_t, most_channels> count{};  ///< Modulo 2^32.
+  std::array<std::int32_t, max_channels> count{};  ///< Modulo 2^32.
   bool operator==(const sample&) const = default;
 };
 
@@ -67,8 +67,7 @@ constexpr packet packed(message_type type, std::uint32_t sequence) {
 constexpr bool is(const packet& p, message_type type) { return p.type == static_cast<std::uint8_t>(type); }
 // How many values of `bytes` bytes follow `head` bytes; 0 if that does not come out even.
 constexpr std::uint8_t values(const packet& p, std::size_t head, std::size_t bytes) {
-  const bool whole =
-      p.size > head && (p.size - head) % bytes == 0 && (p.size - head) / bytes <= most_channels;
+  const bool whole = p.size > head && (p.size - head) % bytes == 0 && (p.size - head) / bytes <= max_channels;
   return whole ? static_cast<std::uint8_t>((p.size - head) / bytes) : std::uint8_t{0};
 }
 }  // namespace detail
@@ -80,7 +79,7 @@ constexpr packet pack(std::uint32_t sequence, message_type type) { return detail
 constexpr packet pack(std::uint32_t sequence, const currents& m) {
   packet p = detail::packed(message_type::currents, sequence);
   byte_writer out(p.payload);
-  for (std::size_t i = 0; i < m.brakes && i < most_channels; ++i) out.put(m.current[i], 2);
+  for (std::size_t i = 0; i < m.brakes && i < max_channels; ++i) out.put(m.current[i], 2);
   p.size = static_cast<std::uint8_t>(out.size());
   return p;
 }
@@ -107,7 +106,7 @@ constexpr packet pack(std::uint32_t sequence, const sample& m) {
   out.put(m.state, 1);
   out.put(m.encoder_faults, 1);
   out.put(m.brake_faults, 1);
-  for (std::size_t i = 0; i < m.encoders && i < most_channels; ++i)
+  for (std::size_t i = 0; i < m.encoders && i < max_channels; ++i)
     out.put(static_cast<std::uint32_t>(m.count[i]), 4);
   p.size = static_cast<std::uint8_t>(out.size());
   return p;

@@ -122,7 +122,7 @@ void draw_figure(const std::filesystem::path& directory, const std::string& name
          << "graph 0.98,0.9 right front textcolor rgb '#555555'\n"
          << label("alpha [1], mean of 40 ms") << "plot NaN";
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (runs[k].run.least_alpha < 1)
+    if (runs[k].run.min_alpha < 1)
       script << ", \\\n     data index " << k << " using 2:14 with lines lw 1.2 lc rgb '"
              << style::colour_of(runs[k].law) << "'";
   }

@@ -33,7 +33,7 @@ void draw_filmstrip(const std::filesystem::path& directory, const std::string& n
 // How deep the first contact goes (section 5.2).
 struct penetration_row {
   std::string law;
-  double lag, approach, depth_max;  // of the brakes [s], speed into the wall [m/s], [m]
+  double lag, approach, max_depth;  // of the brakes [s], speed into the wall [m/s], [m]
 };
 // Against the lag at the approach that most rows have, and against the approach at the lag that most rows
 // have: penetration.svg.

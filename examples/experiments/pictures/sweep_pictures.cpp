@@ -10,9 +10,9 @@ namespace experiments {
 
 namespace {
 
-constexpr double least_shown = 1e-7;  // on a logarithmic scale [m]
+constexpr double min_shown = 1e-7;  // on a logarithmic scale [m]
 
-double in_mm(double metres) { return 1e3 * std::max(metres, least_shown); }
+double in_mm(double metres) { return 1e3 * std::max(metres, min_shown); }
 
 // The value that most rows have; the least one if several do.
 template <class Rows, class Value>
@@ -46,8 +46,8 @@ void draw_penetration(const std::filesystem::path& directory, const std::vector<
     curve over_lag{law, {}}, over_approach{law, {}};
     for (const penetration_row& r : rows) {
       if (r.law != law) continue;
-      if (r.approach == approach) over_lag.points.emplace_back(1e3 * r.lag, 1e3 * r.depth_max);
-      if (r.lag == lag) over_approach.points.emplace_back(r.approach, 1e3 * r.depth_max);
+      if (r.approach == approach) over_lag.points.emplace_back(1e3 * r.lag, 1e3 * r.max_depth);
+      if (r.lag == lag) over_approach.points.emplace_back(r.approach, 1e3 * r.max_depth);
     }
     for (curve* c : {&over_lag, &over_approach}) std::sort(c->points.begin(), c->points.end());
     by_lag.curves.push_back(over_lag);

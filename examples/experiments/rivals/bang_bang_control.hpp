@@ -54,7 +54,7 @@ struct bang_bang_parameters {
 struct bang_bang_control {
   static constexpr bool commands_torques = true;  // It is a TorqueLaw.
   static constexpr bool needs_sensed_at = true;   // Carries a held contact on to where the handle is.
-  static constexpr int most_contacts = 8;         // Walls that it remembers at once.
+  static constexpr int max_contacts = 8;          // Walls that it remembers at once.
   static constexpr int max_brakes = 16;           // Of a device.
 
   // At one wall.
@@ -64,7 +64,7 @@ struct bang_bang_control {
   };
   // What it remembers.
   struct memory {
-    ph::contact_memory<steering, most_contacts> walls;  // Of each wall.
+    ph::contact_memory<steering, max_contacts> walls;  // Of each wall.
   };
 
   bang_bang_parameters parameters = {};  // The constants.

@@ -35,7 +35,7 @@ struct coercive_force_approximation {
     static_assert(M::brake_count == M::dof, "coercive_force_approximation needs brake_count == dof");
     ph::brake_vector<M> held = ph::brake_vector<M>::Zero();
     for (const auto& c : touched) {
-      const auto Fd = ph::force_of<T>(c);
+      const auto Fd = ph::desired_force_of<T>(c);
       const ph::brake_vector<M> t = ph::brake_torque(device.E, Fd.direction);
       ph::unrolled<M::brake_count>([&](auto i) {
         const bool drives = device.s[i] * t[i] > T(0);

@@ -44,7 +44,7 @@ struct single_degree_of_freedom_control {
   static constexpr bool needs_hand_force = true;  // Needs a force sensor at the handle.
   static constexpr bool commands_torques = true;  // It is a TorqueLaw.
   static constexpr bool needs_sensed_at = true;   // Carries a held contact on to where the handle is.
-  static constexpr int most_contacts = 8;         // Walls that it remembers at once.
+  static constexpr int max_contacts = 8;          // Walls that it remembers at once.
 
   // Of one wall.
   struct locked_brake {
@@ -52,7 +52,7 @@ struct single_degree_of_freedom_control {
   };
   // What it remembers.
   struct memory {
-    ph::contact_memory<locked_brake, most_contacts> walls;  // The brake locked at each.
+    ph::contact_memory<locked_brake, max_contacts> walls;  // The brake locked at each.
   };
 
   single_degree_of_freedom_parameters parameters = {};  // The constants.

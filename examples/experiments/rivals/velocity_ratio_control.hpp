@@ -12,7 +12,7 @@ namespace experiments {
 struct velocity_ratio_parameters {
   double reference_depth = 1e-3;   // In the wall, to which the wanted direction leads [m].
   double approach_length = 10e-3;  // Depth error for a slope of 1 of the wanted direction [m].
-  double steepest_slope = 0.2;     // Of the wanted direction against the wall [1].
+  double max_slope = 0.2;          // Of the wanted direction against the wall [1].
   double gain = 1;                 // Share of the torque limit for each share that a brake is too fast [1].
 
   // The table of core/parameters.hpp.
@@ -20,14 +20,14 @@ struct velocity_ratio_parameters {
     using p = velocity_ratio_parameters;
     return ph::member_table(ph::member("reference_depth", &p::reference_depth, "m", ph::range::finite),
                             ph::member("approach_length", &p::approach_length, "m", ph::range::positive),
-                            ph::member("steepest_slope", &p::steepest_slope, "1", ph::range::not_negative),
+                            ph::member("max_slope", &p::max_slope, "1", ph::range::not_negative),
                             ph::member("gain", &p::gain, "1", ph::range::not_negative));
   }
 };
 
 // The wanted velocity keeps the part of v along the wall, v_t, and leads to the reference depth:
 //
-//     v* = v_t + clip((depth - reference_depth) / approach_length, +-steepest_slope) |v_t| n,   w* = E^+ v*.
+//     v* = v_t + clip((depth - reference_depth) / approach_length, +-max_slope) |v_t| n,   w* = E^+ v*.
 //
 // Of the brakes that turn the right way the slowest against w* sets the common factor, lambda = min w_i /
 // w*_i; the others are too fast by the share 1 - lambda w*_i / w_i, those that turn the wrong way by 1. Each
@@ -93,7 +93,7 @@ struct velocity_ratio_control {
     const ph::vector<T, D> n = ph::as<T>(c.normal), v = E * w - ph::as<T>(c.wall_velocity);
     const T outward = n.dot(v);
     const double slope = std::clamp((c.depth - parameters.reference_depth) / parameters.approach_length,
-                                    -parameters.steepest_slope, parameters.steepest_slope);
+                                    -parameters.max_slope, parameters.max_slope);
     const T wanted_outward = static_cast<T>(slope) * ph::length_of(ph::vector<T, D>(v - outward * n));
     const ph::orthogonal_decomposition<T, D, M::brake_count> inverse(
         E, ph::rounding_tolerance<T>(M::brake_count));

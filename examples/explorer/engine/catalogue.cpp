@@ -17,7 +17,7 @@ constexpr figure_description figures[] = {
     {"cosine", "cosine of the approximation angle", "cos γ", "1",
      "1: the wall's force can be made exactly; 0: nothing against the wall."},
     {"drag", "drag", "", "1", "Force against the motion for each newton out of the wall."},
-    {"strongest", "strongest force", "", "N", "The most that the brakes make against the wall."},
+    {"max_force", "strongest force", "", "N", "The most that the brakes make against the wall."},
     {"sink_slope", "sink slope", "", "1", "Metres into the wall for each metre along it."},
     {"isotropy", "isotropy", "", "1", "1: the brakes serve all directions alike; 0: a singular pose."},
     {"display", "class", "", "", "0 not displayed, 1 approximate, 2 exact."}};

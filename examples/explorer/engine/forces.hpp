@@ -92,9 +92,9 @@ std::vector<double> displayable_outline(const M& mechanism, const ph::joint_vect
     const ph::vector<double, 2> u = direction_at(k, directions);
     const auto found = ph::displayable(mechanism, q, direction, u, brakes);
     const bool is_exact = found.outcome == ph::status::ok && found.display == ph::display_class::exact &&
-                          std::isfinite(found.strongest_nearest);
-    add_force<2>(points,
-                 is_exact ? ph::vector<double, 2>(found.strongest_nearest * u) : ph::vector<double, 2>(0, 0));
+                          std::isfinite(found.max_approximated_force);
+    add_force<2>(points, is_exact ? ph::vector<double, 2>(found.max_approximated_force * u)
+                                  : ph::vector<double, 2>(0, 0));
   }
   return points;
 }

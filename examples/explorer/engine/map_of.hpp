@@ -55,7 +55,7 @@ class map_of final : public figure_map {
     const auto f = ph::design_figures_at(model_, point, ph::hybrid_brakes<M>(c_.switchable()), c_.map.push);
     if (f.outcome != ph::status::ok) return;
     const std::size_t k = std::size_t(row) * std::size_t(columns_) + std::size_t(column);
-    const double all[figure_count] = {f.cosine,     f.drag,     f.strongest,
+    const double all[figure_count] = {f.cosine,     f.drag,     f.max_force,
                                       f.sink_slope, f.isotropy, double(int(f.display))};
     for (std::size_t i = 0; i < figure_count; ++i) figures_[i][k] = all[i];
   }

@@ -28,14 +28,14 @@ struct recorded_cycle {
 template <class E>
 class motion_record {
   using M = typename E::mechanism;
-  static constexpr std::size_t longest = 120'000;  // [cycles]
+  static constexpr std::size_t max_cycles = 120'000;  // [cycles]
 
  public:
   /// Forgets all.
   void clear() { cycles_.clear(); }
   /// Adds a cycle, if there is room.
   void add(const recorded_cycle<M>& now) {
-    if (cycles_.size() < longest) cycles_.push_back(now);
+    if (cycles_.size() < max_cycles) cycles_.push_back(now);
   }
   /// The log (docs/guide/log.md); empty without a cycle.
   std::string log() const {

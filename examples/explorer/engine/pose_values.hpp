@@ -117,7 +117,7 @@ class pose_values {
                       display_words());
     saturated_ = number("saturated", "a torque limit is reached", "", "", "", "decision", {"no", "yes"});
     region_ = number("region", "passive FME of the present signs", "", "", "1", "decision");
-    strongest_ = number("strongest", "largest force along the desired one", "", "", "N", "decision");
+    max_force_ = number("max_force", "largest force along the desired one", "", "", "N", "decision");
     status_ = number("status", "status", "", "", "", "decision", status_words());
   }
 
@@ -183,7 +183,7 @@ class pose_values {
     table_.put(display_, display_number(r));
     table_.put(saturated_, r.saturated ? 1 : 0);
     table_.put(region_, region_of(s));
-    table_.put(strongest_, strongest(c, model, q, v, whole.desired_force));
+    table_.put(max_force_, max_force(c, model, q, v, whole.desired_force));
     table_.put(status_, int(r.outcome));
   }
 
@@ -263,17 +263,17 @@ class pose_values {
     return -1;
   }
 
-  static double strongest(const C& c, const M& model, const ph::joint_vector<M>& q,
+  static double max_force(const C& c, const M& model, const ph::joint_vector<M>& q,
                           const ph::task_vector<M>& v, const ph::task_vector<M>& Fd) {
     if (!(Fd.norm() > 0)) return 0;
     const auto found = ph::displayable(model, q, v, Fd, ph::hybrid_brakes<M>(c.switchable()));
-    return found.outcome == ph::status::ok ? found.strongest : 0;
+    return found.outcome == ph::status::ok ? found.max_force : 0;
   }
 
   value_table table_;
   int x_, v_, J_, w_, signs_, at_rest_, E_, R_, R_defined_, Fh_, Fd_, depth_, normal_, Fp_, Fc_, Fc_scaled_,
       displayed_, unscaled_, brake_force_, Fr_, gamma_, alpha_, coefficients_, capacity_, torque_, limit_,
-      share_, doing_, power_, display_, saturated_, region_, strongest_, status_;
+      share_, doing_, power_, display_, saturated_, region_, max_force_, status_;
 };
 
 }  // namespace explorer

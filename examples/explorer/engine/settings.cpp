@@ -53,8 +53,8 @@ std::string number_text(double value) {
 }
 
 void refuse(std::string_view name, std::string_view found, std::string_view expected) {
-  constexpr std::size_t longest = 80;
-  std::string text = ph::detail::printable(found.substr(0, longest));
+  constexpr std::size_t max_length = 80;
+  std::string text = ph::detail::printable(found.substr(0, max_length));
   throw std::invalid_argument(
       std::string(name).append(" = '").append(text).append("', expected ").append(expected));
 }

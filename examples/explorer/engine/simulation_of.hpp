@@ -92,8 +92,8 @@ class simulation_of final : public simulation {
 
   double* figures() override {
     const ph::contact_metrics f = meter_.result();
-    figures_ = {double(f.separations), f.depth_max,       f.depth_mean,          f.depth_std,
-                f.stick_share,         f.retarding_force, f.largest_brake_power, f.duration};
+    figures_ = {double(f.separations), f.max_depth,       f.depth_mean,      f.depth_std,
+                f.stick_share,         f.retarding_force, f.max_brake_power, f.duration};
     return figures_.data();
   }
 
@@ -116,8 +116,8 @@ class simulation_of final : public simulation {
     const double moved = plant.min_mass();
     const double fastest = c.top.hand == hand_kind::along
                                ? ph::following_hand<double, d>(c.path.direction, plant.position(), c.along)
-                                     .fastest_time_constant(moved)
-                               : ph::fastest_time_constant(moved, c.hand.stiffness, c.hand.damping);
+                                     .min_time_constant(moved)
+                               : ph::min_time_constant(moved, c.hand.stiffness, c.hand.damping);
     ph::require_no_error(ph::check_time_step(time_step, fastest));
   }
 

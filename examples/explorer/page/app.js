@@ -48,7 +48,7 @@ export const runner_events = {
 };
 export const runner = make_runner(code, bytes, by_id('worker-code').textContent, runner_events);
 
-const least_shown = 1e-3; // of the torque limit; a torque below is written as 0 [1]
+const min_shown = 1e-3; // of the torque limit; a torque below is written as 0 [1]
 
 // The rows that are shown: of the log that is played, or of the simulation.
 export const tracks = () => (app.log ? app.log.tracks : app.question.is_moving ? runner.tracks : null);
@@ -77,7 +77,7 @@ export function brake_states() {
   return torques.map((torque, k) => {
     const state = word('brake_state', k) || 'released';
     const share = Math.abs(torque) / limits[k],
-      made = short_number(share < least_shown ? 0 : Math.abs(torque), 2) + ' ' + unit;
+      made = short_number(share < min_shown ? 0 : Math.abs(torque), 2) + ' ' + unit;
     return {state, share, made, text: state === 'released' ? state : state + ', ' + made};
   });
 }

@@ -5,7 +5,7 @@ import {line_path} from './pen.js';
 import {each_point} from './tracks.js';
 import {short_number} from './format.js';
 
-const longest_shown = 5; // [s]
+const max_shown = 5; // [s]
 
 // tracks: with the histories; names and colors: of the laws; brakes: their number.
 // With is_short only the depth is drawn.
@@ -38,7 +38,7 @@ export function draw_curves(pen, tracks, last, theme, names, colors, brakes, is_
   ];
   const [start, end] = times_of(tracks),
     last_end = last ? times_of(last)[1] : 0;
-  const seconds = last && end < last_end ? Math.min(longest_shown, last_end) : longest_shown,
+  const seconds = last && end < last_end ? Math.min(max_shown, last_end) : max_shown,
     first = Math.max(start, end - seconds);
   const x_of = t => left + ((right - left) * (t - first)) / seconds;
   for (const panel of is_short ? panels.slice(0, 1) : panels)
@@ -69,7 +69,7 @@ function times_of(tracks) {
   let start = Infinity,
     end = 0;
   for (const history of tracks.histories)
-    each_point(history, longest_shown, k => {
+    each_point(history, max_shown, k => {
       start = Math.min(start, history.time[k]);
       end = Math.max(end, history.time[k]);
     });
@@ -81,7 +81,7 @@ function draw_panel(pen, panel, tracks, last, now, theme, colors, x_of, left, ri
   let low = Infinity,
     high = -Infinity;
   for (const history of [...tracks.histories, ...(last ? last.histories : [])])
-    each_point(history, longest_shown, k => {
+    each_point(history, max_shown, k => {
       const value = history[panel.key][k] * (panel.factor || 1);
       if (value === value) {
         low = Math.min(low, value);
@@ -128,7 +128,7 @@ function draw_panel(pen, panel, tracks, last, now, theme, colors, x_of, left, ri
       const pieces = [];
       let piece = null,
         head = null;
-      each_point(history, longest_shown, k => {
+      each_point(history, max_shown, k => {
         const value = history[panel.key][k] * (panel.factor || 1);
         if (value !== value || history.time[k] < from) {
           piece = head = null;

@@ -3,11 +3,11 @@
 import {draw_arrow, draw_cone, draw_solid_cone, label_arrow} from './arrows.js';
 import {points_path} from './pen.js';
 
-export const longest_arrow = 0.36; // of the smaller side of the picture; longer ones are cut [1]
+export const max_arrow = 0.36; // of the smaller side of the picture; longer ones are cut [1]
 
 export function draw_forces(pen, picture, at, theme) {
   const {camera, shown} = picture,
-    most = longest_arrow * Math.min(pen.width, pen.height);
+    most = max_arrow * Math.min(pen.width, pen.height);
   const pixels_of = (vector, scale) => camera.vector(vector).map(c => c * scale);
   if (shown.has('references'))
     for (const reference of picture.references) {

@@ -2,7 +2,7 @@
 // camera.
 
 import {fitting_camera, plane_camera} from './camera.js';
-import {longest_arrow} from './forces.js';
+import {max_arrow} from './forces.js';
 import {degrees, short_number} from './format.js';
 import {each_point} from './tracks.js';
 import {drawing_rows, handle_of, is_line_row} from './sketch.js';
@@ -66,7 +66,7 @@ export function margins_of({device, info, scales, bounds, width, height, layers,
     forces = cones_of({device, info, layers}).flatMap(cone => cone.points);
   if (layers.has('Fd')) {
     const Fd = device.value('Fd');
-    forces.push(Fd.map(c => c * Math.min(1, longest_arrow / (scales.force * length_of_vector(Fd) || 1))));
+    forces.push(Fd.map(c => c * Math.min(1, max_arrow / (scales.force * length_of_vector(Fd) || 1))));
   }
   for (let turn = 0; turn < 3; ++turn) {
     const camera = fitting_camera(bounds, false, width, height, margins),

@@ -189,10 +189,10 @@ function draw_brake(pen, camera, row, state, theme, look) {
 // All brakes are drawn larger by one factor where the smallest would be too small to be seen.
 function brake_enlargement(rows, camera) {
   const least = Math.min(...brake_rows(rows).map(row => row.size * camera.scale));
-  return Number.isFinite(least) && least > 0 ? Math.max(1, smallest_brake / least) : 1;
+  return Number.isFinite(least) && least > 0 ? Math.max(1, min_brake_radius / least) : 1;
 }
 
-const smallest_brake = 11; // radius [pixels]
+const min_brake_radius = 11; // radius [pixels]
 
 function label_brakes(pen, camera, rows, brakes, theme, enlarge) {
   const all = brake_rows(rows),

@@ -5,7 +5,7 @@
 import {load_engine} from './engine.js';
 
 const period = 1; // of a control cycle [ms]
-const most_at_once = 60; // cycles computed before the page is served [1]
+const max_at_once = 60; // cycles computed before the page is served [1]
 
 let engine,
   simulations = [],
@@ -110,7 +110,7 @@ function turn() {
   last = now;
   if (is_paused || !simulations.length) return;
   due += (passed * speed) / period;
-  const cycles = Math.min(Math.floor(due), most_at_once);
+  const cycles = Math.min(Math.floor(due), max_at_once);
   if (cycles < 1) return;
   due -= cycles;
   run_cycles(cycles);

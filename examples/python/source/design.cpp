@@ -106,7 +106,7 @@ class rows_of_places {
 // A row of a design map as it stands in the array.
 struct figures_row {
   std::int32_t outcome, display;
-  double cosine, drag, strongest, sink_slope, isotropy;
+  double cosine, drag, max_force, sink_slope, isotropy;
 };
 
 py::array map_of(const mechanism& of, py::handle q, py::handle direction, py::handle normal,
@@ -117,7 +117,7 @@ py::array map_of(const mechanism& of, py::handle q, py::handle direction, py::ha
   push_of(push);
   py::list fields;
   for (const char* name : {"outcome", "display"}) fields.append(py::make_tuple(name, "i4"));
-  for (const char* name : {"cosine", "drag", "strongest", "sink_slope", "isotropy"})
+  for (const char* name : {"cosine", "drag", "max_force", "sink_slope", "isotropy"})
     fields.append(py::make_tuple(name, "f8"));
   py::array rows(py::dtype::from_args(fields), std::vector<py::ssize_t>{places.size()});
   auto* const row = static_cast<figures_row*>(rows.mutable_data());
@@ -128,7 +128,7 @@ py::array map_of(const mechanism& of, py::handle q, py::handle direction, py::ha
               std::int32_t(f.display),
               f.cosine,
               f.drag,
-              f.strongest,
+              f.max_force,
               f.sink_slope,
               f.isotropy};
     if (k % points_between_signals != 0) continue;

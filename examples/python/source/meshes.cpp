@@ -39,9 +39,9 @@ bool are_equal(const mesh_value& a, const mesh_value& b) {
 
 // The call that makes a small mesh; of a large one how large it is.
 std::string repr_of(const mesh_value& m) {
-  constexpr py::ssize_t longest = 20;  // vertices or facets
+  constexpr py::ssize_t max_shown = 20;  // vertices or facets
   const py::array vertices = vertices_of(m), facets = facets_of(m);
-  if (vertices.shape(0) > longest || facets.shape(0) > longest)
+  if (vertices.shape(0) > max_shown || facets.shape(0) > max_shown)
     return "mesh(<" + std::to_string(vertices.shape(0)) + " vertices>, <" + std::to_string(facets.shape(0)) +
            " facets>)";
   return "mesh(" + std::string(py::repr(vertices.attr("tolist")())) + ", " +

@@ -12,8 +12,8 @@
 #include <passive_haptics/control/batch/batch_controller.hpp>
 #include <passive_haptics/control/laws/recommended_law.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/map/design_figures.hpp>

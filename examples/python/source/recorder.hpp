@@ -20,7 +20,7 @@ class recorder final : public following_observer {
  public:
   /// Of a device of these sizes. wanted: whether rows are kept.
   recorder(const device_sizes& sizes, bool wanted, const ph::wall_following_parameters& parameters)
-      : sizes_(sizes), wanted_(wanted), progress_(milliseconds(parameters.longest), "ms at most") {}
+      : sizes_(sizes), wanted_(wanted), progress_(milliseconds(parameters.max_duration), "ms at most") {}
 
   /// Keeps a row, and lets Ctrl-C end the experiment.
   void see(const following_sample& now) override {

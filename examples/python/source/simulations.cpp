@@ -101,8 +101,8 @@ using following_value = table_value<following_base, ph::wall_following_parameter
 py::object metrics_of(const ph::contact_metrics& f) {
   const py::module_ results = py::module_::import("passive_haptics.results");
   return results.attr("contact_metrics")(
-      f.separations, f.recontacts, f.depth_mean, f.depth_std, f.depth_range, f.depth_drift, f.depth_max,
-      f.stick_share, f.hand_force_std, f.retarding_force, f.brake_energy, f.largest_brake_power, f.duration,
+      f.separations, f.recontacts, f.depth_mean, f.depth_std, f.depth_range, f.depth_drift, f.max_depth,
+      f.stick_share, f.hand_force_std, f.retarding_force, f.brake_energy, f.max_brake_power, f.duration,
       f.arrived, f.touched, results.attr("run_end")(int(f.end)));
 }
 
@@ -129,7 +129,7 @@ py::dict energies(const ph::energy_balance& e) {
   all["residual_friction"] = e.residual_friction;
   all["drag"] = e.drag;
   all["kinetic"] = e.kinetic;
-  all["largest_brake_power"] = e.largest_brake_power;
+  all["max_brake_power"] = e.max_brake_power;
   return all;
 }
 

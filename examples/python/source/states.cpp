@@ -185,8 +185,8 @@ void bind_displayable(py::module_& module) {
           "display", [](const F& f) { return to_object(f.display); },
           "display_class: How a force along the normal is displayed.")
       .def_readonly("angle", &F::angle, "float: gamma [rad] between the normal and the nearest force.")
-      .def_readonly("strongest", &F::strongest, "float: The most along the normal [N] of all forces.")
-      .def_readonly("strongest_nearest", &F::strongest_nearest,
+      .def_readonly("max_force", &F::max_force, "float: The most along the normal [N] of all forces.")
+      .def_readonly("max_approximated_force", &F::max_approximated_force,
                     "float: The most along the normal [N] of the nearest force.")
       .def_readonly("signs", &F::signs, "Array: s of the brakes in this motion.")
       .def("__repr__",
@@ -195,8 +195,8 @@ void bind_displayable(py::module_& module) {
              all["outcome"] = to_object(f.outcome);
              all["display"] = to_object(f.display);
              all["angle"] = f.angle;
-             all["strongest"] = f.strongest;
-             all["strongest_nearest"] = f.strongest_nearest;
+             all["max_force"] = f.max_force;
+             all["max_approximated_force"] = f.max_approximated_force;
              all["signs"] = to_object(f.signs).attr("tolist")();
              return call_text("displayable_force", all);
            })
@@ -205,14 +205,14 @@ void bind_displayable(py::module_& module) {
              if (!py::isinstance<F>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
              const auto& g = py::cast<const F&>(other);
              return py::bool_(f.outcome == g.outcome && f.display == g.display &&
-                              same_bits(f.angle, g.angle) && same_bits(f.strongest, g.strongest) &&
-                              same_bits(f.strongest_nearest, g.strongest_nearest) &&
+                              same_bits(f.angle, g.angle) && same_bits(f.max_force, g.max_force) &&
+                              same_bits(f.max_approximated_force, g.max_approximated_force) &&
                               same_bits(f.signs, g.signs));
            })
       .def(py::pickle(
           [](const F& f) {
-            return py::make_tuple(int(f.outcome), int(f.display), f.angle, f.strongest, f.strongest_nearest,
-                                  f.signs);
+            return py::make_tuple(int(f.outcome), int(f.display), f.angle, f.max_force,
+                                  f.max_approximated_force, f.signs);
           },
           [](const py::tuple& t) {
             if (t.size() != 6) refuse_value("a pickled displayable_force has 6 parts, expected one of ours");

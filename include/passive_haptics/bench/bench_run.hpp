@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/bench/bench_sample.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/driver/clock.hpp>
 #include <passive_haptics/driver/safe_port.hpp>
 
@@ -24,8 +25,8 @@ struct bench_parameters {
   double torque_at_zero = 0;     ///< Its reading while nothing pulls [N m].
   double current_limit = 1;      ///< No test goes beyond [A].
   double settling_time = 0.5;    ///< Of the brake under the first current, before the record begins [s].
-  double largest_rate = 2e5;     ///< Of the encoder: faster is a jump [counts/s].
-  double largest_reading = std::numeric_limits<double>::infinity();  ///< There the sensor is saturated.
+  double max_rate = 2e5;         ///< Of the encoder: faster is a jump [counts/s].
+  double max_reading = std::numeric_limits<double>::infinity();  ///< There the sensor is saturated.
   double hold_over = 0.1;  ///< Longest time without a new good sample, or while writes are refused [s].
   int max_missed = 100;    ///< Periods in a row without a new good sample, then the test ends.
 
@@ -39,17 +40,16 @@ struct bench_parameters {
         member("torque_at_zero", &p::torque_at_zero, "N m", range::finite),
         member("current_limit", &p::current_limit, "A", range::positive),
         member("settling_time", &p::settling_time, "s", range::not_negative),
-        member("largest_rate", &p::largest_rate, "counts/s", range::positive),
-        member("largest_reading", &p::largest_reading, "",
-               passive_haptics::range{.lower = 0, .open_above = false}),
+        member("max_rate", &p::max_rate, "counts/s", range::positive),
+        member("max_reading", &p::max_reading, "", passive_haptics::range{.lower = 0, .open_above = false}),
         member("hold_over", &p::hold_over, "s", range::positive),
         member("max_missed", &p::max_missed, "", range::between(1, 100000).as("1 to 100000")));
   }
   /// The limits of a safe_port to this brake, encoder and channel.
   safe_port_parameters<1, 1> limits() const {
-    return {.encoders = {.largest_rate = largest_rate},
-            .sensor = {.range = {largest_reading}},
-            .currents = {.largest = {current_limit}, .continuous = {current_limit}},
+    return {.encoders = {.max_rate = max_rate},
+            .sensor = {.range = {max_reading}},
+            .currents = {.max_current = {current_limit}, .continuous = {current_limit}},
             .hold_over = hold_over};
   }
 };
@@ -109,7 +109,7 @@ double time_after(Wait& wait) {
 }  // namespace detail
 
 /// The longest time that record_on_bench() takes beyond settling_time and duration [s, CLOCK_BOOTTIME].
-inline constexpr double longest_bench_overtime = 1;
+inline constexpr double max_bench_overtime = 1;
 
 /// The record of a test: gives the brake `current_at(t)` [A], t in [0, duration] s, while somebody turns its
 /// axis, and records each new sample; then releases. Before that it has current_at(0) for the settling_time.
@@ -119,7 +119,7 @@ inline constexpr double longest_bench_overtime = 1;
 ///
 /// Throws std::invalid_argument with the text of validate(p), or where the port has no such brake, encoder or
 /// channel. Throws std::runtime_error that names the fault where the safe_port released the brake, or no good
-/// sample came for max_missed periods, and at the latest longest_bench_overtime after the test should have
+/// sample came for max_missed periods, and at the latest max_bench_overtime after the test should have
 /// ended. In any case the brakes are released. A wait, read or write that never returns keeps the current on:
 /// take a threaded_port, and run a supervisor.
 template <BrakePort P, ForceSensor S, class Current, class Wait>
@@ -131,7 +131,6 @@ std::vector<bench_sample> record_on_bench(P& port, S& sensor, const bench_parame
                           check_value("encoder", p.encoder, "", range::between(0, P::encoder_count - 1)),
                           check_value("channel", p.channel, "", range::between(0, S::channel_count - 1)),
                           check_value("duration", duration, "s", range::positive)));
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const auto fail = [&](fault_record why) {
     if (why.channel >= 0)  // by its number on the port or the sensor
       why.channel = why.source == fault_source::encoders ? p.encoder
@@ -139,15 +138,15 @@ std::vector<bench_sample> record_on_bench(P& port, S& sensor, const bench_parame
                                                          : p.channel;
     throw std::runtime_error(to_string(why).append(": the test ended, the brake is released"));
   };
-  safe_port bench(detail::bench_port<P>{&port, at(p.encoder), at(p.brake)},
-                  detail::bench_sensor<S>{&sensor, at(p.channel)}, p.limits());
+  safe_port bench(detail::bench_port<P>{&port, std::size_t(p.encoder), std::size_t(p.brake)},
+                  detail::bench_sensor<S>{&sensor, std::size_t(p.channel)}, p.limits());
   if (const std::string error = bench.open(); !error.empty()) throw std::runtime_error(error);
 
   std::vector<bench_sample> all;
   // This clock goes on while the machine is suspended
   const auto boot_seconds = [] { return 1e-9 * static_cast<double>(monotonic_clock().boot_time()); };
   const double begun = boot_seconds();
-  const double longest = p.settling_time + duration + longest_bench_overtime;
+  const double longest = p.settling_time + duration + max_bench_overtime;
   double start = std::numeric_limits<double>::quiet_NaN();
   for (int missed = 0;;) {
     if (bench.read(detail::time_after(wait)) == port_state::released) fail(bench.reason());

@@ -26,21 +26,21 @@ struct estimate {
 };
 
 /// The longest mean time between two samples of a test [s]: a longer one is milliseconds given as seconds.
-inline constexpr double longest_sample_period = 0.2;
+inline constexpr double max_sample_period = 0.2;
 /// The longest time constant of a brake [s]: a longer one is milliseconds given as seconds.
-inline constexpr double longest_time_constant = 5;
+inline constexpr double max_time_constant = 5;
 
-/// What is wrong with a time constant of this name [s], where it is longer than longest_time_constant; empty
+/// What is wrong with a time constant of this name [s], where it is longer than max_time_constant; empty
 /// if nothing.
 inline std::string check_time_constant(const char* name, double time_constant) {
-  if (time_constant <= longest_time_constant) return {};
+  if (time_constant <= max_time_constant) return {};
   return detail::error_text(name, time_constant,
-                            detail::indexed("at most ", longest_time_constant,
+                            detail::indexed("at most ", max_time_constant,
                                             ": give the times of the samples in seconds, not milliseconds"));
 }
 
 /// Throws std::invalid_argument with the first number that cannot be: fewer samples than `least`, one that is
-/// not finite, time that does not go on, or that goes on by more than longest_sample_period from one to the
+/// not finite, time that does not go on, or that goes on by more than max_sample_period from one to the
 /// next.
 inline void require_samples(std::span<const bench_sample> samples, std::size_t least) {
   detail::refuse_unless(samples.size() >= least, "samples", samples.size(),
@@ -61,8 +61,8 @@ inline void require_samples(std::span<const bench_sample> samples, std::size_t l
   if (samples.size() < 2) return;
   const double period =
       (samples.back().time - samples.front().time) / static_cast<double>(samples.size() - 1);
-  detail::refuse_unless(period <= longest_sample_period, "mean time between two samples [s]", period,
-                        detail::indexed("at most ", longest_sample_period,
+  detail::refuse_unless(period <= max_sample_period, "mean time between two samples [s]", period,
+                        detail::indexed("at most ", max_sample_period,
                                         ": give times in seconds, not milliseconds, or record faster"));
 }
 

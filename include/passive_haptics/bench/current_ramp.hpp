@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/bench/torque_fit.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/driver/calibration/brake_curve.hpp>
 
 #include <algorithm>
@@ -32,10 +33,10 @@ struct current_ramp {
   /// One value at each point.
   using branch = std::array<estimate, static_cast<std::size_t>(points)>;
 
-  double greatest_current = 0;  ///< [A]
-  estimate residual_torque;     ///< Before the ramp, of a brake that was not energised before [N m].
-  branch rising;                ///< Torque at each point on the way up [N m],
-  branch falling;               ///< and on the way down.
+  double max_current = 0;    ///< [A]
+  estimate residual_torque;  ///< Before the ramp, of a brake that was not energised before [N m].
+  branch rising;             ///< Torque at each point on the way up [N m],
+  branch falling;            ///< and on the way down.
   /// Largest distance of the branches over the points [N m], with the standard error there.
   estimate hysteresis;
   std::vector<branch_sample> samples;  ///< Both branches.
@@ -45,17 +46,16 @@ struct current_ramp {
   brake_curve curve() const {
     brake_curve p;
     p.residual_torque = std::max(residual_torque.value, 0.0);
-    p.current_limit = greatest_current;
+    p.current_limit = max_current;
     p.hysteresis = std::max(hysteresis.value, 0.0);
     p.table[0] = {0, p.residual_torque};
     p.points = 1;
     constexpr double sure = 3;  // standard errors
     for (std::size_t i = 1; i < rising.size(); ++i) {
-      const double torque = rising[i].value, least = p.table[static_cast<std::size_t>(p.points - 1)].torque;
+      const double torque = rising[i].value, least = nth(p.table, p.points - 1).torque;
       const bool rises = torque > least + sure * rising[i].standard_error && torque < rising.back().value;
       if (rises || i + 1 == rising.size())
-        p.table[static_cast<std::size_t>(p.points++)] = {
-            greatest_current * static_cast<double>(i) / (points - 1), torque};
+        nth(p.table, p.points++) = {max_current * static_cast<double>(i) / (points - 1), torque};
     }
     return p;
   }
@@ -69,10 +69,10 @@ inline std::string validate(const current_ramp& ramp) {
                      ramp.rising.begin(), ramp.rising.end(),
                      [](const estimate& a, const estimate& b) { return a.value < b.value; });
   const auto doubt = [&](double standard_error) {
-    return std::max(sure * standard_error, detail::least_noise * std::abs(top.value));
+    return std::max(sure * standard_error, detail::min_noise * std::abs(top.value));
   };
-  if (!(ramp.greatest_current > 0))
-    return detail::error_text("greatest_current [A]", ramp.greatest_current,
+  if (!(ramp.max_current > 0))
+    return detail::error_text("max_current [A]", ramp.max_current,
                               "> 0: record a ramp, and give its fit_current_ramp");
   if (!(top.value > residual.value + doubt(top.standard_error)))
     return detail::error_text(
@@ -183,16 +183,16 @@ inline current_ramp fit_current_ramp(std::span<const bench_sample> samples, cons
                         "less than 0.02: ramp more slowly");
 
   current_ramp found;
-  found.greatest_current = samples[at.top].current;
+  found.max_current = samples[at.top].current;
   found.residual_torque = detail::fit_torques<1>(
       "samples before the ramp", samples.first(at.start + 1), noise, {vector<double, 1>::Zero()},
       []<class S>(const bench_sample& s, const vector<S, 1>& p) -> S { return p[0] - s.torque; })[0];
   found.samples = detail::branches_of_ramp(samples, at, delay);
 
   constexpr int last = current_ramp::points - 1;
-  const double width = found.greatest_current / (2 * last);
+  const double width = found.max_current / (2 * last);
   for (std::size_t i = 0; i < found.rising.size(); ++i) {
-    const double current = found.greatest_current * static_cast<double>(i) / last;
+    const double current = found.max_current * static_cast<double>(i) / last;
     found.rising[i] =
         i == 0 ? found.residual_torque : detail::torque_near(found.samples, false, current, width, noise);
     found.falling[i] =

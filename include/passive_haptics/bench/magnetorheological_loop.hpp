@@ -10,12 +10,12 @@ namespace passive_haptics {
 
 /// The loop, for the greatest current of the ramp.
 struct magnetorheological_loop {
-  double greatest_current = 0;  ///< [A]
-  estimate torque_limit;        ///< Of the calibrated curve, without the residual torque [N m].
-  estimate saturation;          ///< k [1].
-  estimate coercive_current;    ///< c [1].
-  estimate residual_torque;     ///< [N m]
-  double deviation = 0;         ///< Of the samples from the formula [N m].
+  double max_current = 0;     ///< [A]
+  estimate torque_limit;      ///< Of the calibrated curve, without the residual torque [N m].
+  estimate saturation;        ///< k [1].
+  estimate coercive_current;  ///< c [1].
+  estimate residual_torque;   ///< [N m]
+  double deviation = 0;       ///< Of the samples from the formula [N m].
 };
 
 namespace detail {
@@ -34,7 +34,7 @@ auto magnetorheological_torque(const vector<S, 4>& p, const M& m) {
 inline magnetorheological_loop fit_magnetorheological_loop(const current_ramp& ramp,
                                                            sensor_noise noise = sensor_noise::present) {
   detail::require_ramp(ramp);
-  const double greatest = ramp.greatest_current, residual = ramp.residual_torque.value;
+  const double greatest = ramp.max_current, residual = ramp.residual_torque.value;
   const auto left_over = [greatest]<class S>(const branch_sample& s, const vector<S, 4>& p) -> S {
     if (!(p[1] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
     const double j = s.current / greatest;
@@ -61,13 +61,13 @@ struct magnetorheological_step {
 inline magnetorheological_step fit_magnetorheological_step(std::span<const bench_sample> samples,
                                                            const magnetorheological_loop& loop,
                                                            sensor_noise noise = sensor_noise::present) {
-  detail::refuse_unless(loop.greatest_current > 0, "loop.greatest_current [A]", loop.greatest_current,
+  detail::refuse_unless(loop.max_current > 0, "loop.max_current [A]", loop.max_current,
                         "> 0: give the fit_magnetorheological_loop of a ramp");
   const auto torque = fit_step_response(samples, noise);
   const std::size_t step = detail::step_of_current(samples);
   const bench_sample &last_before = samples[step - 1], &first_after = samples[step];
   const bool down = first_after.current < last_before.current;
-  const double J = std::max(last_before.current, first_after.current) / loop.greatest_current;
+  const double J = std::max(last_before.current, first_after.current) / loop.max_current;
   const vector<double, 4> constants(loop.torque_limit.value, loop.saturation.value,
                                     loop.coercive_current.value, loop.residual_torque.value);
   const double c = constants[2];

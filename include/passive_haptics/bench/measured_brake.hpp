@@ -4,6 +4,7 @@
 
 #include <passive_haptics/bench/magnetorheological_loop.hpp>
 #include <passive_haptics/brake/brake_parameters.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/driver/calibration/brake_calibration.hpp>
 #include <passive_haptics/plant/brakes/coulomb_brake.hpp>
 
@@ -96,7 +97,7 @@ brakes_of<M> measured_brakes(const measured_brakes_of<M>& found) {
   using T = typename M::scalar;
   brakes_of<M> brakes;
   for (int i = 0; i < M::brake_count; ++i) {
-    const measured_brake& one = found[static_cast<std::size_t>(i)];
+    const measured_brake& one = nth(found, i);
     brakes.torque_limit[i] = static_cast<T>(one.ramp.rising.back().value);
     brakes.time_constant[i] = static_cast<T>(one.time_constant.value);
     brakes.rate_dead_band[i] = static_cast<T>(one.rate_dead_band);

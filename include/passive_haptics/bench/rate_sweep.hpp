@@ -43,18 +43,17 @@ inline std::vector<rate_and_torque> mean_over_windows(std::span<const bench_samp
 namespace detail {
 
 // The largest rate [rad/s] of means that can be
-inline double fastest(std::span<const rate_and_torque> means) {
-  double fastest_rate = 0;
+inline double max_rate_of(std::span<const rate_and_torque> means) {
+  double max_rate = 0;
   for (std::size_t k = 0; k < means.size(); ++k) {
     const auto named = [k](const char* member) { return indexed("means[", k, "].").append(member); };
     require_no_error(
         first_error(check_value(named("rate").c_str(), means[k].rate, "rad/s", range::finite),
                     check_value(named("torque").c_str(), means[k].torque, "N m", range::finite)));
-    fastest_rate = std::max(fastest_rate, std::abs(means[k].rate));
+    max_rate = std::max(max_rate, std::abs(means[k].rate));
   }
-  refuse_unless(fastest_rate > 0, "fastest rate [rad/s]", fastest_rate,
-                "> 0: turn the axis, slowly and fast");
-  return fastest_rate;
+  refuse_unless(max_rate > 0, "fastest rate [rad/s]", max_rate, "> 0: turn the axis, slowly and fast");
+  return max_rate;
 }
 
 inline double torque_against_turn(const rate_and_torque& s) { return s.rate < 0 ? -s.torque : s.torque; }
@@ -90,7 +89,7 @@ struct viscous_friction {
 /// still in all, torques that push the turn on.
 inline viscous_friction fit_viscous_friction(std::span<const rate_and_torque> means,
                                              sensor_noise noise = sensor_noise::present) {
-  detail::fastest(means);
+  detail::max_rate_of(means);
   const auto fit = detail::fit_against_rate<2>(
       means, noise, {vector<double, 2>(0, 0)},
       []<class S>(double w, const vector<S, 2>& p) -> S { return p[0] + p[1] * w; });
@@ -110,7 +109,8 @@ struct stribeck_friction {
 /// as fit_viscous_friction.
 inline stribeck_friction fit_stribeck_friction(std::span<const rate_and_torque> means,
                                                sensor_noise noise = sensor_noise::present) {
-  const double fast = detail::fastest(means), strength = fit_viscous_friction(means, noise).strength.value;
+  const double fast = detail::max_rate_of(means),
+               strength = fit_viscous_friction(means, noise).strength.value;
   const auto torque = []<class S>(double w, const vector<S, 4>& p) -> S {
     using std::exp;
     if (!(p[2] > S(0))) return S(std::numeric_limits<double>::quiet_NaN());
@@ -136,7 +136,7 @@ struct eddy_current_torque {
 inline eddy_current_torque fit_eddy_current_torque(std::span<const rate_and_torque> means,
                                                    sensor_noise noise = sensor_noise::present) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const double fast = detail::fastest(means);
+  const double fast = detail::max_rate_of(means);
   // In 1 / critical_rate^2, in which the formula is almost linear, also at 0
   const auto torque = []<class S>(double w, const vector<S, 3>& p) -> S {
     const S weakened = S(1) + p[2] * w * w;

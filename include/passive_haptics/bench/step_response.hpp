@@ -45,7 +45,7 @@ inline std::size_t step_of_current(std::span<const bench_sample> samples) {
 ///
 /// Throws std::invalid_argument with name, value and what to do: samples that cannot be, torques without
 /// noise, an axis that stands still, no step or two, a change within the noise or against that of the
-/// current, a record that ends before five time constants, one over longest_time_constant.
+/// current, a record that ends before five time constants, one over max_time_constant.
 inline step_response fit_step_response(std::span<const bench_sample> samples,
                                        sensor_noise noise = sensor_noise::present) {
   const std::size_t step = detail::step_of_current(samples);
@@ -73,7 +73,7 @@ inline step_response fit_step_response(std::span<const bench_sample> samples,
       "samples", samples, noise, {from(0.02), from(0.1), from(0.3), from(0.6), from(0.9)}, residual);
 
   constexpr double sure = 5;  // standard errors, of at least the rounding
-  const double error = std::max(best.deviation, detail::least_noise * detail::largest_torque(samples)) /
+  const double error = std::max(best.deviation, detail::min_noise * detail::max_torque(samples)) /
                        std::sqrt(static_cast<double>(end - tail));
   detail::refuse_unless(std::abs(best.value[1]) > sure * error, "change of the torque [N m]", best.value[1],
                         "a step beyond the noise: step to a larger current");

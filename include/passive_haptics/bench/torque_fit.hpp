@@ -19,10 +19,10 @@ enum class sensor_noise {
 namespace detail {
 
 // The smallest deviation that is noise, for the largest torque [1]: a converter of 24 bits resolves 6e-8
-inline constexpr double least_noise = 1e-9;
+inline constexpr double min_noise = 1e-9;
 
 template <class Samples>
-double largest_torque(const Samples& samples) {
+double max_torque(const Samples& samples) {
   double largest = 0;
   for (const auto& s : samples) largest = std::max(largest, std::abs(s.torque));
   return largest;
@@ -49,9 +49,8 @@ curve_fit<N> fit_torques(const std::string& which, const Samples& samples, senso
     if (fit.deviation < best.deviation) best = fit;
   }
   if (noise == sensor_noise::present)
-    refuse_unless(best.deviation > least_noise * largest_torque(samples),
-                  indexed("noise of the ", which, " [N m]"), best.deviation,
-                  or_none("more than 1e-9 of the largest torque"));
+    refuse_unless(best.deviation > min_noise * max_torque(samples), indexed("noise of the ", which, " [N m]"),
+                  best.deviation, or_none("more than 1e-9 of the largest torque"));
   return best;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/brake_jacobian.hpp>
+#include <passive_haptics/core/nth.hpp>
 
 #include <array>
 
@@ -27,7 +28,7 @@ constexpr std::array<torque_signs<Brakes>, (1u << Brakes)> passive_fme_regions()
 template <class T, int Brakes>
 constexpr torque_signs<Brakes> producible_signs(const vector<T, Brakes>& s) {
   torque_signs<Brakes> signs{};
-  for (int i = 0; i < Brakes; ++i) signs[static_cast<std::size_t>(i)] = s[i] > T(0) ? -1 : 1;
+  for (int i = 0; i < Brakes; ++i) nth(signs, i) = s[i] > T(0) ? -1 : 1;
   return signs;
 }
 
@@ -35,7 +36,7 @@ namespace detail {
 template <class T, int Brakes>
 bool has_signs(const vector<T, Brakes>& t, const torque_signs<Brakes>& signs) {
   bool all = true;
-  for (int i = 0; i < Brakes; ++i) all &= static_cast<T>(signs[static_cast<std::size_t>(i)]) * t[i] >= T(0);
+  for (int i = 0; i < Brakes; ++i) all &= static_cast<T>(nth(signs, i)) * t[i] >= T(0);
   return all;
 }
 }  // namespace detail

@@ -34,7 +34,7 @@ vector<T, Brakes> torque_bounds_of(const B& brakes, const vector<T, Brakes>& t) 
 
 /// Most torque [N m], >= 0, of each brake in either direction.
 template <class T, int Brakes, class B>
-vector<T, Brakes> largest_torques_of(const B& brakes) {
+vector<T, Brakes> max_torques_of(const B& brakes) {
   const vector<T, Brakes> limit = passive_haptics::torque_limits_of<T, Brakes>(brakes);
   if constexpr (SwitchableBrakes<B, T, Brakes>)
     return limit.cwiseMin(brakes.torque_upper.cwiseMax(-brakes.torque_lower));

@@ -95,8 +95,8 @@ using law_memory = typename detail::memory_of<L>::type;
 ///     one before is a fault, status::time_not_rising, also in free space;
 ///   - `double margin(const B& brakes) const noexcept`: how far off a wall it needs its contact [m], >= 0.
 ///     From there on a scene that can (SeesAhead) gives it, with a depth < 0 until the touch. Where more
-///     than most_contacts are so near, the law gets those that are touched;
-///   - `static constexpr int most_contacts`: walls that it takes at once; in a cycle that touches more the
+///     than max_contacts are so near, the law gets those that are touched;
+///   - `static constexpr int max_contacts`: walls that it takes at once; in a cycle that touches more the
 ///     brakes are released. Any number where it is not named.
 template <class L>
 concept TorqueLaw = requires { requires L::commands_torques; } && std::default_initializable<law_memory<L>>;
@@ -131,8 +131,8 @@ template <class L, class B>
 inline constexpr bool has_margin = requires(const L law, const B brakes) { law.margin(brakes); };
 /// Most walls that a law takes at once.
 template <class L>
-inline constexpr int most_contacts = [] {
-  if constexpr (requires { L::most_contacts; }) return L::most_contacts;
+inline constexpr int max_contacts = [] {
+  if constexpr (requires { L::max_contacts; }) return L::max_contacts;
   else return std::numeric_limits<int>::max();
 }();
 

@@ -1,14 +1,14 @@
 /// @file
-/// The control cycle, for any device, law and walls. Section 4 itself stands in control/ways/, one file for
-/// each way through it; control/ways/one_wall.hpp is the paper's.
+/// The control cycle, for any device, law and walls. Section 4 itself is in control/pipelines/, one file for
+/// each pipeline; control/pipelines/one_wall.hpp is the paper's.
 #pragma once
 
 #include <passive_haptics/brake/passive_constraint.hpp>
 #include <passive_haptics/brake/torque_interval.hpp>
 #include <passive_haptics/control/cycle_result.hpp>
-#include <passive_haptics/control/ways/one_wall.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/control/ways/torque_law.hpp>
+#include <passive_haptics/control/pipelines/one_wall.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
+#include <passive_haptics/control/pipelines/torque_law.hpp>
 #include <passive_haptics/core/flatten.hpp>
 
 #include <type_traits>
@@ -32,8 +32,8 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
   using M = typename Setup::mechanism_type;
 
   // What the walls demand
-  const way_of<Result, Setup, Walls> way{setup, touched};
-  if (!way.demands_force())
+  const pipeline_of<Result, Setup, Walls> pipeline{setup, touched};
+  if (!pipeline.demands_force())
     return ph::released<Result>(setup, state.time, ph::status_without_force<M>(x, touched), memory);
 
   // What the brakes can do: v = E w, t = E^T F, and the sign of each
@@ -48,10 +48,10 @@ PASSIVE_HAPTICS_PART Result display_walls(const Setup& setup, const Pose& pose, 
       setup.mechanism, pose, brakes, state.time, state.q, state.qd, x, E, w, v, s, Fh, th, setup.options};
 
   // Section 4, and what the mechanism will feel of it
-  const auto steps = way.command(device, memory);
+  const auto steps = pipeline.command(device, memory);
   const brake_vector<M> t =
       ph::passive_torque(form_of<M>::resisting(steps.td.torque, turning, brakes), w, th, turning, brakes);
-  return way.result(device, steps, t, memory);
+  return pipeline.result(device, steps, t, memory);
 }
 
 /// One control cycle: where the device is, what it touches, what its brakes do. scene: of a controller, or

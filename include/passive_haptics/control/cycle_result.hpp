@@ -7,11 +7,11 @@
 #include <passive_haptics/control/step_result.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/desired_force.hpp>
 #include <passive_haptics/force/forms/form_of.hpp>
 
-#include <cstddef>
 #include <type_traits>
 
 namespace passive_haptics {
@@ -107,9 +107,9 @@ concept HasReports = requires(Result result) { result.contact_count; };
 template <HasReports Result, class Walls, class T, int D, class Wanted>
 void report_contacts(Result& result, const Walls& touched, const vector<T, D>& F, const Wanted& wanted) {
   for (int j = 0; j < touched.size(); ++j) {
-    const auto Fd = force_of<T>(touched[j]);
+    const auto Fd = desired_force_of<T>(touched[j]);
     if (!is_nonzero(Fd)) continue;
-    contact_report<T>& report = result.contacts[static_cast<std::size_t>(result.contact_count++)];
+    contact_report<T>& report = nth(result.contacts, result.contact_count++);
     report = wanted(j);
     report.wall_number = touched[j].wall_number;
     report.displayed = Fd.direction.dot(F);

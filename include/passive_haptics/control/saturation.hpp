@@ -34,7 +34,7 @@ saturated_torque<T, Brakes> saturate(const vector<T, Brakes>& t, const vector<T,
   const lanes wanted = t, bound = limit, size = abs(wanted);
   const auto is_over = size > bound;
   lanes<T, Brakes> within = wanted;
-  if (policy == saturation::keep_direction) within = within * least(select(is_over, bound / size, T(1)));
+  if (policy == saturation::keep_direction) within = within * min_value(select(is_over, bound / size, T(1)));
   return {max(min(within, bound), -bound), any(is_over)};
 }
 

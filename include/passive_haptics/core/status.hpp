@@ -21,7 +21,7 @@ enum class status {
   result_not_finite,   ///< Finite input whose result overflows.
   singular_jacobian,   ///< J has no inverse to working accuracy. Only what needs the inverse says so.
   out_of_reach,        ///< No pose of the mechanism reaches the point.
-  too_many_contacts,   ///< More walls are touched at once than the law takes (most_contacts).
+  too_many_contacts,   ///< More walls are touched at once than the law takes (max_contacts).
   scene_stale,         ///< The scene of another thread is older than its user allows.
   time_not_rising,     ///< Time stood still or went back, under a law or an observer of time differences.
 };

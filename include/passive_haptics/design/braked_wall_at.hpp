@@ -6,7 +6,7 @@
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
 #include <passive_haptics/design/displayable.hpp>
-#include <passive_haptics/design/largest_resistance.hpp>
+#include <passive_haptics/design/max_resistance.hpp>
 #include <passive_haptics/design/wall_limits.hpp>
 
 #include <algorithm>
@@ -57,8 +57,8 @@ braked_wall braked_wall_at(const M& mechanism, const joint_vector<M>& q, const t
   const encoder_axes<M> axes(mechanism);
 
   braked_wall wall;
-  wall.force = static_cast<double>(found.strongest);
-  wall.approximated_force = static_cast<double>(found.strongest_nearest);
+  wall.force = static_cast<double>(found.max_force);
+  wall.approximated_force = static_cast<double>(found.max_approximated_force);
   wall.residual_force -=
       static_cast<double>(along.inertia * along.g.dot(found.signs.cwiseProduct(residual_torque)));
   wall.sliding_residual =

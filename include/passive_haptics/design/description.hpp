@@ -53,7 +53,7 @@ std::string to_text(const description<N>& all) {
 
 namespace detail {
 template <class L>
-concept names_most_contacts = requires { L::most_contacts; };
+concept names_max_contacts = requires { L::max_contacts; };
 template <class L>
 concept names_memory = requires { typename L::memory; };
 template <class S>
@@ -99,7 +99,7 @@ constexpr description<9> describe() {
             {"needs_rising_time", needs_rising_time<L>},
             {"nulls_normal_force", nulls_normal_force<L>},
             {"saturates_before_scaling", saturates_before_scaling<L>},
-            {"most_contacts", detail::names_most_contacts<L>},
+            {"max_contacts", detail::names_max_contacts<L>},
             {"memory", detail::names_memory<L>}}}};
 }
 

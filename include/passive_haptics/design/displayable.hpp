@@ -2,7 +2,7 @@
 /// What brakes can display against a wall at all, while the handle moves in a direction: no law can do more.
 #pragma once
 
-#include <passive_haptics/design/largest_resistance.hpp>
+#include <passive_haptics/design/max_resistance.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +30,10 @@ struct displayable_force {
   task_vector<M> nearest = task_vector<M>::Zero();
   /// Largest n . F [N] over all forces F that the brakes, and motors beside them, can make within their
   /// limits. Infinite where the structure itself holds, or a brake without limit.
-  scalar strongest = scalar(0);
+  scalar max_force = scalar(0);
   /// Largest n . F [N] along the nearest force, by its own torques: what a force approximation, cut to the
   /// limits, displays at most.
-  scalar strongest_nearest = scalar(0);
+  scalar max_approximated_force = scalar(0);
   /// s (m) of the brakes in this motion, once it has settled: -1, 0 or 1.
   brake_vector<M> signs = brake_vector<M>::Zero();
   /// S of the nearest force, a bit for each brake that comes to rest where a self-motion settles; else 0.
@@ -42,7 +42,7 @@ struct displayable_force {
 
 namespace detail {
 
-// Class, angle and strongest_nearest of the nearest force.
+// Class, angle and max_approximated_force of the nearest force.
 template <class M, class Force>
 void describe(displayable_force<M>& found, const task_vector<M>& n, const Force& Fc,
               const switchable_brakes<M>& brakes) {
@@ -51,7 +51,7 @@ void describe(displayable_force<M>& found, const task_vector<M>& n, const Force&
   found.nearest = Fc.force;
   const task_vector<M> Fp = Fc.cosine_squared * Fc.force;
   found.angle = std::atan2((n - Fp).norm(), Fp.norm());
-  found.strongest_nearest = largest_share(Fc.torque, brakes);
+  found.max_approximated_force = max_share(Fc.torque, brakes);
 }
 
 }  // namespace detail
@@ -73,12 +73,12 @@ void describe(displayable_force<M>& found, const task_vector<M>& n, const Force&
 ///
 /// what brakes make against the easiest way into the wall. For n = d it is the sum over brakes of max(0,
 /// n . g_i) limit_i, with g_i = -s_i G e_i (for s_i = 0 of |n . G e_i| limit_i). No law displays more; one
-/// that chooses each torque displays that, force approximation gets to strongest_nearest. Where the handle
-/// moves along the wall the rest of F is drag, never help: F . v = t . w <= 0. A handle that sinks moves in
-/// another direction, in which more can be displayed (sink_slope).
+/// that chooses each torque displays that, force approximation gets to max_approximated_force. Where the
+/// handle moves along the wall the rest of F is drag, never help: F . v = t . w <= 0. A handle that sinks
+/// moves in another direction, in which more can be displayed (sink_slope).
 ///
-/// Motors beside the brakes (hybrid_brakes) count in `strongest` alone, by s_i t_i <= motor_limit_i; class,
-/// angle, signs and strongest_nearest are those of the brakes.
+/// Motors beside the brakes (hybrid_brakes) count in `max_force` alone, by s_i t_i <= motor_limit_i; class,
+/// angle, signs and max_approximated_force are those of the brakes.
 ///
 /// Never allocates. For looking at a device, not for a control cycle. Cost: a projection (approximate) and
 /// one decomposition; at singular poses and with self-motion 2^m decompositions of d x m.
@@ -99,11 +99,11 @@ displayable_force<M> displayable(const M& mechanism, const joint_vector<M>& q,
   found.outcome = motions.outcome();
   if (found.outcome != status::ok) return found;
   const task_vector<M> v = direction_of(direction), n = direction_of(normal);
-  const auto Fc = form_of<M>::nearest_in_motion(motions, E, v, n, brakes.brakes, found.signs, found.held);
+  const auto Fc = form_of<M>::nearest(motions, E, v, n, brakes.brakes, found.signs, found.held);
   detail::describe(found, n, Fc, brakes.brakes);
   if (brakes.has_motors())
-    found.strongest = detail::strongest_in_motion(form_of<M>::motions(mechanism, q, E, brakes), v, n, brakes);
-  else if (is_displayed(found.display)) found.strongest = detail::strongest_in_motion(motions, v, n, brakes);
+    found.max_force = detail::max_force_in_motion(form_of<M>::motions(mechanism, q, E, brakes), v, n, brakes);
+  else if (is_displayed(found.display)) found.max_force = detail::max_force_in_motion(motions, v, n, brakes);
   return found;
 }
 

@@ -19,7 +19,7 @@ namespace detail {
 
 // Sums over a recorded motion.
 struct motion_sums {
-  double longest_step = 0;                                  // [s]
+  double max_step = 0;                                      // [s]
   int standing = 0, backward = 0;                           // time steps that are 0, or negative
   double rate_squares = 0, slope_squares = 0, product = 0;  // of qd and of the slopes of q
   // Of the hand's impulse [N s] and the change of the velocity [m/s], window by window
@@ -42,7 +42,7 @@ motion_sums sums_of(const M& mechanism, const std::vector<State>& states) {
     s.standing += dt == 0;
     s.backward += dt < 0;
     if (!(dt > 0)) continue;
-    s.longest_step = std::max(s.longest_step, dt);
+    s.max_step = std::max(s.max_step, dt);
     const vector<double, M::dof> slope = (as<double>(now.q) - as<double>(before.q)) / dt;
     const vector<double, M::dof> rate = (as<double>(now.qd) + as<double>(before.qd)) / 2;
     s.rate_squares += rate.squaredNorm();
@@ -88,7 +88,7 @@ std::string plausibility(const M& mechanism, const std::vector<State>& states) {
   if (s.standing > 0.1 * cycles)
     remark("cycles in which the time stands still", s.standing, "none: is the state filled anew in each?");
   if (s.backward > 0) remark("cycles in which the time runs backwards", s.backward, "none: another clock?");
-  if (s.longest_step > 0.5) remark("longest time step [s]", s.longest_step, "0.0001 to 0.01: milliseconds?");
+  if (s.max_step > 0.5) remark("longest time step [s]", s.max_step, "0.0001 to 0.01: milliseconds?");
 
   const double slope = s.slope_squares > 0 ? s.product / s.slope_squares : 1;  // of the rates for those of q
   constexpr double degrees = 180 / std::numbers::pi;

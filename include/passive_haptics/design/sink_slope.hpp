@@ -2,7 +2,7 @@
 /// How steeply a hand sinks into a wall that brakes cannot display.
 #pragma once
 
-#include <passive_haptics/design/largest_resistance.hpp>
+#include <passive_haptics/design/max_resistance.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +47,8 @@ vector<T, Brakes> without_rounding(const vector<T, Brakes>& w) {
 ///
 /// with L_k the bound of brake k that way; infinite where all together are too weak. Cost: m^2 additions.
 template <class T, int Brakes>
-T least_sink_slope(const vector<T, Brakes>& a, const vector<T, Brakes>& b,
-                   const torque_box<T, Brakes>& at_rest, const vector<T, Brakes>& motor_limit, T push) {
+T min_sink_slope(const vector<T, Brakes>& a, const vector<T, Brakes>& b, const torque_box<T, Brakes>& at_rest,
+                 const vector<T, Brakes>& motor_limit, T push) {
   const vector<T, Brakes> along = detail::without_rounding(a), out = detail::without_rounding(b);
   // The slope at which each brake turns round, and its force before and after
   vector<T, Brakes> slope = vector<T, Brakes>::Zero(), before = slope, after = slope;
@@ -93,7 +93,7 @@ typename M::scalar sink_slope_by_trial(const Motions& motions, const task_vector
         const T w = a[i] - slope * b[i], terms = std::abs(a[i]) + slope * std::abs(b[i]);
         signs[i] = i != turning && std::abs(w) > rounding_tolerance<T>(m) * terms ? sgn(w) : T(0);
       }
-      if (strongest_of_box(motions, passive_haptics::torque_box_of(signs, brakes), n) >= push) least = slope;
+      if (max_force_of_box(motions, passive_haptics::torque_box_of(signs, brakes), n) >= push) least = slope;
     };
     consider(T(0), m);
     for (int i = 0; i < m; ++i)
@@ -113,7 +113,7 @@ typename M::scalar sink_slope_by_trial(const Motions& motions, const task_vector
 /// A hand that sinks at slope s moves along t - s n, t the direction and n out of the wall. Brake i then
 /// turns at a_i - s b_i, with a = W t and b = W n (W = T J^+ and so on, see displayable), and from s = a_i /
 /// b_i on it pushes out of the wall. Where the brakes' forces add up (n = d, redundant brakes) the least
-/// slope is a weighted quantile of these (least_sink_slope). Else (n > d, singular poses) `strongest` of
+/// slope is a weighted quantile of these (min_sink_slope). Else (n > d, singular poses) `max_force` of
 /// displayable is found at each of them, for each set of brakes that can come to rest.
 ///
 /// **No slope between them is less.** At s = a_i / b_i brake i rests and can hold either way, so that torques
@@ -126,7 +126,7 @@ typename M::scalar sink_slope_by_trial(const Motions& motions, const task_vector
 /// so that t* still takes power from none of them. At singular poses this need not be so.
 ///
 /// Motors of hybrid_brakes make motor_limit_i at any slope. Never allocates. Cost: some five times that of G
-/// for two brakes, of which least_sink_slope is an eighth; with self-motion up to C(m, n - d)^2 (m + 1) sums
+/// for two brakes, of which min_sink_slope is an eighth; with self-motion up to C(m, n - d)^2 (m + 1) sums
 /// of m terms.
 template <class M>
 sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint_vector<M>& q,
@@ -143,7 +143,7 @@ sink_slope_result<typename M::scalar> sink_slope(const M& mechanism, const joint
   const auto of_sum = [&](const brake_matrix<M>& G) {
     const brake_vector<M> a = transposed_times(G, along), b = transposed_times(G, n),
                           rest = brake_vector<M>::Zero();
-    return least_sink_slope(a, b, passive_haptics::torque_box_of(rest, brakes), brakes.motor_limit, push);
+    return min_sink_slope(a, b, passive_haptics::torque_box_of(rest, brakes), brakes.motor_limit, push);
   };
   const mechanism_pose<M> pose(mechanism, q);
   if constexpr (M::dof == M::task_dimension) {

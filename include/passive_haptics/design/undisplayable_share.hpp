@@ -21,7 +21,7 @@ double undisplayable_share(const M& mechanism, Path&& path, const hybrid_brakes<
   int weak = 0;
   for (int k = 0; k < samples; ++k) {
     const path_point<M> at = path((k + 0.5) / samples);
-    weak += !(displayable(mechanism, at.q, at.direction, at.normal, brakes).strongest > push);
+    weak += !(displayable(mechanism, at.q, at.direction, at.normal, brakes).max_force > push);
   }
   return static_cast<double>(weak) / samples;
 }

@@ -14,9 +14,10 @@ namespace passive_haptics {
 /// A wall at one place of a device, the hand that comes, and the control, along the wall's normal.
 /// braked_wall_at() takes the first seven from a mechanism.
 struct braked_wall {
-  double force = 10;              ///< F, the most that the brakes make out of the wall [N].
-  double approximated_force = 8;  ///< The most that force approximation makes of it, strongest_nearest [N].
-  double residual_force = 0;      ///< R, what the residual torques add [N]; < 0 pulls the hand in.
+  double force = 10;  ///< F, the most that the brakes make out of the wall [N].
+  double approximated_force =
+      8;                      ///< The most that force approximation makes of it, max_approximated_force [N].
+  double residual_force = 0;  ///< R, what the residual torques add [N]; < 0 pulls the hand in.
   /// What the residual torques push out with while the handle slides along the wall [N].
   double sliding_residual = 0;
   double inertia = 0.7;            ///< Lambda_n of the device with the hand [kg].
@@ -67,7 +68,7 @@ struct braked_wall {
 struct wall_limits {
   /// Smallest depth that can be held, under velocity_direct_control that sees the wall once it is touched
   /// [m]: how deep the hand gets. Infinite where the brakes do not stop it within a second and
-  /// deepest_landing.
+  /// max_landing_depth.
   double depth;
   double rigid_depth;  ///< Largest depth under force approximation, for a wall of any stiffness [m].
   /// Largest useful stiffness under force approximation [N/m]: the hand gets half as deep again as into a
@@ -85,7 +86,7 @@ struct wall_limits {
 };
 
 /// The deepest hand that still counts as held [m].
-inline constexpr double deepest_landing = 0.05;
+inline constexpr double max_landing_depth = 0.05;
 
 namespace detail {
 
@@ -94,7 +95,7 @@ namespace detail {
 inline double landing_depth(const braked_wall& wall, double force, double delay) {
   constexpr double dt = 1e-5, longest = 1;  // [s]
   double x = 0, v = wall.approach_speed, f = 0;
-  for (double t = 0; t < longest && x < deepest_landing; t += dt) {
+  for (double t = 0; t < longest && x < max_landing_depth; t += dt) {
     if (t >= delay) f = lagged(f, force, dt, wall.time_constant);
     const double into = wall.push - wall.hand_stiffness * x - wall.residual_force - f;
     // The damping at the end of the step, so that none is too strong
@@ -109,7 +110,7 @@ inline double landing_depth(const braked_wall& wall, double force, double delay)
 // Where velocity_direct_control lets the hand rest [m]: the depth jumps by a count of the encoders.
 inline double resting_depth(const braked_wall& wall) {
   return std::max(wall.rest_depth, std::min(wall.depth_per_jump * wall.depth_resolution,
-                                            velocity_direct_control_parameters::deepest_rest));
+                                            velocity_direct_control_parameters::max_rest_depth));
 }
 
 }  // namespace detail
@@ -122,8 +123,8 @@ inline double resting_depth(const braked_wall& wall) {
 ///     Lambda_n x'' = P - K_h x - B_h x' - R - f,    T_b f' + f = F,    f = 0 until T,
 ///
 /// but under velocity_direct_control not less than where the law rests: at its rest_depth, or with coarse
-/// encoders at depth_per_jump times the depth_resolution, up to the law's deepest_rest. T is half a period of
-/// the control, or of a slower scene, and the law's reaction_time. With a hand that brings no force, and
+/// encoders at depth_per_jump times the depth_resolution, up to the law's max_rest_depth. T is half a period
+/// of the control, or of a slower scene, and the law's reaction_time. With a hand that brings no force, and
 /// brakes that are quick (T_b -> 0) or slow beside the landing, it is
 ///
 ///     v T + Lambda_n v^2 / (2 F)    or    v T + 2/3 v sqrt(2 Lambda_n v T_b / F).

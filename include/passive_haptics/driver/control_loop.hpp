@@ -21,7 +21,7 @@ struct control_loop_parameters {
   double period = 1e-3;  ///< [s]; section 5.1: 1 kHz.
   int max_overruns = 5;  ///< So many cycles in a row may end late; one more releases the brakes.
   /// Waking later than this releases the brakes: the machine or the process stood still [s].
-  double longest_sleep = 0.1;
+  double max_sleep = 0.1;
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -29,7 +29,7 @@ struct control_loop_parameters {
     return member_table(
         member("period", &p::period, "s", range::between(1e-6, 1)),
         member("max_overruns", &p::max_overruns, "", range::at_least(0)).suspicious_above(1e6),
-        member("longest_sleep", &p::longest_sleep, "s", range::positive).suspicious_above(10));
+        member("max_sleep", &p::max_sleep, "s", range::positive).suspicious_above(10));
   }
 };
 
@@ -93,7 +93,7 @@ class control_loop {
       }
       // No cycle ends after the next deadline: a clock that went back is before it
       if (late < 0) release(fault::clock_jump);
-      else if (static_cast<double>(late) > 1e9 * p_.longest_sleep) release(fault::cycle_late);
+      else if (static_cast<double>(late) > 1e9 * p_.max_sleep) release(fault::cycle_late);
       report.late.add(late);
       const loop_cycle now{number, 1e-9 * static_cast<double>(begin), 1e-9 * static_cast<double>(late)};
       bool go_on = false;

@@ -19,13 +19,13 @@ class duration_histogram {
     ++bins_[index_of(value)];
     ++count_;
     sum_ += static_cast<double>(value);
-    largest_ = std::max(largest_, value);
+    maximum_ = std::max(maximum_, value);
   }
 
   /// How many.
   std::uint64_t count() const noexcept { return count_; }
   /// The largest [ns]; 0 if there is none.
-  std::int64_t largest() const noexcept { return static_cast<std::int64_t>(largest_); }
+  std::int64_t maximum() const noexcept { return static_cast<std::int64_t>(maximum_); }
   /// The mean [ns]; 0 if there is none.
   double mean() const noexcept { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
 
@@ -36,9 +36,9 @@ class duration_histogram {
     for (std::size_t i = 0; i < bins_.size(); ++i) {
       sum += bins_[i];
       if (sum > 0 && static_cast<double>(sum) >= wanted)
-        return static_cast<std::int64_t>(std::min(largest_, lowest_of(i + 1) - 1));
+        return static_cast<std::int64_t>(std::min(maximum_, min_value_of(i + 1) - 1));
     }
-    return largest();
+    return maximum();
   }
 
   /// How many were in [from, to) [ns], where both are powers of two.
@@ -58,7 +58,7 @@ class duration_histogram {
     const auto power = static_cast<int>(std::bit_width(value)) - 1;
     return static_cast<std::size_t>(power - part_bits) * parts + (value >> (power - part_bits));
   }
-  static std::uint64_t lowest_of(std::size_t index) noexcept {
+  static std::uint64_t min_value_of(std::size_t index) noexcept {
     if (index < 2 * parts) return index;
     return (parts + index % parts) << (index / parts - 1);
   }
@@ -66,7 +66,7 @@ class duration_histogram {
   std::array<std::uint64_t, 960> bins_{};  // to 2^63
   std::uint64_t count_ = 0;
   double sum_ = 0;
-  std::uint64_t largest_ = 0;
+  std::uint64_t maximum_ = 0;
 };
 
 }  // namespace passive_haptics

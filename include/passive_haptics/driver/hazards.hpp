@@ -36,7 +36,7 @@ struct driver_timing {
 struct hazard {
   std::string_view what;      ///< What happens.
   std::string_view found_by;  ///< Who notices it.
-  double longest = 0;         ///< The longest time from what happens to the order of 0 A [s]; inf: never.
+  double max_time = 0;        ///< The longest time from what happens to the order of 0 A [s]; inf: never.
   std::string_view after;     ///< How the brakes can be driven again.
 };
 
@@ -50,7 +50,7 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
   const double cycle = p.loop.period + p.wake_up, held = p.hold_over + cycle;
   const double supervised = p.supervisor.latest(p.wake_up);  // from the last heartbeat
   // A release whose currents last is over with the next of them
-  const double lasts = p.at_release.longest();
+  const double lasts = p.at_release.max_duration();
   const double next = std::max(cycle, p.supervisor.release_interval + p.wake_up);
   // By a supervisor that the loop does not come back to, and by the loop
   const double by_supervisor = lasts > 0 ? lasts + next : 0;
@@ -116,7 +116,7 @@ inline std::vector<hazard> hazards(const driver_timing& p = {}) {
        p.bench_overtime + cycle, "start the test again"},
       {"Standard input, output or error is closed when the program starts",
        "the program, before it opens any", 0, "no brake is driven before"},
-      {"The handle is deeper in a wall than `largest_start_depth`", "brake_driver, before `activate()`", 0,
+      {"The handle is deeper in a wall than `max_start_depth`", "brake_driver, before `activate()`", 0,
        "move the handle out"},
   };
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/driver/checks/sample_spacing.hpp>
 
@@ -98,10 +99,10 @@ class rate_estimator {
   /// The latest rates [unit/s].
   const vector<double, Axes>& rate() const noexcept { return rate_; }
   /// Time that the latest estimate of an axis looked back [s]; 0 before there are two samples.
-  double span(int i) const noexcept { return axes_[static_cast<std::size_t>(i)].span; }
+  double span(int i) const noexcept { return nth(axes_, i).span; }
 
   /// As new, after a pause: rates are 0 until there are two samples.
-  void restart() noexcept {
+  void reset() noexcept {
     axes_ = {};
     rate_.setZero();
   }
@@ -119,18 +120,18 @@ class rate_estimator {
 
     const sample& back(int n) const noexcept {
       const int i = newest - n;
-      return ring[static_cast<std::size_t>(i < 0 ? i + Capacity + 1 : i)];
+      return nth(ring, i < 0 ? i + Capacity + 1 : i);
     }
     bool is_after(double time) const noexcept { return size == 0 || time > back(0).time; }
     void push(const sample& s) noexcept {
       if (size > 0) spacing.add(s.time - back(0).time);
       newest = newest == Capacity ? 0 : newest + 1;
-      ring[static_cast<std::size_t>(newest)] = s;
+      nth(ring, newest) = s;
       size += size <= Capacity;
     }
   };
 
-  history& axis(int i) noexcept { return axes_[static_cast<std::size_t>(i)]; }
+  history& axis(int i) noexcept { return nth(axes_, i); }
 
   void estimate(int i) noexcept {
     history& of = axis(i);

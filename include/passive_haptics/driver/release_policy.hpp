@@ -33,7 +33,7 @@ struct release_parameters {
   }
 
   /// How long current may flow once nobody can rearm any more [s].
-  double longest() const noexcept {
+  double max_duration() const noexcept {
     switch (policy) {
       case release_policy::ramp: return ramp_time;
       case release_policy::hold: return hold_time;
@@ -90,7 +90,7 @@ class release_profile {
     if (start_.flowing == brake_currents<N>{}) return true;
     if (p_.policy == release_policy::hold) return now - attended_ >= p_.hold_time;
     // Another process may have begun a little later than this one's cycle
-    return !(std::abs(now - start_.time) < p_.longest());
+    return !(std::abs(now - start_.time) < p_.max_duration());
   }
 
   /// Whether nothing flows any more at once.

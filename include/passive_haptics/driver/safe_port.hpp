@@ -133,7 +133,7 @@ class safe_port {
   }
 
   /// Releases the brakes, and gives 0 A at once, whatever the release policy.
-  void let_go(const fault_record& why = {fault::user}) noexcept {
+  void release_immediately(const fault_record& why = {fault::user}) noexcept {
     release(why);
     release_.begin({});
     give_none();

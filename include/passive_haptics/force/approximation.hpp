@@ -98,7 +98,7 @@ auto refuse(const lanes<T, Brakes>& s, const lanes<T, Brakes>& t, [[maybe_unused
   else return drives | (lanes(off) * abs(t) > T(0));
 }
 template <class Mask, class Off>
-auto of_those_on(const Mask& brakes, [[maybe_unused]] const Off& off) {
+auto without_off(const Mask& brakes, [[maybe_unused]] const Off& off) {
   if constexpr (std::is_same_v<Off, all_brakes_on>) return brakes;
   else return brakes & (lanes(off) <= typename Off::Scalar(0));
 }
@@ -179,7 +179,7 @@ approximated_force<T, 2, 2> approximate(const matrix<T, 2, 2>& E, const vector<T
   const each cosine_squared = Rn * Rn / RR, least = std::max(min_cosine, rounding_tolerance<T>(2));
   const auto drives = detail::refuse(sign, t, off), some = drives | swapped(drives);
   const auto acts =
-      swapped(drives) & detail::of_those_on((sign * t_alone <= T(0)) & (Rn * Rn >= least * least * RR), off);
+      swapped(drives) & detail::without_off((sign * t_alone <= T(0)) & (Rn * Rn >= least * least * RR), off);
   const auto nearest = select(any(acts), display_class::approximate, display_class::none);
   const each of_R = select(first_only(acts), share, T(0));  // both act where their columns are parallel
   return {select(some[0], nearest, display_class::exact),

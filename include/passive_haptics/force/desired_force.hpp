@@ -21,7 +21,7 @@ struct desired_force {
 
 /// Fd = k depth n of a frictionless elastic wall (section 5.1), base frame.
 template <class T, int D>
-desired_force<T, D> force_of(const contact<D>& c) {
+desired_force<T, D> desired_force_of(const contact<D>& c) {
   return {as<T>(c.normal), static_cast<T>(c.stiffness * c.depth), as<T>(c.wall_velocity)};
 }
 
@@ -60,7 +60,7 @@ int governing_contact(const contacts<D, Capacity>& touched) {
 template <class T, class Contacts>
 status check_contacts(const Contacts& touched) {
   for (int j = 0; j < touched.size(); ++j) {
-    const auto [n, magnitude, velocity] = force_of<T>(touched[j]);
+    const auto [n, magnitude, velocity] = desired_force_of<T>(touched[j]);
     if (!all_finite(magnitude, n, velocity)) return status::contact_invalid;
   }
   return status::ok;

@@ -8,7 +8,7 @@
 
 namespace passive_haptics {
 
-/// A desired force beside that of the walls (control/ways/with_effects.hpp brings it into a control
+/// A desired force beside that of the walls (control/pipelines/with_effects.hpp brings it into a control
 /// cycle).
 ///
 /// Minimal complete definition:

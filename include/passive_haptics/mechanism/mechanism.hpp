@@ -10,7 +10,7 @@
 ///     nearest force would depend on the unit of L. Where it is a template over the scalar, its derivative is
 ///     the Jacobian (jacobian.hpp).
 ///
-/// Optional. Members without q are constant; matrices may be diagonal. Both let later stages skip work:
+/// Optional. Members without q are constant; matrices may be diagonal. Both let later layers skip work:
 ///   - `matrix<scalar, d, n> jacobian(q) const` or `jacobian() const`;
 ///   - `matrix<scalar, m, n> transmission(q) const` or `transmission() const`: T in w = T qd, of full rank,
 ///     with w the rates of the brakes' own axes. Without it brake i sits on joint i (m = n); brakes on some

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/cholesky.hpp>
+#include <passive_haptics/core/nth.hpp>
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,6 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
   enum class mode { stick, upper, lower };
   std::array<mode, std::size_t(Brakes)> modes;
   modes.fill(mode::stick);
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const T slack = rounding_tolerance<T>(Brakes);
   const vector<T, Brakes> added = absolute(A) * limit;  // at most, to each rate
 
@@ -55,10 +55,10 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
     // Members of the stick set solve w_i = 0; the others keep p_i at its bound.
     matrix<T, Brakes, Brakes> K = A;
     vector<T, Brakes> rhs = -w0;
-    const auto sticks = [&](int i) { return modes[at(i)] == mode::stick && limit[i] > T(0); };
+    const auto sticks = [&](int i) { return nth(modes, i) == mode::stick && limit[i] > T(0); };
     for (int i = 0; i < Brakes; ++i) {
       if (sticks(i)) continue;
-      p[i] = modes[at(i)] == mode::lower ? -limit[i] : (modes[at(i)] == mode::upper ? limit[i] : T(0));
+      p[i] = nth(modes, i) == mode::lower ? -limit[i] : (nth(modes, i) == mode::upper ? limit[i] : T(0));
       rhs -= column(A, i) * p[i];
       for (int j = 0; j < Brakes; ++j) K(i, j) = K(j, i) = T(i == j);
     }
@@ -72,17 +72,17 @@ friction_impulses<T, Brakes> solve_box_friction(const matrix<T, Brakes, Brakes>&
     for (int i = 0; i < Brakes && violating < 0; ++i) {
       if (!(limit[i] > T(0))) continue;
       const T rate_slack = slack * (std::abs(w0[i]) + added[i]);
-      const bool over = modes[at(i)] == mode::stick
+      const bool over = nth(modes, i) == mode::stick
                             ? std::abs(p[i]) > limit[i] * (T(1) + slack)
-                            : (modes[at(i)] == mode::upper ? w[i] > rate_slack : w[i] < -rate_slack);
+                            : (nth(modes, i) == mode::upper ? w[i] > rate_slack : w[i] < -rate_slack);
       if (over) violating = i;
     }
     if (violating < 0) {
       friction_impulses<T, Brakes> result{detail::within(p, limit), {}, true};
-      for (int i = 0; i < Brakes; ++i) result.sticks[at(i)] = sticks(i);
+      for (int i = 0; i < Brakes; ++i) nth(result.sticks, i) = sticks(i);
       return result;
     }
-    mode& m = modes[at(violating)];
+    mode& m = nth(modes, violating);
     m = m != mode::stick ? mode::stick : (p[violating] > T(0) ? mode::upper : mode::lower);
   }
   return {detail::within(p, limit), {}, false};

@@ -35,12 +35,12 @@ struct contact_metrics {
   double depth_std = 0;              ///< Standard deviation of the depth there [m].
   double depth_range = 0;            ///< Largest less smallest depth there [m].
   double depth_drift = 0;            ///< Last less first depth there [m]; < 0 moves out of the wall.
-  double depth_max = 0;              ///< Largest depth on the whole path [m].
+  double max_depth = 0;              ///< Largest depth on the whole path [m].
   double stick_share = 0;            ///< Share of time that the watched brake is slower than 1e-3 rad/s [1].
   double hand_force_std = 0;         ///< Standard deviation of the hand's force into the wall [N].
   double retarding_force = 0;        ///< Mean force of the brakes against the motion along the wall [N].
   double brake_energy = 0;           ///< Dissipated by the friction of all brakes [J].
-  double largest_brake_power = 0;    ///< Largest that one brake gave to the device in a step [W]; 0 if none.
+  double max_brake_power = 0;        ///< Largest that one brake gave to the device in a step [W]; 0 if none.
   double duration = 0;               ///< From the first contact to the end [s].
   bool arrived = false;              ///< The end of the path was reached.
   bool touched = false;              ///< The wall was touched at all.
@@ -56,7 +56,7 @@ struct contact_metrics {
   /// It never reached the wall.
   bool never_touches() const { return !touched; }
   /// It went far into the wall.
-  bool is_deep() const { return depth_max > deep_depth; }
+  bool is_deep() const { return max_depth > deep_depth; }
 };
 
 /// Input of contact_meter, one a time step.
@@ -100,8 +100,8 @@ class contact_meter {
     retarding_force_.add(now.retarding_force);
     hand_force_.add(now.hand_force);
     result_.brake_energy += now.brake_energy;
-    result_.largest_brake_power = std::max(result_.largest_brake_power, now.brake_power);
-    result_.depth_max = std::max(result_.depth_max, depth);
+    result_.max_brake_power = std::max(result_.max_brake_power, now.brake_power);
+    result_.max_depth = std::max(result_.max_depth, depth);
     if (progress >= settled_at_) settled_depth_.add(depth);
   }
 
@@ -117,7 +117,7 @@ class contact_meter {
     if (settled_depth_.count > 0) {
       r.depth_mean = settled_depth_.mean;
       r.depth_std = settled_depth_.standard_deviation();
-      r.depth_range = settled_depth_.largest - settled_depth_.least;
+      r.depth_range = settled_depth_.maximum - settled_depth_.minimum;
       r.depth_drift = settled_depth_.last - settled_depth_.first;
     }
     return r;
@@ -126,13 +126,13 @@ class contact_meter {
  private:
   // Mean and sum of squared deviations are stable, after Welford
   struct statistics {
-    double count = 0, mean = 0, squares = 0, least = 0, largest = 0, first = 0, last = 0;
+    double count = 0, mean = 0, squares = 0, minimum = 0, maximum = 0, first = 0, last = 0;
 
     void add(double x) {
-      if (count == 0) first = least = largest = x;
+      if (count == 0) first = minimum = maximum = x;
       last = x;
-      least = std::min(least, x);
-      largest = std::max(largest, x);
+      minimum = std::min(minimum, x);
+      maximum = std::max(maximum, x);
       const double before = x - mean;
       mean += before / ++count;
       squares += before * (x - mean);

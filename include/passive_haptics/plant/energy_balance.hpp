@@ -34,7 +34,7 @@ struct energy_balance {
   /// the end of the step; 0 if none ever gave any. Friction is implicit, so it is 0 to rounding: at most
   /// rounding_tolerance(m) torque_i (|w_i| + A |torque| dt), see solve_box_friction. A brake with compliance
   /// gives back what its spring took.
-  double largest_brake_power = 0;
+  double max_brake_power = 0;
 
   /// Dissipated by the brakes, all but their residual drag.
   double friction() const { return brakes + residual_friction; }

@@ -13,7 +13,7 @@ namespace passive_haptics {
 
 /// Fastest time constant [s] of a mass [kg] on a spring [N/m] and a damper [N s/m], each alone.
 template <class T>
-T fastest_time_constant(T mass, T stiffness, T damping) {
+T min_time_constant(T mass, T stiffness, T damping) {
   constexpr T none = std::numeric_limits<T>::infinity();
   return std::min(damping > T(0) ? mass / damping : none,
                   stiffness > T(0) ? std::sqrt(mass / stiffness) : none);
@@ -100,10 +100,9 @@ class following_hand {
   /// Way made along the intended direction at x [m].
   T progress(const vector<T, D>& x) const { return direction_.dot(x); }
   /// Fastest time constant [s] of a mass [kg] that it moves.
-  T fastest_time_constant(T mass) const {
-    return passive_haptics::fastest_time_constant(mass,
-                                                  std::max(p_.stiffness / min_cosine, p_.normal_stiffness),
-                                                  std::max(p_.damping, p_.normal_damping));
+  T min_time_constant(T mass) const {
+    return passive_haptics::min_time_constant(mass, std::max(p_.stiffness / min_cosine, p_.normal_stiffness),
+                                              std::max(p_.damping, p_.normal_damping));
   }
   /// The parameters as given.
   const following_hand_parameters<T>& parameters() const { return p_; }

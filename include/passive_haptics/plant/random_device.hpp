@@ -62,7 +62,7 @@ struct random_device {
 ///
 /// Not drawn: along the whole way the condition of J is at most 8 (workspace::max_condition) and the elbow
 /// stays on one side. At its start some brake pulls within 80 degrees of the normal
-/// (workspace::least_cosine). All brakes of a device have one lag and one limit. A run ends where the hand is
+/// (workspace::min_cosine). All brakes of a device have one lag and one limit. A run ends where the hand is
 /// 50 mm deep.
 template <class M>
 random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::uint64_t seed, std::uint64_t k,
@@ -97,8 +97,8 @@ random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::u
   const double push = even(r.push);
   const bool impedance = uniform_number(bits) < 0.5;
   const double depth = even(r.target_depth), damping = even(r.normal_damping);
-  constexpr double least_time = 0.25;  // along the way [s], so that a hand in a hurry can land at all
-  d.hand.speed = static_cast<T>(std::min(ratio(r.hand_speed), where.path_length / least_time));
+  constexpr double min_time = 0.25;  // along the way [s], so that a hand in a hurry can land at all
+  d.hand.speed = static_cast<T>(std::min(ratio(r.hand_speed), where.path_length / min_time));
   d.hand.mass = static_cast<T>(ratio(r.hand_mass));
   d.hand.push = static_cast<T>(impedance ? 0 : push);
   if (impedance) {
@@ -111,8 +111,8 @@ random_device<M> draw_device(const M& nominal, const workspace<M>& where, std::u
   d.run.sensor_noise = r.sensor_noise;
   d.run.noise_seed = seed + k;
   d.run.encoder_resolution = 2 * std::numbers::pi / ratio(r.encoder_counts) * where.brake_radius;
-  d.run.deepest = 0.05;
-  d.run.longest = 1 + 2 * where.path_length / static_cast<double>(d.hand.speed);
+  d.run.max_depth = 0.05;
+  d.run.max_duration = 1 + 2 * where.path_length / static_cast<double>(d.hand.speed);
   d.environment_rate = r.environment_rates[std::min(2, static_cast<int>(3 * uniform_number(bits)))];
   d.wall_stiffness = ratio(r.wall_stiffness);
   const double gap = even(r.gap), approach = even(r.approach);

@@ -18,12 +18,12 @@ namespace passive_haptics {
 /// Where a device can be used.
 template <class M>
 struct workspace {
-  joint_vector<M> lower;       ///< Least joint positions of a start [rad or m],
-  joint_vector<M> upper;       ///< and greatest.
-  double path_length;          ///< Of a way along a plane [m].
-  double brake_radius = 1;     ///< Of sliding brakes: their force at this radius is the torque [m]; else 1.
-  double max_condition = 8;    ///< |J| |J^-1| (Frobenius) on all of a way [1]; d at an isotropic pose.
-  double least_cosine = 0.17;  ///< Of a reference force against the normal, at the start [1].
+  joint_vector<M> lower;     ///< Least joint positions of a start [rad or m],
+  joint_vector<M> upper;     ///< and greatest.
+  double path_length;        ///< Of a way along a plane [m].
+  double brake_radius = 1;   ///< Of sliding brakes: their force at this radius is the torque [m]; else 1.
+  double max_condition = 8;  ///< |J| |J^-1| (Frobenius) on all of a way [1]; d at an isotropic pose.
+  double min_cosine = 0.17;  ///< Of a reference force against the normal, at the start [1].
 };
 
 /// A plane and a way along it.
@@ -55,8 +55,8 @@ bool reach(const M& mechanism, const workspace<M>& where, const task_vector<M>& 
 /// The largest cosine between the normal and the force of one brake, where the handle moves with velocity v
 /// along the plane; < 0 where nothing is displayable.
 template <class M>
-double best_cosine(const M& mechanism, const joint_vector<M>& q, const task_vector<M>& v,
-                   const task_vector<M>& normal) {
+double max_cosine(const M& mechanism, const joint_vector<M>& q, const task_vector<M>& v,
+                  const task_vector<M>& normal) {
   const brake_matrix<M> F = passive_haptics::force_generators(mechanism, q);
   const brake_vector<M> w = F.transpose() * v;  // F . v = t . w
   double best = -1;
@@ -100,7 +100,7 @@ random_plane<M> draw_plane(const M& mechanism, const workspace<M>& where, double
       can_be_gone = reach(mechanism, where, x, q);
     }
     if (!can_be_gone) continue;
-    if (!(best_cosine(mechanism, plane.q, plane.direction, plane.normal) >= where.least_cosine)) continue;
+    if (!(max_cosine(mechanism, plane.q, plane.direction, plane.normal) >= where.min_cosine)) continue;
     const matrix<T, d, d> J(passive_haptics::jacobian(mechanism, plane.q));
     plane.qd =
         J.inverse() * (static_cast<T>(speed) * plane.direction - static_cast<T>(approach) * plane.normal);

@@ -68,7 +68,7 @@ class simulated_device {
 
   /// One time step dt [s] under commanded capacities [N m] and the force [N] that the hand's muscles exert.
   /// As of a BrakeModel, no time passes where dt is not a finite number > 0. A dt over twice the fastest time
-  /// constant of the hand (fastest_time_constant of min_mass and the hand's spring and damper) makes the
+  /// constant of the hand (min_time_constant of min_mass and the hand's spring and damper) makes the
   /// motion grow until it is NaN. The lag and drag of brakes are stable at any dt.
   void advance(scalar dt, const brake_vector<M>& capacity, const task_vector<M>& muscle_force) {
     if (valid_time_step(dt) == scalar(0)) return;
@@ -203,7 +203,7 @@ class simulated_device {
       energy_.brakes += share * dissipated + as_double(dt * (now.commanded_drag[i] * rates[i]) * middle[i]);
       energy_.residual_friction += (1 - share) * dissipated;
       energy_.drag += as_double(dt * rates[i] * now.residual_drag[i] * middle[i]);
-      energy_.largest_brake_power = std::max(energy_.largest_brake_power, as_double(brake_power_[i]));
+      energy_.max_brake_power = std::max(energy_.max_brake_power, as_double(brake_power_[i]));
     }
   }
 

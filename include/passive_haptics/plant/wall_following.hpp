@@ -32,8 +32,8 @@ struct wall_following_parameters {
   double encoder_resolution = encoder_parameters().resolution;
   double rate_corner = 50;  ///< Low-pass of the differenced rates [Hz]; 0 for none.
   double path_end = 0.17;   ///< Stops where the handle's progress reaches this [m].
-  double longest = 8;       ///< Stops after this time in any case [s],
-  double deepest = 1;       ///< or where the handle is deeper than this [m].
+  double max_duration = 8;  ///< Stops after this time in any case [s],
+  double max_depth = 1;     ///< or where the handle is deeper than this [m].
   int watched_brake = 1;    ///< Whose sticking is counted, from 0.
 
   /// The table of core/parameters.hpp.
@@ -48,8 +48,8 @@ struct wall_following_parameters {
                         member("encoder_resolution", &p::encoder_resolution, "rad or m", range::not_negative),
                         member("rate_corner", &p::rate_corner, "Hz", range::not_negative),
                         member("path_end", &p::path_end, "m", range::finite),
-                        member("longest", &p::longest, "s", range::positive),
-                        member("deepest", &p::deepest, "m", range::positive),
+                        member("max_duration", &p::max_duration, "s", range::positive),
+                        member("max_depth", &p::max_depth, "m", range::positive),
                         member("watched_brake", &p::watched_brake));
   }
   /// A cycle is one time step or more.
@@ -89,8 +89,8 @@ struct no_observer {
 }  // namespace detail
 
 /// Runs the experiment: the hand moves the device beside `shape` (the wall whose depth is measured) until the
-/// end of the path, for at most `longest`, while the depth is finite and at most `deepest`. So each run ends,
-/// and contact_metrics::end says how.
+/// end of the path, for at most `max_duration`, while the depth is finite and at most `max_depth`. So each
+/// run ends, and contact_metrics::end says how.
 ///
 /// control(device_state<M>) is called once a control period with what encoders and force sensor read, the
 /// first time at once, and returns a step_result<M>, or any default-constructible value with a
@@ -107,12 +107,12 @@ contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& contro
   detail::refuse_unless(p.watched_brake >= 0 && p.watched_brake < M::brake_count, "watched_brake",
                         p.watched_brake, "a brake of the device, from 0");
   require_no_error(passive_haptics::check_time_step(
-      p.time_step, static_cast<double>(hand.fastest_time_constant(device.min_mass()))));
+      p.time_step, static_cast<double>(hand.min_time_constant(device.min_mass()))));
   constexpr int d = M::task_dimension;
   force_sensor<T, d> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed, p.sensor_scale});
   contact_meter meter(p.path_end, p.time_step);
   const T dt = static_cast<T>(p.time_step);
-  const long steps = std::lround(p.longest / p.time_step);
+  const long steps = std::lround(p.max_duration / p.time_step);
   const long steps_per_cycle = std::lround(p.control_period / p.time_step);
   joint_encoders<M> encoders(device.mechanism(), {p.encoder_resolution, p.rate_corner},
                              static_cast<double>(steps_per_cycle) * p.time_step);
@@ -158,7 +158,7 @@ contact_metrics follow_wall(simulated_device<M, Model>& device, Control&& contro
     observe(now);
     if (progress >= p.path_end) end = run_end::arrived;
     else if (!std::isfinite(depth)) end = run_end::not_finite;
-    else if (depth > p.deepest) end = run_end::too_deep;
+    else if (depth > p.max_depth) end = run_end::too_deep;
     if (end != run_end::time_over) break;
   }
   contact_metrics figures = meter.result();

@@ -64,7 +64,7 @@ inline void report_percentiles(benchmark::State& run, std::vector<double> sample
 /// as far as outer caches include inner ones.
 class cache_eviction {
  public:
-  cache_eviction() : other_(2 * std::max(largest_cache(), least) / sizeof(std::uint64_t), 1) {}
+  cache_eviction() : other_(2 * std::max(max_cache_size(), min_size) / sizeof(std::uint64_t), 1) {}
 
   /// Reads it.
   void operator()() const {
@@ -75,8 +75,8 @@ class cache_eviction {
   }
 
  private:
-  static constexpr std::size_t least = 1u << 22;  // where the machine does not report its caches [byte]
-  static std::size_t largest_cache() {
+  static constexpr std::size_t min_size = 1u << 22;  // where the machine does not report its caches [byte]
+  static std::size_t max_cache_size() {
     int largest = 0;
     for (const auto& cache : benchmark::CPUInfo::Get().caches) largest = std::max(largest, cache.size);
     return static_cast<std::size_t>(largest);

@@ -82,7 +82,7 @@ class mechanism_properties : public ::testing::Test {
 
   /// Largest magnitude of an entry; NaN if one is NaN.
   template <class Expression>
-  static auto largest_entry(const Expression& A) {
+  static auto max_entry(const Expression& A) {
     return A.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
   }
 
@@ -127,14 +127,14 @@ class mechanism_properties : public ::testing::Test {
     number size = number(0);
     for_each_pose([&](const joint_vector<model>& q) {
       const task_vector<model> x = mechanism.position(q);
-      size = std::max({size, largest_entry(x), largest_entry(dense_jacobian(q))});
+      size = std::max({size, max_entry(x), max_entry(dense_jacobian(q))});
     });
     return size;
   }
 
   /// Rounding of position and of J at q, both of this size.
   static number rounding_at(const joint_vector<model>& q, number size) {
-    return rounding_tolerance<number>(4) * (number(1) + largest_entry(q)) * size;
+    return rounding_tolerance<number>(4) * (number(1) + max_entry(q)) * size;
   }
 };
 
@@ -168,7 +168,7 @@ TYPED_TEST_P(mechanism_properties, jacobian_is_the_derivative_of_position) {
       const P resolved = P(16) * difference_accuracy<P>() * difference_step<P>() / this->step(i);
       const auto expected = this->difference_column(q, i);
       const task_vector<M> column = J.col(i);
-      ASSERT_LE(this->largest_entry(as<P>(column) - expected), (rounding + resolved) * size)
+      ASSERT_LE(this->max_entry(as<P>(column) - expected), (rounding + resolved) * size)
           << "column " << i << ": " << column.transpose() << ", differences give " << expected.transpose();
     }
     ASSERT_EQ(this->dense_jacobian(q), J);
@@ -183,7 +183,7 @@ TYPED_TEST_P(mechanism_properties, given_and_automatic_jacobian_agree) {
   this->for_each_pose([&](const joint_vector<M>& q) {
     const auto J = this->dense_jacobian(q);
     if constexpr (passive_haptics::detail::differentiates_itself<M>)
-      ASSERT_LE(this->largest_entry(J - automatic_jacobian(this->mechanism, q)), this->rounding_at(q, size));
+      ASSERT_LE(this->max_entry(J - automatic_jacobian(this->mechanism, q)), this->rounding_at(q, size));
     else if constexpr (passive_haptics::detail::jacobian_is_constant<M>)
       ASSERT_EQ(J, jacobian_matrix<M>(this->mechanism.jacobian()));
     else ASSERT_EQ(J, jacobian_matrix<M>(this->mechanism.jacobian(q)));
@@ -198,8 +198,8 @@ TYPED_TEST_P(mechanism_properties, pose_has_the_position_and_jacobian_of_q) {
     const mechanism_pose<M> pose(this->mechanism, q);
     const auto tolerance = this->rounding_at(q, size);
     const task_vector<M> x = pose.position(), expected = this->mechanism.position(q);
-    ASSERT_LE(this->largest_entry(x - expected), tolerance);
-    ASSERT_LE(this->largest_entry(jacobian_matrix<M>(pose.jacobian()) - this->dense_jacobian(q)), tolerance);
+    ASSERT_LE(this->max_entry(x - expected), tolerance);
+    ASSERT_LE(this->max_entry(jacobian_matrix<M>(pose.jacobian()) - this->dense_jacobian(q)), tolerance);
   });
 }
 

@@ -66,7 +66,7 @@ int comedi_get_subdevice_flags(comedi_t*, unsigned s) {
   return find(s) ? static_cast<int>(find(s)->flags) : failed(EINVAL);
 }
 int comedi_get_n_channels(comedi_t*, unsigned s) { return find(s) ? find(s)->channels : failed(EINVAL); }
-lsampl_t comedi_get_maxdata(comedi_t*, unsigned s, unsigned) { return find(s) ? find(s)->largest : 0; }
+lsampl_t comedi_get_maxdata(comedi_t*, unsigned s, unsigned) { return find(s) ? find(s)->max_sample : 0; }
 int comedi_get_n_ranges(comedi_t*, unsigned s, unsigned) { return static_cast<int>(find(s)->ranges.size()); }
 comedi_range* comedi_get_range(comedi_t*, unsigned s, unsigned, unsigned range) {
   return find(s) && range < find(s)->ranges.size() ? &find(s)->ranges[range] : nullptr;
@@ -76,9 +76,9 @@ int comedi_find_subdevice_by_type(comedi_t*, int type, unsigned first) {
     if (plugged.subdevices[i].type == type) return static_cast<int>(i);
   return -1;
 }
-lsampl_t comedi_from_phys(double volts, comedi_range* r, lsampl_t largest) {
-  const double sample = std::floor((volts - r->min) / (r->max - r->min) * largest + 0.5);
-  return sample <= 0 ? 0 : sample >= largest ? largest : static_cast<lsampl_t>(sample);
+lsampl_t comedi_from_phys(double volts, comedi_range* r, lsampl_t max_sample) {
+  const double sample = std::floor((volts - r->min) / (r->max - r->min) * max_sample + 0.5);
+  return sample <= 0 ? 0 : sample >= max_sample ? max_sample : static_cast<lsampl_t>(sample);
 }
 
 int comedi_do_insn(comedi_t*, comedi_insn* instruction) { return transfer(*instruction); }

@@ -10,17 +10,17 @@
 
 namespace comedi_double {
 
-constexpr std::size_t most_channels = 8;
+constexpr std::size_t max_channels = 8;
 
 struct subdevice {
   int type = COMEDI_SUBD_UNUSED;
   int channels = 0;
-  lsampl_t largest = 0;
+  lsampl_t max_sample = 0;
   std::vector<comedi_range> ranges{};
   unsigned flags = SDF_GROUND;
-  std::array<lsampl_t, most_channels> value{};  // what is read, and what was written last
-  std::array<int, most_channels> writes{};
-  std::array<bool, most_channels> broken{};  // this channel alone refuses, with EIO
+  std::array<lsampl_t, max_channels> value{};  // what is read, and what was written last
+  std::array<int, max_channels> writes{};
+  std::array<bool, max_channels> broken{};  // this channel alone refuses, with EIO
   unsigned last_reference = 0;
   std::vector<std::string> set_up{};  // calls that configure a counter
 };
@@ -46,10 +46,10 @@ inline void plug_in() {
   const std::vector<comedi_range> ranges{ten, upwards, without_zero, current};
   plugged = {};
   plugged.subdevices.resize(4);
-  plugged.subdevices[0] = {.type = COMEDI_SUBD_AI, .channels = 8, .largest = 0xffff, .ranges = ranges};
-  plugged.subdevices[1] = {.type = COMEDI_SUBD_AO, .channels = 2, .largest = 0xffff, .ranges = ranges};
+  plugged.subdevices[0] = {.type = COMEDI_SUBD_AI, .channels = 8, .max_sample = 0xffff, .ranges = ranges};
+  plugged.subdevices[1] = {.type = COMEDI_SUBD_AO, .channels = 2, .max_sample = 0xffff, .ranges = ranges};
   for (std::size_t i = 2; i < 4; ++i)
-    plugged.subdevices[i] = {.type = COMEDI_SUBD_COUNTER, .channels = 3, .largest = 0xffffff};
+    plugged.subdevices[i] = {.type = COMEDI_SUBD_COUNTER, .channels = 3, .max_sample = 0xffffff};
 }
 
 }  // namespace comedi_double

@@ -25,8 +25,8 @@ TEST_F(opening_a_comedi_port, names_what_is_wrong_with_its_parameters) {
   expect([](auto& w) { w.brakes[0].range = -1; }, "brakes[0].range = -1, expected an index >= 0");
   expect([](auto& w) { w.brakes[0] = {}; },
          "brakes[0].amperes_per_volt [A/V] = 0, expected a finite number > 0, the amplifier's gain");
-  expect([](auto& w) { w.brakes[0].largest_current = -1; },
-         "brakes[0].largest_current [A] = -1, expected a finite number >= 0");
+  expect([](auto& w) { w.brakes[0].max_current = -1; },
+         "brakes[0].max_current [A] = -1, expected a finite number >= 0");
   expect([](auto& w) { w.encoders[1].subdevice = 2; },
          "encoders[1].channel = 0, expected a channel other than that of [0]");
   expect([](auto& w) { w.encoders[0].a = -2; }, "encoders[0].a = -2, expected an index, or -1");
@@ -80,19 +80,18 @@ TEST_F(opening_a_comedi_port, names_a_range_that_does_not_fit_and_those_that_the
   p.brakes[0].range = 2;
   expect_error("brakes[0].range = 2 (1 to 5 V), expected one from 0 V, where the brake is free, upwards");
   p.brakes[0].range = 1;
-  p.brakes[0].largest_current = 3;
-  expect_error(
-      "brakes[0].largest_current [A] = 3 takes 6 V, expected at most 5 V: lower it, or take another");
+  p.brakes[0].max_current = 3;
+  expect_error("brakes[0].max_current [A] = 3 takes 6 V, expected at most 5 V: lower it, or take another");
   p.brakes[0].range = 0;
   EXPECT_EQ(port(p).open(), "");
 }
 
 TEST_F(opening_a_comedi_port, names_a_largest_sample_that_makes_no_sense) {
-  plugged.subdevices[3].largest = 0xffff;
+  plugged.subdevices[3].max_sample = 0xffff;
   expect_error("encoders[1].channel = 0 counts to 65535, expected 2^n - 1, the same of all encoders");
-  plugged.subdevices[2].largest = plugged.subdevices[3].largest = 999;
+  plugged.subdevices[2].max_sample = plugged.subdevices[3].max_sample = 999;
   expect_error("encoders[0].channel = 0 counts to 999, expected 2^n - 1");
-  plugged.subdevices[1].largest = 0;
+  plugged.subdevices[1].max_sample = 0;
   expect_error("brakes[0].channel = 0: subdevice 1 reports no largest sample (maxdata), expected at least 1");
 }
 

@@ -85,7 +85,7 @@ struct account {
   void print(const char* name) const {
     const auto us = [](std::int64_t ns) { return 1e-3 * static_cast<double>(ns); };
     std::printf("%-32s %10.2f %10.2f %10.2f %12.2f %8ld %8d\n", name, us(compute.percentile(0.5)),
-                us(compute.percentile(0.999)), us(compute.largest()), us(undisturbed.largest()), waits, good);
+                us(compute.percentile(0.999)), us(compute.maximum()), us(undisturbed.maximum()), waits, good);
   }
 };
 
@@ -135,9 +135,9 @@ TEST(a_busy_machine, holds_no_cycle_of_the_serial_port_up) {
     return static_cast<double>(a) / static_cast<double>(b);
   };
   const double at_999 = ratio(by_thread.compute.percentile(0.999), simulation.compute.percentile(0.999));
-  const double at_most = ratio(by_thread.undisturbed.largest(), simulation.undisturbed.largest());
+  const double at_most = ratio(by_thread.undisturbed.maximum(), simulation.undisturbed.maximum());
   std::printf("serial by its thread / simulated: p99.9 %.3f, max %.3f undisturbed (%.3f of all)\n", at_999,
-              at_most, ratio(by_thread.compute.largest(), simulation.compute.largest()));
+              at_most, ratio(by_thread.compute.maximum(), simulation.compute.maximum()));
 
   EXPECT_EQ(by_thread.waits, 0) << "whatever makes the loop wait gives its processor away";
   EXPECT_LE(at_999, 1);  // not of the largest: a hypervisor takes the processor, too, and tells nobody

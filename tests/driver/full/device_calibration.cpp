@@ -51,8 +51,8 @@ void expect_state(const M& mechanism, const vec& middle, double speed, const Fra
   const ph::encoder_axes<M> axes(mechanism);
   const ph::encoder_calibration<ph::encoder_axes<M>::count> encoders(p.encoders);
   const auto one_count = encoders.resolution();
-  const vec largest_acceleration = speed * vec(3, 4.0 / 3), hand(3, -2);
-  const auto acceleration = axes.from_joints(largest_acceleration);
+  const vec max_acceleration = speed * vec(3, 4.0 / 3), hand(3, -2);
+  const auto acceleration = axes.from_joints(max_acceleration);
   for (int k = 0; k < 2000; ++k) {
     const double t = 1e-3 * k;
     const vec q = middle + speed * vec(std::sin(3 * t), std::sin(2 * t)) / 3;

@@ -51,7 +51,7 @@ struct modelled {
 };
 
 template <int D, int Channels>
-double largest_residual() {
+double max_residual() {
   double worst = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     random_source random(seed);
@@ -71,8 +71,8 @@ double largest_residual() {
 }
 
 TEST(force_calibration, finds_the_force_of_the_hand_in_any_pose_after_a_tare_in_another) {
-  const double plane = largest_residual<2, 2>(), six_channels = largest_residual<2, 6>();
-  const double space = largest_residual<3, 3>(), six_in_space = largest_residual<3, 6>();
+  const double plane = max_residual<2, 2>(), six_channels = max_residual<2, 6>();
+  const double space = max_residual<3, 3>(), six_in_space = max_residual<3, 6>();
   std::cout << "seeds 1 to 300, largest relative residual: plane " << plane << ", of 6 channels "
             << six_channels << "; space " << space << ", of 6 channels " << six_in_space << '\n';
   EXPECT_LE(std::max({plane, six_channels, space, six_in_space}), 1e-14);

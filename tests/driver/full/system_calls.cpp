@@ -122,7 +122,7 @@ class filtered_cycles {
   if (!log.start().empty() || !guard.start().empty() || !port.open().empty()) _exit(no_start);
   ph::stop_signals signals;
   ph::control_loop loop(
-      ph::control_loop_parameters{.period = 2e-4, .max_overruns = 1'000'000, .longest_sleep = 10});
+      ph::control_loop_parameters{.period = 2e-4, .max_overruns = 1'000'000, .max_sleep = 10});
 
   filtered_cycles run;
   bool braked = false;
@@ -202,7 +202,7 @@ template <class Port, class Sensor>
   ph::safe_port<Port, Sensor> port(Port{serial_port(line)}, Sensor{example::net_ft(sensor)}, limits);
   if (!port.open().empty()) _exit(no_start);
   ph::control_loop loop(
-      ph::control_loop_parameters{.period = 1e-3, .max_overruns = 1'000'000, .longest_sleep = 10});
+      ph::control_loop_parameters{.period = 1e-3, .max_overruns = 1'000'000, .max_sleep = 10});
   filtered_cycles run;
   bool braked = false;
   loop.run(

@@ -180,7 +180,7 @@ TEST_P(brake_identification, finds_the_loop_of_a_magnetorheological_brake) {
 // Rises from 0.1 N m at 0 A to 1.1 N m at 2 A, in steps that are surer than their error of 0.01 N m.
 ph::current_ramp measured_ramp() {
   ph::current_ramp ramp;
-  ramp.greatest_current = 2;
+  ramp.max_current = 2;
   ramp.residual_torque = {0.1, 0.01};
   for (std::size_t i = 0; i < ramp.rising.size(); ++i)
     ramp.rising[i] = {0.1 + 0.1 * static_cast<double>(i), 0.01};
@@ -229,7 +229,7 @@ ph::current_ramp exact_ramp(double (*apart)(double)) {
 
 TEST(a_measured_ramp, has_the_hysteresis_of_the_current_where_it_is_widest) {
   const auto found = exact_ramp([](double I) { return 0.25 * (1 - I); });
-  EXPECT_EQ(found.greatest_current, 1);
+  EXPECT_EQ(found.max_current, 1);
   EXPECT_NEAR(found.residual_torque.value, 0.25, 1e-12);
   EXPECT_NEAR(found.rising[3].value, 0.55, 1e-3);
   EXPECT_NEAR(found.falling[4].value, 0.8, 1e-3);
@@ -353,10 +353,10 @@ TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_step) {
 }
 
 TEST(brake_identification_errors, name_what_is_wrong_with_samples_of_a_ramp) {
-  const auto ramp_of = [](double greatest_current, double pause) {
+  const auto ramp_of = [](double max_current, double pause) {
     samples all;
     for (int k = 0; k <= 2000; ++k) {
-      const double t = 1e-3 * k, I = greatest_current * std::clamp(std::min(t - pause, 2 - t), 0.0, 0.9);
+      const double t = 1e-3 * k, I = max_current * std::clamp(std::min(t - pause, 2 - t), 0.0, 0.9);
       all.push_back({t, I, 2 * t, I + 0.001 * (k % 2)});
     }
     return all;
@@ -554,7 +554,7 @@ TEST_F(record_on_bench, ends_with_the_brakes_released_and_the_name_of_what_was_w
   EXPECT_EQ(error_of([](bench_device& d) { d.now = NAN; }), "the clock went back" + ended);
   EXPECT_EQ(error_of([](bench_device& d) { d.now = d.axes.time = d.torque.time += 0.2; }),
             "a cycle began far too late" + ended);
-  p.largest_reading = 7;
+  p.max_reading = 7;
   EXPECT_EQ(error_of([](bench_device&) {}), "force channel 3: saturated" + ended);
 }
 
@@ -578,7 +578,7 @@ TEST_F(record_on_bench, has_limits_of_its_own) {
             }),
             "force sensor: no sample: the test ended, the brake is released");
   p.hold_over = 0.02;
-  p.largest_rate = 500;  // and two counts
+  p.max_rate = 500;  // and two counts
   EXPECT_EQ(error_of([](bench_device&) {}), "encoder 2: jumped: the test ended, the brake is released");
 }
 

@@ -162,11 +162,11 @@ TEST(means_that_are_no_more_than_constants, determine_nothing) {
 
 TEST(a_loop, needs_a_ramp_and_a_step_needs_a_loop) {
   EXPECT_EQ(thrown_by([] { ph::fit_magnetorheological_loop({}); }),
-            "ramp.greatest_current [A] = 0, expected > 0: record a ramp, and give its fit_current_ramp");
+            "ramp.max_current [A] = 0, expected > 0: record a ramp, and give its fit_current_ramp");
   std::mt19937_64 bits(1);
   const samples up = step(true, [&](double t, double) { return rise(t) + noise(bits); });
   EXPECT_EQ(thrown_by([&] { ph::fit_magnetorheological_step(up, {}); }),
-            "loop.greatest_current [A] = 0, expected > 0: give the fit_magnetorheological_loop of a ramp");
+            "loop.max_current [A] = 0, expected > 0: give the fit_magnetorheological_loop of a ramp");
 }
 
 // ---- signs and units

@@ -196,7 +196,7 @@ TEST(homing, starts_anew_after_a_gap_a_count_that_is_no_number_or_time_that_stan
 }
 
 TEST(steady_mean, is_of_all_readings_and_begins_anew_when_it_is_told) {
-  ph::steady_mean<2> mean({.duration = 0.25, .tolerance = 3, .longest_gap = 0.125});
+  ph::steady_mean<2> mean({.duration = 0.25, .tolerance = 3, .max_gap = 0.125});
   const auto add = [&](double time, const vec& reading) { return mean.add(time, reading); };
   for (const double start : {4.0, 1.0}) {
     EXPECT_EQ(mean.status(), status::collecting);
@@ -206,7 +206,7 @@ TEST(steady_mean, is_of_all_readings_and_begins_anew_when_it_is_told) {
     EXPECT_EQ(add(start + 0.25, {3, 8.5}), status::done);
     EXPECT_EQ(mean.mean(), vec(2, 8.5));
     EXPECT_EQ(mean.status(), status::done);
-    mean.restart();
+    mean.reset();
     EXPECT_TRUE(std::isnan(mean.mean()[0]));
   }
   EXPECT_EQ(add(9, {1, 10}), status::collecting);
@@ -221,7 +221,7 @@ TEST(homing, is_as_new_when_it_is_told) {
   ph::homing<2> home(device.believed, device.reference, {.duration = 0.002});
   for (int k = 0; k < 3; ++k) home.add(1e-3 * k, device.counts());
   EXPECT_TRUE(ph::all_finite(home.zero_count()));
-  home.restart();
+  home.reset();
   EXPECT_FALSE(ph::all_finite(home.zero_count()));
   EXPECT_EQ(home.add(0, device.counts()), status::collecting);
 }
@@ -230,8 +230,8 @@ TEST(homing, complains_of_its_parameters) {
   EXPECT_EQ(validate(ph::steady_parameters{.duration = 0}), "duration [s] = 0, expected a finite number > 0");
   EXPECT_EQ(validate(ph::steady_parameters{.tolerance = -1}),
             "tolerance [counts] = -1, expected a finite number >= 0");
-  EXPECT_EQ(validate(ph::steady_parameters{.longest_gap = NAN}),
-            "longest_gap [s] = nan, expected a finite number > 0");
+  EXPECT_EQ(validate(ph::steady_parameters{.max_gap = NAN}),
+            "max_gap [s] = nan, expected a finite number > 0");
   EXPECT_THROW(ph::homing<2>(homed().believed, {NAN, 0}), std::invalid_argument);
 }
 

@@ -87,7 +87,7 @@ void expect_gliding(const ph::contact_metrics& figures) {
   EXPECT_EQ(figures.separations, 0);
   EXPECT_TRUE(figures.arrived);
   EXPECT_GT(figures.depth_mean, 0.5e-3) << "it is in contact";
-  EXPECT_LT(figures.depth_max, 3e-3) << "and held";
+  EXPECT_LT(figures.max_depth, 3e-3) << "and held";
 }
 
 ph::coulomb_brake<double> slow_brake() {
@@ -160,7 +160,7 @@ TEST(a_bench, leads_to_a_hand_that_glides_with_a_weak_and_quick_brake) {
 // Rises from 0.02 N m at 0 A to 0.82 N m at 0.5 A.
 ph::measured_brake good_results() {
   ph::measured_brake found{{0.02, 1e-4}, {0.03, 1e-4}, {}, 0.05};
-  found.ramp.greatest_current = 0.5;
+  found.ramp.max_current = 0.5;
   found.ramp.residual_torque = {0.02, 1e-4};
   for (std::size_t i = 0; i < found.ramp.rising.size(); ++i)
     found.ramp.rising[i] = found.ramp.falling[i] = {0.02 + 0.08 * static_cast<double>(i), 1e-4};
@@ -198,7 +198,7 @@ TEST(a_bench, whose_results_are_missing_or_cannot_be_is_refused_with_what_to_do)
                 "and give its fit_step_response");
   EXPECT_EQ(error_of([](results& r) { r.ramp = {}; }),
             second +
-                "ramp.greatest_current [A] = 0, expected > 0: record a ramp, and give its "
+                "ramp.max_current [A] = 0, expected > 0: record a ramp, and give its "
                 "fit_current_ramp");
   EXPECT_EQ(error_of([](results& r) { r.ramp.rising.back().value = 0.02; }),
             second +

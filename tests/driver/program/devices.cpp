@@ -101,8 +101,8 @@ TEST_F(a_board, can_be_tried_with_the_shipped_configuration) {
   put("\"/dev/ttyACM0\"", "\"brakes\"");
   put("\"192.168.1.1\"", "\"127.0.0.1\"");
   put("49152", std::to_string(peer.port()));
-  put("pose = ", "longest_gap = 5\nduration = 0.1\npose = ");
-  put("priority = 80\nlock_memory = true", "max_overruns = 1000000\nlongest_sleep = 10");
+  put("pose = ", "max_gap = 5\nduration = 0.1\npose = ");
+  put("priority = 80\nlock_memory = true", "max_overruns = 1000000\nmax_sleep = 10");
   put("supervisor_priority = 81", "hold_over = 5\nsupervisor_timeout = 5");
   file("c.toml", text);
   start({"--config", "c.toml", "--quiet"});

@@ -166,8 +166,8 @@ struct an_emulated_board : a_driver {
     put("law = \"velocity_direct_control\"", "law = \"no_direct_control\"");
     put("\"/dev/ttyACM0\"", "\"" + line->path() + "\"");
     put("open_timeout = 3", "open_timeout = 20");
-    put("pose = ", "longest_gap = 5\nduration = 0.1\npose = ");
-    put("priority = 80\nlock_memory = true", "max_overruns = 1000000\nlongest_sleep = 10");
+    put("pose = ", "max_gap = 5\nduration = 0.1\npose = ");
+    put("priority = 80\nlock_memory = true", "max_overruns = 1000000\nmax_sleep = 10");
     put("supervisor_priority = 81", "hold_over = 10\nsupervisor_timeout = 5");
     const auto sensor = text.find("[sensor]"), loop = text.find("[loop]");
     text.replace(sensor, loop - sensor, "[sensor]\ntype = \"none\"\n\n");

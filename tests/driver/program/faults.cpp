@@ -61,7 +61,7 @@ TEST_F(a_driver_whose, loop_is_stopped_is_released_by_its_supervisor) {
 }
 
 TEST_F(a_driver_whose, loop_slept_too_long_releases_by_itself) {
-  start(settings{.longest_sleep = 0.3});
+  start(settings{.max_sleep = 0.3});
   ASSERT_TRUE(reaches("active")) << ended();
   send(SIGSTOP);
   usleep(1'000'000);
@@ -96,7 +96,7 @@ TEST_F(a_driver_whose, fault_is_over_is_rearmed_by_SIGUSR1) {
 
 // Not that something moved
 TEST_F(a_driver_whose, homing_does_not_end_says_why) {
-  settings late{.longest_sleep = 0.3, .homing = 30};
+  settings late{.max_sleep = 0.3, .homing = 30};
   start(late);
   ASSERT_TRUE(eventually([&] { return log().size() > 10; })) << ended();
   send(SIGSTOP);
@@ -110,10 +110,10 @@ TEST_F(a_driver_whose, homing_does_not_end_says_why) {
   fs::remove(log_path());
   settings gaps{.homing = 0.1};
   std::string text = gaps.text();
-  text.replace(text.find("longest_gap = 5"), 15, "longest_gap = 1e-4");
+  text.replace(text.find("max_gap = 5"), 15, "max_gap = 1e-4");
   file("gaps.toml", text);
   const outcome apart = run({"--config", "gaps.toml", "--seconds", "0.5", "--quiet"});
-  EXPECT_TRUE(has(apart.out, "homing did not end: samples came more than [homing] longest_gap apart"))
+  EXPECT_TRUE(has(apart.out, "homing did not end: samples came more than [homing] max_gap apart"))
       << apart.out;
 
   fs::remove(log_path());

@@ -43,28 +43,27 @@ TEST_F(a_home_pose, deep_in_a_wall_is_refused_with_its_likely_cause) {
   const std::string sides =
       "; is the pose that of this device, in radians, not degrees; is the wall where it "
       "should be?\n";
-  EXPECT_EQ(
-      check("[homing]\npose = [107.785, -74.8]").err,
-      "error: c.toml:2: [homing] pose = (107.785, -74.8) rad, handle at (0.0849, 0.2738) m, 48.8 mm "
-      "inside wall 1 (plane), expected at most largest_start_depth, 5 mm; angles beyond a turn look like "
-      "degrees: in radians they are (1.8812, -1.3055)\n");
+  EXPECT_EQ(check("[homing]\npose = [107.785, -74.8]").err,
+            "error: c.toml:2: [homing] pose = (107.785, -74.8) rad, handle at (0.0849, 0.2738) m, 48.8 mm "
+            "inside wall 1 (plane), expected at most max_start_depth, 5 mm; angles beyond a turn look like "
+            "degrees: in radians they are (1.8812, -1.3055)\n");
   EXPECT_EQ(
       check("[[wall]]\n[[wall]]\npoint = [0, 0.1]\nnormal = [0, 1]\n[[wall]]\npoint = [0, 0.25]\nnormal "
             "= [0, 1]\n[homing]\npose = [1.8812, -1.3055]")
           .err,
       "error: c.toml:9: [homing] pose = (1.8812, -1.3055) rad, handle at (0.0800, 0.2245) m, 25.5 mm "
-      "inside wall 3 (plane), expected at most largest_start_depth, 5 mm; does its normal point to the "
+      "inside wall 3 (plane), expected at most max_start_depth, 5 mm; does its normal point to the "
       "free side" +
           sides);
   EXPECT_EQ(check("[[wall]]\ntype = \"ball\"\ncentre = [0.08, 0.2345]\nradius = 0.05\n").err,
             "error: c.toml: [homing] pose = (1.88121, -1.30547) rad, handle at (0.0800, 0.2245) m, 40.0 mm "
-            "inside wall 1 (ball), expected at most largest_start_depth, 5 mm; is its filling right (solid: "
+            "inside wall 1 (ball), expected at most max_start_depth, 5 mm; is its filling right (solid: "
             "free outside, hollow: free inside)" +
                 sides);
   EXPECT_TRUE(
       has(check("[mechanism]\ntype = \"xy_table\"\n[homing]\npose = [80, 224.5]\n").err,
           "(80, 224.5) m, handle at (80.0000, 224.5000) m, 224275.0 mm inside wall 1 (plane), expected at "
-          "most largest_start_depth, 5 mm; does its normal point to the free side; is the pose that of "
+          "most max_start_depth, 5 mm; does its normal point to the free side; is the pose that of "
           "this device, in metres, not millimetres"));
 }
 
@@ -99,15 +98,15 @@ TEST_F(a_home_pose, of_no_handle_is_refused) {
 TEST_F(a_home_pose, may_be_as_deep_as_the_file_says) {
   const std::string deep = "[[wall]]\npoint = [0, 0.2045]\n[homing]\n";
   EXPECT_EQ(check(deep).status, 2);
-  const outcome o = check(deep + "largest_start_depth = 0.03\n");
+  const outcome o = check(deep + "max_start_depth = 0.03\n");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_TRUE(has(o.out, "wall 1 (plane): 20.0 mm inside it: does")) << o.out;
   for (const char* wrong : {"-0.001", "nan", "inf"})
-    EXPECT_TRUE(has(check(deep + "largest_start_depth = " + wrong).err,
-                    std::string("c.toml:4: [homing] largest_start_depth [m] = ") + wrong +
+    EXPECT_TRUE(has(check(deep + "max_start_depth = " + wrong).err,
+                    std::string("c.toml:4: [homing] max_start_depth [m] = ") + wrong +
                         ", expected a finite number >= 0"));
-  EXPECT_TRUE(has(check("[homing]\nlargest_start_depth = 1").err,
-                  "largest_start_depth [m] = 1, expected at most 0.1; if it is meant, allow_large"));
+  EXPECT_TRUE(has(check("[homing]\nmax_start_depth = 1").err,
+                  "max_start_depth [m] = 1, expected at most 0.1; if it is meant, allow_large"));
 }
 
 // A device whose handle is where a test puts it, and which may fall silent.
@@ -217,7 +216,7 @@ TEST_F(a_handle, deep_in_a_wall_gets_no_brakes_and_the_end_says_so) {
   const outcome o = end();
   EXPECT_EQ(o.status, 0) << o.out << o.err;
   EXPECT_TRUE(has(o.out, "\nnot activated: the handle is 1")) << o.out;
-  EXPECT_TRUE(has(o.out, " mm inside wall 1, more than largest_start_depth; move it out\n")) << o.out;
+  EXPECT_TRUE(has(o.out, " mm inside wall 1, more than max_start_depth; move it out\n")) << o.out;
   const log_file all = log();
   for (std::size_t i = 0; i < all.size(); ++i) ASSERT_NE(all.text(i, "state"), "active") << i;
 }

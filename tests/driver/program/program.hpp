@@ -131,7 +131,7 @@ class log_file {
 // touches the handle. A hand that presses before the brakes come on, or while they are released, needs a
 // large start_depth.
 struct settings {
-  double hold_over = 5, supervisor_timeout = 5, longest_sleep = 10, period = 1e-3, hand_start = 1000,
+  double hold_over = 5, supervisor_timeout = 5, max_sleep = 10, period = 1e-3, hand_start = 1000,
          watchdog = 30, homing = 0.1, start_depth = 0.005;
   // A law under which a pressing hand has a steady current
   std::string top = "law = \"direct_control\"";
@@ -140,8 +140,8 @@ struct settings {
   std::string text() const {
     std::ostringstream all;
     all << top << "\n[homing]\npose = [1.8812, -1.3055]\nduration = " << homing
-        << "\ntolerance = 1e6\nlongest_gap = 5\nlargest_start_depth = " << start_depth << "\n"
-        << "[loop]\nmax_overruns = 1000000\nlongest_sleep = " << longest_sleep << "\nperiod = " << period
+        << "\ntolerance = 1e6\nmax_gap = 5\nmax_start_depth = " << start_depth << "\n"
+        << "[loop]\nmax_overruns = 1000000\nmax_sleep = " << max_sleep << "\nperiod = " << period
         << "\n[safety]\nhold_over = " << hold_over << "\nsupervisor_timeout = " << supervisor_timeout
         << "\n[simulation]\nhand_start = " << hand_start << "\nwatchdog = " << watchdog << "\n[sensor]\n"
         << sensor << "\n"

@@ -50,7 +50,7 @@ TEST_F(a_running_driver, takes_any_mechanism) {
   const std::string five_bar =
       "[mechanism]\ntype = \"five_bar\"\n[homing]\npose = [1.9, 1.2]\nduration = 0.1\n"
       "[sensor]\nlink = [0, 0]\n[safety]\nhold_over = 5\nsupervisor_timeout = 5\n[loop]\nmax_overruns = "
-      "1000000\nlongest_sleep = "
+      "1000000\nmax_sleep = "
       "10\n";
   file("five_bar.toml", five_bar);
   const outcome o = run({"--config", "five_bar.toml", "--seconds", "2", "--quiet"});

@@ -147,7 +147,7 @@ TEST_F(a_terminal, shows_one_table_that_is_redrawn_in_its_place) {
 }
 
 TEST_F(a_terminal, shows_no_force_of_a_wall_that_is_not_displayed_and_how_to_rearm) {
-  start_in(50, 100, {.longest_sleep = 0.3, .hand_start = 0.2, .start_depth = 0.1});
+  start_in(50, 100, {.max_sleep = 0.3, .hand_start = 0.2, .start_depth = 0.1});
   ASSERT_TRUE(reaches("active")) << ended();
   send(SIGSTOP);
   usleep(1'000'000);

@@ -11,8 +11,8 @@ using namespace program;
 struct way_along_the_wall {
   std::size_t cycles = 0;
   int separations = 0;
-  double deepest = -1;  // [m]
-  double latest = 0;    // that a cycle began [s]
+  double max_depth = -1;  // [m]
+  double latest = 0;      // that a cycle began [s]
 
   // A machine that stalls for as long as the brakes' lag says nothing of a law.
   bool is_telling() const { return latest < 0.020; }
@@ -30,7 +30,7 @@ way_along_the_wall first_way(const log_file& log) {
     if (log.number(i, "x") > 0.08 + 0.058) break;
     if (found.cycles == 0) in_contact = true;
     ++found.cycles;
-    found.deepest = std::max(found.deepest, depth);
+    found.max_depth = std::max(found.max_depth, depth);
     found.latest = std::max(found.latest, log.number(i, "late"));
     if (in_contact && depth < -one_count) {
       in_contact = false;
@@ -44,22 +44,22 @@ way_along_the_wall first_way(const log_file& log) {
 
 struct a_hand_at_the_wall : a_driver {
   way_along_the_wall along_the_wall(const settings& s) {
-    constexpr int most_runs = 10;
+    constexpr int max_runs = 10;
     way_along_the_wall found;
     file("c.toml", s.text());
-    for (int k = 0; k == 0 || (k < most_runs && !found.is_telling()); ++k) {
+    for (int k = 0; k == 0 || (k < max_runs && !found.is_telling()); ++k) {
       const outcome o = run({"--config", "c.toml", "--seconds", "3", "--quiet"});
       EXPECT_EQ(o.status, 0) << o.err;
       found = first_way(log());
     }
-    EXPECT_TRUE(found.is_telling()) << "in each of " << most_runs << " runs the machine stalled";
+    EXPECT_TRUE(found.is_telling()) << "in each of " << max_runs << " runs the machine stalled";
     return found;
   }
   static void expect_gliding(const way_along_the_wall& found) {
     EXPECT_GT(found.cycles, 500u) << "the hand goes along the wall";
     EXPECT_EQ(found.separations, 0);
-    EXPECT_GT(found.deepest, 0.5e-3) << "it is in the wall";
-    EXPECT_LT(found.deepest, 3e-3) << "and held";
+    EXPECT_GT(found.max_depth, 0.5e-3) << "it is in the wall";
+    EXPECT_LT(found.max_depth, 3e-3) << "and held";
   }
 };
 

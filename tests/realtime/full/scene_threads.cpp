@@ -4,7 +4,7 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/shapes/ball.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

@@ -2,8 +2,8 @@
 // this build against it. Torques agree to rounding of the terms that they are made of; classes agree unless
 // some quantity that decides is within rounding of its boundary, which is counted.
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 
 #include <algorithm>

@@ -50,7 +50,7 @@ TEST(a_description, lists_what_was_found_and_what_was_not) {
             "time_constant");
   EXPECT_EQ(to_text(ph::describe(ph::direct_control())),
             "needs_hand_force, nulls_normal_force; not found: needs_dynamics, needs_brake_lag, "
-            "needs_sensed_at, needs_rising_time, saturates_before_scaling, most_contacts, memory");
+            "needs_sensed_at, needs_rising_time, saturates_before_scaling, max_contacts, memory");
   EXPECT_EQ(to_text(ph::describe(ph::device_state<position_alone>())), "hand_force; not found: hand_torque");
   EXPECT_EQ(to_text(ph::describe(ph::device_state_at_rest<position_alone>())), "hand_force, hand_torque");
 }

@@ -3,7 +3,7 @@
 
 #include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>

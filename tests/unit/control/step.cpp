@@ -2,7 +2,7 @@
 #include "../support.hpp"
 
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/control/ways/torque_law.hpp>
+#include <passive_haptics/control/pipelines/torque_law.hpp>
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>

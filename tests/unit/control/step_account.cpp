@@ -2,7 +2,7 @@
 // fault.
 #include "../support.hpp"
 
-#include <passive_haptics/control/ways/torque_law.hpp>
+#include <passive_haptics/control/pipelines/torque_law.hpp>
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>

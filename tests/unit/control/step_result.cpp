@@ -1,7 +1,7 @@
 // What a step tells before anything is known, and of brakes that are released.
 #include "../support.hpp"
 
-#include <passive_haptics/control/ways/torque_law.hpp>
+#include <passive_haptics/control/pipelines/torque_law.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 
 #include <cstring>

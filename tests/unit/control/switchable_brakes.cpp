@@ -280,7 +280,7 @@ TEST(switchable_brakes, are_cut_each_to_its_own_interval) {
   EXPECT_TRUE(together.limited);
   EXPECT_TRUE(ph::any_at_limit(V(-0.5, 0), brakes));
   EXPECT_FALSE(ph::any_at_limit(V(0.5, 0), brakes));
-  EXPECT_EQ((ph::largest_torques_of<double, 2>(brakes)), V(1, 2)) << "the longer way, within the limit";
+  EXPECT_EQ((ph::max_torques_of<double, 2>(brakes)), V(1, 2)) << "the longer way, within the limit";
   brakes.switch_off(1);
   EXPECT_FALSE(ph::any_at_limit(V(0, 0), brakes));
   const auto box = ph::torque_box_of(V(-1, 0), brakes);

@@ -185,7 +185,7 @@ TEST(torque_units, of_an_interval_are_those_of_the_way_in_which_a_brake_can_push
 }
 
 // Of three brakes at rest any t with G t = F will do: t = u y, y = (G u)^+ F.
-three least_share(const ph::matrix<double, 2, 3>& G, const three& limit, const pair_of_coordinates& F) {
+three min_share(const ph::matrix<double, 2, 3>& G, const three& limit, const pair_of_coordinates& F) {
   const ph::matrix<double, 2, 3> V = G * limit.asDiagonal();
   return limit.cwiseProduct(three(ph::orthogonal_decomposition<double, 2, 3>(V, 1e-14).pseudo_inverse() * F));
 }
@@ -200,7 +200,7 @@ TEST(torque_units, hold_at_several_walls_and_under_effects) {
     const auto box = ph::torques_within<double, 3>(none, limit);
     const auto u = ph::torque_units(limit);
     const pair_of_coordinates F = 0.2 * random.direction<double, 2>();
-    const three expected = least_share(G, limit, F);
+    const three expected = min_share(G, limit, F);
     ASSERT_LT(expected.cwiseQuotient(limit).cwiseAbs().maxCoeff(), 1.0);
     const auto x = F[0] < 0 ? pair_of_coordinates(-1, 0) : pair_of_coordinates(1, 0),
                y = F[1] < 0 ? pair_of_coordinates(0, -1) : pair_of_coordinates(0, 1);
@@ -213,7 +213,7 @@ TEST(torque_units, hold_at_several_walls_and_under_effects) {
     const three beside = ph::torques_beside(map, box, none, no_wall, wanted, u);
     ASSERT_LE((beside - expected).cwiseQuotient(limit).norm(), 1e-12);
     const three plain = ph::torques_beside(map, box, none, no_wall, wanted);
-    ASSERT_LE((plain - least_share(G, {1, 1, 1}, F)).norm(), 1e-12) << "without units the least |t|";
+    ASSERT_LE((plain - min_share(G, {1, 1, 1}, F)).norm(), 1e-12) << "without units the least |t|";
   }
 }
 

@@ -27,7 +27,7 @@ inline real norm(const column& a) { return sqrt(dot(a, a)); }
 struct projection {
   column point;      // nearest point of { p : B^T p <= 0 } to f
   double angle = 1;  // least sine between an active column and those before it: small where ill-conditioned
-  double least_angle = 1;  // the same over all sets of half-spaces
+  double min_angle = 1;  // the same over all sets of half-spaces
 };
 
 // The foot of f on the space at right angles to some columns: f less its part in their span.
@@ -81,7 +81,7 @@ projection project(const passive_haptics::matrix<T, Rows, Columns>& B,
                    const passive_haptics::vector<T, Rows>& f) {
   const column target(f.data(), f.data() + Rows);
   projection best{target};
-  double least_angle = 1;
+  double min_angle = 1;
   real least = norm(target);
   for (unsigned set = 1; set < (1u << Columns); ++set) {
     if (std::popcount(set) > Rows) continue;
@@ -90,14 +90,14 @@ projection project(const passive_haptics::matrix<T, Rows, Columns>& B,
       if ((set >> j & 1u) != 0) active.push_back(half_space(B, j));
     const foot candidate = foot_beside(active, target);
     if (candidate.angle == 0) continue;  // a smaller set does as well
-    least_angle = std::min(least_angle, candidate.angle);
+    min_angle = std::min(min_angle, candidate.angle);
     if (std::ranges::any_of(candidate.coefficients, [](const real& y) { return y < 0; })) continue;
     if (const real left = norm(candidate.point); left < least) {
       least = left;
       best = {candidate.point, candidate.angle};
     }
   }
-  best.least_angle = least_angle;
+  best.min_angle = min_angle;
   return best;
 }
 

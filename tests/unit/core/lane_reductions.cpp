@@ -97,7 +97,7 @@ TYPED_TEST(lane_reductions, largest_is_found_wherever_it_stands) {
     auto x = this->draw(random);
     for (T& one : x) one = one < 0 ? T(0) : one;
     x[static_cast<std::size_t>(where)] = T(1.5);
-    const auto [value, index] = ph::detail::largest(this->load(x));
+    const auto [value, index] = ph::detail::find_max(this->load(x));
     EXPECT_EQ(index, where);
     EXPECT_LE(std::abs(value - T(1.5)), 64 * std::numeric_limits<T>::epsilon());
   }
@@ -110,9 +110,9 @@ TYPED_TEST(lane_reductions, largest_value_passes_over_what_is_no_number) {
     auto x = this->draw(random);
     for (T& one : x) one = std::abs(one);
     x[static_cast<std::size_t>(where)] = T(2);
-    EXPECT_EQ(ph::detail::largest_value(this->load(x)), T(2)) << "entry " << where;
+    EXPECT_EQ(ph::detail::max_value(this->load(x)), T(2)) << "entry " << where;
     x[static_cast<std::size_t>((where + 1) % TestFixture::length)] = std::numeric_limits<T>::quiet_NaN();
-    EXPECT_EQ(ph::detail::largest_value(this->load(x)), T(2)) << "entry " << where;
+    EXPECT_EQ(ph::detail::max_value(this->load(x)), T(2)) << "entry " << where;
   }
 }
 
@@ -129,8 +129,8 @@ TYPED_TEST(lane_reductions, truths_are_the_bits_of_a_set) {
 }
 
 TYPED_TEST(lane_reductions, largest_of_zeros_is_zero) {
-  EXPECT_EQ(ph::detail::largest(typename TestFixture::vector{}).value, 0);
-  EXPECT_EQ(ph::detail::largest_value(typename TestFixture::vector{}), 0);
+  EXPECT_EQ(ph::detail::find_max(typename TestFixture::vector{}).value, 0);
+  EXPECT_EQ(ph::detail::max_value(typename TestFixture::vector{}), 0);
 }
 
 }  // namespace

@@ -97,8 +97,8 @@ TYPED_TEST(lanes, reduce_their_numbers_alone) {
   typename fixture::vector x;
   for (int i = 0; i < fixture::count; ++i) x[i] = T(i + 2);  // what is beyond the last, 0, must not count
   EXPECT_EQ(sum(each(x)), x.sum());
-  EXPECT_EQ(least(each(x)), T(2));
-  EXPECT_EQ(least(-each(x)), -T(fixture::count + 1));
+  EXPECT_EQ(min_value(each(x)), T(2));
+  EXPECT_EQ(min_value(-each(x)), -T(fixture::count + 1));
   const ph::lanes<T, 2> a = ph::vector<T, 2>(T(1), T(2)), b = ph::vector<T, 2>(T(3), T(5));
   EXPECT_EQ((ph::vector<T, 2>(horizontal_add(a, b))), (ph::vector<T, 2>(T(3), T(8))));
   EXPECT_FALSE(any(each(x) <= T(1)));

@@ -40,25 +40,25 @@ TEST(design_map, figures_of_a_table_are_those_on_paper) {
   EXPECT_EQ(map.display[0], ph::display_class::approximate);
   EXPECT_NEAR(map.cosine[0], 0.8, 1e-15);
   EXPECT_NEAR(map.drag[0], 0.75, 1e-15) << "0.6 * 1.25";
-  EXPECT_NEAR(map.strongest[0], 1.6, 1e-15);
+  EXPECT_NEAR(map.max_force[0], 1.6, 1e-15);
   EXPECT_NEAR(map.sink_slope[0], 4.0 / 3, 1e-15);
   // Against t the y brake would drive
   EXPECT_EQ(map.display[1], ph::display_class::approximate);
   EXPECT_NEAR(map.cosine[1], 0.6, 1e-15);
   EXPECT_NEAR(map.drag[1], 4.0 / 3, 1e-15);
-  EXPECT_NEAR(map.strongest[1], 0.6, 1e-15);
+  EXPECT_NEAR(map.max_force[1], 0.6, 1e-15);
   EXPECT_NEAR(map.sink_slope[1], 0.75, 1e-15);
   // Out of the wall both would drive
   EXPECT_EQ(map.display[2], ph::display_class::none);
   EXPECT_EQ(map.cosine[2], 0);
   EXPECT_TRUE(std::isnan(map.drag[2]));
-  EXPECT_EQ(map.strongest[2], 0);
+  EXPECT_EQ(map.max_force[2], 0);
   EXPECT_EQ(map.sink_slope[2], 0) << "a hand that does not move along the wall is held";
   // Into it none
   EXPECT_EQ(map.display[3], ph::display_class::exact);
   EXPECT_EQ(map.cosine[3], 1);
   EXPECT_EQ(map.drag[3], 0);
-  EXPECT_NEAR(map.strongest[3], 2.2, 1e-15);
+  EXPECT_NEAR(map.max_force[3], 2.2, 1e-15);
 }
 
 TEST(design_map, points_out_of_reach_have_that_status_and_no_figures) {
@@ -105,7 +105,7 @@ TEST(design_map, becomes_another_map_in_the_same_arrays) {
     const ph::design_map fresh(arm, points, ph::switchable_brakes<paper>(), 1.0);
     for (std::size_t k = 0; k < map.size(); ++k) {
       EXPECT_EQ(map.display[k], fresh.display[k]);
-      EXPECT_EQ(map.strongest[k], fresh.strongest[k]);
+      EXPECT_EQ(map.max_force[k], fresh.max_force[k]);
     }
   }
 }
@@ -137,7 +137,7 @@ TEST(design_map, with_brakes_that_are_off_or_have_motors) {
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_EQ(without_y.display[k], ph::display_class::none);
     EXPECT_NEAR(without_y.sink_slope[k], 4.0 / 3, 1e-15);
-    EXPECT_NEAR(with_motors.strongest[k], 0.8 * 2 + 0.6 * 0.25, 1e-15);
+    EXPECT_NEAR(with_motors.max_force[k], 0.8 * 2 + 0.6 * 0.25, 1e-15);
     EXPECT_EQ(with_motors.sink_slope[k], 0);
     EXPECT_EQ(with_motors.display[k], ph::display_class::approximate)
         << "the classes are those of the brakes";
@@ -222,7 +222,7 @@ TEST(design_map, as_text) {
   points.append(device, {V(0.1, 0.2), V(1, 0), V(0, 1)});
   points.append({V(0, 0), V(1, 0), V(0, 1)}, V(9, 9), ph::status::out_of_reach);
   EXPECT_EQ(ph::to_csv(points, ph::design_map(device, points, limits(1, 2), 1.0)),
-            "x1 [m],x2 [m],q1,q2,outcome,display,gamma [rad],drag [1],strongest [N],sink slope [1],"
+            "x1 [m],x2 [m],q1,q2,outcome,display,gamma [rad],drag [1],max force [N],sink slope [1],"
             "isotropy [1]\n"
             "0.1,0.2,0.1,0.2,\"ok\",exact,0,0,2,0,1\n"
             "9,9,0,0,\"out of reach\",none,1.5707963267948966,nan,0,inf,0\n");

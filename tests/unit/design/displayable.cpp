@@ -23,7 +23,7 @@ TEST(displayable, takes_any_length_of_direction_and_normal) {
   const auto one = ph::displayable(arm, q, v, n, limit);
   const auto other = ph::displayable(arm, q, 1e200 * v, 1e-200 * n, limit);
   EXPECT_EQ(one.signs, other.signs);
-  EXPECT_DOUBLE_EQ(one.strongest, other.strongest);
+  EXPECT_DOUBLE_EQ(one.max_force, other.max_force);
   EXPECT_NEAR(one.angle, other.angle, 1e-12);
 }
 
@@ -35,7 +35,7 @@ TEST(displayable, is_everything_at_rest) {
   EXPECT_EQ(found.angle, 0);
   EXPECT_TRUE(found.signs.isZero(0));
   const ph::vector<double, 2> per_limit = ph::force_generators(arm, q).transpose() * n;
-  EXPECT_NEAR(found.strongest, per_limit.cwiseAbs().dot(limit), 1e-12);
+  EXPECT_NEAR(found.max_force, per_limit.cwiseAbs().dot(limit), 1e-12);
 }
 
 TEST(displayable, is_nothing_out_of_a_wall_and_without_bound_where_no_limit_is_given) {
@@ -43,32 +43,32 @@ TEST(displayable, is_nothing_out_of_a_wall_and_without_bound_where_no_limit_is_g
   const ph::vector<double, 2> q(0.7, 1.1), n(0.6, 0.8);
   const auto out = ph::displayable(arm, q, n, n), in = ph::displayable(arm, q, -n, n);
   EXPECT_EQ(out.display, ph::display_class::none);
-  EXPECT_EQ(out.strongest, 0);
-  EXPECT_EQ(out.strongest_nearest, 0);
+  EXPECT_EQ(out.max_force, 0);
+  EXPECT_EQ(out.max_approximated_force, 0);
   EXPECT_EQ(out.angle, right_angle);
   EXPECT_TRUE(ph::is_displayed(in.display));
-  EXPECT_EQ(in.strongest, infinite);
-  EXPECT_EQ(in.strongest_nearest, infinite);
+  EXPECT_EQ(in.max_force, infinite);
+  EXPECT_EQ(in.max_approximated_force, infinite);
   const auto released = ph::displayable(arm, q, -n, n, {0, 0});
   EXPECT_EQ(released.display, ph::display_class::none);
-  EXPECT_EQ(released.strongest, 0);
+  EXPECT_EQ(released.max_force, 0);
 }
 
 TEST(displayable, is_limited_by_the_first_brake_that_gives_way) {
   const ph::xy_table<double> table;
   const auto found = ph::displayable(table, {0, 0}, {-0.6, -0.8}, {0.6, 0.8}, {1, 10});
   EXPECT_EQ(found.display, ph::display_class::exact);
-  EXPECT_NEAR(found.strongest, 0.6 * 1 + 0.8 * 10, 1e-12);
-  EXPECT_NEAR(found.strongest_nearest, 1 / 0.6, 1e-12);
+  EXPECT_NEAR(found.max_force, 0.6 * 1 + 0.8 * 10, 1e-12);
+  EXPECT_NEAR(found.max_approximated_force, 1 / 0.6, 1e-12);
   const auto one = ph::displayable(table, {0, 0}, {1, -1}, {0.6, 0.8}, {1, 10});
   EXPECT_EQ(one.display, ph::display_class::approximate);
   EXPECT_EQ(one.signs, (ph::vector<double, 2>(1, -1)));
   EXPECT_NEAR(one.angle, std::atan2(0.6, 0.8), 1e-12);
-  EXPECT_NEAR(one.strongest, 0.8 * 10, 1e-12);
-  EXPECT_NEAR(one.strongest_nearest, 0.8 * 10, 1e-12);
+  EXPECT_NEAR(one.max_force, 0.8 * 10, 1e-12);
+  EXPECT_NEAR(one.max_approximated_force, 0.8 * 10, 1e-12);
   const auto across = ph::displayable(table, {0, 0}, {0, -1}, {0, 1}, {infinite, 2});
-  EXPECT_EQ(across.strongest, 2) << "a brake that rests adds nothing, without limit as well";
-  EXPECT_EQ(across.strongest_nearest, 2);
+  EXPECT_EQ(across.max_force, 2) << "a brake that rests adds nothing, without limit as well";
+  EXPECT_EQ(across.max_approximated_force, 2);
 }
 
 // ---- along paths

@@ -135,7 +135,7 @@ TEST_F(a_polygon, with_corners_in_its_edges_is_filled_whatever_a_float_makes_of_
     ph::point<3> area = ph::point<3>::Zero();
     for (const auto& f : triangles) {
       const auto at = [&](std::size_t i) { return vertices[static_cast<std::size_t>(f[i])]; };
-      EXPECT_GT(ph::detail::slenderness<3>({at(0), at(1), at(2)}), ph::least_slenderness);
+      EXPECT_GT(ph::detail::slenderness<3>({at(0), at(1), at(2)}), ph::min_slenderness);
       area += ph::cross<double>(at(1) - at(0), at(2) - at(0));
     }
     EXPECT_EQ(triangles.size(), all.size() - 2);

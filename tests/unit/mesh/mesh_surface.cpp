@@ -434,13 +434,13 @@ TEST(a_needle, ends_at_its_tip) {
 // 10^6 steps of any size in all on a star with deep valleys: the proxy stays outside, whatever the handle
 // does.
 template <int D>
-void slide(const ph::mesh_parameters<D>& p, int steps, double largest_step) {
+void slide(const ph::mesh_parameters<D>& p, int steps, double max_step) {
   random_source random(seed);
   handle<D> h(surface_of(p));
   ph::point<D> x = 2 * ph::point<D>::UnitX();
   int touched = 0;
   for (int k = 0; k < steps; ++k) {
-    const ph::point<D> step = random.positive(1e-9, largest_step) * random.direction<double, D>();
+    const ph::point<D> step = random.positive(1e-9, max_step) * random.direction<double, D>();
     x = k % 1000 == 0 ? ph::point<D>(1.5 * random.direction<double, D>()) : ph::point<D>(0.999 * (x + step));
     if (k % 1009 == 0) x = p.vertices[static_cast<std::size_t>(k) % p.vertices.size()];
     h.go(x);

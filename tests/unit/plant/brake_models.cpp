@@ -62,7 +62,7 @@ TYPED_TEST(simulated_model, is_of_first_order_in_the_time_step) {
 TYPED_TEST(simulated_model, only_takes_energy) {
   const auto device = this->run(1e-4);
   const ph::energy_balance& energy = device.energy();
-  EXPECT_LE(energy.largest_brake_power, 1e-15);
+  EXPECT_LE(energy.max_brake_power, 1e-15);
   EXPECT_GT(energy.brakes, 1e-4);
   EXPECT_GT(energy.residual_friction, 0);
   EXPECT_GT(energy.drag, 0);
@@ -93,7 +93,7 @@ TEST(simulated_presliding, is_a_spring_that_slips_at_its_strength) {
   EXPECT_NEAR(mean, 4 * brake.compliance(), 0.05 * mean) << "about where it balances the hand";
   EXPECT_NEAR(most, 8 * brake.compliance(), 0.02 * most) << "twice as far, as an undamped spring";
   EXPECT_LE(std::abs(device.energy().imbalance()), 1e-12);
-  EXPECT_GT(device.energy().largest_brake_power, 0) << "it gives back";
+  EXPECT_GT(device.energy().max_brake_power, 0) << "it gives back";
 
   device.set_motion({0, 0}, {0, 0});
   run(20, 0.1, dt);

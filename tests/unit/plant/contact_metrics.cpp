@@ -50,7 +50,7 @@ TEST(contact_meter, lasts_from_the_first_contact) {
 // Ten samples from the first contact at 0: the first tenth of the path is left out.
 TEST(contact_meter, measures_depth_after_the_first_tenth_of_the_path) {
   const auto r = figures({1000, 10, 20, 30, 10, 20, 30, 10, 20, 30});
-  EXPECT_DOUBLE_EQ(r.depth_max, 1000 * um);
+  EXPECT_DOUBLE_EQ(r.max_depth, 1000 * um);
   EXPECT_NEAR(r.depth_range, 20 * um, 1e-18);
   EXPECT_NEAR(r.depth_std, std::sqrt(2.0 / 3) * 10 * um, 1e-18) << "about the mean of 20";
 }
@@ -78,11 +78,11 @@ TEST(contact_meter, sums_energy_and_keeps_the_largest_power_from_the_first_conta
   ph::contact_meter meter(1, 1e-3);
   meter.add({.depth = -um, .brake_energy = 8, .brake_power = 9});
   meter.add({.depth = um, .brake_energy = 0.5, .brake_power = -3});
-  EXPECT_EQ(meter.result().largest_brake_power, 0) << "a brake that takes power gives none";
+  EXPECT_EQ(meter.result().max_brake_power, 0) << "a brake that takes power gives none";
   meter.add({.depth = um, .brake_energy = 0.25, .brake_power = 2});
   meter.add({.depth = um, .brake_energy = 0.25, .brake_power = 1});
   EXPECT_EQ(meter.result().brake_energy, 1);
-  EXPECT_EQ(meter.result().largest_brake_power, 2);
+  EXPECT_EQ(meter.result().max_brake_power, 2);
 }
 
 TEST(contact_meter, range_includes_what_lies_off_the_wall) {

@@ -74,7 +74,7 @@ TEST(recommended_law, lets_the_hand_glide_whatever_the_device_has) {
     EXPECT_EQ(figures.separations, 0);
     EXPECT_TRUE(figures.arrived) << "the hand goes the whole way";
     EXPECT_GT(figures.depth_mean, 0.5e-3) << "it is in contact";
-    EXPECT_LT(figures.depth_max, 3e-3) << "and held";
+    EXPECT_LT(figures.max_depth, 3e-3) << "and held";
   }
 }
 

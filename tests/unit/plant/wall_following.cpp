@@ -10,7 +10,7 @@ namespace {
 
 // Fig. 4: without force approximation there is no pullback, at any rate of the environment.
 TYPED_TEST(wall_following, xy_table_never_leaves_an_unslanted_wall) {
-  const double most_power = std::is_same_v<TypeParam, double> ? 1e-14 : 1e-5;  // rounding [W]
+  const double max_power = std::is_same_v<TypeParam, double> ? 1e-14 : 1e-5;  // rounding [W]
   for (const double rate : {1000.0, 20.0}) {
     auto plain = table<TypeParam>(), direct = table<TypeParam>();
     auto without = plain.controller(ph::no_direct_control(), rate);
@@ -22,9 +22,9 @@ TYPED_TEST(wall_following, xy_table_never_leaves_an_unslanted_wall) {
       EXPECT_EQ(r.separations, 0) << rate << " Hz";
       EXPECT_EQ(r.recontacts, 0) << rate << " Hz";
       EXPECT_LT(r.depth_range, 1e-5) << "locked in y once it is in, " << rate << " Hz";
-      EXPECT_NEAR(r.depth_mean, r.depth_max, 1e-5);
+      EXPECT_NEAR(r.depth_mean, r.max_depth, 1e-5);
       EXPECT_LT(std::abs(r.depth_drift), 1e-5);
-      EXPECT_LE(r.largest_brake_power, most_power);
+      EXPECT_LE(r.max_brake_power, max_power);
       EXPECT_GT(r.duration, 0.2);
     }
   }
@@ -70,7 +70,7 @@ TEST(wall_following, reproduces_the_paper_where_the_limits_come_before_alpha) {
       EXPECT_LT(read.stick_share, none.stick_share / 2);
       EXPECT_LT(read.hand_force_std, none.hand_force_std);
       EXPECT_LT(read.retarding_force, none.retarding_force) << "conclusion 2";
-      EXPECT_LT(read.largest_brake_power, 1e-14);
+      EXPECT_LT(read.max_brake_power, 1e-14);
       EXPECT_TRUE(none.arrived && printed.arrived && read.arrived);
     }
   }
@@ -82,7 +82,7 @@ TEST(wall_following_run, runs_each_part_at_its_own_rate) {
   ph::wall_following_parameters p = with_ideal_encoders();
   p.time_step = 1e-4;
   p.control_period = 5e-4;
-  p.longest = 0.01;
+  p.max_duration = 0.01;
   int cycles = 0, samples = 0;
   const auto control = [&](const ph::device_state<ph::tendon_two_link<T>>& state) {
     EXPECT_NEAR(state.time, cycles * 5e-4, 1e-12);
@@ -99,8 +99,8 @@ TEST(wall_following_run, runs_each_part_at_its_own_rate) {
 TEST(wall_following_run, refuses_a_time_step_longer_than_the_fastest_time_constant) {
   auto e = tendon_device<double>(0.02);
   const auto control = [](const auto&) { return ph::step_result<ph::tendon_two_link<double>>(); };
-  const double fastest = e.hand.fastest_time_constant(e.device.min_mass());
-  ph::wall_following_parameters p{.control_period = 1, .longest = 100 * fastest};
+  const double fastest = e.hand.min_time_constant(e.device.min_mass());
+  ph::wall_following_parameters p{.control_period = 1, .max_duration = 100 * fastest};
   p.time_step = 1.01 * fastest;
   EXPECT_THROW(ph::follow_wall(e.device, control, wall, e.hand, p), std::invalid_argument);
   p.time_step = 0.99 * fastest;
@@ -132,8 +132,8 @@ TEST(wall_following_run, says_how_it_ended) {
     auto e = table<double>();
     return ph::follow_wall(e.device, released, wall, e.hand, p).end;
   };
-  EXPECT_EQ(end_of({.longest = 0.05}), ph::run_end::time_over);
-  EXPECT_EQ(end_of({.path_end = 1, .deepest = 0.002}), ph::run_end::too_deep);
+  EXPECT_EQ(end_of({.max_duration = 0.05}), ph::run_end::time_over);
+  EXPECT_EQ(end_of({.path_end = 1, .max_depth = 0.002}), ph::run_end::too_deep);
   auto lost = table<double>();
   lost.device.set_motion({0, std::numeric_limits<double>::quiet_NaN()}, {0, 0});
   EXPECT_EQ(ph::follow_wall(lost.device, released, wall, lost.hand, {}).end, ph::run_end::not_finite);

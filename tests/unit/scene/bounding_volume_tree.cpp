@@ -236,9 +236,9 @@ TYPED_TEST(tree, is_as_deep_as_it_says_at_most) {
   std::vector<ph::bounding_box<D>> boxes;
   for (const double at : places) boxes.push_back(ph::box_about<D>(at * ph::point<D>::UnitX(), 0));
   const ph::bounding_volume_tree<D> all(boxes);
-  int deepest = 0;
-  for (const auto& box : boxes) deepest = std::max(deepest, opened<D>(all, box.lower, 99));
-  EXPECT_LE(deepest, 5);
+  int max_depth = 0;
+  for (const auto& box : boxes) max_depth = std::max(max_depth, opened<D>(all, box.lower, 99));
+  EXPECT_LE(max_depth, 5);
 }
 
 TEST(a_tree, knows_how_large_its_coordinates_are) {

@@ -258,7 +258,8 @@ TEST(governing_contact, is_the_one_that_is_not_finite) {
 }
 
 TEST(desired_force, is_stiffness_times_depth_along_the_normal) {
-  const auto Fd = ph::force_of<float>(ph::contact<2>{.normal = {0, -1}, .depth = 5e-3, .stiffness = 1e7});
+  const auto Fd =
+      ph::desired_force_of<float>(ph::contact<2>{.normal = {0, -1}, .depth = 5e-3, .stiffness = 1e7});
   EXPECT_EQ(Fd.magnitude, 5e4f);
   EXPECT_EQ(Fd.direction, (ph::vector<float, 2>(0, -1)));
 }

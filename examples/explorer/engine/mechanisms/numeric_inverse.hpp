@@ -19,20 +19,20 @@ namespace ph = passive_haptics;
 template <class M>
 ph::joint_solution<double, M::dof> numeric_inverse(const M& model, const ph::task_vector<M>& x,
                                                    const ph::joint_vector<M>& from, double size) {
-  constexpr int d = M::task_dimension, most_steps = 60;
-  constexpr double exactness = 1e-9, longest_step = 0.3;  // [1], [rad]
+  constexpr int d = M::task_dimension, max_steps = 60;
+  constexpr double exactness = 1e-9, max_step = 0.3;  // [1], [rad]
   if (!x.allFinite()) return {from, ph::status::state_not_finite};
   ph::joint_vector<M> q = from;
   ph::task_vector<M> e = x - model.position(q);
   double step = 1;
-  for (int k = 0; k < most_steps && e.norm() > exactness * size && step > 1e-6; ++k) {
+  for (int k = 0; k < max_steps && e.norm() > exactness * size && step > 1e-6; ++k) {
     const ph::jacobian_matrix<M> J(ph::jacobian(model, q));
     const double damping = std::min(0.1 * size, e.norm());
     const ph::matrix<double, d, d> A =
         J * J.transpose() + damping * damping * ph::matrix<double, d, d>::Identity();
     ph::joint_vector<M> change = J.transpose() * ph::cholesky<double, d>(A).solve(e);
     const double length = change.norm();
-    if (length > longest_step) change *= longest_step / length;
+    if (length > max_step) change *= max_step / length;
     const ph::joint_vector<M> next = q + step * change;
     const ph::task_vector<M> left = x - model.position(next);
     if (left.norm() < e.norm()) {

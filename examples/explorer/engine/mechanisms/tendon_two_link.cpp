@@ -30,7 +30,7 @@ struct description : two_links {
 
   static void draw(const mechanism& model, const joints& q, drawing& to) {
     const auto at = points(model, q);
-    const double size = brake_share * longest(model);
+    const double size = brake_share * max_link_length(model);
     draw_links(to, at, size);
     // The larger pulley of the reduction has the drawn size: k2 is the ratio of the radii
     const double k2 = 1 / model.transmission()(1, 1);

@@ -12,7 +12,7 @@ struct description : two_links {
   static mechanism make(const parameters& p) { return mechanism(p); }
   static void draw(const mechanism& model, const joints& q, drawing& to) {
     const auto at = points(model, q);
-    const double size = brake_share * longest(model);
+    const double size = brake_share * max_link_length(model);
     draw_links(to, at, size);
     for (int i = 0; i < 2; ++i)
       to.add_turning(item_kind::brake, i, at[std::size_t(i)], out_of_plane(), size, q[i]);

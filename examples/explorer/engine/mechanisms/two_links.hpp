@@ -39,7 +39,7 @@ struct two_links : described {
     return {drawing::place(0, 0, 0), drawing::in_plane(pose.link_1), drawing::in_plane(model.position(q))};
   }
   /// The longer link [m].
-  static double longest(const ph::two_link<double>& model) {
+  static double max_link_length(const ph::two_link<double>& model) {
     return std::max(model.parameters().length_1, model.parameters().length_2);
   }
   /// Both links [m].

@@ -80,12 +80,12 @@ struct outlined_fme {
 
 /// displayable_force of any device.
 struct displayable_values {
-  ph::status outcome;         ///< ok, or why nothing is known.
-  ph::display_class display;  ///< How the normal force is displayed.
-  double angle;               ///< gamma [rad]
-  double strongest;           ///< [N]
-  double strongest_nearest;   ///< [N]
-  numbers signs;              ///< s
+  ph::status outcome;             ///< ok, or why nothing is known.
+  ph::display_class display;      ///< How the normal force is displayed.
+  double angle;                   ///< gamma [rad]
+  double max_force;               ///< [N]
+  double max_approximated_force;  ///< [N]
+  numbers signs;                  ///< s
 };
 
 /// A place on a path along a wall, of any device.

@@ -4,7 +4,7 @@
 
 #include <passive_haptics_python/any_scene.hpp>
 
-#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 
 #include <memory>
 #include <utility>

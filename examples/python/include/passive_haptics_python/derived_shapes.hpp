@@ -81,8 +81,8 @@ struct complement_shape : shape {
 
 /// A convex polygon of 3 to 8 corners.
 struct polygon_shape : shape {
-  static constexpr std::size_t fewest = 3, most = 8;  ///< Corners.
-  std::vector<ph::point<2>> corners;                  ///< [m]
+  static constexpr std::size_t min_corners = 3, max_corners = 8;  ///< Corners.
+  std::vector<ph::point<2>> corners;                              ///< [m]
 
   /// The names of the parameters.
   static std::vector<std::string> names() { return {"corners"}; }
@@ -90,7 +90,7 @@ struct polygon_shape : shape {
   static polygon_shape made(const py::dict& given, const std::string& name) {
     const bool is_list = given.contains("corners") && PySequence_Check(py::object(given["corners"]).ptr());
     const std::size_t size = is_list ? py::len(given["corners"]) : 0;
-    if (size < fewest || size > most)
+    if (size < min_corners || size > max_corners)
       refuse_value("number of corners of " + name + " = " + std::to_string(size) + ", expected 3 to 8");
     for (const auto& [key, value] : given)
       if (!key.equal(py::str("corners")))
@@ -99,7 +99,7 @@ struct polygon_shape : shape {
     std::vector<ph::point<2>> corners;
     for (std::size_t i = 0; i < size; ++i)
       corners.emplace_back(vector_from<2>(py::object(list[i]), "corners[" + std::to_string(i) + "]"));
-    return made_of<fewest>(corners);
+    return made_of<min_corners>(corners);
   }
   /// The corners.
   py::dict parameters() const {
@@ -113,7 +113,7 @@ struct polygon_shape : shape {
  private:
   template <std::size_t K>
   static polygon_shape made_of(const std::vector<ph::point<2>>& corners) {
-    if constexpr (K < most) {
+    if constexpr (K < max_corners) {
       if (corners.size() != K) return made_of<K + 1>(corners);
     }
     ph::convex_polygon_parameters<int(K)> p;

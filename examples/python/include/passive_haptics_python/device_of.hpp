@@ -9,7 +9,7 @@
 
 #include <passive_haptics/brake/passive_constraint.hpp>
 #include <passive_haptics/brake/reference_forces.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/design/braked_wall_at.hpp>
 #include <passive_haptics/design/fme_boundary.hpp>
 #include <passive_haptics/design/sink_depth.hpp>
@@ -99,7 +99,8 @@ class device_of<M, law_list<Laws...>> final : public any_device {
   displayable_values displayable(const path_values& place, const design_brakes& brakes) const override {
     const ph::path_point<M> p = point(place, "velocity");
     const auto found = ph::displayable(model_, p.q, p.direction, p.normal, switchable(brakes));
-    return {found.outcome, found.display, found.angle, found.strongest, found.strongest_nearest, found.signs};
+    return {found.outcome, found.display, found.angle, found.max_force, found.max_approximated_force,
+            found.signs};
   }
   ph::sink_slope_result<double> sink_slope(const path_values& place, const design_brakes& brakes,
                                            double push) const override {

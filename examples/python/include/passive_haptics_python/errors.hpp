@@ -22,10 +22,10 @@ namespace py = pybind11;
 
 /// A value and its type for a message: "'abc' (str)", at most 40 characters of it.
 inline std::string shown(py::handle x) {
-  constexpr py::ssize_t longest = 40;
+  constexpr py::ssize_t max_length = 40;
   const py::object all = py::repr(x);
-  std::string text = py::str(all[py::slice(0, longest, 1)]);
-  if (py::ssize_t(py::len(all)) > longest) text += "...";
+  std::string text = py::str(all[py::slice(0, max_length, 1)]);
+  if (py::ssize_t(py::len(all)) > max_length) text += "...";
   for (char& c : text)
     if (c == '\n') c = ' ';
   return text + " (" + Py_TYPE(x.ptr())->tp_name + ")";

@@ -17,14 +17,15 @@ namespace ph = passive_haptics;
 
 /// Holds a BrakeModel. Copies share it. A device that is simulated with it moves as with the model itself.
 class run_time_brake {
-  static constexpr std::size_t largest_state = 128;  // [bytes]
+  static constexpr std::size_t max_state_size = 128;  // [bytes]
 
  public:
   using scalar = double;  ///< Of all models.
   /// A place for what the model remembers.
   struct state {
-    alignas(std::max_align_t) std::array<std::byte, largest_state> of_model = {};  ///< Its state, once begun.
-    bool has_begun = false;                                                        ///< Whether there is one.
+    alignas(
+        std::max_align_t) std::array<std::byte, max_state_size> of_model = {};  ///< Its state, once begun.
+    bool has_begun = false;                                                     ///< Whether there is one.
   };
 
   ph::brake_resistance<double> residual;  ///< That of the model.
@@ -55,7 +56,7 @@ class run_time_brake {
   template <class Model>
   struct model final : interface {
     using own_state = typename Model::state;
-    static_assert(sizeof(own_state) <= largest_state && std::is_trivially_copyable_v<own_state>);
+    static_assert(sizeof(own_state) <= max_state_size && std::is_trivially_copyable_v<own_state>);
 
     explicit model(const Model& m) : brake(m) {}
     ph::brake_resistance<double> advance(double dt, double command, double rate,

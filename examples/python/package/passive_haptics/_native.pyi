@@ -382,7 +382,7 @@ class mechanism(metaclass=_class):
     def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
         """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]. Of a mechanism with inertia; TypeError for others."""
     def design_map(self, q: Array, direction: Numbers | Array, normal: Numbers | Array, brakes: brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> Records:
-        """The figures of the device at N places of a task, an array with the fields outcome (status), display (display_class), cosine of gamma [1], drag for each newton that is displayed [1], strongest force along the normal [N], sink_slope [1] and isotropy of E [1]. q: N x n joint positions; direction of the motion and normal of the wall: N x d, or one vector for all. push [N]. N is at most 100 million. Ctrl-C ends it."""
+        """The figures of the device at N places of a task, an array with the fields outcome (status), display (display_class), cosine of gamma [1], drag for each newton that is displayed [1], max_force along the normal [N], sink_slope [1] and isotropy of E [1]. q: N x n joint positions; direction of the motion and normal of the wall: N x d, or one vector for all. push [N]. N is at most 100 million. Ctrl-C ends it."""
     def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
         """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
     @property
@@ -497,10 +497,10 @@ class displayable_force(metaclass=_class):
     def signs(self) -> Array:
         """s of the brakes in this motion."""
     @property
-    def strongest(self) -> float:
+    def max_force(self) -> float:
         """The most along the normal [N] of all forces."""
     @property
-    def strongest_nearest(self) -> float:
+    def max_approximated_force(self) -> float:
         """The most along the normal [N] of the nearest force."""
 class batch_result(metaclass=_class):
     """What batch() stores: an array for each member of step_result, a row or a number for each state; None where it was not wanted. Arrays of rows stand in memory column by column."""
@@ -762,11 +762,11 @@ class wall_following_parameters(metaclass=_class):
         encoder_resolution [rad or m]: a finite number >= 0; default 0.0007669903939428206
         rate_corner [Hz]: a finite number >= 0; default 50.0
         path_end [m]: a finite number; default 0.17
-        longest [s]: a finite number > 0; default 8.0
-        deepest [m]: a finite number > 0; default 1.0
+        max_duration [s]: a finite number > 0; default 8.0
+        max_depth [m]: a finite number > 0; default 1.0
         watched_brake: anything; default 1
     """
-    def __init__(self, time_step: float = ..., control_period: float = ..., sensor_corner: float = ..., sensor_scale: float = ..., sensor_noise: float = ..., noise_seed: int = ..., encoder_resolution: float = ..., rate_corner: float = ..., path_end: float = ..., longest: float = ..., deepest: float = ..., watched_brake: int = ...) -> None: ...
+    def __init__(self, time_step: float = ..., control_period: float = ..., sensor_corner: float = ..., sensor_scale: float = ..., sensor_noise: float = ..., noise_seed: int = ..., encoder_resolution: float = ..., rate_corner: float = ..., path_end: float = ..., max_duration: float = ..., max_depth: float = ..., watched_brake: int = ...) -> None: ...
     def __eq__(self, other: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     @property

@@ -18,7 +18,7 @@ from passive_haptics.results import status
 
 PANELS = {
     "drag": ("drag for each newton [1]", (0.0, 3.0)),
-    "strongest": ("strongest force [N]", None),
+    "max_force": ("strongest force [N]", None),
     "sink_slope": ("sink slope [1]", (0.0, 1.0)),
     "isotropy": ("isotropy [1]", (0.0, 1.0)),
 }

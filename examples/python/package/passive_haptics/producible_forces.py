@@ -124,7 +124,7 @@ def producible_outline(device: _native.mechanism, q: Numbers, velocity: Numbers)
     for k, angle in enumerate(angles):
         found = of.displayable(q, velocity, _unit(angle), brakes)
         if found.angle < EDGE:  # pi / 2 where there is no force
-            radii[k] = found.strongest_nearest
+            radii[k] = found.max_approximated_force
     usual = _usual_force(of, q)
     if np.any(radii > HELD * usual):
         radii = np.minimum(radii, CUT * usual)

@@ -112,7 +112,7 @@ class contact_metrics(typing.NamedTuple):
     """Largest less smallest depth there [m]."""
     depth_drift: float
     """Last less first depth there [m]; < 0 moves out of the wall."""
-    depth_max: float
+    max_depth: float
     """Largest depth on the whole path [m]."""
     stick_share: float
     """Share of time that the watched brake is slower than 1e-3 rad/s [1]."""
@@ -122,7 +122,7 @@ class contact_metrics(typing.NamedTuple):
     """Mean force of the brakes against the motion along the wall [N]."""
     brake_energy: float
     """Dissipated by the friction of all brakes [J]."""
-    largest_brake_power: float
+    max_brake_power: float
     """Largest that one brake gave to the device in a step [W]; 0 if none."""
     duration: float
     """From the first contact to the end [s]."""

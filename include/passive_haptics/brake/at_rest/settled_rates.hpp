@@ -61,21 +61,21 @@ class settled_rates {
   /// Least share, see the constructor, of a control cycle.
   static constexpr T default_share = T(1e-3);
 
-  /// Of a pose. A row of T N that is shorter than least_share times a brake's greatest motion, after those
+  /// Of a pose. A row of T N that is shorter than min_share times a brake's greatest motion, after those
   /// before it were taken out of it, counts as dependent. A brake at rest that the self-motion hardly moves
   /// would let the others race. off: brakes that cannot be held (brakes_without_torque). Cost: an orthogonal
   /// decomposition of d x n.
-  explicit settled_rates(const mechanism_pose<M>& pose, T least_share = default_share, brake_set off = 0)
-      : least_share_(least_share) {
+  explicit settled_rates(const mechanism_pose<M>& pose, T min_share = default_share, brake_set off = 0)
+      : min_share_(min_share) {
     const orthogonal_decomposition<T, d, n> J(jacobian_matrix<M>(pose.jacobian()), rounding_tolerance<T>(n));
     const transmission_matrix<M> by_brakes = transposed(pose.transposed_transmission());
     self_motions_ = n - J.rank();
     start_.rates = by_brakes * J.pseudo_inverse();
     start_.self = by_brakes * J.null_space();
-    largest_ = by_brakes.rowwise().norm();
+    max_motion_ = by_brakes.rowwise().norm();
     if (off != 0)
       for (int i = 0; i < m; ++i)
-        if (contains(off, i)) largest_[i] = std::numeric_limits<T>::infinity();
+        if (contains(off, i)) max_motion_[i] = std::numeric_limits<T>::infinity();
     for (candidate x = start_; rank_ < self_motions_; ++rank_)
       if (!hold_next(x)) break;
     lost_ = J.rank() < d;
@@ -83,7 +83,7 @@ class settled_rates {
   }
 
   /// T J^+ (m x d): rates of the brakes under the least joint rates for a velocity.
-  const rate_map& least_rates() const { return start_.rates; }
+  const rate_map& least_norm_rates() const { return start_.rates; }
   /// T N (m x n): rates of the brakes under self-motions; columns past the self-motions are 0.
   const matrix<T, m, n>& of_self_motion() const { return start_.self; }
   /// The part of a force that no joint feels, as the pose is singular: the structure holds it. Else 0.
@@ -121,7 +121,7 @@ class settled_rates {
     int pivot = x.depth;
     for (int k = x.depth + 1; k < self_motions_; ++k)
       if (std::abs(x.self(i, k)) > std::abs(x.self(i, pivot))) pivot = k;
-    if (!(std::abs(x.self(i, pivot)) > least_share_ * largest_[i])) return false;
+    if (!(std::abs(x.self(i, pivot)) > min_share_ * max_motion_[i])) return false;
     x.self.col(pivot).swap(x.self.col(x.depth));
     const lanes<T, m> motion = lanes<T, m>::load(&x.self(0, x.depth)) / x.self(i, x.depth);
     for (int k = x.depth + 1; k < self_motions_; ++k) without(&x.self(0, k), motion, i);
@@ -152,10 +152,10 @@ class settled_rates {
     return false;
   }
 
-  T least_share_;
+  T min_share_;
   int self_motions_ = 0, rank_ = 0;
   candidate start_ = {};
-  vector<T, m> largest_;  // motion of a brake; infinite where it is off, so that no share is enough
+  vector<T, m> max_motion_;  // motion of a brake; infinite where it is off, so that no share is enough
   bool lost_ = false;
   matrix<T, d, d> held_by_structure_;
 };

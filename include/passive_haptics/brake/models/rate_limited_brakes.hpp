@@ -4,6 +4,7 @@
 
 #include <passive_haptics/brake/models/brake_model.hpp>
 #include <passive_haptics/brake/models/switchable_brakes.hpp>
+#include <passive_haptics/core/nth.hpp>
 
 #include <algorithm>
 #include <array>
@@ -53,8 +54,7 @@ class rate_limited_brakes : switchable_brakes<M> {
   switchable_brakes<M> at(const brake_vector<M>& rates) const noexcept {
     base now = *this;
     for (int i = 0; i < M::brake_count; ++i)
-      now.torque_limit[i] =
-          valid_command(models[static_cast<std::size_t>(i)].torque_limit_at(rates[i]), now.torque_limit[i]);
+      now.torque_limit[i] = valid_command(nth(models, i).torque_limit_at(rates[i]), now.torque_limit[i]);
     return now;
   }
 };

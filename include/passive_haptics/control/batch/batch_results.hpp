@@ -5,6 +5,7 @@
 #include <passive_haptics/control/batch/batch_states.hpp>
 #include <passive_haptics/control/step_result.hpp>
 #include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/core/nth.hpp>
 
 #include <cstdint>
 
@@ -68,7 +69,7 @@ void store(std::span<Stored> array, std::size_t k, const X& x) {
 template <class T, std::size_t Components, class X, int N>
 void store(const std::array<std::span<T>, Components>& arrays, std::size_t k, const vector<X, N>& x) {
   static_assert(N == static_cast<int>(Components));
-  unrolled<N>([&](auto i) { store(arrays[std::size_t(i)], k, x[i]); });
+  unrolled<N>([&](auto i) { store(nth(arrays, i), k, x[i]); });
 }
 // Stores the result of state k.
 template <class M, class R>

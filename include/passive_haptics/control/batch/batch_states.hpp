@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/device_state.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/text.hpp>
 
 #include <array>
@@ -39,12 +40,11 @@ struct batch_states {
     device_state<M> s;
     s.time = time.empty() ? 0 : time[k];
     for (int i = 0; i < M::dof; ++i) {
-      s.q[i] = q[static_cast<std::size_t>(i)][k];
-      s.qd[i] = qd[static_cast<std::size_t>(i)][k];
+      s.q[i] = nth(q, i)[k];
+      s.qd[i] = nth(qd, i)[k];
     }
     if (has_hand_force())
-      for (int i = 0; i < M::task_dimension; ++i)
-        s.hand_force[i] = hand_force[static_cast<std::size_t>(i)][k];
+      for (int i = 0; i < M::task_dimension; ++i) s.hand_force[i] = nth(hand_force, i)[k];
     return s;
   }
 };

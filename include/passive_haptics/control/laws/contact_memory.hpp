@@ -2,6 +2,7 @@
 /// Memory that a law has of each contact while it is touched.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace passive_haptics {
 
 /// Memories of up to Capacity contacts touched at once. A law that has it names its Capacity as
-/// `most_contacts`.
+/// `max_contacts`.
 ///
 /// **The memory that a contact continues.** A wall number does not identify a contact: the faces of a mesh
 /// share one, and at the seam of two walls the hand slides on along one surface while the number changes. A
@@ -31,13 +32,13 @@ class contact_memory {
     const int before = size_;
     size_ = std::min(touched.size(), Capacity);
     int paired = 0;  // contacts as before, in most cycles all
-    while (paired < std::min(size_, before) && slots_[std::size_t(paired)].is_of(touched[paired])) ++paired;
+    while (paired < std::min(size_, before) && nth(slots_, paired).is_of(touched[paired])) ++paired;
     if (paired < size_) pair_from(paired, touched, before);
-    for (int j = 0; j < size_; ++j) slots_[std::size_t(j)].set_contact(touched[j]);
+    for (int j = 0; j < size_; ++j) nth(slots_, j).set_contact(touched[j]);
   }
 
   /// The memory of contact j of this cycle.
-  Memory& operator[](int j) { return slots_[std::size_t(std::min(j, Capacity - 1))].memory; }
+  Memory& operator[](int j) { return nth(slots_, std::min(j, Capacity - 1)).memory; }
 
   /// Forgets all contacts.
   void clear() { size_ = 0; }
@@ -56,12 +57,12 @@ class contact_memory {
     template <class Contact>
     void set_contact(const Contact& c) {
       wall = c.wall_number;
-      for (int i = 0; i < int(c.normal.size()); ++i) normal[std::size_t(i)] = float(c.normal[i]);
+      for (int i = 0; i < int(c.normal.size()); ++i) nth(normal, i) = float(c.normal[i]);
     }
     template <class Contact>
     double cosine(const Contact& c) const {
       double sum = 0;
-      for (int i = 0; i < int(c.normal.size()); ++i) sum += c.normal[i] * double(normal[std::size_t(i)]);
+      for (int i = 0; i < int(c.normal.size()); ++i) sum += c.normal[i] * double(nth(normal, i));
       return sum;
     }
     template <class Contact>
@@ -89,7 +90,7 @@ class contact_memory {
       for (int j = first; j < size_; ++j) {
         for (int k = first; k < before; ++k) {
           if (!holds(open, j) || !holds(known, k)) continue;
-          const double similarity = slots_[std::size_t(k)].similarity(touched[j]);
+          const double similarity = nth(slots_, k).similarity(touched[j]);
           if (!(similarity > most)) continue;
           most = similarity;
           contact = j;
@@ -97,12 +98,12 @@ class contact_memory {
         }
       }
       if (most == unlike) break;
-      std::swap(slots_[std::size_t(contact)], slots_[std::size_t(memory)]);
+      std::swap(nth(slots_, contact), nth(slots_, memory));
       open &= ~(1u << contact);
       known &= ~(1u << (holds(known, contact) ? contact : memory));  // what was there is at `memory` now
     }
     for (int j = first; j < size_; ++j)
-      if (holds(open, j)) slots_[std::size_t(j)].memory = {};
+      if (holds(open, j)) nth(slots_, j).memory = {};
   }
 
   std::array<slot, static_cast<std::size_t>(Capacity)> slots_{};

@@ -4,7 +4,8 @@
 
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/touch_margin.hpp>
-#include <passive_haptics/control/ways/torque_law.hpp>
+#include <passive_haptics/control/pipelines/torque_law.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/parameters.hpp>
 
 #include <array>
@@ -51,7 +52,7 @@ struct on_off_parameters {
 struct on_off_control {
   static constexpr bool commands_torques = true;  ///< It is a TorqueLaw.
   static constexpr bool needs_sensed_at = true;   ///< Carries a held contact on to where the handle is.
-  static constexpr int most_contacts = 8;         ///< Walls that it remembers at once.
+  static constexpr int max_contacts = 8;          ///< Walls that it remembers at once.
 
   /// Of one wall.
   struct relay {
@@ -59,8 +60,8 @@ struct on_off_control {
   };
   /// What it remembers.
   struct memory {
-    contact_memory<relay, most_contacts> walls;  ///< The relay of each.
-    approximation_start start;                   ///< Where the next approximation begins.
+    contact_memory<relay, max_contacts> walls;  ///< The relay of each.
+    approximation_start start;                  ///< Where the next approximation begins.
   };
 
   on_off_parameters parameters = {};  ///< The constants.
@@ -82,12 +83,12 @@ struct on_off_control {
     remembered.walls.begin_cycle(touched);
     for (int j = 0; j < touched.size(); ++j) {
       const contact<D> c = carried_to(device.x, touched[j]);
-      const auto Fd = force_of<T>(c);
+      const auto Fd = desired_force_of<T>(c);
       relay& wall = remembered.walls[j];
       wall.on = c.depth > 0 && switched(wall.on, c.depth, static_cast<double>(outward(Fd, device.v)));
       if (!wall.on) continue;
-      on[static_cast<std::size_t>(count)] = Fd;
-      demands[static_cast<std::size_t>(count++)] = {Fd.direction, Fd.magnitude, false};
+      nth(on, count) = Fd;
+      nth(demands, count++) = {Fd.direction, Fd.magnitude, false};
     }
     if (count == 0) return brake_vector<M>::Zero();
     if (count == 1) {
@@ -97,8 +98,7 @@ struct on_off_control {
     }
     typename form_of<M>::force F;
     const brake_vector<M> signs = form_of<M>::template signs<Capacity>(
-        device, demands, count, count, [&](int j) { return on[static_cast<std::size_t>(j)]; },
-        remembered.start, F);
+        device, demands, count, count, [&](int j) { return nth(on, j); }, remembered.start, F);
     const auto map = form_of<M>::map(device.pose, device.E);
     const auto box = passive_haptics::torque_box_of(signs, device.brakes);
     return contact_forces<T, D, M::brake_count, Capacity>(map, box, demands, count, map.G,

@@ -20,14 +20,14 @@ namespace passive_haptics {
 
 /// Constants of a momentum_observer.
 struct momentum_observer_parameters {
-  double gain = 100;             ///< K [1/s]: the estimate is 1 / K late, by two lags of 1 / (2 K).
-  double longest_period = 0.02;  ///< After a longer pause between two states the observer starts anew [s].
+  double gain = 100;         ///< K [1/s]: the estimate is 1 / K late, by two lags of 1 / (2 K).
+  double max_period = 0.02;  ///< After a longer pause between two states the observer starts anew [s].
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = momentum_observer_parameters;
     return member_table(member("gain", &p::gain, "1/s", range::positive),
-                        member("longest_period", &p::longest_period, "s", range::positive));
+                        member("max_period", &p::max_period, "s", range::positive));
   }
 };
 
@@ -83,7 +83,7 @@ class momentum_observer {
       return estimate_;
     }
     const double h = state.time - before_.time;
-    const bool follows = started_ && h <= p_.longest_period;
+    const bool follows = started_ && h <= p_.max_period;
     const auto Tt = passive_haptics::transposed_transmission(mechanism_, state.q);
     if (follows) {
       brake_vector<M> known = brake_vector<M>::Zero(), unknown = strength;

@@ -27,7 +27,7 @@ struct release_probe_parameters {
 /// is under way, the rest before the next, and that. It holds for a pull that overcomes what the brakes still
 /// hold at the end of a probe, limit exp(-probe_time / T_b), soon enough to move the handle by
 /// motion_threshold within it. After it the handle moves out as the hand pulls it.
-inline double worst_release_time(const release_probe_parameters& p) {
+inline double max_release_time(const release_probe_parameters& p) {
   return p.probe_period + 2 * p.probe_time;
 }
 

@@ -6,6 +6,7 @@
 #include <passive_haptics/control/laws/velocity/brake_lag.hpp>
 #include <passive_haptics/control/sensorless/momentum_observer.hpp>
 #include <passive_haptics/control/sensorless/release_probe.hpp>
+#include <passive_haptics/core/nth.hpp>
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,7 @@ struct sensorless_parameters {
 ///
 /// With effects, a round of probes tests the walls and, for each brake, the effects; a probe of one releases
 /// nothing that holds for the other. A hand of 1 to 3 N that pushes on creeps by 0.1 to 0.6 mm/s; one that
-/// pulls back is free within worst_release_time. Limits (docs/guide/effects.md): end stops and friction creep
+/// pulls back is free within max_release_time. Limits (docs/guide/effects.md): end stops and friction creep
 /// more, and a hand that leaves a wall obliquely may need several rounds, with and without effects.
 ///
 /// For mechanisms that model Dynamics. Errors: as controller; a cycle that is not later than the one before
@@ -108,10 +109,9 @@ class sensorless_controller {
   using scalar = typename M::scalar;
   static constexpr int d = M::task_dimension, m = M::brake_count;
   static constexpr bool has_effects = requires(const result_type& r) { r.torque_for_effects; };
-  static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
   static constexpr double make_up_time = 0.002;  // [s]: two cycles at 1 kHz
   static constexpr double negligible = 1e-3;     // of a brake's limit
-  static constexpr double longest_slip = 0.02;   // of a brake that rests but for moments: it creeps [s]
+  static constexpr double max_slip_time = 0.02;  // of a brake that rests but for moments: it creeps [s]
 
   const brakes_of<M>& brakes() const { return controller_.brakes(); }
 
@@ -180,15 +180,15 @@ class sensorless_controller {
     };
     if (!in_wall(result)) probe_.clear();
     else if (update(probe_, result.desired_force, rest))
-      unrolled<m>([&](auto i) { probed_[index(i)] = rest_since_[i] < time; });
+      unrolled<m>([&](auto i) { nth(probed_, i) = rest_since_[i] < time; });
     const probe_phase walls = probe_.now();
     unrolled<m>([&](auto i) {
       const bool no_walls =
-          walls == probe_phase::released || (walls == probe_phase::probing && probed_[index(i)]);
+          walls == probe_phase::released || (walls == probe_phase::probing && nth(probed_, i));
       if constexpr (has_effects) {
         const scalar of_walls = result.torque_for_walls[i], of_effects = result.torque_for_effects[i];
         if (of_effects != scalar(0)) side_[i] = sgn(of_effects);
-        release_probe<d>& one = effect_probes_[index(i)];
+        release_probe<d>& one = nth(effect_probes_, i);
         update(one, observer_.estimate().generators.col(i) * side_[i],
                of_effects != scalar(0) && rest_since_[i] < time ? rest : -1);
         const bool no_effects = one.now() != probe_phase::watching;
@@ -214,7 +214,7 @@ class sensorless_controller {
     unrolled<m>([&](auto i) {
       // Whatever the command is now: a law that switches at rest holds by the mean of its commands
       if (!slips(w[i], brakes().rate_dead_band[i])) rested_[i] = time;
-      if (time - rested_[i] > longest_slip || rest_since_[i] > time) rest_since_[i] = time;
+      if (time - rested_[i] > max_slip_time || rest_since_[i] > time) rest_since_[i] = time;
       rest = std::max(rest, time - rest_since_[i]);
     });
     return any_probe_is(probe_phase::probing) ? 0 : rest;
@@ -235,7 +235,7 @@ class sensorless_controller {
   momentum_observer<M> observer_;
   controller<M, S, L> controller_;
   release_probe<d> probe_;  // of walls
-  std::array<release_probe<d>, index(has_effects ? m : 0)> effect_probes_{};
+  std::array<release_probe<d>, std::size_t(has_effects ? m : 0)> effect_probes_{};
   brake_lag_model expected_, actual_;  // what brakes would make of its commands, and what they make
   vector<double, m> counted_on_ = vector<double, m>::Zero();  // torques that the law counts on [N m]
   brake_vector<M> last_capacity_ = brake_vector<M>::Zero();
@@ -243,7 +243,7 @@ class sensorless_controller {
   vector<double, m> rest_since_ = vector<double, m>::Constant(std::numeric_limits<double>::infinity());
   vector<double, m> rested_ =  // when each was at rest last [s]
       vector<double, m>::Constant(-std::numeric_limits<double>::infinity());
-  std::array<bool, index(m)> probed_{};             // released by the probe of walls
+  std::array<bool, std::size_t(m)> probed_{};       // released by the probe of walls
   brake_vector<M> side_ = brake_vector<M>::Zero();  // of the last torque for effects
 };
 

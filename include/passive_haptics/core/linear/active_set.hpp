@@ -5,6 +5,7 @@
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/plane_cone.hpp>
 #include <passive_haptics/core/linear/updatable_qr.hpp>
+#include <passive_haptics/core/nth.hpp>
 
 #include <bit>
 #include <limits>
@@ -36,14 +37,13 @@ class active_set {
     start = {members_, violated};
     half_space_projection<T, Rows, Columns> result{{}, vector<T, Columns>::Zero(), members_};
     qr_.clean_residual().store(result.point.data());
-    for (int k = 0; k < qr_.size(); ++k) result.coefficients[member_[at(k)]] = mu_[at(k)];
+    for (int k = 0; k < qr_.size(); ++k) result.coefficients[nth(member_, k)] = nth(mu_, k);
     return result;
   }
 
  private:
   static constexpr int max_rank = Rows < Columns ? Rows : Columns;
   static constexpr half_space_set all = all_columns<Columns>;
-  static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
   using qr = updatable_qr<T, Rows, max_rank>;
   using column = typename qr::column;
   using coefficients = typename qr::coefficients;
@@ -90,14 +90,14 @@ class active_set {
     qr_.solve(mu_);
     if (!all_positive(mu_)) return false;
     if (qr_.size() == max_rank) return true;
-    return !(largest_value(squares_beyond()) > square_of(1));
+    return !(max_value(squares_beyond()) > square_of(1));
   }
 
   // The half-space that the residual violates by the largest angle, if by more than so many roundings; else
   // -1.
   int most_violated(int roundings) const {
     if (qr_.size() == max_rank) return -1;
-    const auto worst = largest(squares_beyond());
+    const auto worst = find_max(squares_beyond());
     return worst.value > square_of(roundings) ? worst.index : -1;
   }
 
@@ -109,9 +109,9 @@ class active_set {
   // the residual are carried along, so that the next half-space need not wait for the residual. They show
   // violations to rounding of |f|, not of |r|. From B^T f.
   [[gnu::always_inline]] void guess(by_half_space products) {
-    T along[at(max_rank)][at(Columns)];  // of v_k and b_j
+    T along[std::size_t(max_rank)][std::size_t(Columns)];  // of v_k and b_j
     while (qr_.size() < max_rank) {
-      const auto [value, j] = largest(squares_beyond(products));
+      const auto [value, j] = find_max(squares_beyond(products));
       if (!(value > T(Rows * Rows) * vanishing_)) return;
       const int k = qr_.size();
       if (!append(j, [&, j = j](int l) { return along[l][j]; })) continue;
@@ -127,14 +127,14 @@ class active_set {
     const int k = qr_.size();
     weight_[j] = T(0);
     if (!qr_.append(half_space(j), square_[j], along_b...)) return false;
-    member_[at(k)] = j;
+    nth(member_, k) = j;
     members_ |= 1u << j;
     return true;
   }
 
   [[gnu::always_inline]] bool all_positive(const coefficients& y) const {
     bool all_are = true;
-    for (int k = 0; k < qr_.size(); ++k) all_are &= y[at(k)] > T(0);
+    for (int k = 0; k < qr_.size(); ++k) all_are &= nth(y, k) > T(0);
     return all_are;
   }
 
@@ -142,7 +142,7 @@ class active_set {
   [[gnu::noinline]] void exchange() {
     while (!all_positive(mu_)) {
       int last = qr_.size() - 1;
-      while (mu_[at(last)] > T(0)) --last;
+      while (nth(mu_, last) > T(0)) --last;
       remove(last);
       qr_.solve(mu_);
     }
@@ -157,7 +157,7 @@ class active_set {
       const int entering = most_violated(roundings);
       if (entering < 0) return;
       const half_space_set before = members_;
-      mu_[at(qr_.size())] = T(0);
+      nth(mu_, qr_.size()) = T(0);
       // A newcomer that leaves at once and alone was chosen by rounding
       if (append(entering)) settle();
       if (members_ != before) refused = 0;
@@ -170,11 +170,11 @@ class active_set {
     const int size = qr_.size();
     const auto old_member = member_;
     const auto old_mu = mu_;
-    for (int k = out; k < size; ++k) members_ &= ~(1u << old_member[at(k)]);
+    for (int k = out; k < size; ++k) members_ &= ~(1u << nth(old_member, k));
     qr_.truncate(out, column::load(f_));
     for (int k = out + 1; k < size; ++k) {
-      mu_[at(qr_.size())] = old_mu[at(k)];
-      append(old_member[at(k)]);
+      nth(mu_, qr_.size()) = nth(old_mu, k);
+      append(nth(old_member, k));
     }
   }
 
@@ -186,14 +186,14 @@ class active_set {
       int blocking = qr_.size();  // none
       T step{};
       for (int k = 0; k < qr_.size(); ++k) {
-        if (y[at(k)] > T(0)) continue;
-        const T until_zero = mu_[at(k)] > T(0) ? mu_[at(k)] / (mu_[at(k)] - y[at(k)]) : T(0);
+        if (nth(y, k) > T(0)) continue;
+        const T until_zero = nth(mu_, k) > T(0) ? nth(mu_, k) / (nth(mu_, k) - nth(y, k)) : T(0);
         if (blocking == qr_.size() || until_zero < step) {
           step = until_zero;
           blocking = k;
         }
       }
-      for (int k = 0; k < qr_.size(); ++k) mu_[at(k)] += step * (y[at(k)] - mu_[at(k)]);
+      for (int k = 0; k < qr_.size(); ++k) nth(mu_, k) += step * (nth(y, k) - nth(mu_, k));
       remove(blocking);
     }
     mu_ = y;

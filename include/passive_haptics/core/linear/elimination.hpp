@@ -53,7 +53,7 @@ class elimination {
   bool minimise(const least_squares_level<T, Rows, N>& level) {
     matrix<T, Rows, N> A = level.A;
     vector<T, Rows> b = level.b - A * x_;
-    const T square = A.squaredNorm(), least = square * least_share<Rows>() * growth_;
+    const T square = A.squaredNorm(), least = square * min_share<Rows>() * growth_;
     for (int k = 0; k < count_; ++k) substitute(k, A, b);
     while (left_ > 0) {
       int p = -1;
@@ -85,7 +85,7 @@ class elimination {
  private:
   // Under this share of a level's square is rounding.
   template <int Rows>
-  static constexpr T least_share() {
+  static constexpr T min_share() {
     return rounding_tolerance<T>(N + Rows) * rounding_tolerance<T>(N + Rows);
   }
 

@@ -43,7 +43,7 @@ template <class T, int M>
   const per_column nearness = max(none, T(2) + along / (abs(across) + abs(along)));
   const per_column on_left = select(across >= none, nearness, none),
                    on_right = select(across < none, nearness, none);
-  const T left = largest_value(on_left), right = largest_value(on_right);
+  const T left = max_value(on_left), right = max_value(on_right);
   if (left + right > T(4) + rounding_tolerance<T>(3))  // less than 180 degrees
     return {.is_shortest = false,
             .basis = (on_left >= per_column(left)) | (on_right >= per_column(right)),

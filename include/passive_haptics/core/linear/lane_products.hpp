@@ -63,7 +63,7 @@ template <class T, int N, class F>
 
 /// The least of x_0, ..., x_{N-1}.
 template <class T, int N>
-T least(const lanes<T, N>& x) {
+T min_value(const lanes<T, N>& x) {
   T low = x[0];
   unrolled<N - 1>([&](auto i) PASSIVE_HAPTICS_INLINE { low = x[i + 1] < low ? x[i + 1] : low; });
   return low;
@@ -135,7 +135,7 @@ template <class T>
 
 /// The largest of x >= 0; what is NaN counts as 0.
 template <class T, int N>
-[[gnu::always_inline]] inline T largest_value(const lanes<T, N>& x) {
+[[gnu::always_inline]] inline T max_value(const lanes<T, N>& x) {
   typename lanes<T, N>::packet largest{};
   unrolled<lanes<T, N>::count>([&](auto i)
                                    PASSIVE_HAPTICS_INLINE { largest = x.p[i] > largest ? x.p[i] : largest; });
@@ -151,14 +151,14 @@ template <class T, int N>
 
 /// The largest of a vector's numbers and where it stands.
 template <class T>
-struct largest_entry {
+struct max_entry {
   T value;
   int index;
 };
 
 // The index takes the place of the last five bits while they are compared.
 template <class T, int N>
-[[gnu::always_inline]] inline largest_entry<T> largest_of_marked(const lanes<T, N>& x) {
+[[gnu::always_inline]] inline max_entry<T> max_of_marked(const lanes<T, N>& x) {
   using packet = typename lanes<T, N>::packet;
   using integers = typename integers_of<T>::type;
   constexpr int width = lanes<T, N>::width;
@@ -168,22 +168,22 @@ template <class T, int N>
   unrolled<lanes<T, N>::count>([&](auto i) PASSIVE_HAPTICS_INLINE {
     marked.p[i] = bit_cast<packet>((bit_cast<integers>(x.p[i]) & ~last_bits) | places<T>(i * width));
   });
-  const auto bits = bit_cast<integer_of<T>>(largest_value(marked));
+  const auto bits = bit_cast<integer_of<T>>(max_value(marked));
   return {bit_cast<T>(bits & ~last_bits), static_cast<int>(bits & last_bits)};
 }
 
 /// The largest of x >= 0, to 64 roundings. Which one it is, no processor could predict, so there is no
 /// branch.
 template <class T, int N>
-[[gnu::always_inline]] inline largest_entry<T> largest(const lanes<T, N>& x) {
+[[gnu::always_inline]] inline max_entry<T> find_max(const lanes<T, N>& x) {
   if constexpr (lanes<T, N>::width == 1) {
-    largest_entry<T> largest{T(0), 0};
+    max_entry<T> largest{T(0), 0};
     for (int i = 0; i < N; ++i) {
       if (x.p[i] > largest.value) largest = {x.p[i], i};
     }
     return largest;
   } else {
-    return largest_of_marked(x);
+    return max_of_marked(x);
   }
 }
 

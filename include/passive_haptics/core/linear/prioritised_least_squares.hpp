@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
+#include <passive_haptics/core/nth.hpp>
 
 #include <algorithm>
 #include <array>
@@ -37,7 +38,7 @@ class prioritised_least_squares {
       : lower_(lower), upper_(upper) {
     for (int i = 0; i < N; ++i) {
       x_[i] = std::min(std::max(T(0), lower[i]), upper[i]);
-      at_[idx(i)] = !(lower[i] < upper[i]) ? bound::fixed
+      nth(at_, i) = !(lower[i] < upper[i]) ? bound::fixed
                     : x_[i] == lower[i]    ? bound::lower
                     : x_[i] == upper[i]    ? bound::upper
                                            : bound::none;
@@ -56,7 +57,7 @@ class prioritised_least_squares {
       const decomposition held(on_free(done_), tolerance()), free = reduced(A, held);
       const auto [share, blocking] = advance(held.without_row_space(free.solve(residual(A, b))));
       if (released >= 0 && blocking == released && share == T(0))
-        refused[idx(std::exchange(released, -1))] = true;
+        nth(refused, std::exchange(released, -1)) = true;
       else if (released >= 0) refused.fill(false);
       if (blocking >= 0) {
         stuck = share == T(0);
@@ -64,7 +65,7 @@ class prioritised_least_squares {
       }
       released = to_release(A, clean_residual(A, b, free), held, refused, stuck);
       settled = released < 0;
-      if (!settled) at_[idx(released)] = bound::none;
+      if (!settled) nth(at_, released) = bound::none;
     }
     for (int i = 0; i < MaxRows && done_rows_ < MaxRows; ++i) {
       if (!(A.row(i).array() == T(0)).all()) done_.row(done_rows_++) = A.row(i);
@@ -80,7 +81,6 @@ class prioritised_least_squares {
   using decomposition = orthogonal_decomposition<T, MaxRows, N>;
   using flags = std::array<bool, static_cast<std::size_t>(N)>;
 
-  static std::size_t idx(int i) { return static_cast<std::size_t>(i); }
   // Relative size under which a row or a multiplier is rounding: the first level is what it was given, in
   // those behind it stands rounding of what the others hold.
   static constexpr T tolerance() { return T(16) * rounding_tolerance<T>(N + MaxRows); }
@@ -90,12 +90,12 @@ class prioritised_least_squares {
   // b - A x
   targets residual(const rows& A, const targets& b) const { return b - A * x_; }
 
-  static T longest_row(const rows& A) { return A.rowwise().norm().maxCoeff(); }
+  static T max_row_norm(const rows& A) { return A.rowwise().norm().maxCoeff(); }
 
   rows on_free(const rows& A) const {
     rows picked = A;
     for (int j = 0; j < N; ++j) {
-      if (at_[idx(j)] != bound::none) picked.col(j).setZero();
+      if (nth(at_, j) != bound::none) picked.col(j).setZero();
     }
     return picked;
   }
@@ -127,17 +127,17 @@ class prioritised_least_squares {
     int blocking = -1;
     for (int i = 0; i < N; ++i) {
       const T room = step[i] > T(0) ? upper_[i] - x_[i] : lower_[i] - x_[i];
-      if (at_[idx(i)] == bound::none && std::abs(step[i]) * share > std::abs(room)) {
+      if (nth(at_, i) == bound::none && std::abs(step[i]) * share > std::abs(room)) {
         share = room / step[i];
         blocking = i;
       }
     }
     for (int i = 0; i < N; ++i) {
-      if (at_[idx(i)] == bound::none) x_[i] = std::clamp(x_[i] + share * step[i], lower_[i], upper_[i]);
+      if (nth(at_, i) == bound::none) x_[i] = std::clamp(x_[i] + share * step[i], lower_[i], upper_[i]);
     }
     if (blocking >= 0) {
       const bool up = step[blocking] > T(0);
-      at_[idx(blocking)] = up ? bound::upper : bound::lower;
+      nth(at_, blocking) = up ? bound::upper : bound::lower;
       x_[blocking] = up ? upper_[blocking] : lower_[blocking];
     }
     return {share, blocking};
@@ -150,24 +150,24 @@ class prioritised_least_squares {
     vector<T, N> pull = A.transpose() * r;  // - gradient of |A x - b|^2 / 2
     vector<T, N> on_free_pull = pull;
     for (int i = 0; i < N; ++i) {
-      if (at_[idx(i)] != bound::none) on_free_pull[i] = T(0);
+      if (nth(at_, i) != bound::none) on_free_pull[i] = T(0);
     }
     // What the earlier rows take up of it
     const targets taken = held.solve_transposed(on_free_pull);
     pull -= done_.transpose() * taken;
     // A column that the decompositions call dependent has no pull
-    const T noise = rank_tolerance() * (longest_row(A) * r.norm() + longest_row(done_) * taken.norm());
+    const T noise = rank_tolerance() * (max_row_norm(A) * r.norm() + max_row_norm(done_) * taken.norm());
     int worst = -1;
     T largest = noise;
     for (int i = 0; i < N && !(first && worst >= 0); ++i) {
-      const bound at = at_[idx(i)];
+      const bound at = nth(at_, i);
       const T inward = at == bound::lower ? pull[i] : (at == bound::upper ? -pull[i] : T(0));
-      if (!(inward > largest) || refused[idx(i)]) continue;
+      if (!(inward > largest) || nth(refused, i)) continue;
       largest = inward;
       worst = i;
     }
     for (int i = 0; i < N && worst < 0; ++i) {
-      if (at_[idx(i)] != bound::none && std::abs(pull[i]) > noise) at_[idx(i)] = bound::fixed;
+      if (nth(at_, i) != bound::none && std::abs(pull[i]) > noise) nth(at_, i) = bound::fixed;
     }
     return worst;
   }

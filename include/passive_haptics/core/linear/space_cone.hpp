@@ -4,6 +4,7 @@
 
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/active_set.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/scalar/difference_of_products.hpp>
 
 #include <array>
@@ -33,9 +34,9 @@ class space_cone {
   /// Of { p : B^T p <= 0 } and f, which is read as long as this lives.
   space_cone(const matrix<T, 3, 3>& B, const vector<T, 3>& f) : f_(f) {
     unrolled<3>([&](auto j) {
-      b_[at(j)] = B.col(j);
-      square_[j] = b_[at(j)].squaredNorm();
-      outside_[j] = b_[at(j)].dot(f);
+      nth(b_, j) = B.col(j);
+      square_[j] = nth(b_, j).squaredNorm();
+      outside_[j] = nth(b_, j).dot(f);
     });
   }
 
@@ -46,7 +47,7 @@ class space_cone {
       return true;
     }
     if (!squares_are_moderate()) return false;
-    unrolled<3>([&](auto k) { edge_[at(k)] = edge(next(k), previous(k)); });
+    unrolled<3>([&](auto k) { nth(edge_, k) = edge(next(k), previous(k)); });
     for (int j = 0; j < 3; ++j) {
       if (!(outside_[j] > T(0))) continue;
       look_from_face(j);
@@ -57,7 +58,7 @@ class space_cone {
     }
     for (int k = 0; k < 3; ++k) {
       if (!is_within_edge(k)) continue;
-      const T along = edge_[at(k)].dot(f_), third = height(k);
+      const T along = nth(edge_, k).dot(f_), third = height(k);
       if (is_flat(k, third)) return false;
       if (!(along * third > T(0))) return lie_on_edge(k, along, answer);
     }
@@ -65,7 +66,6 @@ class space_cone {
   }
 
  private:
-  static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
   static constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
   static constexpr int previous(int k) { return k == 0 ? 2 : k - 1; }
 
@@ -78,10 +78,10 @@ class space_cone {
   // b_i x b_j to rounding of itself; 0 where they are parallel to rounding, so that a foot on one face lies
   // on the other
   vector<T, 3> edge(int i, int j) const {
-    vector<T, 3> d = cross(b_[at(i)], b_[at(j)]);
+    vector<T, 3> d = cross(nth(b_, i), nth(b_, j));
     const T both = square_[i] * square_[j], narrow = both / T(16);
     if (d.squaredNorm() >= narrow) return d;
-    d = accurate_cross(b_[at(i)], b_[at(j)]);
+    d = accurate_cross(nth(b_, i), nth(b_, j));
     constexpr T parallel = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
     if (!(d.squaredNorm() > parallel * both)) d.setZero();
     return d;
@@ -89,14 +89,14 @@ class space_cone {
 
   // |b_j|^2 b . p of the two other columns b, for the foot p of f on face j
   void look_from_face(int j) {
-    normal_[at(j)] = cross(b_[at(j)], f_);
-    beyond_next_[j] = normal_[at(j)].dot(edge_[at(previous(j))]);
-    beyond_previous_[j] = -normal_[at(j)].dot(edge_[at(next(j))]);
+    nth(normal_, j) = cross(nth(b_, j), f_);
+    beyond_next_[j] = nth(normal_, j).dot(nth(edge_, previous(j)));
+    beyond_previous_[j] = -nth(normal_, j).dot(nth(edge_, next(j)));
   }
 
   bool lie_on_face(int j, projection& answer) const {
     const T inverse = T(1) / square_[j];
-    answer = {inverse * cross(normal_[at(j)], b_[at(j)]), vector<T, 3>::Zero(), 1u << j};
+    answer = {inverse * cross(nth(normal_, j), nth(b_, j)), vector<T, 3>::Zero(), 1u << j};
     answer.coefficients[j] = outside_[j] * inverse;
     return true;
   }
@@ -107,15 +107,15 @@ class space_cone {
   }
 
   // b_k . d_k, the determinant of B: how far edge k rises over face k
-  T height(int k) const { return b_[at(k)].dot(edge_[at(k)]); }
+  T height(int k) const { return nth(b_, k).dot(nth(edge_, k)); }
   // Whether that is rounding: edge k lies in face k
   bool is_flat(int k, T height) const {
     constexpr T tolerance = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
-    return square_[k] > T(0) && !(height * height > tolerance * square_[k] * edge_[at(k)].squaredNorm());
+    return square_[k] > T(0) && !(height * height > tolerance * square_[k] * nth(edge_, k).squaredNorm());
   }
 
   bool lie_on_edge(int k, T along, projection& answer) const {
-    const vector<T, 3>& d = edge_[at(k)];
+    const vector<T, 3>& d = nth(edge_, k);
     const T inverse = T(1) / d.squaredNorm();
     const int i = next(k), j = previous(k);
     answer = {along * inverse * d, vector<T, 3>::Zero(), 1u << i | 1u << j};
@@ -130,7 +130,7 @@ class space_cone {
     for (int k = 0; k < 3; ++k) {
       const T determinant = height(k);
       if (is_flat(k, determinant)) return false;
-      mu[k] = edge_[at(k)].dot(f_) / determinant;
+      mu[k] = nth(edge_, k).dot(f_) / determinant;
       if (!(mu[k] >= T(0))) return false;
     }
     answer = {vector<T, 3>::Zero(), mu, 7u};

@@ -5,6 +5,7 @@
 #include <passive_haptics/core/arithmetic.hpp>
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/core/linear/lane_products.hpp>
+#include <passive_haptics/core/nth.hpp>
 
 #include <array>
 #include <limits>
@@ -34,15 +35,15 @@ class updatable_qr {
   /// r
   const column& residual() const { return r_; }
   /// Column k of V.
-  const column& orthogonal(int k) const { return v_[at(k)]; }
+  const column& orthogonal(int k) const { return nth(v_, k); }
   /// v_k . f / |v_k|^2
-  T along(int k) const { return c_[at(k)]; }
+  T along(int k) const { return nth(c_, k); }
   /// v_k . b / |v_k|^2
   [[gnu::always_inline]] T along(int k, const column& b) const {
-    return dot(v_[at(k)], b) * inverse_square_[at(k)];
+    return dot(nth(v_, k), b) * nth(inverse_square_, k);
   }
   /// 1 / |v_k|^2
-  T inverse_square(int k) const { return inverse_square_[at(k)]; }
+  T inverse_square(int k) const { return nth(inverse_square_, k); }
 
   /// Appends a column b of square |b|^2; false, and nothing appended, if it depends on the others to
   /// rounding, so that r is orthogonal to it as well, or if its square is no number any more.
@@ -54,21 +55,21 @@ class updatable_qr {
   template <class F>
   [[gnu::always_inline]] bool append(const column& b, T square, F&& along_b) {
     column v = b;
-    coefficients& h = upper_[at(size_)];
+    coefficients& h = nth(upper_, size_);
     T rest = square;
     if (size_ > 0) {
       // All products before the first difference: in turns, as in modified Gram-Schmidt, they wait for each
       // other
-      each([&](int k) PASSIVE_HAPTICS_INLINE { h[at(k)] = along_b(k); });
-      each([&](int k) PASSIVE_HAPTICS_INLINE { v -= h[at(k)] * v_[at(k)]; });
+      each([&](int k) PASSIVE_HAPTICS_INLINE { nth(h, k) = along_b(k); });
+      each([&](int k) PASSIVE_HAPTICS_INLINE { v -= nth(h, k) * nth(v_, k); });
       rest = dot(v, v);
       if (rest < cancelled * square) rest = reorthogonalise(v, square, rest);
     }
     if (!(rest > dependent * square + std::numeric_limits<T>::min())) return false;
-    v_[at(size_)] = v;
-    inverse_square_[at(size_)] = T(1) / rest;
-    c_[at(size_)] = dot(v, r_) / rest;
-    r_ -= c_[at(size_)] * v;
+    nth(v_, size_) = v;
+    nth(inverse_square_, size_) = T(1) / rest;
+    nth(c_, size_) = dot(v, r_) / rest;
+    r_ -= nth(c_, size_) * v;
     ++size_;
     return true;
   }
@@ -78,17 +79,17 @@ class updatable_qr {
     size_ = count;
     r_ = f;
     for (int k = 0; k < count; ++k) {
-      c_[at(k)] = along(k, r_);
-      r_ -= c_[at(k)] * v_[at(k)];
+      nth(c_, k) = along(k, r_);
+      r_ -= nth(c_, k) * nth(v_, k);
     }
   }
 
   /// Least-squares coefficients y: R y = (V^T V)^-1 V^T f by back substitution.
   [[gnu::always_inline]] void solve(coefficients& y) const {
     for (int k = size_ - 1; k >= 0; --k) {
-      T rest = c_[at(k)];
-      for (int l = k + 1; l < size_; ++l) rest -= upper_[at(l)][at(k)] * y[at(l)];
-      y[at(k)] = rest;
+      T rest = nth(c_, k);
+      for (int l = k + 1; l < size_; ++l) rest -= nth(nth(upper_, l), k) * nth(y, l);
+      nth(y, k) = rest;
     }
   }
 
@@ -98,15 +99,14 @@ class updatable_qr {
     if (size_ == Rows) return column{};
     column r = r_;
     coefficients h{};
-    each([&](int k) PASSIVE_HAPTICS_INLINE { h[at(k)] = along(k, r_); });
-    each([&](int k) PASSIVE_HAPTICS_INLINE { r -= h[at(k)] * v_[at(k)]; });
+    each([&](int k) PASSIVE_HAPTICS_INLINE { nth(h, k) = along(k, r_); });
+    each([&](int k) PASSIVE_HAPTICS_INLINE { r -= nth(h, k) * nth(v_, k); });
     return r;
   }
 
  private:
   static constexpr T cancelled = T(0.1);  // of |v|^2: what is left has lost digits against V
   static constexpr T dependent = rounding_tolerance<T>(1) * rounding_tolerance<T>(1);
-  static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
   // f(k) for each column so far, unrolled: a loop's counting would take a third of the time
   template <class F>
@@ -118,13 +118,13 @@ class updatable_qr {
 
   // v orthogonal to V, what it loses added to R. before, rest: |v|^2 before it was projected first and since.
   [[gnu::noinline]] T reorthogonalise(column& v, T before, T rest) {
-    coefficients& h = upper_[at(size_)];
+    coefficients& h = nth(upper_, size_);
     for (int pass = 0; pass < 2 && rest < cancelled * before; ++pass) {  // twice is enough (Kahan)
       coefficients again{};
-      for (int k = 0; k < size_; ++k) again[at(k)] = along(k, v);
+      for (int k = 0; k < size_; ++k) nth(again, k) = along(k, v);
       for (int k = 0; k < size_; ++k) {
-        h[at(k)] += again[at(k)];
-        v -= again[at(k)] * v_[at(k)];
+        nth(h, k) += nth(again, k);
+        v -= nth(again, k) * nth(v_, k);
       }
       before = rest;
       rest = dot(v, v);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/scalar/double_sine_cosine.hpp>
 #include <passive_haptics/core/scalar/float_sine_cosine.hpp>
 
@@ -54,7 +55,7 @@ sine_cosine_pair<S> sine_cosine(S x) {
 template <class S, int N>
 std::array<sine_cosine_pair<S>, static_cast<std::size_t>(N)> sine_cosine(const vector<S, N>& angles) {
   std::array<sine_cosine_pair<S>, static_cast<std::size_t>(N)> all;
-  const auto at = [&](int i) -> sine_cosine_pair<S>& { return all[static_cast<std::size_t>(i)]; };
+  const auto at = [&](int i) -> sine_cosine_pair<S>& { return nth(all, i); };
   if constexpr (std::floating_point<S>) {
     unrolled<N / 2>([&](int k) {
       const auto [first, second] = sine_cosine(angles[2 * k], angles[2 * k + 1]);

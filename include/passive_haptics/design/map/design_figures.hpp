@@ -27,7 +27,7 @@ struct design_figures {
   T drag = std::numeric_limits<T>::quiet_NaN();
   /// Largest n . F [N] that the brakes make within their limits; with limits of 1 N m newtons for each newton
   /// metre.
-  T strongest = T(0);
+  T max_force = T(0);
   /// The sink slope [1]: metres into the wall for each metre along it.
   T sink_slope = std::numeric_limits<T>::infinity();
   /// Least over largest singular value of E, the map from brake rates to the velocity of the end effector
@@ -44,12 +44,12 @@ namespace detail {
 // Veselic, Jacobi's method is more accurate than QR, SIAM J. Matrix Analysis 13 (4), 1992.
 template <class T, int D, int Brakes>
 T isotropy_of(matrix<T, D, Brakes> E) {
-  constexpr int most_sweeps = 30;
+  constexpr int max_sweeps = 30;
   const T scale = E.cwiseAbs().maxCoeff();
   if (!(scale > T(0)) || !all_finite(E)) return T(0);
   E /= scale;
   bool turned = true;
-  for (int sweep = 0; turned && sweep < most_sweeps; ++sweep) {
+  for (int sweep = 0; turned && sweep < max_sweeps; ++sweep) {
     turned = false;
     for (int i = 0; i < D; ++i) {
       for (int j = i + 1; j < D; ++j) {
@@ -95,7 +95,7 @@ design_figures<typename M::scalar> design_figures_at(const M& mechanism, const p
     found.cosine = std::cos(force.angle);
     found.drag = T(0) - along.dot(force.nearest);  // no -0
   }
-  found.strongest = force.strongest;
+  found.max_force = force.max_force;
   found.sink_slope = sink.slope;
   found.isotropy = detail::isotropy_of(brake_matrix<M>(passive_haptics::brake_jacobian(mechanism, at.q)));
   return found;

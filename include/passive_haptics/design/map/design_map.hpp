@@ -24,7 +24,7 @@ class design_map {
   std::vector<display_class> display;  ///< How a force along the normal is displayed.
   std::vector<T> cosine;               ///< cos(gamma) [1].
   std::vector<T> drag;                 ///< For each newton that is displayed [1].
-  std::vector<T> strongest;            ///< Largest n . F [N].
+  std::vector<T> max_force;            ///< Largest n . F [N].
   std::vector<T> sink_slope;           ///< [1]
   std::vector<T> isotropy;             ///< Of E [1].
 
@@ -47,7 +47,7 @@ class design_map {
     const std::size_t n = points.size();
     outcome.resize(n);
     display.resize(n);
-    for (auto* figures : {&cosine, &drag, &strongest, &sink_slope, &isotropy}) figures->resize(n);
+    for (auto* figures : {&cosine, &drag, &max_force, &sink_slope, &isotropy}) figures->resize(n);
     const auto store_all = [&](const auto& figures_at) {
       for (std::size_t k = 0; k < n; ++k)
         store(k, points.reached(k) == status::ok ? figures_at(points[k])
@@ -62,7 +62,7 @@ class design_map {
   std::size_t size() const { return outcome.size(); }
   /// The figures of point k.
   design_figures<T> operator[](std::size_t k) const {
-    return {outcome[k], display[k], cosine[k], drag[k], strongest[k], sink_slope[k], isotropy[k]};
+    return {outcome[k], display[k], cosine[k], drag[k], max_force[k], sink_slope[k], isotropy[k]};
   }
 
  private:
@@ -90,7 +90,7 @@ class design_map {
     display[k] = found.display;
     cosine[k] = found.cosine;
     drag[k] = found.drag;
-    strongest[k] = found.strongest;
+    max_force[k] = found.max_force;
     sink_slope[k] = found.sink_slope;
     isotropy[k] = found.isotropy;
   }

@@ -15,7 +15,7 @@ namespace passive_haptics {
 
 /// Comma-separated values, a row for each point, under a row of names with units:
 ///
-///     x1 [m],..., q1,..., outcome, display, gamma [rad], drag [1], strongest [N], sink slope [1], isotropy
+///     x1 [m],..., q1,..., outcome, display, gamma [rad], drag [1], max force [N], sink slope [1], isotropy
 ///     [1]
 ///
 /// Numbers are those of the map, written so that they are read again as they were; nan where there is none.
@@ -29,7 +29,7 @@ std::string to_csv(const task_points<M>& points, const design_map<M>& map) {
   std::string text;
   for (int i = 1; i <= M::task_dimension; ++i) text.append(detail::indexed("x", i, " [m],"));
   for (int i = 1; i <= M::dof; ++i) text.append(detail::indexed("q", i, ","));
-  text.append("outcome,display,gamma [rad],drag [1],strongest [N],sink slope [1],isotropy [1]\n");
+  text.append("outcome,display,gamma [rad],drag [1],max force [N],sink slope [1],isotropy [1]\n");
   const auto append_number = [&](T x) {
     std::array<char, 64> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
@@ -46,7 +46,7 @@ std::string to_csv(const task_points<M>& points, const design_map<M>& map) {
     append_all(points[k].q);
     text.append("\"").append(to_string(map.outcome[k])).append("\",").append(to_string(map.display[k]));
     for (const T figure :
-         {std::acos(map.cosine[k]), map.drag[k], map.strongest[k], map.sink_slope[k], map.isotropy[k]}) {
+         {std::acos(map.cosine[k]), map.drag[k], map.max_force[k], map.sink_slope[k], map.isotropy[k]}) {
       text.push_back(',');
       append_number(figure);
     }

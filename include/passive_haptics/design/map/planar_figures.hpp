@@ -45,10 +45,10 @@ class planar_figures {
   // Nothing near singular poses, and for directions, normals and joint positions of extreme size: there only
   // the general form is accurate.
   PASSIVE_HAPTICS_FLATTEN std::optional<design_figures<double>> closed_form(const path_point<M>& at) const {
-    constexpr double least_isotropy = 1e-6;
+    constexpr double min_isotropy = 1e-6;
     const brake_matrix<M> E(brake_jacobian_(mechanism_pose<M>(mechanism_, at.q)));
     const double det = determinant(E), isotropy = isotropy_of(E, det);
-    if (!(isotropy > least_isotropy) || !is_ordinary(at)) return {};
+    if (!(isotropy > min_isotropy) || !is_ordinary(at)) return {};
 
     const task_vector<M> v = at.direction.normalized(), n = at.normal.normalized();
     task_vector<M> along = v - n.dot(v) * n;
@@ -67,8 +67,8 @@ class planar_figures {
       found.drag = 0 - along.dot(Fc.force);  // no -0
     }
     if (is_displayed(Fc.display) || brakes_.has_motors())
-      found.strongest = largest_resistance(passive_haptics::torque_box_of(s, brakes_), b);
-    found.sink_slope = least_sink_slope(times(W, along), b, at_rest_, brakes_.motor_limit, push_);
+      found.max_force = max_resistance(passive_haptics::torque_box_of(s, brakes_), b);
+    found.sink_slope = min_sink_slope(times(W, along), b, at_rest_, brakes_.motor_limit, push_);
     found.isotropy = isotropy;
     return found;
   }

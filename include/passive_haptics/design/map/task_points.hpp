@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/core/status.hpp>
 #include <passive_haptics/design/path_point.hpp>
@@ -78,7 +79,7 @@ struct task_grid {
   vector<T, D> operator[](std::size_t k) const {
     vector<T, D> x;
     for (int i = 0; i < D; ++i) {
-      const auto n = std::size_t(count[std::size_t(i)]);
+      const auto n = std::size_t(nth(count, i));
       x[i] = lower[i] + (upper[i] - lower[i]) * T(k % n) / T(n - 1);
       k /= n;
     }
@@ -102,8 +103,8 @@ task_points<M> points_of(const M&, const task_grid<typename M::scalar, M::task_d
                          const Inverse& inverse, const task_vector<M>& direction,
                          const task_vector<M>& normal) {
   for (int i = 0; i < M::task_dimension; ++i) {
-    detail::refuse_unless(grid.count[std::size_t(i)] >= 2, detail::indexed("count[", i, "] of a task_grid"),
-                          grid.count[std::size_t(i)], "2 or more points along each axis");
+    detail::refuse_unless(nth(grid.count, i) >= 2, detail::indexed("count[", i, "] of a task_grid"),
+                          nth(grid.count, i), "2 or more points along each axis");
     detail::refuse_unless(std::isfinite(grid.lower[i]), detail::indexed("lower[", i, "] of a task_grid"),
                           grid.lower[i], "a finite number [m]");
     detail::refuse_unless(std::isfinite(grid.upper[i]), detail::indexed("upper[", i, "] of a task_grid"),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/matrix.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/driver/calibration/brake_curve.hpp>
 #include <passive_haptics/driver/port.hpp>
 
@@ -33,9 +34,7 @@ template <int Brakes>
 class brake_calibration {
  public:
   /// Throws std::invalid_argument with the text of validate(curves).
-  explicit brake_calibration(const brake_curves<Brakes>& curves) : curves_(require_valid(curves)) {
-    restart();
-  }
+  explicit brake_calibration(const brake_curves<Brakes>& curves) : curves_(require_valid(curves)) { reset(); }
 
   /// Currents [A], each in [0, current_limit], for capacities [N m]; 0 for one that is negative or NaN. With
   /// the brakes' temperatures [K], where they are measured: see current_of_torque.
@@ -43,8 +42,7 @@ class brake_calibration {
       const vector<double, Brakes>& capacity,
       const vector<double, Brakes>& temperature = unknown_temperatures()) noexcept {
     brake_currents<Brakes> all{};
-    for (int i = 0; i < Brakes; ++i)
-      all[static_cast<std::size_t>(i)] = current(i, capacity[i], temperature[i]);
+    for (int i = 0; i < Brakes; ++i) nth(all, i) = current(i, capacity[i], temperature[i]);
     return all;
   }
 
@@ -52,8 +50,8 @@ class brake_calibration {
   const vector<double, Brakes>& torque() const noexcept { return torque_; }
 
   /// Brakes without current and without remanence, as after a long pause.
-  void restart() noexcept {
-    for (int i = 0; i < Brakes; ++i) torque_[i] = curves_[static_cast<std::size_t>(i)].residual_torque;
+  void reset() noexcept {
+    for (int i = 0; i < Brakes; ++i) torque_[i] = nth(curves_, i).residual_torque;
     falling_ = {};
   }
 
@@ -64,8 +62,8 @@ class brake_calibration {
 
  private:
   double current(int i, double capacity, double temperature) noexcept {
-    const brake_curve& p = curves_[static_cast<std::size_t>(i)];
-    bool& falling = falling_[static_cast<std::size_t>(i)];
+    const brake_curve& p = nth(curves_, i);
+    bool& falling = nth(falling_, i);
     double& torque = torque_[i];
     const double asked = capacity > 0 ? capacity : 0;
     if (asked != torque) falling = asked < torque;

@@ -2,6 +2,7 @@
 /// The torque that a brake makes of a current.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/parameters.hpp>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ struct brake_curve {
   /// Share of the torque, without the residual one, that a kelvin above the reference takes away [1/K].
   double loss_per_kelvin = 0;
   double reference_temperature = 293.15;  ///< At which the curve was measured, the coldest of the device [K].
-  double highest_temperature = 353.15;    ///< A hotter reading counts as this [K].
+  double max_temperature = 353.15;        ///< A hotter reading counts as this [K].
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -55,7 +56,7 @@ struct brake_curve {
         member("loss_per_kelvin", &p::loss_per_kelvin, "1/K", range::not_negative).suspicious_above(0.1),
         member("reference_temperature", &p::reference_temperature, "K", range::positive)
             .suspicious_above(1000),
-        member("highest_temperature", &p::highest_temperature, "K", range::positive).suspicious_above(1000));
+        member("max_temperature", &p::max_temperature, "K", range::positive).suspicious_above(1000));
   }
   /// The table's values rise, all that is given of it is read, and heat leaves some torque.
   std::string rules() const;
@@ -67,7 +68,7 @@ namespace detail {
 inline std::string check_brake_points(const brake_curve& p) {
   int given = brake_curve::max_points;
   for (; given > p.points; --given) {
-    const current_torque& last = p.table[static_cast<std::size_t>(given - 1)];
+    const current_torque& last = nth(p.table, given - 1);
     if (last.current != 0 || last.torque != 0) break;
   }
   if (given > p.points)
@@ -84,18 +85,18 @@ inline std::string check_brake_table(const brake_curve& p) {
   if (p.points == 1) return error_text("points", p.points, "0 for a straight line, or 2 to 16");
   if (std::string text = check_brake_points(p); !text.empty() || p.points == 0) return text;
   for (int i = 0; i < p.points; ++i) {
-    const current_torque at = p.table[static_cast<std::size_t>(i)];
+    const current_torque at = nth(p.table, i);
     std::string text = first_error(check_value(named(i, ".current").c_str(), at.current, "A", range::finite),
                                    check_value(named(i, ".torque").c_str(), at.torque, "N m", range::finite));
     if (!text.empty()) return text;
     if (i == 0) continue;
-    const current_torque before = p.table[static_cast<std::size_t>(i - 1)];
+    const current_torque before = nth(p.table, i - 1);
     if (!(at.current > before.current))
       return error_text(named(i, ".current [A]"), at.current, "more than in the point before it");
     if (!(at.torque > before.torque))
       return error_text(named(i, ".torque [N m]"), at.torque, "more than in the point before it");
   }
-  const double last = p.table[static_cast<std::size_t>(p.points - 1)].current;
+  const double last = nth(p.table, p.points - 1).current;
   if (p.table[0].current != 0) return error_text("table[0].current [A]", p.table[0].current, "0");
   if (p.table[0].torque != p.residual_torque)
     return error_text("table[0].torque [N m]", p.table[0].torque, "the residual_torque");
@@ -107,7 +108,7 @@ inline std::string check_brake_table(const brake_curve& p) {
 // Torque that is left of 1; cold if the temperature is not known
 inline double hot_share(const brake_curve& p, double temperature) noexcept {
   if (!std::isfinite(temperature)) return 1;
-  const double above = std::min(temperature, p.highest_temperature) - p.reference_temperature;
+  const double above = std::min(temperature, p.max_temperature) - p.reference_temperature;
   return 1 - p.loss_per_kelvin * std::max(above, 0.0);
 }
 
@@ -124,12 +125,11 @@ double on_table(const brake_curve& p, double value) noexcept {
 
 inline std::string brake_curve::rules() const {
   if (std::string text = detail::check_brake_table(*this); !text.empty()) return text;
-  if (highest_temperature < reference_temperature)
-    return detail::error_text("highest_temperature [K]", highest_temperature,
-                              "at least reference_temperature");
-  if (detail::hot_share(*this, highest_temperature) > 0) return {};
+  if (max_temperature < reference_temperature)
+    return detail::error_text("max_temperature [K]", max_temperature, "at least reference_temperature");
+  if (detail::hot_share(*this, max_temperature) > 0) return {};
   return detail::error_text("loss_per_kelvin [1/K]", loss_per_kelvin,
-                            "less than 1 / (highest_temperature - reference_temperature)");
+                            "less than 1 / (max_temperature - reference_temperature)");
 }
 
 /// Temperature of a brake that nobody measures [K].

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/driver/calibration/steady_mean.hpp>
 
 #include <array>
@@ -51,7 +52,7 @@ class encoder_calibration {
   explicit encoder_calibration(const encoder_calibration_parameters<Axes>& p = {})
       : zero_count_(require_valid(p).zero_count), counts_per_unit_(p.counts_per_turn) {
     for (int i = 0; i < Axes; ++i)
-      if (!p.slides[static_cast<std::size_t>(i)]) counts_per_unit_[i] /= 2 * std::numbers::pi;
+      if (!nth(p.slides, i)) counts_per_unit_[i] /= 2 * std::numbers::pi;
   }
 
   /// Axis positions [rad or m] of counts.
@@ -100,7 +101,7 @@ class homing {
   /// Counts at position 0; NaN until it is done. Within half the tolerance and half a count.
   vector<double, Axes> zero_count() const noexcept { return counts_.mean() - from_zero_; }
   /// As new.
-  void restart() noexcept { counts_.restart(); }
+  void reset() noexcept { counts_.reset(); }
 
  private:
   vector<double, Axes> from_zero_;

@@ -13,9 +13,9 @@ namespace passive_haptics {
 
 /// When readings count as steady.
 struct steady_parameters {
-  double duration = 0.5;      ///< Of the mean [s].
-  double tolerance = 3;       ///< Most between the least and the largest reading, in their unit (counts).
-  double longest_gap = 0.02;  ///< Between two readings [s].
+  double duration = 0.5;  ///< Of the mean [s].
+  double tolerance = 3;   ///< Most between the least and the largest reading, in their unit (counts).
+  double max_gap = 0.02;  ///< Between two readings [s].
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
@@ -23,7 +23,7 @@ struct steady_parameters {
     return member_table(
         member("duration", &p::duration, "s", range::positive).suspicious_above(600),
         member("tolerance", &p::tolerance, "counts", range::not_negative).suspicious_above(1e6),
-        member("longest_gap", &p::longest_gap, "s", range::positive).suspicious_above(10));
+        member("max_gap", &p::max_gap, "s", range::positive).suspicious_above(10));
   }
 };
 
@@ -52,15 +52,14 @@ class steady_mean {
   steady_status add(double time, const vector<double, N>& reading) noexcept {
     if (status_ == steady_status::done) return status_;
     if (!std::isfinite(time) || !all_finite(reading)) {
-      restart();
+      reset();
       return status_ = steady_status::interrupted;
     }
     if (count_ == 0) return begin(time, reading, steady_status::collecting);
-    if (!(time > last_) || time - last_ > p_.longest_gap)
-      return begin(time, reading, steady_status::interrupted);
-    least_ = least_.cwiseMin(reading);
-    most_ = most_.cwiseMax(reading);
-    if ((most_ - least_).maxCoeff() > p_.tolerance) return begin(time, reading, steady_status::moved);
+    if (!(time > last_) || time - last_ > p_.max_gap) return begin(time, reading, steady_status::interrupted);
+    min_ = min_.cwiseMin(reading);
+    max_ = max_.cwiseMax(reading);
+    if ((max_ - min_).maxCoeff() > p_.tolerance) return begin(time, reading, steady_status::moved);
     last_ = time;
     sum_ += reading - first_;
     count_ += 1;
@@ -77,14 +76,14 @@ class steady_mean {
   }
 
   /// As new.
-  void restart() noexcept {
+  void reset() noexcept {
     count_ = 0;
     status_ = steady_status::collecting;
   }
 
  private:
   steady_status begin(double time, const vector<double, N>& reading, steady_status why) noexcept {
-    first_ = least_ = most_ = reading;
+    first_ = min_ = max_ = reading;
     sum_.setZero();
     count_ = 1;
     start_ = last_ = time;
@@ -93,7 +92,7 @@ class steady_mean {
 
   steady_parameters p_;
   steady_status status_ = steady_status::collecting;
-  vector<double, N> first_ = vector<double, N>::Zero(), least_ = first_, most_ = first_, sum_ = first_;
+  vector<double, N> first_ = vector<double, N>::Zero(), min_ = first_, max_ = first_, sum_ = first_;
   double start_ = 0, last_ = 0, count_ = 0;
 };
 

@@ -12,8 +12,8 @@ namespace passive_haptics {
 /// followed by the next. A rate made of such times is wrong by the lateness: see device_clock.
 class arrival_check {
  public:
-  static constexpr std::uint64_t least_samples = 200;  ///< Fewer say nothing.
-  static constexpr double largest_share = 0.1;  ///< Of short spacings, as of a loop that is late at times.
+  static constexpr std::uint64_t min_samples = 200;  ///< Fewer say nothing.
+  static constexpr double max_share = 0.1;  ///< Of short spacings, as of a loop that is late at times.
 
   /// The time of a good sample [s].
   void add(double time) noexcept {
@@ -29,7 +29,7 @@ class arrival_check {
     return samples_ < 2 ? 0 : static_cast<double>(short_) / static_cast<double>(samples_ - 1);
   }
   /// Whether the times look like those of arrival.
-  bool found() const noexcept { return samples_ >= least_samples && share() > largest_share; }
+  bool found() const noexcept { return samples_ >= min_samples && share() > max_share; }
 
  private:
   sample_spacing spacing_;

@@ -12,20 +12,20 @@ namespace passive_haptics {
 /// Limits of the current of each of N brakes.
 template <int N>
 struct current_limits {
-  brake_currents<N> largest = same_for_each<N>(1);     ///< Never more [A].
-  brake_currents<N> continuous = same_for_each<N>(1);  ///< May flow for ever [A].
+  brake_currents<N> max_current = same_for_each<N>(1);  ///< Never more [A].
+  brake_currents<N> continuous = same_for_each<N>(1);   ///< May flow for ever [A].
   /// What may be over it: the integral of I^2 - continuous^2 [A^2 s].
   brake_currents<N> heat = same_for_each<N>(10);
-  brake_currents<N> fastest_rise{};  ///< [A/s], 0 for no limit. A fall is never slowed.
+  brake_currents<N> max_rise_rate{};  ///< [A/s], 0 for no limit. A fall is never slowed.
 
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = current_limits;
     return member_table(
-        member("largest", &p::largest, "A", range::positive),
+        member("max_current", &p::max_current, "A", range::positive),
         member("continuous", &p::continuous, "A", range::positive),
         member("heat", &p::heat, "A^2 s", range::positive).suspicious_below(1e-6).suspicious_above(1e6),
-        member("fastest_rise", &p::fastest_rise, "A/s", range::not_negative));
+        member("max_rise_rate", &p::max_rise_rate, "A/s", range::not_negative));
   }
 };
 
@@ -42,11 +42,11 @@ class current_limiter {
     for (std::size_t i = 0; i < flowing_.size(); ++i) {
       const double continuous = limits_.continuous[i];
       heat_[i] = std::max(0.0, heat_[i] + (flowing_[i] * flowing_[i] - continuous * continuous) * dt);
-      double limit = limits_.largest[i];
+      double limit = limits_.max_current[i];
       // Once too warm it stays lowered until half of the heat is gone, or it would switch each cycle
       hot_[i] = heat_[i] > (hot_[i] ? 0.5 : 1.0) * limits_.heat[i];
       if (hot_[i] && continuous < limit) limit = cooling * continuous;
-      if (limits_.fastest_rise[i] > 0) limit = std::min(limit, flowing_[i] + limits_.fastest_rise[i] * dt);
+      if (limits_.max_rise_rate[i] > 0) limit = std::min(limit, flowing_[i] + limits_.max_rise_rate[i] * dt);
       warm_ = warm_ || (hot_[i] && wanted[i] > cooling * continuous);
       flowing_[i] = std::min(wanted[i], limit);
     }

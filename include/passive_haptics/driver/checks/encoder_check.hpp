@@ -17,7 +17,7 @@ namespace passive_haptics {
 struct encoder_limits {
   /// Faster than this is a jump [counts/s]; by default 24 turns/s of 8192 counts. With it a counter that
   /// wraps allows pauses up to wrap_time().
-  double largest_rate = 2e5;
+  double max_rate = 2e5;
   /// An encoder that does not change while the others together turn so far and no brake holds is frozen
   /// [counts]; 0: never checked. A turn of 8192 counts by default; more where friction alone can hold an
   /// axis.
@@ -26,7 +26,7 @@ struct encoder_limits {
   /// The table of core/parameters.hpp.
   static constexpr auto members() {
     using p = encoder_limits;
-    return member_table(member("largest_rate", &p::largest_rate, "counts/s", range::positive)
+    return member_table(member("max_rate", &p::max_rate, "counts/s", range::positive)
                             .suspicious_below(1)
                             .suspicious_above(1e10),
                         member("frozen_travel", &p::frozen_travel, "counts", range::not_negative)
@@ -37,12 +37,12 @@ struct encoder_limits {
 
 /// The time between two samples from which on a counter of this width may have wrapped unseen [s]:
 ///
-///     (2^bits / 2 - 2) / largest_rate,
+///     (2^bits / 2 - 2) / max_rate,
 ///
 /// 2 for a count of rounding at each end. After such a pause, two different motions lead to the same counts.
-/// largest_rate in counts/s. Infinite if bits is 0: the counter never wraps.
-inline double wrap_time(int bits, double largest_rate) noexcept {
-  return bits > 0 ? (std::ldexp(0.5, bits) - 2) / largest_rate : std::numeric_limits<double>::infinity();
+/// max_rate in counts/s. Infinite if bits is 0: the counter never wraps.
+inline double wrap_time(int bits, double max_rate) noexcept {
+  return bits > 0 ? (std::ldexp(0.5, bits) - 2) / max_rate : std::numeric_limits<double>::infinity();
 }
 
 /// Follows N encoders from sample to sample.
@@ -57,7 +57,7 @@ class encoder_check {
   /// Counters of this width wrap; 0: they never do. Before the first sample.
   void set_counter_bits(int bits) noexcept {
     turn_ = bits > 0 ? std::ldexp(1.0, bits) : 0.0;
-    wrap_time_ = passive_haptics::wrap_time(bits, limits_.largest_rate);
+    wrap_time_ = passive_haptics::wrap_time(bits, limits_.max_rate);
   }
   /// wrap_time() of these counters [s].
   double wrap_time() const noexcept { return wrap_time_; }
@@ -78,7 +78,7 @@ class encoder_check {
     if (!jumped_) unseen_ = elapsed;
     jumped_ = true;
     counts moved;
-    const double furthest = limits_.largest_rate * unseen_ + 2;  // a count of rounding at each end
+    const double furthest = limits_.max_rate * unseen_ + 2;  // a count of rounding at each end
     double travel = 0;
     for (std::size_t i = 0; i < moved.size(); ++i) {
       moved[i] = sample.value[i] - last_.value[i];

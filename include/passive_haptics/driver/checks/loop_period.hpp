@@ -38,7 +38,7 @@ class loop_period {
         detail::indexed("less than ", wrap_time, ", within which a counter of ") +
             detail::indexed(
                 "", counter_bits,
-                " bits can wrap unseen: shorten it, lower encoders.largest_rate or use a wider counter"));
+                " bits can wrap unseen: shorten it, lower encoders.max_rate or use a wider counter"));
   }
 
  private:

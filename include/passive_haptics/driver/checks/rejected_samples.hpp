@@ -15,7 +15,7 @@ namespace passive_haptics {
 /// plug spoils every second sample, and `hold_over` bridges each of them.
 class rejected_samples {
  public:
-  static constexpr double largest_share = 0.25;  ///< From this share on a device is not to be trusted.
+  static constexpr double max_share = 0.25;  ///< From this share on a device is not to be trusted.
 
   /// hold_over [s]: a tenth of the time that is_too_many() looks back.
   explicit rejected_samples(double hold_over) : part_(hold_over) {}
@@ -46,7 +46,7 @@ class rejected_samples {
   /// samples have arrived for so long.
   bool is_too_many() const noexcept {
     return begun_ >= parts &&
-           static_cast<double>(sum_.rejected) >= largest_share * static_cast<double>(sum_.arrived);
+           static_cast<double>(sum_.rejected) >= max_share * static_cast<double>(sum_.arrived);
   }
   /// The share of all samples that was rejected, 0 to 1.
   double share() const noexcept {

@@ -28,7 +28,7 @@ class sample_check {
     if (status != port_status::ok) return bad(fault::sample_damaged);
     // Modulo 2^32: half of all numbers are ahead of the last one
     const auto ahead = static_cast<std::int32_t>(sample.sequence - last_);
-    if (started_ && (ahead > widest_gap || ahead < -widest_gap)) return bad(fault::device_restarted);
+    if (started_ && (ahead > max_gap || ahead < -max_gap)) return bad(fault::device_restarted);
     if (started_ && ahead == 0) return bad(fault::sample_repeated);
     if (started_ && ahead < 0) return bad(fault::sample_out_of_order);
     if (!(std::abs(now - sample.time) <= late_after_)) return bad(fault::sample_late);
@@ -46,7 +46,7 @@ class sample_check {
   void reset() noexcept { started_ = false; }
 
  private:
-  static constexpr std::int32_t widest_gap = 1000;  // samples; a second at 1 kHz is no gap any more
+  static constexpr std::int32_t max_gap = 1000;  // samples; a second at 1 kHz is no gap any more
 
   double late_after_;
   bool started_ = false;

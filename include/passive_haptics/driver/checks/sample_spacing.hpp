@@ -14,14 +14,14 @@ class sample_spacing {
   /// A spacing > 0 [s].
   void add(double spacing) noexcept {
     count_ = std::min(count_ + 1, 256.0);
-    mean_ += (std::min(spacing, std::max(16 * mean_, longest_burst)) - mean_) / count_;
+    mean_ += (std::min(spacing, std::max(16 * mean_, max_burst)) - mean_) / count_;
   }
   /// Whether n spacings took so little time [s] that these may be times of arrival: about half of n times the
   /// mean. No rate is to be made of such samples alone.
   bool is_short(double time, int n = 1) const noexcept { return time < 0.55 * n * mean_; }
 
  private:
-  static constexpr double longest_burst = 0.020;  // [s]; an FTDI adapter waits for 16 ms by default
+  static constexpr double max_burst = 0.020;  // [s]; an FTDI adapter waits for 16 ms by default
 
   double mean_ = 0, count_ = 0;
 };

@@ -54,8 +54,8 @@ struct supervisor_parameters {
 /// to the same device; it releases the brakes, as the release policy says, when the loop's process dies
 /// (their pipe closes) or its heartbeat stops for `timeout`, as of SIGSTOP or a cycle that hangs. It looks
 /// four times in that time, so it is never later than 1.25 timeouts if it gets the processor; and it goes on
-/// until rearm(). Where the loop does not come back it gives 0 A after release_parameters::longest(). Where
-/// loop and supervisor are both dead, or stopped, the device's own watchdog is what is left.
+/// until rearm(). Where the loop does not come back it gives 0 A after release_parameters::max_duration().
+/// Where loop and supervisor are both dead, or stopped, the device's own watchdog is what is left.
 ///
 /// Start it before the loop's real-time set-up and before any thread.
 template <class Port>

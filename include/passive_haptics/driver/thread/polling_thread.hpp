@@ -37,7 +37,7 @@ template <class Look>
 class polling_thread {
  public:
   /// The longest time that stop() waits for the look under way, beside the pause [s].
-  static constexpr double longest_look = 1;
+  static constexpr double max_look_time = 1;
 
   /// A look made of these arguments. Throws std::invalid_argument with the text of validate(p).
   template <class... Arguments>
@@ -75,14 +75,14 @@ class polling_thread {
   /// Whether it was started and not stopped.
   bool runs() const noexcept { return runs_; }
 
-  /// Ends the thread after one more look. False if the look has not returned after `pause` and longest_look:
+  /// Ends the thread after one more look. False if the look has not returned after `pause` and max_look_time:
   /// the thread is left alone with it, and ends when it returns.
   bool stop() noexcept {
     if (!runs_) return true;
     runs_ = false;
     shared_->ends.store(true, std::memory_order_release);
     const monotonic_clock clock;
-    const std::int64_t longest = shared_->pause + std::llround(1e9 * longest_look);
+    const std::int64_t longest = shared_->pause + std::llround(1e9 * max_look_time);
     for (const std::int64_t end = clock.now() + longest; !shared_->ended.load(std::memory_order_acquire);) {
       if (clock.now() > end) {
         pthread_detach(thread_);

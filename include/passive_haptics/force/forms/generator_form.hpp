@@ -95,9 +95,9 @@ struct generator_form : half_space_form<M> {
   }
   /// Fc for a unit force n while the end effector moves with v. Sets the signs.
   template <class B>
-  static force nearest_in_motion(const detail::ways_to_move<T, d, m>& moving, const brake_matrix<M>&,
-                                 const task_vector<M>& v, const task_vector<M>& n, const B& brakes,
-                                 brake_vector<M>& signs, brake_set&) {
+  static force nearest(const detail::ways_to_move<T, d, m>& moving, const brake_matrix<M>&,
+                       const task_vector<M>& v, const task_vector<M>& n, const B& brakes,
+                       brake_vector<M>& signs, brake_set&) {
     signs = signs_within(moving.signs(moving.rates(), v), brakes);
     return approximate_by_generators(brake_matrix<M>(transposed(moving.rates())), signs, n, T(0),
                                      units(signs, brakes));

@@ -129,9 +129,9 @@ struct half_space_form {
   }
   /// Fc for a unit force n while the end effector moves with v. Sets the signs, and the brakes held at rest.
   template <class B>
-  static force nearest_in_motion(const detail::ways_to_move<T, d, m>& moving, const brake_matrix<M>& E,
-                                 const task_vector<M>& v, const task_vector<M>& n, const B& brakes,
-                                 brake_vector<M>& signs, brake_set&) {
+  static force nearest(const detail::ways_to_move<T, d, m>& moving, const brake_matrix<M>& E,
+                       const task_vector<M>& v, const task_vector<M>& n, const B& brakes,
+                       brake_vector<M>& signs, brake_set&) {
     signs = signs_within(moving.signs(moving.rates(), v), brakes);
     half_space_start start;
     return approximate(E, signs, n, T(0), start, brake_vector<M>(brakes_off(signs, brakes)));

@@ -40,7 +40,7 @@ class settled_ways_to_move {
     });
   }
   // The rate that rounding may make of none, for a unit velocity.
-  T rate_dead_band() const { return tolerance * rates_.least_rates().norm(); }
+  T rate_dead_band() const { return tolerance * rates_.least_norm_rates().norm(); }
   // s while the end effector moves with v.
   vector<T, m> signs(const rate_map& W, const vector<T, d>& v) const {
     brake_parameters<T, m> in_motion;
@@ -97,13 +97,13 @@ struct settled_form : private half_space_form<M> {
   static force nearest(const Device& device, const desired_force<T, d>& Fd, T min_cosine,
                        approximation_start& start) {
     const task_vector<M> landed = landed_velocity(device, 1, [&](int) { return Fd; });
-    return nearest_at(device, landed, device.v, Fd.direction, min_cosine, start.held);
+    return nearest(device, landed, device.v, Fd.direction, min_cosine, start.held);
   }
 
   /// Fc for a unit force n by the signs at a velocity v' [m/s], or if these display nothing at v. Updates S.
   template <class Device>
-  static force nearest_at(const Device& device, const task_vector<M>& landed, const task_vector<M>& v,
-                          const task_vector<M>& n, T min_cosine, unsigned& held) {
+  static force nearest(const Device& device, const task_vector<M>& landed, const task_vector<M>& v,
+                       const task_vector<M>& n, T min_cosine, unsigned& held) {
     const settled_rates<M> rates = rates_of(device);
     auto F = settled_forces(rates, device.E, device.brakes, landed).nearest(n, min_cosine, held);
     if (!is_displayed(F.display))
@@ -121,7 +121,7 @@ struct settled_form : private half_space_form<M> {
     const settled_rates<M> rates = rates_of(device);
     const auto at = [&](const task_vector<M>& velocity) {
       return settled_forces(rates, device.E, device.brakes, velocity)
-          .template signs_for<Capacity>(demands, count, held);
+          .template signs_under_demands<Capacity>(demands, count, held);
     };
     auto found = at(landed);
     if (found.left.first + found.left.others > T(settled_gain))
@@ -150,7 +150,7 @@ struct settled_form : private half_space_form<M> {
       signs = F.signs;
     } else if (const T size = effects.force.norm(); size > T(0)) {
       const task_vector<M> n = effects.force / size;
-      const force Fe = nearest_at(device, device.v, device.v, n, T(0), start.held);
+      const force Fe = nearest(device, device.v, device.v, n, T(0), start.held);
       if (is_displayed(Fe.display)) signs = Fe.signs;
     }
     const matrix<T, M::dof, m> Tt = device.pose.transposed_transmission();
@@ -218,9 +218,9 @@ struct settled_form : private half_space_form<M> {
   /// Fc for a unit force n while the end effector moves with v, by the best set of brakes at rest. Sets the
   /// signs, and that set.
   template <class B>
-  static force nearest_in_motion(const detail::settled_ways_to_move<M>& moving, const brake_matrix<M>& E,
-                                 const task_vector<M>& v, const task_vector<M>& n, const B& brakes,
-                                 brake_vector<M>& signs, brake_set& held) {
+  static force nearest(const detail::settled_ways_to_move<M>& moving, const brake_matrix<M>& E,
+                       const task_vector<M>& v, const task_vector<M>& n, const B& brakes,
+                       brake_vector<M>& signs, brake_set& held) {
     B in_motion = brakes;
     in_motion.rate_dead_band.setConstant(moving.rate_dead_band());
     const force Fc = settled_forces(moving.rates(), E, in_motion, v).nearest(n, T(0));

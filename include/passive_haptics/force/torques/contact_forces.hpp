@@ -4,6 +4,7 @@
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/scalar/difference_of_products.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 #include <passive_haptics/force/torques/torque_units.hpp>
@@ -53,7 +54,7 @@ force_map<T, D, Brakes> invert_brake_jacobian(const matrix<T, D, Brakes>& E) {
 template <class M>
 force_map<typename M::scalar, M::task_dimension, M::brake_count> force_map_of(const settled_rates<M>& rates) {
   constexpr int m = M::brake_count, rows = m < M::dof ? m : M::dof;
-  force_map<typename M::scalar, M::task_dimension, m> map{rates.least_rates().transpose()};
+  force_map<typename M::scalar, M::task_dimension, m> map{rates.least_norm_rates().transpose()};
   map.P.template topRows<rows>() = rates.of_self_motion().transpose().template topRows<rows>();
   return map;
 }
@@ -94,7 +95,7 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
   constexpr T eps = std::numeric_limits<T>::epsilon(), max_force = 1 / (eps * eps);  // [N m], of no brake
   demand_level first, others;
   for (int j = 0; j < count; ++j) {
-    const auto& demand = demands[static_cast<std::size_t>(j)];
+    const auto& demand = nth(demands, j);
     demand_level& level = demand.has_priority ? first : others;
     level.A.row(j) = demand.normal.transpose() * map.G;
     level.b[j] =
@@ -102,7 +103,7 @@ contact_forces_result<T, D, Brakes, Capacity> contact_forces(
   }
   const vector<T, Brakes> t = least_squares_by_priority<Brakes + Capacity + D>(
       box.lower, box.upper, least_squares_level{map.P}, first, others, least_squares_level{drag},
-      least_torque_level<T, Brakes>(u));
+      min_torque_level<T, Brakes>(u));
 
   contact_forces_result<T, D, Brakes, Capacity> result{t, map.G * t, {}};
   for (int j = 0; j < count; ++j) {

@@ -5,6 +5,7 @@
 
 #include <passive_haptics/brake/at_rest/settled_rates.hpp>
 #include <passive_haptics/brake/signs.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/force/approximation.hpp>
 #include <passive_haptics/force/torques/contact_forces.hpp>
 #include <passive_haptics/force/torques/settled_shortfall.hpp>
@@ -76,8 +77,9 @@ class settled_forces {
   /// of the demands that come first, then of the others, then of |F|. Kept as in nearest(). Cost: a
   /// contact_forces of m - r brakes for each set.
   template <int Capacity>
-  choice signs_for(const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands,
-                   int count, brake_set previous = 0) const {
+  choice signs_under_demands(
+      const std::array<contact_demand<T, d>, static_cast<std::size_t>(Capacity)>& demands, int count,
+      brake_set previous = 0) const {
     choice best, kept;
     best.signs.velocity = kept.signs.velocity = v_;
     const auto consider = [&](brake_set S, const rate_map& W, choice& c, T gain) {
@@ -136,7 +138,7 @@ class settled_forces {
     // t of these, 0 for the others
     vector<T, m> of_all(const vector<T, Brakes>& t) const {
       vector<T, m> all = vector<T, m>::Zero();
-      for (int k = 0; k < Brakes; ++k) all[number[std::size_t(k)]] = t[k];
+      for (int k = 0; k < Brakes; ++k) all[nth(number, k)] = t[k];
       return all;
     }
   };
@@ -151,7 +153,7 @@ class settled_forces {
   }
 
   // The nearest force to n of brakes of which those of S hold their way alone
-  nearest_torque_result<T, d, m> nearest_restricted(const candidate& c, const vector<T, d>& n) const {
+  nearest_torque_result<T, d, m> nearest(const candidate& c, const vector<T, d>& n) const {
     const auto box = unbounded_torque_box_of(c.signs, brakes_);
     return nearest_torque(passive_haptics::force_map_of(rates_), box, n);
   }
@@ -159,12 +161,11 @@ class settled_forces {
   void weigh(const vector<T, d>& n, T least, candidate& c) const {
     c.signs = signs_of(c.W);
     const vector<T, d> structure = rates_.held_by_structure(n), rest = n - structure;
-    vector<T, d> Fp = structure + visit_active(c.S, c.W, c.signs, [&](const auto& active) {
-                        return nearest_point(active, rest);
-                      });
+    vector<T, d> Fp = structure + visit_active(c.S, c.W, c.signs,
+                                               [&](const auto& active) { return nearest(active, rest); });
     if constexpr (has_intervals) {
       c.is_restricted = must_hold_otherwise(c.S, c.signs, Fp);
-      if (c.is_restricted) Fp = structure + nearest_restricted(c, rest).force;
+      if (c.is_restricted) Fp = structure + this->nearest(c, rest).force;
     }
     const T cosine = Fp.norm();
     const bool exact = (n - Fp).norm() <= rounding_tolerance<T>(d + m);
@@ -189,14 +190,14 @@ class settled_forces {
       active.G.col(k) = W.row(i).transpose();
       active.s[k] = is_off ? T(1) : signs[i];
       if (is_off) active.G.col(k).setZero();
-      active.number[std::size_t(k++)] = i;
+      nth(active.number, k++) = i;
     }
     return active;
   }
 
   // The point of nearest_torque without its torques, where that is less work
   template <int Brakes>
-  static vector<T, d> nearest_point(const active_brakes<Brakes>& active, const vector<T, d>& n) {
+  static vector<T, d> nearest(const active_brakes<Brakes>& active, const vector<T, d>& n) {
     constexpr T max_square = sizeof(T) > sizeof(float) ? T(1e60) : T(1e15);
     const auto& G = active.G;
     const T square = G.squaredNorm();
@@ -215,7 +216,7 @@ class settled_forces {
     vector<T, m> pushes = vector<T, m>::Zero();
     vector<T, d> Fp = structure;
     if (has_intervals && c.is_restricted) {
-      const auto found = nearest_restricted(c, rest);
+      const auto found = this->nearest(c, rest);
       pushes = found.torque;
       Fp += found.force;
     } else {

@@ -48,7 +48,7 @@ vector<T, Brakes> parts_per_torque([[maybe_unused]] const Units& u) {
 
 /// The last of several levels, whatever is left: the least |y| of t = u y.
 template <class T, int Brakes, class Units>
-auto least_torque_level([[maybe_unused]] const Units& u) {
+auto min_torque_level([[maybe_unused]] const Units& u) {
   if constexpr (std::is_same_v<Units, equal_units>) {
     return least_squares_level{identity_matrix<T, Brakes>()};
   } else {
@@ -58,8 +58,8 @@ auto least_torque_level([[maybe_unused]] const Units& u) {
 }
 /// The least |y - y_0|, t_0 = u y_0.
 template <class T, int Brakes, class Units>
-auto least_torque_level(const Units& u, const vector<T, Brakes>& t_0) {
-  auto level = passive_haptics::least_torque_level<T, Brakes>(u);
+auto min_torque_level(const Units& u, const vector<T, Brakes>& t_0) {
+  auto level = passive_haptics::min_torque_level<T, Brakes>(u);
   level.b = level.A * t_0;
   return level;
 }

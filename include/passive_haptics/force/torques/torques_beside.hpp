@@ -36,7 +36,7 @@ vector<T, Brakes> torques_beside(const force_map<T, D, Brakes>& map, const torqu
                                     least_squares_level{matrix<T, Walls, Brakes>(normals * map.G)},
                                     least_squares_level{wanted.joint_rows, wanted.joint_torque},
                                     least_squares_level{map.P}, least_squares_level{map.G, missing},
-                                    least_torque_level<T, Brakes>(u, vector<T, Brakes>(-t)));
+                                    min_torque_level<T, Brakes>(u, vector<T, Brakes>(-t)));
   for (int i = 0; i < Brakes; ++i) sum[i] = std::clamp(sum[i], box.lower[i], box.upper[i]);
   return sum;
 }

@@ -2,6 +2,7 @@
 /// A delta: three arms that move a platform in space without turning it.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/scalar/sine_cosine.hpp>
 #include <passive_haptics/mechanism/dynamics.hpp>
 #include <passive_haptics/mechanism/models/delta_parameters.hpp>
@@ -70,7 +71,7 @@ class delta : public leg_chain<delta<T>, T, 3> {
       const T outwards = x[0] * e[0] + x[1] * e[1] - (p_.base_radius - p_.platform_radius);
       const T aside = x[1] * e[0] - x[0] * e[1];
       const T square = (p_.forearm - aside) * (p_.forearm + aside);
-      const elbow branch = elbows[std::size_t(i)] == delta_elbow::outward ? elbow::right : elbow::left;
+      const elbow branch = nth(elbows, i) == delta_elbow::outward ? elbow::right : elbow::left;
       const auto arm = two_link_inverse<T>(p_.upper_arm, std::sqrt(std::max(square, T(0))),
                                            vector<T, 2>(outwards, -x[2]), branch);
       solution.q[i] = detail::principal_angle(arm.q[0]);
@@ -152,14 +153,14 @@ class delta : public leg_chain<delta<T>, T, 3> {
     std::array<vector<T, 3>, 3> P;
     const auto angle = sine_cosine(q);
     for (int i = 0; i < 3; ++i) {
-      const vector<T, 3> a = lever(i, angle[std::size_t(i)]), e = radial(i);
-      P[std::size_t(i)] = elbow_point(i, a);
+      const vector<T, 3> a = lever(i, nth(angle, i)), e = radial(i);
+      nth(P, i) = elbow_point(i, a);
       at.lever.col(i) = a;
       at.tangent.col(i) = vector<T, 3>(a[2] * e[0], a[2] * e[1], -a.dot(e));
     }
     at.handle = x != nullptr ? *x : handle(P[0], P[1], P[2]);
     at.lengths = p_.forearm * p_.forearm * p_.forearm;
-    for (int i = 0; i < 3; ++i) at.link.row(i) = at.handle.transpose() - P[std::size_t(i)].transpose();
+    for (int i = 0; i < 3; ++i) at.link.row(i) = at.handle.transpose() - nth(P, i).transpose();
     return at;
   }
 

@@ -23,7 +23,7 @@ struct xy_table_parameters {
   }
 };
 
-/// x = q [m]; brake i acts on axis i. J = I, constant and diagonal: later stages solve nothing. No singular
+/// x = q [m]; brake i acts on axis i. J = I, constant and diagonal: later layers solve nothing. No singular
 /// pose.
 template <class T>
 class xy_table {

@@ -42,7 +42,7 @@ bounding_box<D> everywhere() {
 namespace detail {
 /// The largest |x_i| of the points of a box that is not empty.
 template <int D>
-double largest_coordinate(const bounding_box<D>& b) {
+double max_coordinate(const bounding_box<D>& b) {
   return b.lower.cwiseAbs().cwiseMax(b.upper.cwiseAbs()).maxCoeff();
 }
 }  // namespace detail

@@ -5,6 +5,7 @@
 /// needs to search a little in each cycle. Hence this tree.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/bounds/four_outer_boxes.hpp>
 
 #include <algorithm>
@@ -60,7 +61,7 @@ class bounding_volume_tree {
     if (boxes.empty()) return;
     bounding_box<D> all;
     for (const auto& box : boxes) all.extend(box);
-    scale_ = detail::largest_coordinate(all);
+    scale_ = detail::max_coordinate(all);
     std::vector<centre> centres;
     centres.reserve(boxes.size());
     for (const auto& box : boxes)
@@ -76,7 +77,7 @@ class bounding_volume_tree {
   std::size_t size() const { return items_.size(); }
 
   /// Which item stands at a place, 0 <= place < size().
-  int item(int place) const { return items_[static_cast<std::size_t>(place)]; }
+  int item(int place) const { return nth(items_, place); }
 
   /// Largest coordinate of the boxes [m].
   double scale() const { return scale_; }
@@ -84,7 +85,7 @@ class bounding_volume_tree {
   /// A search from the root.
   search start() const {
     search s;
-    if (!nodes_.empty()) s.stack_[static_cast<std::size_t>(s.size_++)] = {0, 0};
+    if (!nodes_.empty()) nth(s.stack_, s.size_++) = {0, 0};
     return s;
   }
 
@@ -99,13 +100,13 @@ class bounding_volume_tree {
     unsigned within;  // a bit for each branch
     const auto open = [&](std::int32_t number) {
       --budget;
-      here = &nodes_[static_cast<std::size_t>(number)];
+      here = &nth(nodes_, number);
       const four nearly = bound(here->boxes);
       within = bits(nearly <= static_cast<float>(limit) * (1 + rounding));
       bounds = min(nearly * (1 - rounding), std::numeric_limits<float>::max());
     };
     while (s.size_ > 0 && budget > 0) {
-      const auto top = s.stack_[static_cast<std::size_t>(--s.size_)];
+      const auto top = nth(s.stack_, --s.size_);
       if (!(top.bound <= limit)) continue;
       open(top.node);
       // One branch alone leads on without the stack, for which the processor would wait
@@ -162,9 +163,9 @@ class bounding_volume_tree {
   // Keeps those pushed since `from` in order, the nearest on top.
   static void push(search& s, int from, typename search::entry e) {
     int at = s.size_++;
-    for (; at > from && s.stack_[static_cast<std::size_t>(at - 1)].bound < e.bound; --at)
-      s.stack_[static_cast<std::size_t>(at)] = s.stack_[static_cast<std::size_t>(at - 1)];
-    s.stack_[static_cast<std::size_t>(at)] = e;
+    for (; at > from && nth(s.stack_, at - 1).bound < e.bound; --at)
+      nth(s.stack_, at) = nth(s.stack_, at - 1);
+    nth(s.stack_, at) = e;
   }
 
   // In two at the middle of the longest side of the box about the centres; where that leaves less than a
@@ -212,8 +213,7 @@ class bounding_volume_tree {
           static_cast<std::int32_t>(leaf ? r.begin - first : static_cast<std::ptrdiff_t>(nodes_.size()));
       nodes_[at].count[k] = !leaf ? 0 : r.size() > 0 ? static_cast<std::int32_t>(r.size()) : empty;
       if (leaf)
-        for (const centre* c = r.begin; c != r.end; ++c)
-          about[k].extend(boxes[static_cast<std::size_t>(c->item)]);
+        for (const centre* c = r.begin; c != r.end; ++c) about[k].extend(nth(boxes, c->item));
       else about[k] = build(boxes, r, first);
     }
     nodes_[at].boxes = {about, scale_};

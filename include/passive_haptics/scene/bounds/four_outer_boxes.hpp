@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/lane_products.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/bounds/bounding_box.hpp>
 
 #include <array>
@@ -22,7 +23,7 @@ struct four_outer_boxes {
   /// Four that hold these, whose coordinates are up to `scale` [m].
   four_outer_boxes(const std::array<bounding_box<D>, 4>& boxes, double scale) {
     const double margin = 4 * epsilon * scale;
-    const auto box = [&](int k) -> const bounding_box<D>& { return boxes[static_cast<std::size_t>(k)]; };
+    const auto box = [&](int k) -> const bounding_box<D>& { return nth(boxes, k); };
     unrolled<D>([&](auto i) {
       const auto axis = static_cast<std::size_t>(i);
       lower[axis] = four([&](int k) { return static_cast<T>(box(k).lower[i] - margin); });

@@ -2,6 +2,7 @@
 /// A polygon cut into triangles.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/mesh/mesh_parameters.hpp>
 
 #include <algorithm>
@@ -47,7 +48,7 @@ class ear_clipping {
 
  private:
   int corner(std::size_t i) const { return left_[i % left_.size()]; }
-  const point<3>& at(std::size_t i) const { return vertices_[static_cast<std::size_t>(corner(i))]; }
+  const point<3>& at(std::size_t i) const { return nth(vertices_, corner(i)); }
   // The next corner to be cut off. Needles come last: where an edge has corners between its ends, rounding
   // may put these on either side of it. A triangle without area opens the mesh, so that it is the last
   // resort.
@@ -98,7 +99,7 @@ enum class polygon_cut {
 
 /// The cosine between the two triangles of a quad that is cut from its corner i, 0 or 1.
 inline double flatness(const std::vector<point<3>>& vertices, std::span<const int> quad, std::size_t i) {
-  const auto at = [&](std::size_t k) { return vertices[static_cast<std::size_t>(quad[(i + k) % 4])]; };
+  const auto at = [&](std::size_t k) { return nth(vertices, quad[(i + k) % 4]); };
   return normal_of<3>({at(0), at(1), at(2)}).dot(normal_of<3>({at(2), at(3), at(0)}));
 }
 
@@ -111,9 +112,9 @@ inline polygon_cut cut_polygon(const std::vector<point<3>>& vertices, std::span<
       triangles.push_back({polygon[from], polygon[k % n], polygon[(k + 1) % n]});
   };
   const auto has_no_area = [&] {
-    const auto at = [&](std::size_t i) { return vertices[static_cast<std::size_t>(polygon[i])]; };
+    const auto at = [&](std::size_t i) { return nth(vertices, polygon[i]); };
     std::size_t k = 1;
-    while (k + 1 < n && !(slenderness<3>({at(0), at(k), at(k + 1)}) > least_slenderness)) ++k;
+    while (k + 1 < n && !(slenderness<3>({at(0), at(k), at(k + 1)}) > min_slenderness)) ++k;
     return k + 1 == n;
   };
   if (n > 3 && ear_clipping(vertices, polygon).add_to(triangles)) return polygon_cut::exact;
@@ -122,9 +123,9 @@ inline polygon_cut cut_polygon(const std::vector<point<3>>& vertices, std::span<
     return polygon_cut::exact;
   }
   if (n > 4) return polygon_cut::crossing;
-  constexpr double most_folded = -0.99985;  // cos 179 deg; two triangles on each other are no surface
+  constexpr double min_fold_cosine = -0.99985;  // cos 179 deg; two triangles on each other are no surface
   const double first = flatness(vertices, polygon, 0), second = flatness(vertices, polygon, 1);
-  if (!(first > most_folded || second > most_folded)) return polygon_cut::crossing;
+  if (!(first > min_fold_cosine || second > min_fold_cosine)) return polygon_cut::crossing;
   add_fan(first >= second ? 0 : 1);
   return polygon_cut::twisted;
 }

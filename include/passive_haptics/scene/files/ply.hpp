@@ -115,7 +115,7 @@ inline void check_ply_header(const mesh_source& from, const ply_header& header) 
     lists += is_corner_list(p) && p.is_list() && is_whole(p.type);
   refuse_unless(lists == 1, "'property list uchar int vertex_indices' of the faces");
   for (const ply_element& e : header.elements) {
-    const std::size_t least = e.least_row(header.is_text);
+    const std::size_t least = e.min_row_size(header.is_text);
     if (e.rows > 0 &&
         (least == 0 || e.rows > (from.left() + 1) / least))  // the last row may have no end of line
       fail_mesh_file(from.path(),

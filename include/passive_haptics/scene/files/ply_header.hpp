@@ -2,6 +2,7 @@
 /// What the header of a PLY file announces.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/files/mesh_source.hpp>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ inline bool is_whole(ply_type t) { return t != ply_type::float32 && t != ply_typ
 
 inline std::size_t size_of(ply_type t) {
   constexpr std::array<std::size_t, 9> bytes{0, 1, 1, 2, 2, 4, 4, 4, 8};
-  return bytes[static_cast<std::size_t>(t)];
+  return nth(bytes, t);
 }
 
 /// The first of this name, or null.
@@ -58,7 +59,7 @@ struct ply_element {
 
   const ply_property* find(std::string_view property) const { return find_named(properties, property); }
   /// The least that its rows can take [bytes].
-  std::size_t least_row(bool is_text) const {
+  std::size_t min_row_size(bool is_text) const {
     std::size_t least = 0;
     for (const ply_property& p : properties)  // of text a digit and what parts it from the next
       least += is_text ? 2 : size_of(p.is_list() ? p.count : p.type);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/files/ear_clipping.hpp>
 #include <passive_haptics/scene/files/mesh_file.hpp>
 #include <passive_haptics/scene/mesh/mesh_topology.hpp>
@@ -57,7 +58,7 @@ inline mesh_parameters<3> compact(const mesh_parameters<3>& m) {
   used.facets = m.facets;
   for (auto& f : used.facets) {
     for (int& v : f) {
-      const auto place = static_cast<std::size_t>(first[static_cast<std::size_t>(v)]);
+      const auto place = static_cast<std::size_t>(nth(first, v));
       if (number[place] < 0) {
         number[place] = static_cast<int>(used.vertices.size());
         used.vertices.push_back(m.vertices[place]);
@@ -78,7 +79,7 @@ inline std::string cut_all(const polygons& from, const std::vector<point<3>>& ve
       return indexed(from.place_name, from.places[i], ": ").append(error);
     };
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const point<3>& x = vertices[static_cast<std::size_t>(polygon[k])];
+      const point<3>& x = nth(vertices, polygon[k]);
       if (!all_finite(x))
         return here(indexed("corner ", k + 1, indexed(" = (", x[0], ", "))
                         .append(indexed("", x[1], ", "))

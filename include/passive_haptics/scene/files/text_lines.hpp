@@ -110,27 +110,28 @@ class text_lines {
 
   /// Reads a text in memory.
   explicit text_lines(std::string text) : bytes_(std::move(text)) {}
-  /// Reads a stream piece by piece. A line has at most `longest` bytes.
-  text_lines(std::istream& in, std::size_t longest) : in_(&in), longest_(longest) {}
+  /// Reads a stream piece by piece. A line has at most `max_length` bytes.
+  text_lines(std::istream& in, std::size_t max_length) : in_(&in), max_length_(max_length) {}
 
   /// More zero bytes at the end are an error: if a text has no end of its own, lines may be lost there.
-  void limit_zeros(std::ptrdiff_t most) { most_zeros_ = most; }
+  void limit_zeros(std::ptrdiff_t max_zeros) { max_zeros_ = max_zeros; }
   /// Goes to the next line. False at the end of the text, or if there is an error().
   bool next() {
     line_ = std::string_view(bytes_).substr(at_, 0);
     if (is_last_) return false;
     ++number_;
-    if (in_ != nullptr && bytes_.size() - at_ <= longest_ + 1) read_more();
+    if (in_ != nullptr && bytes_.size() - at_ <= max_length_ + 1) read_more();
     if (number_ == 1 && bytes_.starts_with("\xef\xbb\xbf")) at_ = 3;
     std::size_t end = std::min({find(lf), find(cr), bytes_.size()});
     if (const std::size_t from = std::min(find(zero), find(dos_end)); from < end) {
       const std::string_view rest = std::string_view(bytes_).substr(end = from);
       padding_size_ = rest.size();
       if (in_ != nullptr || rest.find_first_not_of(padding) != rest.npos ||
-          std::count(rest.begin(), rest.end(), '\0') > most_zeros_)
+          std::count(rest.begin(), rest.end(), '\0') > max_zeros_)
         fail("a zero byte or Ctrl-Z, expected text; lines may be lost here: if none is, remove such bytes");
     }
-    if (end - at_ > longest_) fail(indexed("more than ", longest_, " characters, expected a shorter line"));
+    if (end - at_ > max_length_)
+      fail(indexed("more than ", max_length_, " characters, expected a shorter line"));
     line_ = std::string_view(bytes_).substr(at_, end - at_);
     is_last_ = end + padding_size_ == bytes_.size() || !error_.empty();
     if (after_cr_ <= end) after_cr_ = std::min(bytes_.find_first_not_of('\r', end), bytes_.size());
@@ -177,8 +178,8 @@ class text_lines {
   }
 
   std::istream* in_ = nullptr;
-  std::size_t longest_ = none;
-  std::ptrdiff_t most_zeros_ = std::numeric_limits<std::ptrdiff_t>::max();
+  std::size_t max_length_ = none;
+  std::ptrdiff_t max_zeros_ = std::numeric_limits<std::ptrdiff_t>::max();
   std::string bytes_, error_;
   std::string_view line_;
   std::size_t at_ = 0, number_ = 0, padding_size_ = 0;

@@ -2,6 +2,7 @@
 /// A terrain: heights over a regular grid.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/mesh/mesh.hpp>
 
 #include <algorithm>
@@ -62,7 +63,7 @@ mesh_parameters<D> height_field(const height_field_parameters& p) {
       m.vertices.push_back(p.origin +
                            point<D>(i * p.spacing_x, j * p.spacing_y, p.heights[m.vertices.size()]));
   }
-  const auto z = [&](int k) { return p.heights[static_cast<std::size_t>(k)]; };
+  const auto z = [&](int k) { return nth(p.heights, k); };
   for (int j = 0; j + 1 < p.rows; ++j) {
     for (int i = 0; i + 1 < p.columns; ++i) {
       // Counterclockwise from above

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
 #include <passive_haptics/scene/mesh/mesh_topology.hpp>
 
@@ -35,7 +36,7 @@ class mesh {
   int size() const { return static_cast<int>(data_->facets.size()); }
 
   /// Facet i, 0 <= i < size(), in the order of the parameters.
-  const mesh_facet<D>& operator[](int i) const { return data_->facets[static_cast<std::size_t>(i)]; }
+  const mesh_facet<D>& operator[](int i) const { return nth(data_->facets, i); }
 
   /// True if the facets enclose their wall or their free space without a hole, all running the same way
   /// round.
@@ -81,8 +82,8 @@ class mesh {
   const point<D>& normal_at(const mesh_point<D>& p) const {
     const auto f = static_cast<std::size_t>(p.facet), i = static_cast<std::size_t>(p.index);
     if (p.part == facet_part::interior) return data_->facets[f].normal;
-    if (p.part == facet_part::edge) return data_->edge_normals[static_cast<std::size_t>(data_->edges[f][i])];
-    return data_->vertex_normals[static_cast<std::size_t>(data_->vertices[f][i])];
+    if (p.part == facet_part::edge) return nth(data_->edge_normals, data_->edges[f][i]);
+    return nth(data_->vertex_normals, data_->vertices[f][i]);
   }
 
   /// Distance from x to its nearest point [m], < 0 behind the surface of a closed mesh.
@@ -108,7 +109,7 @@ class mesh {
       std::vector<bounding_box<D>> boxes(p.facets.size());
       facets.reserve(p.facets.size());
       for (std::size_t f = 0; f < p.facets.size(); ++f) {
-        for (int& v : vertices[f]) v = first[static_cast<std::size_t>(v)];
+        for (int& v : vertices[f]) v = nth(first, v);
         const auto corners = p.corners(f);
         facets.push_back({corners, detail::normal_of(corners)});
         for (const point<D>& c : corners) boxes[f].extend(c);
@@ -123,7 +124,7 @@ class mesh {
     void find_vertex_normals(std::size_t count) {
       vertex_normals.assign(count, point<D>::Zero());
       const auto normal_at = [&](std::size_t f, std::size_t i) -> point<D>& {
-        return vertex_normals[static_cast<std::size_t>(vertices[f][i])];
+        return nth(vertex_normals, vertices[f][i]);
       };
       for (std::size_t f = 0; f < facets.size(); ++f) {
         const auto angles = detail::angles_of<D>(facets[f].corners);
@@ -144,10 +145,9 @@ class mesh {
         for (; r != end && r->same_place(*first); ++r) {
           const auto f = static_cast<std::size_t>(r->facet);
           sum += facets[f].normal;
-          edges[f][static_cast<std::size_t>(r->index)] = static_cast<int>(edge_normals.size());
+          nth(edges[f], r->index) = static_cast<int>(edge_normals.size());
         }
-        edge_normals.push_back(
-            detail::direction_or<D>(sum, facets[static_cast<std::size_t>(first->facet)].normal));
+        edge_normals.push_back(detail::direction_or<D>(sum, nth(facets, first->facet).normal));
         if (r - first == 2 && first->turn == first[1].turn) ++turned_edges;
         if (hole.empty()) hole = detail::check_ridge<D>(first, r);
       }

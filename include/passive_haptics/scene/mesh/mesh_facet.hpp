@@ -2,6 +2,7 @@
 /// One facet of a mesh: a segment (2-D) or a triangle (3-D), and its point nearest to another.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/shape.hpp>
 #include <passive_haptics/scene/shapes/directions.hpp>
 
@@ -26,7 +27,7 @@ struct mesh_facet {
   point<D> normal;           ///< Unit vector.
 
   /// Corner i, counted round.
-  const point<D>& corner(int i) const { return corners[static_cast<std::size_t>(i % D)]; }
+  const point<D>& corner(int i) const { return nth(corners, i % D); }
   /// n . (x - c), in front of the facet's plane > 0 [m].
   double height(const point<D>& x) const { return normal.dot(x - corners[0]); }
 };
@@ -63,9 +64,7 @@ struct on_longest_edge {
     const std::array<double, 3> square{(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(),
                                        (c[0] - c[2]).squaredNorm()};
     const auto longest = std::max_element(square.begin(), square.end()) - square.begin();
-    const auto corner = [&](auto i) -> const point<D>& {
-      return c[static_cast<std::size_t>((longest + i) % 3)];
-    };
+    const auto corner = [&](auto i) -> const point<D>& { return nth(c, (longest + i) % 3); };
     const point<D> edge = corner(1) - corner(0);
     const double size = edge.cwiseAbs().maxCoeff();
     along = edge / size;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/mesh/mesh_facet.hpp>
 
@@ -22,14 +23,14 @@ struct mesh_parameters {
   /// The corners of facet i, whose indices must be valid.
   std::array<point<D>, static_cast<std::size_t>(D)> corners(std::size_t i) const {
     std::array<point<D>, static_cast<std::size_t>(D)> c;
-    for (std::size_t k = 0; k < c.size(); ++k) c[k] = vertices[static_cast<std::size_t>(facets[i][k])];
+    for (std::size_t k = 0; k < c.size(); ++k) c[k] = nth(vertices, facets[i][k]);
     return c;
   }
 };
 
 /// A triangle whose height is this part of its longest edge or less has no direction: its normal would be
 /// rounding.
-inline constexpr double least_slenderness = 1e-10;
+inline constexpr double min_slenderness = 1e-10;
 
 /// What is wrong with the parameters; empty if nothing. Names the first facet that is wrong.
 template <int D>
@@ -49,7 +50,7 @@ std::string validate(const mesh_parameters<D>& p) {
                                 detail::indexed("0 or more and less than ", p.vertices.size(), ""));
     }
     const double slenderness = detail::slenderness(p.corners(i));
-    if (!(slenderness > least_slenderness))
+    if (!(slenderness > min_slenderness))
       return detail::error_text(name("height by longest edge"), slenderness,
                                 "> 1e-10; remove the facet, without_slivers() does");
   }
@@ -62,7 +63,7 @@ template <int D>
 mesh_parameters<D> without_slivers(mesh_parameters<D> p) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < p.facets.size(); ++i) {
-    if (detail::slenderness(p.corners(i)) > least_slenderness) p.facets[kept++] = p.facets[i];
+    if (detail::slenderness(p.corners(i)) > min_slenderness) p.facets[kept++] = p.facets[i];
   }
   p.facets.resize(kept);
   return p;

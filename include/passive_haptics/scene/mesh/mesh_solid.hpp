@@ -40,7 +40,7 @@ class mesh_solid : public mesh_stops<D> {
   /// Throws std::invalid_argument with the text of validate(p).
   explicit mesh_solid(const mesh_solid_parameters<D>& p)
       : mesh_stops<D>(require_valid(p).surface,
-                      std::max(1e-7, 1e-9 * detail::largest_coordinate(p.surface.bounds())),
+                      std::max(1e-7, 1e-9 * detail::max_coordinate(p.surface.bounds())),
                       0.5 * std::numbers::sqrt3) {}  // 30 deg
 
   /// The solid within a closed mesh.

@@ -32,11 +32,11 @@ struct mesh_surface_parameters {
   }
   /// The skin is far over the rounding of the surface's coordinates.
   std::string rules() const {
-    constexpr double least_skin = 1e-9;  // a thousandth of it still is 4500 roundings
-    const double size = detail::largest_coordinate(surface.bounds());
-    if (skin >= least_skin * size && range::positive.contains(skin)) return {};
+    constexpr double min_skin = 1e-9;  // a thousandth of it still is 4500 roundings
+    const double size = detail::max_coordinate(surface.bounds());
+    if (skin >= min_skin * size && range::positive.contains(skin)) return {};
     return detail::error_text("skin of a mesh_surface [m]", skin,
-                              detail::indexed("a finite number > 0 and at least ", least_skin * size,
+                              detail::indexed("a finite number > 0 and at least ", min_skin * size,
                                               ", 1e-9 of the largest coordinate"));
   }
 };
@@ -57,7 +57,7 @@ class mesh_surface : public mesh_stops<D> {
   /// Throws std::invalid_argument with the text of validate(p).
   explicit mesh_surface(const mesh_surface_parameters<D>& p)
       : mesh_stops<D>(require_valid(p).surface, p.skin, std::cos(p.crease_angle)),
-        far_(1e3 * (1 + detail::largest_coordinate(p.surface.bounds()))) {}
+        far_(1e3 * (1 + detail::max_coordinate(p.surface.bounds()))) {}
 
   /// A surface that is felt as by default.
   explicit mesh_surface(mesh<D> surface) : mesh_surface(mesh_surface_parameters<D>{std::move(surface)}) {}
@@ -79,7 +79,7 @@ class mesh_surface : public mesh_stops<D> {
     t.known = true;
     const placed_surface<mesh_surface> here{this, point<D>::Zero(), 0};
     const std::span<const placed_surface<mesh_surface>> all(&here, 1);
-    detail::proxy_way<mesh_surface>(all, t).go_to(within_reach(x));
+    detail::proxy_path<mesh_surface>(all, t).go_to(within_reach(x));
     if (!t.held) return std::max(0.0, clearance(x, t.nearest));
     detail::proxy_contacts<mesh_surface>(all, t, x).add_to(
         [&add](const point<D>& normal, double depth, int) { add(normal, depth); });

@@ -2,6 +2,7 @@
 /// How the facets of a mesh hang together: which edges they share, and the normals there.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/mesh/mesh_parameters.hpp>
 
 #include <algorithm>
@@ -19,14 +20,13 @@ template <int D>
 std::vector<int> welded(const std::vector<point<D>>& vertices) {
   std::vector<int> order(vertices.size()), stands_for(vertices.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
-  const auto at = [&](int i) -> const point<D>& { return vertices[static_cast<std::size_t>(i)]; };
+  const auto at = [&](int i) -> const point<D>& { return nth(vertices, i); };
   std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
     return std::lexicographical_compare(at(i).begin(), at(i).end(), at(j).begin(), at(j).end());
   });
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool same = k > 0 && at(order[k]) == at(order[k - 1]);
-    stands_for[static_cast<std::size_t>(order[k])] =
-        same ? stands_for[static_cast<std::size_t>(order[k - 1])] : order[k];
+    nth(stands_for, order[k]) = same ? nth(stands_for, order[k - 1]) : order[k];
   }
   return stands_for;
 }
@@ -49,8 +49,8 @@ std::vector<ridge<D>> sorted_ridges(const std::vector<std::array<int, static_cas
   all.reserve(facets.size() * D);
   for (std::size_t k = 0; k < facets.size(); ++k) {
     for (int i = 0; i < D; ++i) {
-      const int from = facets[k][static_cast<std::size_t>(i)];
-      const int to = D == 2 ? from : facets[k][static_cast<std::size_t>((i + 1) % D)];
+      const int from = nth(facets[k], i);
+      const int to = D == 2 ? from : nth(facets[k], (i + 1) % D);
       const int turn = D == 2 ? 1 - 2 * i : (from < to ? 1 : -1);
       all.push_back({std::min(from, to), std::max(from, to), static_cast<int>(k), i, turn});
     }

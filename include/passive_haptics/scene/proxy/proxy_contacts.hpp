@@ -3,7 +3,8 @@
 #pragma once
 
 #include <passive_haptics/core/linear/least_distance.hpp>
-#include <passive_haptics/scene/proxy/proxy_way.hpp>
+#include <passive_haptics/core/nth.hpp>
+#include <passive_haptics/scene/proxy/proxy_path.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -67,7 +68,7 @@ class proxy_contacts {
   static bool holds(half_space_set set, int k) { return (set >> k & 1u) != 0; }
 
   bool are_smooth(int i, int j) const {
-    const auto cosine = [this](int k) { return crease_cosines_[static_cast<std::size_t>(k)]; };
+    const auto cosine = [this](int k) { return nth(crease_cosines_, k); };
     return normals_.col(i).dot(normals_.col(j)) > std::max(cosine(i), cosine(j));
   }
 
@@ -99,7 +100,7 @@ class proxy_contacts {
       depths[k] = 0;
     }
     if (!(depths.maxCoeff() > 0)) return;
-    const int number = numbers_[static_cast<std::size_t>(first)];
+    const int number = nth(numbers_, first);
     if (group == 1u << first) {
       add(point<D>(N.col(first)), std::min(depths[first], 2 * shares[first]), number);
       return;

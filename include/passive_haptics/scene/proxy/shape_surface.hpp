@@ -28,7 +28,7 @@ class shape_surface {
   /// As of ProxySurface: where the distance falls to a skin, if it does so by the end of the step. Cost: one
   /// distance, or a few until that place is found (false position, by the Illinois rule).
   proxy_stop first_stop(const at& p, const at& step, std::span<const int> resting) const {
-    constexpr int most_looks = 60;
+    constexpr int max_looks = 60;
     const double lip = lip_by_skin * skin_;
     // A step along a curved surface falls away from it or a little into it
     const double least = resting.empty() ? skin_ : 0.5 * skin_;
@@ -37,7 +37,7 @@ class shape_surface {
     if (!(right < -lip)) return {};
     double gap = gap_at(outside), left = gap;
     int replaced = 0;  // the end that was replaced last
-    for (int look = 0; look < most_looks && gap > lip; ++look) {
+    for (int look = 0; look < max_looks && gap > lip; ++look) {
       const double time = outside + (inside - outside) * left / (left - right), gap_there = gap_at(time);
       if (gap_there >= 0) {
         outside = time;

@@ -4,6 +4,7 @@
 
 #include <passive_haptics/core/linear/least_distance.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/parameters.hpp>
 #include <passive_haptics/scene/shapes/directions.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
@@ -21,7 +22,7 @@ namespace detail {
 template <int D, std::size_t K>
 matrix<double, D, static_cast<int>(K)> normals_of(const std::array<half_space<D>, K>& faces) {
   matrix<double, D, static_cast<int>(K)> N;
-  for (int i = 0; i < N.cols(); ++i) N.col(i) = faces[static_cast<std::size_t>(i)].gradient(point<D>::Zero());
+  for (int i = 0; i < N.cols(); ++i) N.col(i) = nth(faces, i).gradient(point<D>::Zero());
   return N;
 }
 
@@ -30,7 +31,7 @@ template <int D, std::size_t K>
 vector<double, static_cast<int>(K)> distances_from(const std::array<half_space<D>, K>& faces,
                                                    const point<D>& x) {
   vector<double, static_cast<int>(K)> g;
-  for (int i = 0; i < g.size(); ++i) g[i] = faces[static_cast<std::size_t>(i)].distance(x);
+  for (int i = 0; i < g.size(); ++i) g[i] = nth(faces, i).distance(x);
   return g;
 }
 

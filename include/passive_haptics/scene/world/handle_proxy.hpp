@@ -2,6 +2,7 @@
 /// The proxy of one handle among all surfaces near it.
 #pragma once
 
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/proxy/proxy_contacts.hpp>
 
 #include <algorithm>
@@ -19,7 +20,8 @@ class handle_proxy {
 
   handle_proxy() = default;
   /// most: surfaces at once. extent: largest coordinate of the surfaces [m].
-  handle_proxy(std::size_t most, double extent) : room_(most), before_(most), far_(1e3 * (1 + extent)) {}
+  handle_proxy(std::size_t capacity, double extent)
+      : room_(capacity), before_(capacity), far_(1e3 * (1 + extent)) {}
 
   /// Whether a surface keeps it from the handle.
   bool held() const { return tracker_.held; }
@@ -90,14 +92,14 @@ class handle_proxy {
     set_tracker(other.tracker_);
     tracker_.facet_count = 0;
     for (const facet_of_surface& f : other.tracker_.resting())
-      if (is_here(f.surface)) tracker_.facets[static_cast<std::size_t>(tracker_.facet_count++)] = f;
+      if (is_here(f.surface)) nth(tracker_.facets, tracker_.facet_count++) = f;
   }
 
  private:
   void keep(const point<D>& p) { point<D>::Map(tracker_.position.data()) = p; }
   void go_on(const point<D>& x) {
     is_here_ = false;
-    proxy_way<any_proxy_surface<D>>(surfaces(), tracker_).go_to(within_reach(x));
+    proxy_path<any_proxy_surface<D>>(surfaces(), tracker_).go_to(within_reach(x));
   }
 
   // Coordinates so large that their rounding is thicker than a skin are brought nearer.
@@ -130,7 +132,7 @@ class handle_proxy {
       const surface alone{room_[k].surface, point<D>::Zero(), room_[k].number};
       proxy_tracker<D> seen_from_it;
       point<D>::Map(seen_from_it.position.data()) = p - then;
-      proxy_way<any_proxy_surface<D>>({&alone, 1}, seen_from_it).go_to(at - now);
+      proxy_path<any_proxy_surface<D>>({&alone, 1}, seen_from_it).go_to(at - now);
       if (seen_from_it.held) at = point<D>(seen_from_it.position.data()) + now;
     }
     keep(at);

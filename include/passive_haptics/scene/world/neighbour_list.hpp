@@ -7,6 +7,7 @@
 #pragma once
 
 #include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
 #include <passive_haptics/scene/world/world_item.hpp>
 
@@ -130,8 +131,8 @@ class neighbour_list {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   static constexpr double relative_rounding = 64 * epsilon;
 
-  list& now() { return lists_[static_cast<std::size_t>(current_)]; }
-  list& next() { return lists_[static_cast<std::size_t>(1 - current_)]; }
+  list& now() { return nth(lists_, current_); }
+  list& next() { return nth(lists_, 1 - current_); }
 
   // Nothing of before is of use, and nothing is kept that the next jump would make useless.
   template <class Look>
@@ -158,7 +159,7 @@ class neighbour_list {
   template <class NextDue>
   void look_at_near(const NextDue& next_due) {
     auto& items = now().items;
-    const auto at = [&](int k) -> neighbour& { return items[static_cast<std::size_t>(k)]; };
+    const auto at = [&](int k) -> neighbour& { return nth(items, k); };
     int due = 0;
     for (; due < now().size && at(due).due <= travelled_; ++due) at(due).due = next_due(at(due).item);
     for (int k = due - 1; k >= 0; --k) {
@@ -198,7 +199,7 @@ class neighbour_list {
         [&](int place, double squared_distance) {
           const neighbour found{std::sqrt(squared_distance), world_item::in_tree(place)};
           if (Listed > next.size) {
-            next.items[static_cast<std::size_t>(next.size++)] = found;
+            nth(next.items, next.size++) = found;
             if (Listed > next.size) return;
             std::make_heap(next.begin(), next.end());
           } else {

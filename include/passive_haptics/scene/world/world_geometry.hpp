@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/finite.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
 #include <passive_haptics/scene/world/world_item.hpp>
 #include <passive_haptics/scene/world/world_walls.hpp>
@@ -61,7 +62,7 @@ struct world_geometry {
   /// Throws std::invalid_argument with the text of validate(walls).
   explicit world_geometry(const world_walls<D>& walls) : moving(walls.moving()) {
     const auto numbered = [&](int i) -> numbered_wall {
-      const any_wall<D>& wall = walls.all()[static_cast<std::size_t>(i)];
+      const any_wall<D>& wall = nth(walls.all(), i);
       return {wall, i, wall.tracker_size() > 0};
     };
     for (const int i : moving) others.push_back(numbered(i));
@@ -69,7 +70,7 @@ struct world_geometry {
     std::vector<bounding_box<D>> boxes;
     for (int i = 0; i < static_cast<int>(walls.all().size()); ++i) {
       if (std::binary_search(moving.begin(), moving.end(), i)) continue;
-      const any_wall<D>& wall = walls.all()[static_cast<std::size_t>(i)];
+      const any_wall<D>& wall = nth(walls.all(), i);
       if (wall.is_solid() && all_finite(wall.bounds().lower, wall.bounds().upper)) {
         bounded.push_back(i);
         boxes.push_back(wall.bounds());
@@ -80,12 +81,11 @@ struct world_geometry {
     tree = bounding_volume_tree<D>(boxes);
     in_tree.reserve(bounded.size());
     for (int place = 0; place < static_cast<int>(bounded.size()); ++place)
-      in_tree.push_back(numbered(bounded[static_cast<std::size_t>(tree.item(place))]));
+      in_tree.push_back(numbered(nth(bounded, tree.item(place))));
     items.resize(walls.all().size());
     for (std::size_t k = 0; k < in_tree.size(); ++k)
-      items[static_cast<std::size_t>(in_tree[k].number)] = world_item::in_tree(static_cast<int>(k));
-    for (std::size_t k = 0; k < others.size(); ++k)
-      items[static_cast<std::size_t>(others[k].number)] = world_item::outside(k);
+      nth(items, in_tree[k].number) = world_item::in_tree(static_cast<int>(k));
+    for (std::size_t k = 0; k < others.size(); ++k) nth(items, others[k].number) = world_item::outside(k);
     for (const numbered_wall& w : others) {
       const std::size_t units = (w.wall.tracker_size() + sizeof(tracker_bytes) - 1) / sizeof(tracker_bytes);
       trackers.push_back(trackers.back() + units);
@@ -95,7 +95,7 @@ struct world_geometry {
         std::any_of(walls.all().begin(), walls.all().end(), is_one) ||
         std::any_of(boxes.begin(), boxes.end(), [&](const auto& b) { return has_beside(b, boxes); });
     for (const any_wall<D>& wall : walls.all()) {
-      const double largest = detail::largest_coordinate(wall.bounds());
+      const double largest = detail::max_coordinate(wall.bounds());
       if (std::isfinite(largest)) extent = std::max(extent, largest);
     }
   }
@@ -108,7 +108,7 @@ struct world_geometry {
     return (item.is_in_tree() ? in_tree : others)[item.place()];
   }
   /// The item of the wall with this number.
-  world_item item_of(int number) const { return items[static_cast<std::size_t>(number)]; }
+  world_item item_of(int number) const { return nth(items, number); }
 
   /// Whether the walls outside of both trees at this place are one.
   bool shares(const world_geometry& with, std::size_t place) const {
@@ -145,7 +145,7 @@ struct world_geometry {
     const double radius = (b.upper - b.lower).norm() / 2 + touch;
     int count = 0;
     const auto look = [&](int place, double) {
-      const bounding_box<D>& other = boxes[static_cast<std::size_t>(tree.item(place))];
+      const bounding_box<D>& other = nth(boxes, tree.item(place));
       const point<D> common = b.upper.cwiseMin(other.upper) - b.lower.cwiseMax(other.lower);
       if ((common.array() >= -touch).all() && (common.array() > wide).count() >= D - 1) ++count;
     };

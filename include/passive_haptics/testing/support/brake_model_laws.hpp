@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/models/brake_model.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ T total(const brake_resistance<T>& r, T rate) {
 
 // The largest limit at any rate of a haptic device [N m].
 template <BrakeModel B>
-typename B::scalar largest_limit(const B& brake) {
+typename B::scalar max_limit(const B& brake) {
   using T = typename B::scalar;
   T peak = brake.torque_limit_at(T(0));
   for (T rate = T(1e-4); rate < T(1e4); rate *= T(1.3)) peak = std::max(peak, brake.torque_limit_at(rate));
@@ -44,7 +45,7 @@ T some_command(random_source& random, T limit) {
   constexpr std::array<T, 7> odd{real::quiet_NaN(),  -T(1), -real::infinity(), real::infinity(), real::max(),
                                  real::denorm_min(), T(0)};
   const int k = one_of(random, 14);
-  return k < 7 ? odd[static_cast<std::size_t>(k)] : random.uniform(T(0), T(1.5) * limit);
+  return k < 7 ? nth(odd, k) : random.uniform(T(0), T(1.5) * limit);
 }
 
 template <class... Values>
@@ -63,7 +64,7 @@ std::string broken_energy_law(const B& brake, std::uint64_t seed, int steps) {
   using T = typename B::scalar;
   constexpr T eps = std::numeric_limits<T>::epsilon();
   random_source random(seed);
-  const T limit = detail::largest_limit(brake), inertia = limit * T(1e-3);
+  const T limit = detail::max_limit(brake), inertia = limit * T(1e-3);
   typename B::state state;
   T rate = T(0), command = T(0), drive = T(0);
   for (int k = 0; k < steps; ++k) {
@@ -111,7 +112,7 @@ std::string broken_input_law(const B& brake, std::uint64_t seed) {
   constexpr T none = std::numeric_limits<T>::quiet_NaN(), infinite = std::numeric_limits<T>::infinity(),
               largest = std::numeric_limits<T>::max(), dt = T(2e-3);
   random_source random(seed);
-  const T limit = detail::largest_limit(brake);
+  const T limit = detail::max_limit(brake);
   const std::vector<exchange> exchanges{{"command", &input::command, {none, -limit, -infinite}, T(0)},
                                         {"command", &input::command, {infinite}, largest},
                                         {"time step", &input::dt, {none, -dt, -infinite, infinite}, T(0)},
@@ -149,7 +150,7 @@ std::string broken_time_step_law(const B& brake, std::uint64_t seed) {
   using T = typename B::scalar;
   constexpr int steps = 4096, held = 512;
   constexpr T dt = T(1) / T(1 << 15);
-  const T limit = detail::largest_limit(brake);
+  const T limit = detail::max_limit(brake);
   const auto run = [&](int parts) {
     random_source random(seed);
     std::vector<T> torques;
@@ -187,7 +188,7 @@ template <InvertibleBrakeModel B>
 std::string broken_inverse_law(const B& brake, std::uint64_t seed, double error) {
   using T = typename B::scalar;
   random_source random(seed);
-  const T limit = detail::largest_limit(brake);
+  const T limit = detail::max_limit(brake);
   const T rounding = T(64) * std::numeric_limits<T>::epsilon() * limit;
   for (int k = 0; k < 500; ++k) {
     typename B::state state;

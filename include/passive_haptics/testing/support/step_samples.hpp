@@ -2,8 +2,9 @@
 /// Random control cycles in contact, for the property suites.
 #pragma once
 
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ step_sample<typename Case::mechanism> random_sample(
     sample.brakes.torque_limit[i] = random.positive(T(1e-2), T(1e3));
     sample.brakes.rate_dead_band[i] = random.positive(T(1e-3), T(1e-1));
     const T band = sample.brakes.rate_dead_band[i];
-    const int s = signs[static_cast<std::size_t>(i)];
+    const int s = nth(signs, i);
     w[i] = s == 0 ? (random.coin() ? T(0) : random.uniform(T(-0.9), T(0.9)) * band)
                   : static_cast<T>(s) * random.positive(T(1.1) * band, T(10));
   }

@@ -216,7 +216,7 @@ TEST(brake_bias_acceleration, is_part_of_what_holds_a_brake) {
   const cam_arm arm;
   const auto brakes = quick_brakes<cam_arm>();
   ph::testing::random_source random(seed);
-  double largest_drift = 0;
+  double max_drift = 0;
   for (int k = 0; k < 200; ++k) {
     const int rests = k % 2;
     const auto state = random_motion(arm, rests, random);
@@ -229,9 +229,9 @@ TEST(brake_bias_acceleration, is_part_of_what_holds_a_brake) {
     const pair drift = ph::brake_bias_acceleration(arm, state.q, state.qd);
     const double size = state.qd.squaredNorm() + 1e4 * (state.hand_force.norm() * 0.3 + t.norm());
     EXPECT_LE(std::abs(change_of_rate(arm, state, rests, t)), 1e-6 * size);
-    largest_drift = std::max(largest_drift, std::abs(drift[rests]));
+    max_drift = std::max(max_drift, std::abs(drift[rests]));
   }
-  EXPECT_GT(largest_drift, 1);
+  EXPECT_GT(max_drift, 1);
 }
 
 }  // namespace hand_torques

@@ -3,8 +3,8 @@
 #include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/control/ways/torque_law.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
+#include <passive_haptics/control/pipelines/torque_law.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
@@ -107,7 +107,7 @@ struct balancing_torques {
   template <class M, class E, int D, int Capacity, class B>
   ph::brake_vector<M> torque(const ph::brake_situation<M, E, B>& now,
                              const ph::contacts<D, Capacity>& touched) const noexcept {
-    const auto Fd = ph::force_of<typename M::scalar>(touched[0]);
+    const auto Fd = ph::desired_force_of<typename M::scalar>(touched[0]);
     return ph::brake_torque(now.E, ph::vector<double, 2>(Fd.magnitude * Fd.direction));
   }
 };

@@ -2,7 +2,7 @@
 #include "../../../property/custom_mechanisms.hpp"
 #include "../../support.hpp"
 
-#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>
 #include <passive_haptics/force/effects/rough_walls.hpp>

@@ -2,7 +2,7 @@
 #include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
 #include <passive_haptics/scene/held_scene.hpp>

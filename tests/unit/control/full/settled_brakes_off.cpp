@@ -5,8 +5,8 @@
 #include <passive_haptics/control/laws/on_off_control.hpp>
 #include <passive_haptics/control/laws/saturated_direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/design/displayable.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
@@ -177,8 +177,9 @@ void expect_displayable_without() {
     ASSERT_NEAR(some.angle, all.angle, 1e-9);
     if (!ph::is_displayed(all.display)) continue;
     ++displayed;
-    ASSERT_NEAR(some.strongest, all.strongest, 1e-9 * (1 + all.strongest));
-    ASSERT_NEAR(some.strongest_nearest, all.strongest_nearest, 1e-9 * (1 + all.strongest_nearest));
+    ASSERT_NEAR(some.max_force, all.max_force, 1e-9 * (1 + all.max_force));
+    ASSERT_NEAR(some.max_approximated_force, all.max_approximated_force,
+                1e-9 * (1 + all.max_approximated_force));
   }
   EXPECT_GT(displayed, 50);
 }

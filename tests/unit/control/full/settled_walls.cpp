@@ -2,7 +2,7 @@
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
 #include <passive_haptics/plant/simulated_device.hpp>
@@ -149,7 +149,7 @@ void expect_corner_held(const M& mechanism, const ph::joint_vector<M>& q) {
   ph::simulated_device<M> device(mechanism, brakes, 0.3, q);
   ph::controller control(mechanism, brakes, ph::scene(ph::wall(floor, 1e6), ph::wall(side, 1e6)),
                          ph::velocity_direct_control());
-  double deepest = 0, power = 0;
+  double max_depth = 0, power = 0;
   ph::brake_vector<M> capacity = ph::brake_vector<M>::Zero();
   ph::point<2> at_the_end;
   for (int k = 0; k < 20000; ++k) {
@@ -162,13 +162,13 @@ void expect_corner_held(const M& mechanism, const ph::joint_vector<M>& q) {
       capacity = result.capacity;
     }
     device.advance(1e-4, capacity, push + damping);
-    power = std::max(power, device.energy().largest_brake_power);
+    power = std::max(power, device.energy().max_brake_power);
     at_the_end = device.position();
-    if (!pulls) deepest = std::max({deepest, -floor.distance(at_the_end), -side.distance(at_the_end)});
+    if (!pulls) max_depth = std::max({max_depth, -floor.distance(at_the_end), -side.distance(at_the_end)});
   }
   std::printf("deepest %.2f mm, out of the side by %.1f mm, %.1f mm in the floor, power %.1e W\n",
-              deepest * 1e3, side.distance(at_the_end) * 1e3, -floor.distance(at_the_end) * 1e3, power);
-  EXPECT_LT(deepest, 8e-3);
+              max_depth * 1e3, side.distance(at_the_end) * 1e3, -floor.distance(at_the_end) * 1e3, power);
+  EXPECT_LT(max_depth, 8e-3);
   EXPECT_GT(side.distance(at_the_end), 5e-3) << "a hand that pulls out of one wall is free";
   EXPECT_LT(-floor.distance(at_the_end), 8e-3);
   EXPECT_LT(power, 1e-15);
@@ -206,7 +206,7 @@ TEST(settled_walls, stop_a_hand_that_coasts_into_a_corner) {
   ph::simulated_device<arm<4>> device(mechanism, brakes, 0.5, q);
   ph::controller control(mechanism, brakes, ph::scene(ph::wall(floor, 1e6), ph::wall(side, 1e6)),
                          ph::velocity_direct_control());
-  double deepest = 0;
+  double max_depth = 0;
   bool coasts = false;
   ph::brake_vector<arm<4>> capacity = ph::brake_vector<arm<4>>::Zero();
   for (int k = 0; k < 10000; ++k) {
@@ -215,10 +215,10 @@ TEST(settled_walls, stop_a_hand_that_coasts_into_a_corner) {
                      .capacity;
     coasts = coasts || side.distance(device.position()) < 15e-3;
     device.advance(1e-4, capacity, {coasts ? 0.0 : -2.0, -1});
-    deepest = std::max(deepest, -side.distance(device.position()));
+    max_depth = std::max(max_depth, -side.distance(device.position()));
   }
   EXPECT_TRUE(coasts);
-  EXPECT_LT(deepest, 1e-3);
+  EXPECT_LT(max_depth, 1e-3);
 }
 
 }  // namespace

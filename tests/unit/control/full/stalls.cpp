@@ -29,9 +29,9 @@ TEST(velocity_direct_control, holds_on_where_it_is_pushed_and_hardly_moves) {
   constexpr std::uint64_t seed = 20261;
   struct stall {
     std::uint64_t number;
-    double deepest;  // [m]
+    double max_depth;  // [m]
   };
-  for (const auto& [number, deepest] : {stall{251, 15.5e-3}, stall{202, 45e-3}, stall{190, 25.5e-3}}) {
+  for (const auto& [number, max_depth] : {stall{251, 15.5e-3}, stall{202, 45e-3}, stall{190, 25.5e-3}}) {
     const auto d = ph::draw_device(tendon_of(1), {{-3.1, -2.5}, {3.1, -0.6}, 0.1}, seed, number);
     const ph::half_space<2> wall(d.plane.surface, d.plane.normal);
     ph::controller control(
@@ -42,9 +42,9 @@ TEST(velocity_direct_control, holds_on_where_it_is_pushed_and_hardly_moves) {
     plant.set_motion(d.plane.q, d.plane.qd);
     const ph::following_hand<double, 2> hand(d.plane.direction, d.plane.start, d.hand);
     const ph::contact_metrics figures = ph::follow_wall(plant, control, wall, hand, d.run);
-    EXPECT_LE(figures.depth_max, deepest) << "seed " << seed << ", device " << number;
+    EXPECT_LE(figures.max_depth, max_depth) << "seed " << seed << ", device " << number;
     EXPECT_FALSE(figures.separates()) << "seed " << seed << ", device " << number;
-    std::printf("seed %d, device %d: %.1f mm\n", int(seed), int(number), 1e3 * figures.depth_max);
+    std::printf("seed %d, device %d: %.1f mm\n", int(seed), int(number), 1e3 * figures.max_depth);
   }
 }
 

@@ -2,7 +2,7 @@
 // law's torques.
 #include "../../support.hpp"
 
-#include <passive_haptics/control/ways/torque_law.hpp>
+#include <passive_haptics/control/pipelines/torque_law.hpp>
 
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>

@@ -4,7 +4,7 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/core/scalar/first_order_lag.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
@@ -111,14 +111,14 @@ TEST(velocity_direct_control, holds_in_a_corner_what_sinks_and_nothing_that_leav
 
 // Of two brakes that push alike the faster costs more power: shares as 1 / p^2, p = |w| and a thousandth of
 // the fastest, which tells resting ones apart from none.
-TEST(least_power_torques, of_several_walls_are_those_of_least_power) {
+TEST(min_power_torques, of_several_walls_are_those_of_least_power) {
   ph::torque_range<double, 2> range;
   range.sign = {1, -1};
-  range.smallest = {0, 0};
-  range.largest = {10, 10};
+  range.lower = {0, 0};
+  range.upper = {10, 10};
   const ph::matrix<double, 2, 2> rows = ph::matrix_of<2, 2>(1.0, -1.0, 0.0, 0.0);
   for (const pair& w : {pair(1, 3), pair(-3, 1), pair(2, 0), pair(0, 0)}) {
-    const pair t = ph::least_power_torques<double, 2, 2>(rows, pair(4, 0), range, w);
+    const pair t = ph::min_power_torques<double, 2, 2>(rows, pair(4, 0), range, w);
     const double most = w.cwiseAbs().maxCoeff();
     const pair power = w.cwiseAbs().array() + 1e-3 * most;
     const double share = most > 0 ? power[1] * power[1] / power.squaredNorm() : 0.5;
@@ -280,7 +280,7 @@ TEST(velocity_direct_control, rests_deeper_where_it_sees_coarsely) {
     slide.control = law(slide.p);
     slide.cycle(depth, v);
     const double f = slide.cycle(depth + jump - 2 * v * dt, v);
-    const double rest = std::max(p.rest_depth, std::min(p.depth_per_jump * jump, constants::deepest_rest));
+    const double rest = std::max(p.rest_depth, std::min(p.depth_per_jump * jump, constants::max_rest_depth));
     const double wanted = p.depth_gain * (depth + jump - 2 * v * dt - rest);
     EXPECT_NEAR(f, (wanted - v) * force_per_speed(p), 1e-9) << jump;
   }
@@ -443,7 +443,7 @@ TEST(velocity_direct_control, holds_in_the_corner_of_two_walls) {
   ph::simulated_device device(arm, ph::brakes_of<M>(), 0.5, q);
   ph::first_order_lag<double, 2> sensor(pair::Constant(ph::low_pass_time_constant(200.0)));
   pair capacity = pair::Zero();
-  double deepest = -1, shallowest = 1;
+  double max_depth = -1, shallowest = 1;
   for (int k = 0; k < 20'000; ++k) {
     if (k % 10 == 0)
       capacity = control(ph::device_state<M>{k * 1e-4, device.q(), device.qd(), sensor.output()}).capacity;
@@ -452,12 +452,12 @@ TEST(velocity_direct_control, holds_in_the_corner_of_two_walls) {
     sensor.advance(1e-4, device.sensed_force());
     if (k < 10'000) continue;
     for (const double depth : {-ceiling.distance(device.position()), -side.distance(device.position())}) {
-      deepest = std::max(deepest, depth);
+      max_depth = std::max(max_depth, depth);
       shallowest = std::min(shallowest, depth);
     }
   }
   EXPECT_GT(shallowest, 1e-4);
-  EXPECT_LT(deepest, p.rest_depth + 1e-3);
+  EXPECT_LT(max_depth, p.rest_depth + 1e-3);
 }
 
 // More brakes than the least squares eliminate in closed form, fewer walls than brakes.
@@ -623,16 +623,16 @@ TEST(velocity_direct_control, knows_that_a_brake_at_rest_only_holds) {
     ph::simulated_device device(arm, ph::brakes_of<M>(), 0.5, q);
     ph::first_order_lag<double, 2> sensor(pair::Constant(ph::low_pass_time_constant(200.0)));
     pair capacity = pair::Zero();
-    double deepest = -1;
+    double max_depth = -1;
     for (int k = 0; k < 20'000; ++k) {
       if (k % 10 == 0)
         capacity = control(ph::device_state<M>{k * 1e-4, device.q(), device.qd(), sensor.output()}).capacity;
       const pair v = device.velocity();
       device.advance(1e-4, capacity, pair(-1, 2) - 20 * v);
       sensor.advance(1e-4, device.sensed_force());
-      deepest = std::max(deepest, -ceiling.distance(device.position()));
+      max_depth = std::max(max_depth, -ceiling.distance(device.position()));
     }
-    EXPECT_LT(deepest, 12e-3) << "from x = " << x;
+    EXPECT_LT(max_depth, 12e-3) << "from x = " << x;
   }
 }
 
@@ -660,7 +660,7 @@ TEST(normal_response, is_that_of_the_mechanism) {
 }
 
 // Against all ways to make the same on a grid.
-TEST(least_power_torques, make_what_is_wanted_with_the_least_power) {
+TEST(min_power_torques, make_what_is_wanted_with_the_least_power) {
   constexpr unsigned seed = 9;
   using V = ph::vector<double, 3>;
   ph::testing::random_source random(seed);
@@ -669,20 +669,20 @@ TEST(least_power_torques, make_what_is_wanted_with_the_least_power) {
     ph::torque_range<double, 3> range;
     for (int i = 0; i < 3; ++i) {
       range.sign[i] = random.uniform(-1.0, 1.0) > 0 ? 1 : -1;
-      range.smallest[i] = random.uniform(0.0, 0.2);
-      range.largest[i] = range.smallest[i] + random.uniform(0.0, 1.0);
+      range.lower[i] = random.uniform(0.0, 0.2);
+      range.upper[i] = range.lower[i] + random.uniform(0.0, 1.0);
       range.sign_is_lasting[i] = true;
     }
     const V gain = range.sign.cwiseProduct(g);
     const double wanted = random.uniform(-0.5, 2.0);
-    const V t = ph::least_power_torques<double, 3>(g, wanted, range, w);
-    double most = 0, least_power = 1e9;
+    const V t = ph::min_power_torques<double, 3>(g, wanted, range, w);
+    double most = 0, min_power = 1e9;
     for (int i = 0; i < 3; ++i) {
-      EXPECT_GE(t[i], range.smallest[i]);
-      EXPECT_LE(t[i], range.largest[i]);
-      most += gain[i] * (gain[i] > 0 ? range.largest[i] : range.smallest[i]);
+      EXPECT_GE(t[i], range.lower[i]);
+      EXPECT_LE(t[i], range.upper[i]);
+      most += gain[i] * (gain[i] > 0 ? range.upper[i] : range.lower[i]);
     }
-    const double floor = gain.dot(range.smallest);
+    const double floor = gain.dot(range.lower);
     EXPECT_NEAR(gain.dot(t), std::max(floor, std::min(wanted, most)), 1e-12)
         << "seed " << seed << ", trial " << k;
     constexpr int steps = 20;
@@ -690,16 +690,16 @@ TEST(least_power_torques, make_what_is_wanted_with_the_least_power) {
       for (int b = 0; b <= steps; ++b)
         for (int c = 0; c <= steps; ++c) {
           const V share(double(a) / steps, double(b) / steps, double(c) / steps);
-          const V other = range.smallest + share.cwiseProduct(range.largest - range.smallest);
+          const V other = range.lower + share.cwiseProduct(range.upper - range.lower);
           if (gain.dot(other) >= std::min(wanted, most) - 1e-12)
-            least_power = std::min(least_power, w.cwiseAbs().dot(other));
+            min_power = std::min(min_power, w.cwiseAbs().dot(other));
         }
-    EXPECT_LE(w.cwiseAbs().dot(t), least_power + 1e-9) << "seed " << seed << ", trial " << k;
+    EXPECT_LE(w.cwiseAbs().dot(t), min_power + 1e-9) << "seed " << seed << ", trial " << k;
   }
 }
 
 // Beside brake i that is held, brake j gives the handle g_j - g_i A_ij / A_ii for each N m.
-TEST(least_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_that_is_held) {
+TEST(min_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_that_is_held) {
   using V = ph::vector<double, 2>;
   for (const int held : {0, 1}) {
     for (const double sign : {-1.0, 1.0}) {
@@ -710,9 +710,9 @@ TEST(least_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_tha
       ph::torque_range<double, 2> range;
       range.sign[held] = 1;
       range.sign[turns] = sign;
-      range.smallest.setConstant(0.1);
-      range.largest[held] = 3;
-      range.largest[turns] = 1;
+      range.lower.setConstant(0.1);
+      range.upper[held] = 3;
+      range.upper[turns] = 1;
       range.A.diagonal().setConstant(2);
       range.A(held, turns) = range.A(turns, held) = -sign;
       range.any_at_rest = range.at_rest[held] = range.held[held] = true;
@@ -720,7 +720,7 @@ TEST(least_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_tha
       const double alone = 3 - 0.2 * 0.1, beside = 0.5 - 0.2;
       for (const auto& [wanted, torque] : {std::pair(alone, 0.1), std::pair(alone + 0.5 * beside, 0.6),
                                            std::pair(alone + 2 * beside, 1.0)}) {
-        const V t = ph::least_power_torques<double, 2>(g, wanted, range, V(0, 0));
+        const V t = ph::min_power_torques<double, 2>(g, wanted, range, V(0, 0));
         EXPECT_NEAR(t[held], 3, 1e-12) << wanted;
         EXPECT_NEAR(t[turns], torque, 1e-12) << wanted;
       }
@@ -729,17 +729,17 @@ TEST(least_power_torques, ask_a_brake_that_turns_for_what_it_does_beside_one_tha
 }
 
 // A brake at rest that pushes in, or makes nothing, is not held: no other is asked for more beside it.
-TEST(least_power_torques, ask_nobody_beside_a_brake_that_is_not_held) {
+TEST(min_power_torques, ask_nobody_beside_a_brake_that_is_not_held) {
   using V = ph::vector<double, 2>;
   const auto torques = [](double sign, double most) {
     ph::torque_range<double, 2> range;
     range.sign = V(sign, 1);
-    range.smallest = V(std::min(0.1, most), 0.2);
-    range.largest = V(most, 5);
+    range.lower = V(std::min(0.1, most), 0.2);
+    range.upper = V(most, 5);
     range.A << 2, -1, -1, 2;
     range.any_at_rest = range.at_rest[0] = range.held[0] = true;
     range.sign_is_lasting.setConstant(true);
-    return ph::least_power_torques<double, 2>(V(1, -0.2), 10, range, V(0, 0));
+    return ph::min_power_torques<double, 2>(V(1, -0.2), 10, range, V(0, 0));
   };
   EXPECT_EQ(torques(1, 0.5), V(0.5, 5)) << "it is held, and the other helps";
   EXPECT_EQ(torques(1, 0), V(0, 0.2)) << "it makes nothing";
@@ -747,18 +747,18 @@ TEST(least_power_torques, ask_nobody_beside_a_brake_that_is_not_held) {
 }
 
 // Brakes that turn in their order, each up to its most; one that is at rest is not asked.
-TEST(least_power_torques, ask_brakes_beside_one_that_is_held_in_turn) {
+TEST(min_power_torques, ask_brakes_beside_one_that_is_held_in_turn) {
   using V = ph::vector<double, 4>;
   ph::torque_range<double, 4> range;
   range.sign.setOnes();
-  range.smallest.setZero();
-  range.largest = V(0.5, 5, 1, 5);
+  range.lower.setZero();
+  range.upper = V(0.5, 5, 1, 5);
   range.A.setConstant(-1);
   range.A.diagonal().setConstant(2);  // 0.3 for each N m of the others
   range.any_at_rest = range.at_rest[0] = range.at_rest[1] = range.held[0] = true;
   range.sign_is_lasting.setConstant(true);
   const auto torques = [&](double wanted) {
-    return ph::least_power_torques<double, 4>(V(1, -0.2, -0.2, -0.2), wanted, range, V::Zero());
+    return ph::min_power_torques<double, 4>(V(1, -0.2, -0.2, -0.2), wanted, range, V::Zero());
   };
   EXPECT_LE((torques(0.5 + 0.3 * 0.4) - V(0.5, 0, 0.4, 0)).norm(), 1e-12);
   EXPECT_LE((torques(0.5 + 0.3 * 1.5) - V(0.5, 0, 1, 0.5)).norm(), 1e-12);
@@ -768,15 +768,15 @@ TEST(least_power_torques, ask_brakes_beside_one_that_is_held_in_turn) {
 }
 
 // Two walls that the brakes can serve both: each gets what it wants, also where that is less than nothing.
-TEST(least_power_torques, serve_several_walls_together) {
+TEST(min_power_torques, serve_several_walls_together) {
   ph::torque_range<double, 3> range;
   range.sign = {1, -1, 1};
-  range.smallest.setConstant(0.05);
-  range.largest.setConstant(10);
+  range.lower.setConstant(0.05);
+  range.upper.setConstant(10);
   const ph::matrix<double, 2, 3> rows{{1, 0.5, -1}, {0.2, 1, 0.3}};
   const ph::vector<double, 3> w(1, 1, 1);
   for (const ph::vector<double, 2>& wanted : {ph::vector<double, 2>(2, 1), ph::vector<double, 2>(-1, 2)}) {
-    const auto t = ph::least_power_torques<double, 3, 2>(rows, wanted, range, w);
+    const auto t = ph::min_power_torques<double, 3, 2>(rows, wanted, range, w);
     EXPECT_LE((rows * range.sign.cwiseProduct(t) - wanted).norm(), 1e-9);
     EXPECT_GE(t.minCoeff(), 0.05 - 1e-12);
   }
@@ -952,7 +952,7 @@ TEST(contact_memory, goes_on_across_a_seam) {
   EXPECT_EQ(memory[0], 0) << "no seam but an edge";
 }
 
-// Beyond most_contacts a law would share a memory between two walls.
+// Beyond max_contacts a law would share a memory between two walls.
 TEST(a_law_with_a_memory_of_walls, releases_the_brakes_where_more_are_touched) {
   using M = ph::tendon_two_link<double>;
   const auto outcome = [](int walls, int near = 0) {

@@ -28,7 +28,7 @@ const ph::workspace<tendon> where{{-3.1, -2.5}, {3.1, -0.6}, 0.1};
 
 tendon tendon_of(double inertia) {
   ph::tendon_two_link_parameters<double> p;
-  auto& a = p.arm;
+  auto& a = p;
   for (double* mass : {&a.mass_1, &a.mass_2, &a.handle_mass, &a.rotor_inertia_1, &a.rotor_inertia_2})
     *mass *= inertia;
   return tendon(p);
@@ -37,10 +37,10 @@ tendon tendon_of(double inertia) {
 // How the handle touched the wall, and how deep it got.
 struct landing {
   bool touched = false;
-  V q, velocity;                       // at the touch
-  double first = ph::deepest_landing;  // depth where it first came to rest [m]
-  double deepest = 0;                  // within 0.2 s of the touch [m]
-  double drift = 0;                    // root mean square of its normal velocity from 0.3 s on [m/s]
+  V q, velocity;                         // at the touch
+  double first = ph::max_landing_depth;  // depth where it first came to rest [m]
+  double max_depth = 0;                  // within 0.2 s of the touch [m]
+  double drift = 0;                      // root mean square of its normal velocity from 0.3 s on [m/s]
 };
 
 template <class Law>
@@ -57,7 +57,7 @@ landing land(const device& d, const Law& law, double stiffness, double environme
   bool rests = false;
   int settled = 0;
   auto run = d.run;
-  run.longest = longest;
+  run.max_duration = longest;
   ph::follow_wall(plant, control, wall,
                   ph::following_hand<double, 2>(d.plane.direction, d.plane.start, d.hand), run,
                   [&](const auto& now) {
@@ -72,13 +72,13 @@ landing land(const device& d, const Law& law, double stiffness, double environme
                       rests = true;
                       l.first = now.depth;
                     }
-                    if (now.time < touch + 0.2) l.deepest = std::max(l.deepest, now.depth);
+                    if (now.time < touch + 0.2) l.max_depth = std::max(l.max_depth, now.depth);
                     if (now.time < touch + 0.3) return;
                     l.drift += std::pow(now.velocity.dot(n), 2);
                     ++settled;
                   });
   l.drift = std::sqrt(l.drift / std::max(settled, 1));
-  if (!rests || l.first > deep) l.deepest = std::max(l.deepest, l.first);
+  if (!rests || l.first > deep) l.max_depth = std::max(l.max_depth, l.first);
   return l;
 }
 
@@ -146,10 +146,10 @@ TEST(wall_limits, are_within_their_bands_on_90_percent_of_300_random_devices) {
     if (!law.touched) continue;  // the residual torque keeps the hand off it so long
     const ph::braked_wall wall = wall_of(d, law);
     const ph::wall_limits limits = limits_of(wall);
-    const bool sinks = law.deepest > deep, warned = limits.depth > deep;
+    const bool sinks = law.max_depth > deep, warned = limits.depth > deep;
     if (sinks) foreseen.add(warned);
     if (warned) warnings.add(sinks);
-    depth.add(agree(limits.depth, law.deepest, wall.depth_resolution));
+    depth.add(agree(limits.depth, law.max_depth, wall.depth_resolution));
     drift.add(clearness(d, law.q, 0.8 * limits.drift, wall) < 1 &&
               clearness(d, law.q, 1.25 * limits.drift, wall) > 1);
 

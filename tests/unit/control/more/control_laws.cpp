@@ -214,7 +214,7 @@ TEST(on_off, leads_the_hand_along_a_wall) {
     device.set_motion(q, ph::jacobian(arm, q).inverse() * V2(0.05, 0.1));
     const auto figures = ph::follow_wall(device, control, wall, hand, {});
     EXPECT_TRUE(figures.arrived) << rate << " Hz";
-    EXPECT_LT(figures.depth_max, rate > 100 ? 2e-3 : 5e-3) << rate << " Hz";
+    EXPECT_LT(figures.max_depth, rate > 100 ? 2e-3 : 5e-3) << rate << " Hz";
     EXPECT_LT(figures.depth_range, rate > 100 ? 4e-3 : 8e-3) << rate << " Hz";
     EXPECT_LT(figures.retarding_force, 3) << rate << " Hz";
   }
@@ -237,7 +237,7 @@ TEST(on_off, is_as_deep_at_20_Hz_as_at_1_kHz) {
   const auto expect_same = [&](const auto& wall) {
     const auto fast = follow(wall, 1000), slow = follow(wall, 20);
     EXPECT_EQ(slow.separations, fast.separations);
-    EXPECT_LT(slow.depth_max, 1.1 * fast.depth_max);
+    EXPECT_LT(slow.max_depth, 1.1 * fast.max_depth);
     EXPECT_LT(slow.depth_std, 1.2 * fast.depth_std);
   };
   expect_same(ph::half_space<2>({0, 0.225}, {0, -1}));

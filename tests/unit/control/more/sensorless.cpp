@@ -70,7 +70,7 @@ TEST(release_probe, complains_of_its_times) {
   EXPECT_EQ(validate(ph::release_probe_parameters{.probe_time = 0}),
             "probe_time [s] = 0, expected a finite number > 0");
   EXPECT_THROW(probe({.probe_period = -1}), std::invalid_argument);
-  EXPECT_DOUBLE_EQ(ph::worst_release_time(quick), 0.2);
+  EXPECT_DOUBLE_EQ(ph::max_release_time(quick), 0.2);
 }
 
 // ---- the controller
@@ -213,7 +213,7 @@ TEST(sensorless_controller, takes_any_state_and_reads_no_force) {
 // ---- a simulated hand that presses on the wall, and then wants to leave
 
 struct escape {
-  double depth_at_reversal = 0, deepest = 0;
+  double depth_at_reversal = 0, max_depth = 0;
   double to_release =
       -1;  // from the reversal until the probe released the brakes for good, or the handle was out
   double to_leave = -1;  // until the handle was out; -1 if it never was
@@ -244,7 +244,7 @@ escape press_and_pull(Control& control, double press, double pull, double along,
     handle.advance(dt, told, wish);
     const double depth = -wall.distance(handle.position());
     if (!leaves) found.depth_at_reversal = depth;
-    found.deepest = std::max(found.deepest, depth);
+    found.max_depth = std::max(found.max_depth, depth);
     if (leaves && depth < 0) {
       found.to_leave = time - reversal;
       if (found.to_release < 0) found.to_release = found.to_leave;
@@ -261,8 +261,8 @@ TYPED_TEST_SUITE(sensorless_escape, laws);
 
 TYPED_TEST(sensorless_escape, is_within_the_stated_time) {
   const ph::sensorless_parameters p;
-  const double stated = ph::worst_release_time(p.probe);
-  double worst_release = 0, worst_leave = 0, deepest = 0;
+  const double stated = ph::max_release_time(p.probe);
+  double worst_release = 0, worst_leave = 0, max_depth = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
     ph::testing::random_source random(seed);
     const double press = random.uniform(0.5, 3.0), along = random.uniform(-1.0, 1.0);
@@ -271,17 +271,17 @@ TYPED_TEST(sensorless_escape, is_within_the_stated_time) {
                                       << " N, reversal at " << reversal << " s");
     auto control = controller_with(TypeParam(), p);
     const escape e = press_and_pull(control, press, 1.0, along, reversal);
-    EXPECT_GT(e.deepest, 0);
+    EXPECT_GT(e.max_depth, 0);
     ASSERT_GE(e.to_leave, 0) << "locked inside";
     EXPECT_LE(e.to_release, stated);
     // 1 N moves handle and hand, less than 1.5 kg, out of this depth; twice for what the brakes lag
-    EXPECT_LE(e.to_leave, stated + 2 * std::sqrt(2 * e.deepest * 1.5) + 0.06);
+    EXPECT_LE(e.to_leave, stated + 2 * std::sqrt(2 * e.max_depth * 1.5) + 0.06);
     worst_release = std::max(worst_release, e.to_release);
     worst_leave = std::max(worst_leave, e.to_leave);
-    deepest = std::max(deepest, e.deepest);
+    max_depth = std::max(max_depth, e.max_depth);
   }
   std::printf("released within %.3f s (stated %.3f), out within %.3f s, deepest %.2f mm\n", worst_release,
-              stated, worst_leave, 1e3 * deepest);
+              stated, worst_leave, 1e3 * max_depth);
 }
 
 // What the probe is for: without it and without a sensor the brakes hold the hand inside for good.

@@ -134,8 +134,8 @@ TEST(wall_limits, coarse_encoders_let_the_hand_rest_deeper) {
   wall.depth_per_jump /= 1.5;
   EXPECT_DOUBLE_EQ(limits_of(wall).depth, 2 * law.rest_depth / 1.5);
   wall.depth_resolution = 1;
-  EXPECT_EQ(limits_of(wall).depth, ph::velocity_direct_control_parameters::deepest_rest);
-  wall.rest_depth = 2 * ph::velocity_direct_control_parameters::deepest_rest;
+  EXPECT_EQ(limits_of(wall).depth, ph::velocity_direct_control_parameters::max_rest_depth);
+  wall.rest_depth = 2 * ph::velocity_direct_control_parameters::max_rest_depth;
   EXPECT_EQ(limits_of(wall).depth, wall.rest_depth);
 }
 
@@ -292,8 +292,8 @@ TEST(wall_limits, are_of_the_signs_half_way_through_a_landing) {
   const V q = arm.inverse({0.1, 0.226}, ph::elbow::left).q, n(0, -1);
   const ph::matrix<double, 2, 2> J(ph::jacobian(arm, q));
   const auto rates = [&](const V& v) -> V { return ph::brake_rates(arm, q, V(J.inverse() * v)); };
-  const auto strongest = [&](const V& v) {
-    return ph::displayable(arm, q, v, n, brakes.torque_limit).strongest;
+  const auto max_force = [&](const V& v) {
+    return ph::displayable(arm, q, v, n, brakes.torque_limit).max_force;
   };
   int turned = 0;
   for (int i = 0; i < 2; ++i) {
@@ -301,8 +301,8 @@ TEST(wall_limits, are_of_the_signs_half_way_through_a_landing) {
       const double along = part * rates(n)[i] / rates(V(1, 0))[i];
       const V v = 0.1 * (V(along, 0) - n), half = 0.1 * (V(along, 0) - n / 2);
       EXPECT_DOUBLE_EQ(ph::braked_wall_at(arm, q, v, n, brakes, V(0, 0), V(0, 0), 0.5).force,
-                       strongest(half));
-      turned += std::abs(strongest(half) - strongest(v)) > 0.1;
+                       max_force(half));
+      turned += std::abs(max_force(half) - max_force(v)) > 0.1;
     }
   }
   EXPECT_GE(turned, 1);

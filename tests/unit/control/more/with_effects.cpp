@@ -3,7 +3,7 @@
 
 #include <passive_haptics/control/controller.hpp>
 #include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/viscous_field.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>

@@ -52,7 +52,7 @@ struct cone : ::testing::Test {
     for (std::size_t i = 0; i < error.size(); ++i) error[i] -= truth.point[i];
     const double distance = static_cast<double>(oracle::norm(error));
     const double spread =
-        between == angle::of_active ? 1 / truth.angle : std::sqrt(static_cast<double>(C)) / truth.least_angle;
+        between == angle::of_active ? 1 / truth.angle : std::sqrt(static_cast<double>(C)) / truth.min_angle;
     EXPECT_LE(distance, (4 * R + 2) * eps * f_norm * (1 + spread)) << "forward error";
   }
 };

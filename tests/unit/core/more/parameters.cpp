@@ -208,7 +208,7 @@ TEST(parameters_of_experiments, are_checked) {
          rule::not_negative);
   expect([](P& p) -> auto& { return p.rate_corner; }, "rate_corner [Hz]", rule::not_negative);
   expect([](P& p) -> auto& { return p.path_end; }, "path_end [m]", rule::finite);
-  expect([](P& p) -> auto& { return p.longest; }, "longest [s]", rule::positive);
+  expect([](P& p) -> auto& { return p.max_duration; }, "max_duration [s]", rule::positive);
 
   P fast;
   fast.control_period = fast.time_step / 2;

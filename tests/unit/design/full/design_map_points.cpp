@@ -66,7 +66,7 @@ void expect_the_figures_of_each_point(const M& mechanism, const ph::hybrid_brake
     };
     compare(map.cosine[k], one.cosine);
     compare(map.drag[k], one.drag);
-    compare(map.strongest[k], one.strongest);
+    compare(map.max_force[k], one.max_force);
     compare(map.sink_slope[k], one.sink_slope);
     compare(map.isotropy[k], one.isotropy);
   }

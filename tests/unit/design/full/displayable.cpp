@@ -30,12 +30,12 @@ constexpr double right_angle = std::numbers::pi / 2, infinite = std::numeric_lim
 
 // What sampling finds.
 struct best {
-  double angle = right_angle, strongest = 0;
+  double angle = right_angle, max_force = 0;
 
   template <int D>
   void look_at(const ph::vector<double, D>& F, const ph::vector<double, D>& n) {
     const double along = n.dot(F), across = (F - along * n).norm();
-    strongest = std::max(strongest, along);
+    max_force = std::max(max_force, along);
     if (along > 1e-9 * across) angle = std::min(angle, std::atan2(across, along));
   }
 };
@@ -117,7 +117,7 @@ best by_forces_at(const M& mechanism, const ph::joint_vector<M>& q, const ph::br
   const ph::jacobian_matrix<M> J(ph::jacobian(mechanism, q));
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> Tt(transmission_of(mechanism, q).transpose());
   const ph::matrix<double, m, d> Et = Tt.solve(Eigen::MatrixXd(J.transpose()));
-  const auto largest_share = [&](const force& F) {
+  const auto max_share = [&](const force& F) {
     const torques t = Et * F;
     double share = infinite;
     for (int i = 0; i < m; ++i) {
@@ -129,7 +129,7 @@ best by_forces_at(const M& mechanism, const ph::joint_vector<M>& q, const ph::br
   };
   best all;
   const auto look_at = [&](const force& F) {
-    if (const double share = largest_share(F); share > 0 && std::isfinite(share))
+    if (const double share = max_share(F); share > 0 && std::isfinite(share))
       all.look_at(force(share * F), n);
   };
   for (unsigned held = 0; held < 1u << m; ++held) {
@@ -162,8 +162,8 @@ best by_forces_at(const M& mechanism, const ph::joint_vector<M>& q, const ph::br
 template <class M>
 void expect_best(const ph::displayable_force<M>& found, const best& sampled, double angle_tolerance) {
   ASSERT_EQ(found.outcome, ph::status::ok);
-  ASSERT_NEAR(found.strongest, sampled.strongest, 1e-9 * (1 + sampled.strongest));
-  ASSERT_LE(found.strongest_nearest, found.strongest * (1 + 1e-9));
+  ASSERT_NEAR(found.max_force, sampled.max_force, 1e-9 * (1 + sampled.max_force));
+  ASSERT_LE(found.max_approximated_force, found.max_force * (1 + 1e-9));
   ASSERT_LE(found.angle, sampled.angle + angle_tolerance) << "sampling comes nearer";
   ASSERT_GE(found.angle, sampled.angle - angle_tolerance) << "no such force was found";
   ASSERT_EQ(ph::is_displayed(found.display), sampled.angle < right_angle);
@@ -252,7 +252,7 @@ best over_self_motion(const M& mechanism, const ph::joint_vector<M>& q, const ph
   for (const double z : between) {
     const best one = sample(ph::brake_vector<M>(a + z * b));
     all.angle = std::min(all.angle, one.angle);
-    all.strongest = std::max(all.strongest, one.strongest);
+    all.max_force = std::max(all.max_force, one.max_force);
   }
   return all;
 }

@@ -1,7 +1,7 @@
 // The strongest normal force of brakes with motors, and the least share of motors, against all vertices of
 // the torques that are possible.
 #include <passive_haptics/design/displayable.hpp>
-#include <passive_haptics/design/least_motor_share.hpp>
+#include <passive_haptics/design/min_motor_share.hpp>
 #include <passive_haptics/design/sink_slope.hpp>
 #include <passive_haptics/mechanism/adaptors/braked_joints.hpp>
 #include <passive_haptics/mechanism/chains/serial_chain_with_inertia.hpp>
@@ -86,7 +86,7 @@ struct torque_program {
     return largest(lower, upper);
   }
   // Over all self-motions where one settles: one between each two at which a brake comes to rest.
-  double strongest(const ph::task_vector<M>& v, const ph::hybrid_brakes<M>& hybrid) const {
+  double max_force(const ph::task_vector<M>& v, const ph::hybrid_brakes<M>& hybrid) const {
     const Eigen::VectorXd w = rates(v);
     if constexpr (!ph::Settles<M>) {
       return largest(w, hybrid);
@@ -132,24 +132,24 @@ void compare_with_vertices(const M& mechanism, const ph::joint_vector<M>& lower,
       else if (way < 0.2) hybrid.brakes.make_positive(i);
       else if (way < 0.3) hybrid.brakes.torque_lower[i] = -0.2;
     }
-    const double expected = program.strongest(v, hybrid);
-    EXPECT_NEAR(ph::displayable(mechanism, q, v, n, hybrid).strongest, expected, 1e-8 * (1 + expected));
+    const double expected = program.max_force(v, hybrid);
+    EXPECT_NEAR(ph::displayable(mechanism, q, v, n, hybrid).max_force, expected, 1e-8 * (1 + expected));
 
-    const double push = random.uniform(0.1, 1.5) * program.strongest(-n, hybrid.brakes);
+    const double push = random.uniform(0.1, 1.5) * program.max_force(-n, hybrid.brakes);
     if (!(push > 0.01)) continue;
-    const auto found = ph::least_motor_share(mechanism, q, along, n, hybrid.brakes, push);
+    const auto found = ph::min_motor_share(mechanism, q, along, n, hybrid.brakes, push);
     ASSERT_EQ(found.outcome, ph::status::ok);
     ASSERT_TRUE(std::isfinite(found.share));
     const auto with_share = [&](double share) {
       return ph::hybrid_brakes<M>(hybrid.brakes, share * hybrid.brakes.torque_limit);
     };
-    EXPECT_GE(program.strongest(along, with_share(found.share)), push * (1 - 1e-8));
+    EXPECT_GE(program.max_force(along, with_share(found.share)), push * (1 - 1e-8));
     EXPECT_EQ(ph::sink_slope(mechanism, q, along, n, with_share(found.share * (1 + 1e-8)), push).slope, 0);
     seen.none += found.share == 0;
     seen.some += found.share > 0;
     seen.over_1 += found.share > 1;
     if (found.share == 0) continue;
-    EXPECT_LT(program.strongest(along, with_share(0.999 * found.share)), push);
+    EXPECT_LT(program.max_force(along, with_share(0.999 * found.share)), push);
     EXPECT_GT(ph::sink_slope(mechanism, q, along, n, with_share(0.999 * found.share), push).slope, 0);
   }
   EXPECT_GT(compared, poses / 2);

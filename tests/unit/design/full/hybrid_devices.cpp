@@ -75,7 +75,7 @@ hybrid_run follow_with_motors(std::uint64_t seed, std::uint64_t number, double s
   ph::force_sensor<double, 2> sensor({p.sensor_corner, p.sensor_noise, p.noise_seed, p.sensor_scale});
   ph::contact_meter meter(p.path_end, p.time_step);
   const long cycle = std::lround(p.control_period / p.time_step),
-             steps = std::lround(p.longest / p.time_step);
+             steps = std::lround(p.max_duration / p.time_step);
   ph::joint_encoders<hybrid_arm> encoders(real, {p.encoder_resolution, p.rate_corner}, p.control_period);
   vec2 capacity = vec2::Zero(), motors = vec2::Zero();
   double depth = -wall.distance(plant.position()), motor_energy = 0, plant_time = 0;
@@ -104,7 +104,7 @@ hybrid_run follow_with_motors(std::uint64_t seed, std::uint64_t number, double s
     plant_time = time + p.time_step;
     const double progress = hand.progress(plant.position());
     meter.add({.progress = progress, .depth = depth, .rate = plant.rates()[1], .hand_force = -felt.dot(n)});
-    if (progress >= p.path_end || !(depth <= p.deepest)) break;
+    if (progress >= p.path_end || !(depth <= p.max_depth)) break;
   }
   run.figures = meter.result();
   run.driving /= plant_time;

@@ -32,9 +32,9 @@ struct led_hand {
   ph::hybrid_brakes<M> brakes;
   double push;
 
-  double strongest_at(const M& mechanism, double slope) const {
+  double max_force_at(const M& mechanism, double slope) const {
     return ph::displayable(mechanism, q, ph::task_vector<M>(along - slope * normal), normal, brakes)
-        .strongest;
+        .max_force;
   }
 };
 
@@ -60,7 +60,7 @@ led_hand<M> draw_hand(const M& mechanism, const ph::joint_vector<M>& lower, cons
   }
   const double most =
       ph::displayable(mechanism, hand.q, ph::task_vector<M>(-hand.normal), hand.normal, hand.brakes)
-          .strongest;
+          .max_force;
   hand.push = random.uniform(0.05, 1.1) * (std::isfinite(most) && most > 0 ? most : 1.0);
   return hand;
 }
@@ -89,11 +89,11 @@ found_slopes search(const M& mechanism, const ph::joint_vector<M>& lower, const 
     seen.sinking += found.slope > 0 && std::isfinite(found.slope);
     const double more = hand.push * (1 + 1e-9), less = hand.push * (1 - 1e-9);
     if (std::isfinite(found.slope)) {
-      EXPECT_GE(hand.strongest_at(mechanism, found.slope), less);
+      EXPECT_GE(hand.max_force_at(mechanism, found.slope), less);
     }
     bool again = false;
     for (int j = 0; j < grid; ++j) {
-      const double slope = grid_slope(j), force = hand.strongest_at(mechanism, slope);
+      const double slope = grid_slope(j), force = hand.max_force_at(mechanism, slope);
       if (slope < found.slope * (1 - 1e-9)) {
         EXPECT_LT(force, more) << "at " << slope << ", less than " << found.slope;
       }

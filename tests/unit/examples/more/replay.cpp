@@ -189,7 +189,7 @@ TEST(replay, of_a_simulation_makes_the_same_decisions) {
     log += row.csv();
     return decision;
   };
-  ph::follow_wall(plant, logged, wall, hand, {.longest = 1});
+  ph::follow_wall(plant, logged, wall, hand, {.max_duration = 1});
 
   const auto replayed = [&](const std::string& text, example::replay_summary& all) {
     auto again = controller();

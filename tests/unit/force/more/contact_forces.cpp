@@ -16,7 +16,7 @@ using three = ph::vector<double, 3>;
 const ph::force_map<double, 2, 2> axes{ph::identity_matrix<double, 2>()};
 
 TEST(desired_force, of_a_wall_grows_with_depth_along_its_normal) {
-  const auto Fd = ph::force_of<double>(
+  const auto Fd = ph::desired_force_of<double>(
       ph::contact<2>{.normal = {0.6, 0.8}, .depth = 0.5, .stiffness = 6, .wall_velocity = {1, 2}});
   EXPECT_EQ(Fd.direction, pair(0.6, 0.8));
   EXPECT_EQ(Fd.magnitude, 3);

@@ -1,8 +1,8 @@
 // A delta in corners, wedges and slots made of triangles: the same contacts as from half-spaces, the same
 // torques, and the laws of brakes.
 #include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
 #include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
 #include <passive_haptics/mechanism/models/delta.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>

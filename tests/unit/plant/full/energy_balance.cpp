@@ -83,9 +83,9 @@ struct run {
   using M = typename Case::mechanism;
   using T = typename M::scalar;
   ph::simulated_device<M> device;
-  double scale = 0;            // sum |qd| (|work| + dt |qd| kinetic) [J]
-  double throughput = 0;       // sum |work| [J]
-  double most_power = -1e300;  // largest t_i w_i over its rounding
+  double scale = 0;           // sum |qd| (|work| + dt |qd| kinetic) [J]
+  double throughput = 0;      // sum |work| [J]
+  double max_power = -1e300;  // largest t_i w_i over its rounding
   int sticks = 0, slips = 0;
 
   static ph::brake_models_of<M> brakes(ph::testing::random_source& random, bool braked) {
@@ -144,7 +144,7 @@ struct run {
       const double rounding = static_cast<double>(ph::rounding_tolerance<T>(M::brake_count) * std::abs(t[i]) *
                                                   (w.norm() + device.rates().norm() + A * T(dt) * t.norm()));
       const double power = static_cast<double>(device.brake_power()[i]);
-      if (rounding > 0) most_power = std::max(most_power, power / rounding);
+      if (rounding > 0) max_power = std::max(max_power, power / rounding);
       if (t[i] != T(0)) ++(std::abs(device.rates()[i]) < T(1e-7) ? sticks : slips);
     }
   }
@@ -191,8 +191,8 @@ TYPED_TEST(energy_balance, no_brake_gives_power_beyond_rounding) {
   const bool is_double = std::is_same_v<typename TypeParam::mechanism::scalar, double>;
   for (std::uint64_t seed = 11; seed <= 18; ++seed) {
     const run<TypeParam> r(seed, 1e-4, true);
-    EXPECT_LE(r.most_power, 1) << "seed " << seed;
-    EXPECT_LE(r.device.energy().largest_brake_power, is_double ? 1e-14 : 1e-5) << "seed " << seed;
+    EXPECT_LE(r.max_power, 1) << "seed " << seed;
+    EXPECT_LE(r.device.energy().max_brake_power, is_double ? 1e-14 : 1e-5) << "seed " << seed;
   }
 }
 

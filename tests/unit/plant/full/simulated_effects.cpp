@@ -2,7 +2,7 @@
 #include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>
-#include <passive_haptics/control/ways/with_effects.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
 #include <passive_haptics/force/effects/detents.hpp>
 #include <passive_haptics/force/effects/end_stops.hpp>
 #include <passive_haptics/force/effects/guide.hpp>
@@ -58,7 +58,7 @@ struct experiment {
       for (int i = 0; i < 10; ++i) device.advance(time_step, told.capacity, force);
       time += cycle_period;
     }
-    EXPECT_LE(device.energy().largest_brake_power, 1e-12);
+    EXPECT_LE(device.energy().max_brake_power, 1e-12);
   }
 };
 
@@ -170,8 +170,8 @@ TEST(follow_wall, takes_a_controller_with_effects) {
   const auto sticky = figures(ph::with_effects(scene, honey(40)));
   EXPECT_TRUE(smooth.arrived && sticky.arrived);
   EXPECT_GT(sticky.retarding_force, smooth.retarding_force + 0.7) << "2 N at 5 cm/s, less while it bounces";
-  EXPECT_LE(sticky.largest_brake_power, 1e-12);
-  EXPECT_LE(sticky.depth_max, smooth.depth_max + 1e-3);
+  EXPECT_LE(sticky.max_brake_power, 1e-12);
+  EXPECT_LE(sticky.max_depth, smooth.max_depth + 1e-3);
 }
 
 }  // namespace

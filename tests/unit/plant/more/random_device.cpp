@@ -73,7 +73,7 @@ void expect_a_way(const M& mechanism, const ph::workspace<M>& where) {
     const ph::task_vector<M> v = ph::jacobian(mechanism, p.q) * p.qd;
     EXPECT_NEAR(v.dot(p.direction), d.hand.speed, 1e-9);
     EXPECT_LT(v.dot(p.normal), -0.05 + 1e-9) << "towards the wall";
-    EXPECT_GE(ph::best_cosine(mechanism, p.q, p.direction, p.normal), where.least_cosine);
+    EXPECT_GE(ph::max_cosine(mechanism, p.q, p.direction, p.normal), where.min_cosine);
     EXPECT_NEAR(d.run.path_end, p.direction.dot(p.start) + where.path_length, 1e-12);
   }
 }
@@ -90,8 +90,8 @@ TEST(random_plane, can_be_followed_and_felt_where_it_begins) {
 TEST(random_plane, best_cosine_is_that_of_the_nearest_reference_force) {
   const ph::xy_table<double> table;
   const ph::vector<double, 2> slant = ph::vector<double, 2>(0.8, -0.6), normal(0.6, 0.8);
-  EXPECT_NEAR(ph::best_cosine<ph::xy_table<double>>(table, {0, 0}, slant, normal), 0.8, 1e-12);
-  EXPECT_NEAR(ph::best_cosine<ph::xy_table<double>>(table, {0, 0}, -slant, normal), 0.6, 1e-12);
+  EXPECT_NEAR(ph::max_cosine<ph::xy_table<double>>(table, {0, 0}, slant, normal), 0.8, 1e-12);
+  EXPECT_NEAR(ph::max_cosine<ph::xy_table<double>>(table, {0, 0}, -slant, normal), 0.6, 1e-12);
 }
 
 TEST(random_plane, says_where_there_is_none) {

@@ -43,14 +43,14 @@ TYPED_TEST(wall_following, direct_control_leaves_nothing_normal_in_any_cycle) {
 TEST(wall_following_run, stops_where_the_handle_is_too_deep) {
   auto e = tendon_device(0.02);
   ph::wall_following_parameters p;
-  p.deepest = 0.005;
-  double deepest = 0;
+  p.max_depth = 0.005;
+  double max_depth = 0;
   const auto figures = ph::follow_wall(
       e.device, [](const auto&) { return ph::step_result<ph::tendon_two_link<double>>{}; }, wall, e.hand, p,
-      [&](const auto& now) { deepest = now.depth; });
+      [&](const auto& now) { max_depth = now.depth; });
   EXPECT_FALSE(figures.arrived);
-  EXPECT_GT(deepest, 0.005);
-  EXPECT_LT(deepest, 0.0051);
+  EXPECT_GT(max_depth, 0.005);
+  EXPECT_LT(max_depth, 0.0051);
 }
 
 TEST(wall_following_run, samples_fit_together) {
@@ -58,7 +58,7 @@ TEST(wall_following_run, samples_fit_together) {
   auto e = tendon_device<T>(T(0.02));
   auto control = e.controller(ph::direct_control(), 1000);
   ph::wall_following_parameters p;
-  p.longest = 0.3;
+  p.max_duration = 0.3;
   p.sensor_corner = 0;
   double time = 0;
   bool braked = false;
@@ -83,7 +83,7 @@ TEST(wall_following_run, force_sensor_is_a_low_pass) {
   using T = double;
   auto e = table<T>();
   ph::wall_following_parameters p;
-  p.longest = 8e-4;
+  p.max_duration = 8e-4;
   e.device.set_motion(e.q, {0, 0});
   T last = 0, filtered = 0;
   ph::follow_wall(
@@ -100,7 +100,7 @@ TEST(wall_following_run, control_reads_the_encoders) {
   using M = ph::tendon_two_link<double>;
   auto e = tendon_device<double>(0.02);
   ph::wall_following_parameters p;
-  p.longest = 0.05;
+  p.max_duration = 0.05;
   p.encoder_resolution = 1e-3;
   p.rate_corner = 30;
   ph::joint_encoders<M> expected(e.arm, {1e-3, 30}, 1e-3);
@@ -125,7 +125,7 @@ TEST(wall_following_run, control_reads_the_noise_of_the_force_sensor) {
   const auto noise_of = [](double sigma, std::uint64_t seed) {
     auto e = table<double>();
     ph::wall_following_parameters p = with_slides();
-    p.longest = 0.5;
+    p.max_duration = 0.5;
     p.sensor_noise = sigma;
     p.noise_seed = seed;
     double squares = 0;
@@ -150,7 +150,7 @@ TEST(wall_following_run, figures_count_the_energy_of_the_brakes) {
   using M = ph::xy_table<double>;
   auto e = table<double>();
   ph::wall_following_parameters p = with_slides();
-  p.longest = 0.5;
+  p.max_duration = 0.5;
   e.device.set_motion({0.045, 0.2251}, {0.05, 0});
   ph::step_result<M> half_a_newton;
   half_a_newton.capacity = {0.5, 10};
@@ -166,7 +166,7 @@ TEST(wall_following_run, figures_count_the_energy_of_the_brakes) {
   EXPECT_NEAR(force, 0.5, 1e-9);
   EXPECT_NEAR(figures.brake_energy, 0.5 * way, 0.05 * 0.5 * way) << "less while the brakes rise";
   EXPECT_NEAR(figures.brake_energy, e.device.energy().friction(), 1e-12) << "in contact from the start";
-  EXPECT_LE(figures.largest_brake_power, 1e-15);
+  EXPECT_LE(figures.max_brake_power, 1e-15);
   EXPECT_LE(power, 1e-15);
   EXPECT_LE(std::abs(e.device.energy().imbalance()), 1e-13 * e.device.energy().hand);
 }
@@ -179,7 +179,7 @@ TEST(wall_following_run, any_decision_with_a_capacity_will_do) {
   };
   auto e = table<double>();
   ph::wall_following_parameters p = with_slides();
-  p.longest = 0.01;
+  p.max_duration = 0.01;
   int cycles = 0, last = 0;
   ph::follow_wall(
       e.device, [&](const auto&) { return decision{{0, 0}, ++cycles}; }, wall, e.hand, p,
@@ -208,19 +208,19 @@ TEST(wall_following_run, devices_with_self_motion_follow_a_wall) {
   ph::wall_following_parameters p;
   p.path_end = start[0] + 0.05;
   p.watched_brake = 2;
-  double strongest = 0;
+  double max_force = 0;
   const auto figures = ph::follow_wall(device, control, surface, hand, p, [&](const auto& s) {
     const ph::matrix<double, 2, 3> J = ph::jacobian(arm, device.q());
     const ph::matrix<double, 2, 3> JMi = J * arm.mass_matrix(device.q()).inverse();
     const ph::vector<double, 2> by_brakes = JMi * s.brake_torque,
                                 by_force = JMi * (J.transpose() * s.brake_force);
     EXPECT_LE((by_brakes - by_force).norm(), 1e-9 * (by_brakes.norm() + 1));
-    strongest = std::max(strongest, s.brake_force.norm());
+    max_force = std::max(max_force, s.brake_force.norm());
   });
   EXPECT_GT(figures.duration, 0.1);
-  EXPECT_GT(strongest, 0.1);
+  EXPECT_GT(max_force, 0.1);
   EXPECT_GT(figures.brake_energy, 0);
-  EXPECT_LE(figures.largest_brake_power, 1e-14);
+  EXPECT_LE(figures.max_brake_power, 1e-14);
   EXPECT_LE(std::abs(device.energy().imbalance()), 1e-3 * device.energy().hand);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/brake/torque_interval.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/core/scalar/first_order_lag.hpp>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ class brake_lag_model {
   }
 
   /// What a brake makes [N m], as of the last advance().
-  double torque(int brake) const { return torque_[static_cast<std::size_t>(brake)]; }
+  double torque(int brake) const { return nth(torque_, brake); }
 
   /// All brakes are released, as if since the last advance(): their time constants are not known here.
   void release() { command_.fill(0); }

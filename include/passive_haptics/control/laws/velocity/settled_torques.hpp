@@ -23,7 +23,7 @@ struct settled_torques {
 
   vector<T, Brakes> capacity = vector<T, Brakes>::Zero();  ///< [N m]
   each_wall made = {};                                     ///< Normal forces n_j . F [N],
-  each_wall largest = {};                                  ///< and what they could be at most [N].
+  each_wall max_force = {};                                ///< and what they could be at most [N].
   bool sticks = true;  ///< None of the brakes that push turns, but for those that come to rest anyway.
 };
 
@@ -40,14 +40,14 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
   brake_set held;
   if (count == 1) {
     const auto unit =
-        form_of<M>::nearest_at(device, landed, now, demands[0].normal, device.options.min_cosine, start.held);
+        form_of<M>::nearest(device, landed, now, demands[0].normal, device.options.min_cosine, start.held);
     held = unit.held;
     const vector<T, m> bound = passive_haptics::torque_bounds_of(device.brakes, unit.torque);
-    const auto largest =
+    const auto max_force =
         (unit.torque.array() != T(0))
             .select(bound.array() / unit.torque.array().abs(), std::numeric_limits<T>::infinity());
-    all.largest[0] = is_displayed(unit.display) ? largest.minCoeff() : T(0);
-    all.made[0] = std::min(demands[0].force, all.largest[0]);
+    all.max_force[0] = is_displayed(unit.display) ? max_force.minCoeff() : T(0);
+    all.made[0] = std::min(demands[0].force, all.max_force[0]);
     all.capacity = all.made[0] * unit.torque.cwiseAbs();
     if (device.options.limits == saturation::clamp_each)
       for (int i = 0; i < m; ++i)  // a force that is NaN stays
@@ -59,14 +59,14 @@ settled_torques<T, M::brake_count, Capacity> settled_torques_at(
     const auto map = form_of<M>::map(device.pose, device.E);
     const auto box = passive_haptics::torque_box_of(settled.signs, device.brakes);
     const auto met = contact_forces<T, D, m, Capacity>(map, box, demands, count);
-    const vector<T, m> limit = passive_haptics::largest_torques_of<T, m>(device.brakes);
+    const vector<T, m> limit = passive_haptics::max_torques_of<T, m>(device.brakes);
     all.capacity = met.torque.cwiseAbs();
     all.made = met.displayed;
     for (int j = 0; j < count; ++j) {
       const auto k = static_cast<std::size_t>(j);
       for (int i = 0; i < m; ++i)
         if (const T gain = std::abs(demands[k].normal.dot(map.G.col(i))); gain > T(0))
-          all.largest[k] += gain * limit[i];
+          all.max_force[k] += gain * limit[i];
     }
   }
   for (int i = 0; i < m; ++i)

@@ -9,6 +9,7 @@
 #include <passive_haptics/core/linear/cone.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
 #include <passive_haptics/core/linear/orthogonal_decomposition.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/force/forms/form_of.hpp>
 
 #include <algorithm>
@@ -38,11 +39,11 @@ template <class M, class Wall, std::size_t Capacity, class T = typename M::scala
 bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& motion,
                  const std::array<Wall, Capacity>& walls, int count, T ahead) {
   constexpr int n = M::dof, capacity = static_cast<int>(Capacity);
-  constexpr T most_left = T(0.1);
+  constexpr T max_left = T(0.1);
   matrix<T, n, capacity> into = matrix<T, n, capacity>::Zero();
   int closed = 0;
   for (int j = 0; j < count; ++j) {
-    const Wall& wall = walls[std::size_t(j)];
+    const Wall& wall = nth(walls, j);
     if (!wall.is_closed()) continue;
     ++closed;
     into.col(j) = -dynamics.mass.half_solve(joint_vector<M>(transposed_times(dynamics.J, wall.along.normal)));
@@ -57,7 +58,7 @@ bool is_cornered(const pose_dynamics<M>& dynamics, const weighted_motion<M>& mot
     y -= handle.without_row_space(y);
     left -= handle.without_row_space(left);
   }
-  return left.norm() <= most_left * y.norm();
+  return left.norm() <= max_left * y.norm();
 }
 
 /// True if a handle that moves enters all walls that are closed, two or more, and brake torques of magnitudes
@@ -70,7 +71,7 @@ bool enters_undisplayed(const std::array<Wall, Capacity>& walls, int count,
   int closed = 0;
   bool misses = false;
   for (int j = 0; j < count; ++j) {
-    const Wall& wall = walls[std::size_t(j)];
+    const Wall& wall = nth(walls, j);
     if (!wall.is_closed()) continue;
     if (!(wall.stop_speed > T(0))) return false;
     ++closed;

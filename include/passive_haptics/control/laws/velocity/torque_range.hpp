@@ -20,8 +20,8 @@ struct torque_range {
 
   vector<T, Brakes> sign;                  ///< Of its torque: -1 or 1.
   vector<T, Brakes> lag_share;             ///< Of the way to a command that the horizon covers [1].
-  vector<T, Brakes> smallest;              ///< What its lag leaves it at least [N m].
-  vector<T, Brakes> largest;               ///< [N m], >= smallest.
+  vector<T, Brakes> lower;                 ///< What its lag leaves it at least [N m].
+  vector<T, Brakes> upper;                 ///< [N m], >= lower.
   matrix<T, Brakes, Brakes> A;             ///< T M^-1 T^T, where any is at rest [rad/s^2 per N m].
   bool any_at_rest = false;                ///< Some brake is at rest.
   flags at_rest = flags::Constant(false);  ///< It is at rest,
@@ -104,17 +104,17 @@ torque_range<typename M::scalar, M::brake_count> torque_ranges_of(
     range.sign[i] = rate > T(0) ? T(-1) : T(1);
     range.sign_is_lasting[i] = !(range.sign[i] * g[i] <= T(0) && dynamics.rates[i] * g[i] < T(0));
     if (!range.sign_is_lasting[i]) range.sign[i] = -range.sign[i];
-    range.smallest[i] =
+    range.lower[i] =
         within_interval(strength[i], device.brakes, i, false, range.sign[i]) * (T(1) - range.lag_share[i]);
-    range.largest[i] = passive_haptics::torque_bound_of<T>(device.brakes, i, range.sign[i]);
+    range.upper[i] = passive_haptics::torque_bound_of<T>(device.brakes, i, range.sign[i]);
     range.kept[i] = T(0);
     if (range.at_rest[i]) {
       const T enough = std::max(max_held * holding[i] * range.sign[i], T(0));
-      range.held[i] = enough > T(0) && enough <= range.largest[i];
+      range.held[i] = enough > T(0) && enough <= range.upper[i];
       if (enough > T(0)) range.kept[i] = strength[i];
-      range.largest[i] = std::min(range.largest[i], enough);
+      range.upper[i] = std::min(range.upper[i], enough);
     }
-    range.largest[i] = std::max(range.smallest[i], range.largest[i]);
+    range.upper[i] = std::max(range.lower[i], range.upper[i]);
   });
   return range;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/shape.hpp>
 
 #include <algorithm>
@@ -21,9 +22,9 @@ struct seen_position {
   double move_to(const point<D>& x) {
     double square = 0;
     for (int i = 0; i < D; ++i) {
-      const double step = x[i] - before[std::size_t(i)];
+      const double step = x[i] - nth(before, i);
       square += step * step;
-      before[std::size_t(i)] = x[i];
+      nth(before, i) = x[i];
     }
     return std::sqrt(square);
   }
@@ -48,7 +49,7 @@ struct velocity_contact_state {
     const double by_count = std::min(std::abs(depth_now - depth) - 2 * dt * std::abs(outward), moved);
     jump = std::max(jump * (1 - std::min(dt / p.jump_time, 1.0)), by_count);
     depth = depth_now;
-    return std::max(p.rest_depth, std::min(p.depth_per_jump * jump, p.deepest_rest));
+    return std::max(p.rest_depth, std::min(p.depth_per_jump * jump, p.max_rest_depth));
   }
 };
 

@@ -6,14 +6,15 @@
 #include <passive_haptics/control/laws/contact_memory.hpp>
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
 #include <passive_haptics/control/laws/velocity/brake_lag.hpp>
-#include <passive_haptics/control/laws/velocity/least_power.hpp>
+#include <passive_haptics/control/laws/velocity/min_power.hpp>
 #include <passive_haptics/control/laws/velocity/settled_torques.hpp>
 #include <passive_haptics/control/laws/velocity/stopping_torques.hpp>
 #include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_contact_state.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
 #include <passive_haptics/control/laws/velocity/wall_demand.hpp>
-#include <passive_haptics/control/ways/torque_law.hpp>
+#include <passive_haptics/control/pipelines/torque_law.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
 #include <algorithm>
@@ -73,12 +74,12 @@ class velocity_direct_control {
   static constexpr bool needs_sensed_at = true;    ///< Carries a held contact on to where the handle is now.
   static constexpr bool needs_rising_time = true;  ///< Integrates over the time between cycles.
   static constexpr bool commands_torques = true;   ///< It is a TorqueLaw.
-  static constexpr int most_contacts = 8;          ///< Walls that it remembers at once.
+  static constexpr int max_contacts = 8;           ///< Walls that it remembers at once.
 
   using contact_state = velocity_contact_state;  ///< Of one contact.
   /// What it remembers.
   struct memory {
-    contact_memory<contact_state, most_contacts> walls;       ///< Each contact's.
+    contact_memory<contact_state, max_contacts> walls;        ///< Each contact's.
     brake_lag_model brakes;                                   ///< What the brakes make.
     approximation_start start;                                ///< n > d: the brakes that come to rest.
     bool moving = false;                                      ///< Rates and time are known.
@@ -96,7 +97,7 @@ class velocity_direct_control {
   /// Distance from a wall at which its contact is needed [m].
   template <class B>
   double margin(const B& brakes) const noexcept {
-    return p_.margin(slowest_lag(brakes));
+    return p_.margin(max_lag(brakes));
   }
 
   /// Brake torques [N m].
@@ -117,8 +118,8 @@ class velocity_direct_control {
     const task_vector<M> Fh = static_cast<T>(p_.force_share) * device.hand_force;
     const T lag = velocity_lag<T>(device.brakes);
     for (int j = 0; j < touched.size(); ++j)
-      walls[std::size_t(j)] = passive_haptics::demand_of(touched[j], device, dynamics, Fh, dt, moved,
-                                                         remembered.walls[j], p_, lag);
+      nth(walls, j) = passive_haptics::wall_demand_of(touched[j], device, dynamics, Fh, dt, moved,
+                                                      remembered.walls[j], p_, lag);
     const int count = touched.size();
     if constexpr (Capacity > 1)
       if (count > 1) {
@@ -127,7 +128,7 @@ class velocity_direct_control {
           return stop(device, dynamics, motion, remembered);
       }
     if constexpr (Settles<M>) return settled_torque(device, dynamics, walls, count, dt, remembered);
-    else return least_power_torque(device, dynamics, qd, walls, count, dt, remembered);
+    else return min_power_torque(device, dynamics, qd, walls, count, dt, remembered);
   }
 
   /// Free space or a fault: the walls are forgotten.
@@ -149,7 +150,7 @@ class velocity_direct_control {
         device, dynamics, walls, count, demanding, static_cast<T>(p_.force_share), remembered.start);
     for (auto j = std::size_t(0); j < std::size_t(count); ++j) {
       const bool demands = j < std::size_t(demanding);
-      walls[j].learn(found.made[j], demands ? found.largest[j] : std::numeric_limits<T>::infinity(),
+      walls[j].learn(found.made[j], demands ? found.max_force[j] : std::numeric_limits<T>::infinity(),
                      found.sticks, dt, p_);
     }
     return passive_haptics::torques_to_command(
@@ -158,9 +159,9 @@ class velocity_direct_control {
 
   // n = d: torques of least power
   template <class M, class Device, class Wall, std::size_t Capacity>
-  brake_vector<M> least_power_torque(const Device& device, const pose_dynamics<M>& dynamics,
-                                     const joint_vector<M>& qd, std::array<Wall, Capacity>& walls, int count,
-                                     double dt, memory& remembered) const {
+  brake_vector<M> min_power_torque(const Device& device, const pose_dynamics<M>& dynamics,
+                                   const joint_vector<M>& qd, std::array<Wall, Capacity>& walls, int count,
+                                   double dt, memory& remembered) const {
     using T = typename M::scalar;
     constexpr int m = M::brake_count;
     const int demanding = passive_haptics::demanding_first(walls, count);
@@ -171,14 +172,14 @@ class velocity_direct_control {
                                                   p_.horizon)
               : passive_haptics::torque_ranges_of(device, dynamics, remembered.brakes, p_.horizon);
     const auto u = form_of<M>::units(brake_vector<M>(-brakes.sign), device.brakes);
-    brake_vector<M> t = least_power_torques(walls, demanding, brakes, w, u);
-    for (int j = 0; j < count; ++j) learn(walls[std::size_t(j)], brakes, t, dt);
+    brake_vector<M> t = min_power_torques(walls, demanding, brakes, w, u);
+    for (int j = 0; j < count; ++j) learn(nth(walls, j), brakes, t, dt);
     if constexpr (Capacity > 1)
       if (count > 1 && passive_haptics::enters_undisplayed(walls, count, brakes, t))
         return stop(device, dynamics, weighted_motion<M>(dynamics, qd, device.hand_force), remembered);
     const bool sinks = alone && walls[0].speed_error > T(0);
     for (int i = 0; i < m; ++i)
-      if (sinks && t[i] > T(0) && t[i] >= brakes.largest[i]) t[i] = std::max(t[i], brakes.kept[i]);
+      if (sinks && t[i] > T(0) && t[i] >= brakes.upper[i]) t[i] = std::max(t[i], brakes.kept[i]);
     return passive_haptics::torques_to_command(device, t, brakes.lag_share, remembered.brakes);
   }
 
@@ -190,7 +191,7 @@ class velocity_direct_control {
     const double share = remembered.moving ? lag_share(dt, p_.rate_lag) : 1.0;
     joint_vector<M> smooth;
     unrolled<M::dof>([&](auto i) {
-      double& rate = remembered.rates[std::size_t(i)];
+      double& rate = nth(remembered.rates, i);
       rate += share * (static_cast<double>(qd[i]) - rate);
       smooth[i] = static_cast<typename M::scalar>(rate);
     });
@@ -198,14 +199,14 @@ class velocity_direct_control {
   }
 
   template <class B>
-  static double slowest_lag(const B& brakes) {
+  static double max_lag(const B& brakes) {
     return static_cast<double>(brakes.time_constant.maxCoeff());
   }
 
   // tau_v [s]
   template <class T, class B>
   T velocity_lag(const B& brakes) const {
-    return static_cast<T>(p_.velocity_lag_for(slowest_lag(brakes)));
+    return static_cast<T>(p_.velocity_lag_for(max_lag(brakes)));
   }
 
   // Every brake stops the motion. One at rest stays so: to let it go quickly would be of no use.
@@ -228,14 +229,14 @@ class velocity_direct_control {
   void learn(const Wall& wall, const torque_range<T, Brakes>& brakes, const vector<T, Brakes>& t,
              double dt) const {
     const vector<T, Brakes> gain = wall.along.inertia * brakes.sign.cwiseProduct(wall.along.g);
-    T made = T(0), largest = T(0);
+    T made = T(0), max_force = T(0);
     bool sticks = true;
     unrolled<Brakes>([&](auto i) {
       made += gain[i] * t[i];
-      if (gain[i] > T(0)) largest += gain[i] * brakes.largest[i];  // a limit may be infinite
+      if (gain[i] > T(0)) max_force += gain[i] * brakes.upper[i];  // a limit may be infinite
       if (gain[i] > T(0) && t[i] > T(0) && !brakes.at_rest[i]) sticks = false;
     });
-    wall.learn(made, largest, sticks, dt, p_);
+    wall.learn(made, max_force, sticks, dt, p_);
   }
 
   velocity_direct_control_parameters p_;

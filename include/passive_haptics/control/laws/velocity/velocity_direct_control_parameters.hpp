@@ -23,8 +23,8 @@ struct velocity_direct_control_parameters {
   double depth_per_jump = 4.5;  ///< or this many times what the depth jumps by a count of the encoders [1].
   double approach_speed = 0.1;  ///< Of a hand that comes to a wall [m/s]: it gives the margin; 0: none.
 
-  static constexpr double jump_time = 2;        ///< In which a jump of the depth is forgotten [s].
-  static constexpr double deepest_rest = 5e-3;  ///< d_ref at most, for the sake of jumps [m].
+  static constexpr double jump_time = 2;          ///< In which a jump of the depth is forgotten [s].
+  static constexpr double max_rest_depth = 5e-3;  ///< d_ref at most, for the sake of jumps [m].
 
   /// How far off a wall its contact is needed [m], with brakes of this lag [s].
   constexpr double margin(double lag) const { return approach_speed * (1 / depth_gain + 3 * lag); }

@@ -5,6 +5,7 @@
 #include <passive_haptics/control/laws/velocity/acceleration_display.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_contact_state.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control_parameters.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/contacts.hpp>
 
 #include <algorithm>
@@ -27,9 +28,9 @@ struct wall_demand {
   /// True if the handle may not go further into the wall: it is touched, or wants a force before.
   bool is_closed() const { return force > T(0) || state->depth > 0; }
 
-  /// The bias, after dt [s] of the normal force `made` [N], which can be `largest` at most; sticks: brakes at
-  /// rest make it.
-  void learn(T made, T largest, bool sticks, double dt, const velocity_direct_control_parameters& p) const {
+  /// The bias, after dt [s] of the normal force `made` [N], which can be `max_force` at most; sticks: brakes
+  /// at rest make it.
+  void learn(T made, T max_force, bool sticks, double dt, const velocity_direct_control_parameters& p) const {
     double& bias = state->bias;
     const double forward = static_cast<double>(feedforward), error = static_cast<double>(speed_error);
     const double rate = static_cast<double>(damping * speed_error) / p.integral_time;
@@ -37,17 +38,17 @@ struct wall_demand {
     const double let_go = std::min(-dt * error / p.release_length, 1.0) * (forward + bias);
     if (error < 0) bias += sticks ? std::min(dt * rate, -let_go) : dt * rate;
     else if (!saturated && !sticks) bias += dt * rate;
-    bias = std::clamp(bias, -std::max(forward, 0.0), std::max(static_cast<double>(largest) - forward, 0.0));
+    bias = std::clamp(bias, -std::max(forward, 0.0), std::max(static_cast<double>(max_force) - forward, 0.0));
   }
 };
 
 /// The demand of a contact, dt [s] after the cycle before, the handle having moved by `moved_by` [m] since.
 /// Fh: the share of the hand's force that is fed forward [N]. lag: tau_v [s].
 template <class M, int D, class Device, class T = typename M::scalar>
-wall_demand<T, D, M::brake_count> demand_of(const contact<D>& sensed, const Device& device,
-                                            const pose_dynamics<M>& dynamics, const task_vector<M>& Fh,
-                                            double dt, double moved_by, velocity_contact_state& state,
-                                            const velocity_direct_control_parameters& p, T lag) {
+wall_demand<T, D, M::brake_count> wall_demand_of(const contact<D>& sensed, const Device& device,
+                                                 const pose_dynamics<M>& dynamics, const task_vector<M>& Fh,
+                                                 double dt, double moved_by, velocity_contact_state& state,
+                                                 const velocity_direct_control_parameters& p, T lag) {
   const contact<D> c = carried_to(device.x, sensed);
   const point<D> n = c.normal.normalized(), relative = as<double>(dynamics.velocity) - c.wall_velocity;
   const double outward = n.dot(relative), curving = relative.dot(c.curvature * relative);
@@ -82,7 +83,7 @@ brake_vector<M> landing_rates(const std::array<Wall, Capacity>& walls, int count
   task_vector<M> gained = task_vector<M>::Zero();  // velocity
   for (int sweep = 0; sweep < (count > 1 ? sweeps : 1); ++sweep) {
     for (int j = 0; j < count; ++j) {
-      const Wall& wall = walls[std::size_t(j)];
+      const Wall& wall = nth(walls, j);
       const T p =
           wall.along.inertia * (std::min(wall.speed_error, wall.stop_speed) - wall.along.normal.dot(gained));
       gained += wall.along.per_newton * p;

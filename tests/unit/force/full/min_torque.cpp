@@ -1,5 +1,5 @@
 // The torques of redundant brakes: they make the nearest force, none shorter does, neighbours are neighbours.
-#include "../least_torque_oracle.hpp"
+#include "../min_torque_oracle.hpp"
 
 #include <passive_haptics/force/forms/generator_form.hpp>
 
@@ -56,7 +56,7 @@ double distance(oracle::wide_column a, const oracle::wide_column& b) {
 }
 
 template <int D, int M>
-void expect_least_torques(int cases) {
+void expect_min_torques(int cases) {
   std::mt19937_64 engine(100 * D + M);
   for (const double condition : {1.0, 1e2, 1e3, 1e4, 1e6, 1e8, 1e10}) {
     double worst_force = 0, worst_made = 0, worst_torque = 0;
@@ -65,7 +65,7 @@ void expect_least_torques(int cases) {
       const auto p = draw<D, M>(engine, condition);
       const ph::matrix<double, D, M> V = p.generators();
       const auto ours = ph::nearest_torque(p.G, p.s, p.f);
-      const auto best = oracle::least_torque_of(V, p.f);
+      const auto best = oracle::min_torque_of(V, p.f);
       const oracle::wide_column force(best.force.begin(), best.force.end());
       oracle::wide_column made(D, 0), x = wide(ours.torque);
       for (int i = 0; i < M; ++i) {
@@ -111,7 +111,7 @@ void expect_no_jumps(unsigned seed) {
       for (auto& x : turn) x = gauss(engine);
       // |V_S^+| (|dF| + |dV| |x|) for the worst set S of generators
       const ph::matrix<double, D, M> V = p.generators();
-      const double sine = oracle::project(V, p.f).least_angle;
+      const double sine = oracle::project(V, p.f).min_angle;
       const double step = std::min(1e-9, sine / 100);
       const double inverse = 1 / sine / V.colwise().norm().minCoeff();
       ph::vector<double, M> last = ph::vector<double, M>::Zero();
@@ -134,18 +134,18 @@ void expect_no_jumps(unsigned seed) {
 
 }  // namespace
 
-TEST(least_torque, is_the_best_of_all_sets_of_brakes_in_50_digits) {
-  expect_least_torques<2, 3>(200);
-  expect_least_torques<2, 4>(80);
-  expect_least_torques<2, 6>(24);
-  expect_least_torques<2, 8>(8);
-  expect_least_torques<3, 3>(200);
-  expect_least_torques<3, 4>(80);
-  expect_least_torques<3, 6>(24);
-  expect_least_torques<3, 8>(8);
+TEST(min_torque, is_the_best_of_all_sets_of_brakes_in_50_digits) {
+  expect_min_torques<2, 3>(200);
+  expect_min_torques<2, 4>(80);
+  expect_min_torques<2, 6>(24);
+  expect_min_torques<2, 8>(8);
+  expect_min_torques<3, 3>(200);
+  expect_min_torques<3, 4>(80);
+  expect_min_torques<3, 6>(24);
+  expect_min_torques<3, 8>(8);
 }
 
-TEST(least_torque, changes_no_more_than_its_condition_along_a_path) {
+TEST(min_torque, changes_no_more_than_its_condition_along_a_path) {
   expect_no_jumps<2, 3>(1);
   expect_no_jumps<2, 4>(2);
   expect_no_jumps<2, 8>(3);

@@ -21,7 +21,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST(least_torque, does_not_jump_between_poses_a_nanoradian_apart) {
+TEST(min_torque, does_not_jump_between_poses_a_nanoradian_apart) {
   const device arm(
       {.base_distance = 0.1, .proximal_1 = 0.12, .proximal_2 = 0.12, .distal_1 = 0.2, .distal_2 = 0.2});
   const ph::vector<double, 2> n = ph::vector<double, 2>(0.982, -0.188).normalized(), qd(0.1, -0.3);
@@ -40,7 +40,7 @@ TEST(least_torque, does_not_jump_between_poses_a_nanoradian_apart) {
   }
 }
 
-TEST(least_torque, is_shared_by_brakes_that_are_alike) {
+TEST(min_torque, is_shared_by_brakes_that_are_alike) {
   const ph::matrix<double, 2, 4> G{{1, 2, 0, 0}, {0, 0, 1, 1}};
   const ph::vector<double, 4> s(-1, -1, -1, -1);
   const auto torque = [&](double x, double y) {
@@ -56,7 +56,7 @@ TEST(least_torque, is_shared_by_brakes_that_are_alike) {
   EXPECT_TRUE(t.torque.isApprox(ph::vector<double, 5>(2, 4, 5, 5, 7) / 17, 1e-14));
 }
 
-TEST(least_torque, of_a_brake_at_rest_goes_both_ways) {
+TEST(min_torque, of_a_brake_at_rest_goes_both_ways) {
   const ph::matrix<double, 2, 3> G{{1, 0, 1}, {0, 1, 0}};
   const ph::vector<double, 3> s(-1, -1, 0);
   const auto torque = [&](double x, double y) {
@@ -67,7 +67,7 @@ TEST(least_torque, of_a_brake_at_rest_goes_both_ways) {
   EXPECT_TRUE(torque(0, -1).isZero(1e-15));
 }
 
-TEST(least_torque, is_zero_where_nothing_can_be_made) {
+TEST(min_torque, is_zero_where_nothing_can_be_made) {
   const ph::vector<double, 3> s(1, -1, -1);
   for (const double bad : {0.0, inf, -inf, std::numeric_limits<double>::quiet_NaN()}) {
     const auto t = ph::nearest_torque<double, 2, 3>(ph::matrix<double, 2, 3>::Constant(bad), s, {0.6, 0.8});
@@ -92,7 +92,7 @@ void expect_the_same_in_units(const std::vector<T>& units) {
   }
 }
 
-TEST(least_torque, does_not_depend_on_units) {
+TEST(min_torque, does_not_depend_on_units) {
   expect_the_same_in_units<double>({1e-300, 1e-100, 1e100, 1e300});
   expect_the_same_in_units<float>({1e-30F, 1e-12F, 1e12F, 1e30F});
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/linear/cone.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/scene/proxy/proxy_surface.hpp>
 
 #include <algorithm>
@@ -70,12 +71,12 @@ const placed_surface<S>* surface_of(std::span<const placed_surface<S>> surfaces,
 /// meets; none lets it from the front to the back, since each straight part of its way ends where a surface
 /// stops it.
 template <class S>
-class proxy_way {
+class proxy_path {
   static constexpr int D = S::dimension;
 
  public:
   /// Goes on from where the tracker says, among these surfaces.
-  proxy_way(std::span<const placed_surface<S>> surfaces, proxy_tracker<D>& tracker)
+  proxy_path(std::span<const placed_surface<S>> surfaces, proxy_tracker<D>& tracker)
       : surfaces_(surfaces), tracker_(tracker), p_(tracker.position.data()) {
     for (const auto& s : surfaces_) lip_ = std::min(lip_, lip_by_skin * s.surface->skin());
   }
@@ -113,7 +114,7 @@ class proxy_way {
     facet_of_surface facet;  // -1 if none
   };
 
-  facet_of_surface& resting(int k) { return tracker_.facets[static_cast<std::size_t>(k)]; }
+  facet_of_surface& resting(int k) { return nth(tracker_.facets, k); }
   void keep(const point<D>& at) { point<D>::Map(tracker_.position.data()) = at; }
 
   // Goes to the place over x on the one facet on which the proxy rests, straight or round one edge of a

@@ -4,6 +4,7 @@
 
 #include <passive_haptics/control/laws/velocity/torque_range.hpp>
 #include <passive_haptics/core/linear/least_squares_by_priority.hpp>
+#include <passive_haptics/core/nth.hpp>
 #include <passive_haptics/force/torques/torque_units.hpp>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ void beside_held(const vector<T, Brakes>& g, T missing, const torque_range<T, Br
     for (int j = 0; j < Brakes; ++j) {
       const T gain = range.sign[j] * (g[j] - g[i] * range.A(i, j) / range.A(i, i));
       if (range.at_rest[j] || !(gain > T(0)) || !(missing > T(0))) continue;
-      const T added = std::min(missing / gain, range.largest[j] - t[j]);
+      const T added = std::min(missing / gain, range.upper[j] - t[j]);
       t[j] += added;
       missing -= gain * added;
     }
@@ -37,9 +38,9 @@ void beside_held(const vector<T, Brakes>& g, T missing, const torque_range<T, Br
 /// the drag of 1 N m. Brakes are filled in the order of power for each acceleration (the fractional knapsack
 /// problem of Dantzig 1957), those that help only while the handle lands last.
 template <class T, int Brakes>
-vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
-                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w) {
-  vector<T, Brakes> t = range.smallest;
+vector<T, Brakes> min_power_torques(const vector<T, Brakes>& g, T wanted,
+                                    const torque_range<T, Brakes>& range, const vector<T, Brakes>& w) {
+  vector<T, Brakes> t = range.lower;
   const vector<T, Brakes> gain = range.sign.cwiseProduct(g);
   T missing = wanted - gain.dot(t);
   const auto comes_before = [&](int i, int j) {
@@ -49,18 +50,18 @@ vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
   for (int round = 0; round < Brakes && missing > T(0); ++round) {
     int best = -1;
     for (int i = 0; i < Brakes; ++i) {
-      if (gain[i] > T(0) && t[i] < range.largest[i] && (best < 0 || comes_before(i, best))) best = i;
+      if (gain[i] > T(0) && t[i] < range.upper[i] && (best < 0 || comes_before(i, best))) best = i;
     }
     if (best < 0) {
       beside_held(g, missing, range, t);
       break;
     }
-    const T room = range.largest[best] - t[best], needed = missing / gain[best];
+    const T room = range.upper[best] - t[best], needed = missing / gain[best];
     if (needed <= room) {
       t[best] += needed;
       break;
     }
-    t[best] = range.largest[best];
+    t[best] = range.upper[best];
     missing -= room * gain[best];
   }
   return t;
@@ -71,11 +72,11 @@ vector<T, Brakes> least_power_torques(const vector<T, Brakes>& g, T wanted,
 /// not left to the others' forces: coupled forces are met together. rows: Lambda_j g_j. u: units from
 /// form_of<M>::units. Cost: core/linear/least_squares_by_priority.hpp, two levels.
 template <class T, int Brakes, int Walls, class Units = equal_units>
-vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, const vector<T, Walls>& wanted,
-                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,
-                                      const Units& u = Units()) {
-  const vector<T, Brakes> one = range.sign.cwiseProduct(range.smallest),
-                          other = range.sign.cwiseProduct(range.largest);
+vector<T, Brakes> min_power_torques(const matrix<T, Walls, Brakes>& rows, const vector<T, Walls>& wanted,
+                                    const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,
+                                    const Units& u = Units()) {
+  const vector<T, Brakes> one = range.sign.cwiseProduct(range.lower),
+                          other = range.sign.cwiseProduct(range.upper);
   const vector<T, Brakes> per_torque = passive_haptics::parts_per_torque<T, Brakes>(u);
   const T least = T(1e-3) * w.cwiseAbs().cwiseQuotient(per_torque).maxCoeff() + rounding_tolerance<T>(Brakes);
   const matrix<T, Brakes, Brakes> power = (w.cwiseAbs() + least * per_torque).asDiagonal();
@@ -88,25 +89,24 @@ vector<T, Brakes> least_power_torques(const matrix<T, Walls, Brakes>& rows, cons
 /// normal (acceleration_display.hpp). Where there are several, none holds a handle that leaves
 /// it: a force < 0 counts as none.
 template <class Wall, std::size_t Capacity, class T, int Brakes, class Units = equal_units>
-vector<T, Brakes> least_power_torques(const std::array<Wall, Capacity>& walls, int count,
-                                      const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,
-                                      const Units& u = Units()) {
+vector<T, Brakes> min_power_torques(const std::array<Wall, Capacity>& walls, int count,
+                                    const torque_range<T, Brakes>& range, const vector<T, Brakes>& w,
+                                    const Units& u = Units()) {
   if (Capacity == 1 || count == 1)
-    return least_power_torques<T, Brakes>(walls[0].along.g, walls[0].force / walls[0].along.inertia, range,
-                                          w);
+    return min_power_torques<T, Brakes>(walls[0].along.g, walls[0].force / walls[0].along.inertia, range, w);
   if constexpr (Capacity > 1) {
     constexpr int capacity = static_cast<int>(Capacity);
     matrix<T, capacity, Brakes> rows = matrix<T, capacity, Brakes>::Zero();
     vector<T, capacity> wanted = vector<T, capacity>::Zero();
     for (int j = 0; j < count; ++j) {
-      const Wall& wall = walls[std::size_t(j)];
+      const Wall& wall = nth(walls, j);
       set_row<T>(rows, j, wall.along.inertia * wall.along.g);
       wanted[j] = std::max(wall.force, T(0));
     }
     if ((wanted.array() > T(0)).any())
-      return least_power_torques<T, Brakes, capacity>(rows, wanted, range, w, u);
+      return min_power_torques<T, Brakes, capacity>(rows, wanted, range, w, u);
   }
-  return range.smallest;
+  return range.lower;
 }
 
 }  // namespace passive_haptics

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/core/parameters.hpp>
-#include <passive_haptics/design/largest_resistance.hpp>
+#include <passive_haptics/design/max_resistance.hpp>
 #include <passive_haptics/design/path_point.hpp>
 
 #include <algorithm>
@@ -30,8 +30,8 @@ namespace detail {
 // against the rate w_i. g is convex and linear between the shares at which a motor becomes stronger than what
 // its brake makes, so Newton's method from above ends at the solution itself, after m steps at most.
 template <class T, int Brakes>
-T least_share_against(const vector<T, Brakes>& rates, const torque_box<T, Brakes>& box,
-                      const vector<T, Brakes>& limit, T push) {
+T min_share_against(const vector<T, Brakes>& rates, const torque_box<T, Brakes>& box,
+                    const vector<T, Brakes>& limit, T push) {
   const T rounding = rounding_tolerance<T>(Brakes) * rates.cwiseAbs().maxCoeff();
   const vector<T, Brakes> w = (rates.array().abs() > rounding).select(rates, T(0)),
                           made = (w.array() > T(0)).select(box.upper, -box.lower);
@@ -69,11 +69,11 @@ T least_share_against(const vector<T, Brakes>& rates, const torque_box<T, Brakes
 ///
 /// Never allocates. Cost: that of sink_slope.
 template <class M>
-motor_share_result<typename M::scalar> least_motor_share(const M& mechanism, const joint_vector<M>& q,
-                                                         const task_vector<M>& direction,
-                                                         const task_vector<M>& normal,
-                                                         const switchable_brakes<M>& brakes,
-                                                         typename M::scalar push) {
+motor_share_result<typename M::scalar> min_motor_share(const M& mechanism, const joint_vector<M>& q,
+                                                       const task_vector<M>& direction,
+                                                       const task_vector<M>& normal,
+                                                       const switchable_brakes<M>& brakes,
+                                                       typename M::scalar push) {
   static_assert(is_mechanism<M, explain>());
   using T = typename M::scalar;
   motor_share_result<T> found;
@@ -95,7 +95,7 @@ motor_share_result<typename M::scalar> least_motor_share(const M& mechanism, con
     const auto box = passive_haptics::torque_box_of(motions.signs(W, along), brakes);
     T largest = T(0);
     motions.for_each_way(n, [&](const brake_vector<M>& w) {
-      largest = std::max(largest, detail::least_share_against(w, box, brakes.torque_limit, push));
+      largest = std::max(largest, detail::min_share_against(w, box, brakes.torque_limit, push));
     });
     found.share = std::min(found.share, largest);
   });
@@ -106,14 +106,14 @@ motor_share_result<typename M::scalar> least_motor_share(const M& mechanism, con
 /// one has no result. path(u) returns the path_point<M> at u in (0, 1). Called at the middles of `samples`
 /// equal parts. Throws std::invalid_argument for less than 1 sample. Cost: that of sink_slope for each.
 template <class M, class Path>
-typename M::scalar least_motor_share(const M& mechanism, Path&& path, const switchable_brakes<M>& brakes,
-                                     typename M::scalar push, int samples = 200) {
-  detail::refuse_unless(samples >= 1, "samples of a least_motor_share", samples, "1 or more");
+typename M::scalar min_motor_share(const M& mechanism, Path&& path, const switchable_brakes<M>& brakes,
+                                   typename M::scalar push, int samples = 200) {
+  detail::refuse_unless(samples >= 1, "samples of a min_motor_share", samples, "1 or more");
   typename M::scalar largest = 0;
   for (int k = 0; k < samples; ++k) {
     const path_point<M> at = path((k + 0.5) / samples);
     largest =
-        std::max(largest, least_motor_share(mechanism, at.q, at.direction, at.normal, brakes, push).share);
+        std::max(largest, min_motor_share(mechanism, at.q, at.direction, at.normal, brakes, push).share);
   }
   return largest;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/cycle_result.hpp>
-#include <passive_haptics/control/way.hpp>
+#include <passive_haptics/control/pipeline.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
 
@@ -80,7 +80,7 @@ struct torques_of_law {
         find_force(F, device, done.memory);
       }
       passive_haptics::report_contacts(result, touched, F.force, [&](int j) {
-        return contact_report<T>{.wanted = force_of<T>(touched[j]).direction.dot(as_force.Fc.force)};
+        return contact_report<T>{.wanted = desired_force_of<T>(touched[j]).direction.dot(as_force.Fc.force)};
       });
     }
     return result;
@@ -96,7 +96,7 @@ struct torques_of_law {
   }
 
   status verdict() const {
-    if (walls_of_law().size() > most_contacts<L>) return status::too_many_contacts;
+    if (walls_of_law().size() > max_contacts<L>) return status::too_many_contacts;
     if constexpr (needs_sensed_at<L>)
       for (const auto& c : touched)
         if (!all_finite(c.sensed_at)) return status::contact_invalid;
@@ -105,8 +105,8 @@ struct torques_of_law {
 
   // All contacts; those that are touched alone, where a law with a margin does not take as many
   decltype(auto) walls_of_law() const {
-    if constexpr (Walls::capacity > most_contacts<L>) {
-      if (touched.size() <= most_contacts<L>) return Walls(touched);
+    if constexpr (Walls::capacity > max_contacts<L>) {
+      if (touched.size() <= max_contacts<L>) return Walls(touched);
       Walls deep;
       for (const auto& c : touched)
         if (!(c.depth <= 0)) deep.append_unchecked(c);
@@ -119,7 +119,7 @@ struct torques_of_law {
   // No force in free space, nor before the touch
   desired_force<T, d> force_of_governing() const {
     if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
-    desired_force<T, d> force = force_of<T>(touched[governing]);
+    desired_force<T, d> force = desired_force_of<T>(touched[governing]);
     force.magnitude = std::max(force.magnitude, T(0));  // NaN stays
     return force;
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <passive_haptics/control/cycle_result.hpp>
-#include <passive_haptics/control/way.hpp>
+#include <passive_haptics/control/pipeline.hpp>
 #include <passive_haptics/core/flatten.hpp>
 
 namespace passive_haptics {
@@ -24,7 +24,7 @@ struct one_wall {
   /// What the wall demands; no force in free space. No member: beside a reference g++ 12 keeps it in memory.
   desired_force<T, d> demanded() const {
     if (touched.empty()) return {vector<T, d>::Zero(), T(0), vector<T, d>::Zero()};
-    return force_of<T>(touched[0]);
+    return desired_force_of<T>(touched[0]);
   }
 
   /// Whether there is a force to display.

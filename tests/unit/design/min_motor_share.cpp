@@ -1,6 +1,6 @@
 // How much motor beside each brake would hold a hand: on paper.
 #include <passive_haptics/design/displayable.hpp>
-#include <passive_haptics/design/least_motor_share.hpp>
+#include <passive_haptics/design/min_motor_share.hpp>
 #include <passive_haptics/design/sink_depth.hpp>
 #include <passive_haptics/design/undisplayable_share.hpp>
 #include <passive_haptics/mechanism/models/xy_table.hpp>
@@ -27,12 +27,12 @@ ph::switchable_brakes<slides> brakes_of_1_and_2() {
 }
 
 double share_for(double push, const ph::switchable_brakes<slides>& brakes = brakes_of_1_and_2()) {
-  const auto found = ph::least_motor_share(slides(), {0, 0}, along_the_wall, out_of_wall, brakes, push);
+  const auto found = ph::min_motor_share(slides(), {0, 0}, along_the_wall, out_of_wall, brakes, push);
   EXPECT_EQ(found.outcome, ph::status::ok);
   return found.share;
 }
 
-TEST(least_motor_share, is_what_brakes_leave_by_what_motors_can_make) {
+TEST(min_motor_share, is_what_brakes_leave_by_what_motors_can_make) {
   EXPECT_EQ(share_for(-1), 0);
   EXPECT_EQ(share_for(1.6), 0);
   EXPECT_NEAR(share_for(2.0), 0.4 / 0.6, 1e-15);
@@ -46,20 +46,20 @@ TEST(least_motor_share, is_what_brakes_leave_by_what_motors_can_make) {
   EXPECT_EQ(share_for(1.1, brakes), beyond_all);
 }
 
-TEST(least_motor_share, along_a_path_is_the_largest) {
+TEST(min_motor_share, along_a_path_is_the_largest) {
   const auto path = [](double u) {
     return ph::path_point<slides>{{0, 0}, u < 0.9 ? along_the_wall : in_plane(-along_the_wall), out_of_wall};
   };
   // Back along the wall brake x pushes out with 0.6 N, and the motor of brake y with 1.6 s
-  EXPECT_NEAR(ph::least_motor_share(slides(), path, brakes_of_1_and_2(), 1.4), 0.8 / 1.6, 1e-15);
-  EXPECT_EQ(ph::least_motor_share(slides(), path, brakes_of_1_and_2(), 0.59), 0);
-  EXPECT_THROW(ph::least_motor_share(slides(), path, brakes_of_1_and_2(), 1.4, 0), std::invalid_argument);
+  EXPECT_NEAR(ph::min_motor_share(slides(), path, brakes_of_1_and_2(), 1.4), 0.8 / 1.6, 1e-15);
+  EXPECT_EQ(ph::min_motor_share(slides(), path, brakes_of_1_and_2(), 0.59), 0);
+  EXPECT_THROW(ph::min_motor_share(slides(), path, brakes_of_1_and_2(), 1.4, 0), std::invalid_argument);
 }
 
-TEST(least_motor_share, says_why_there_is_none) {
+TEST(min_motor_share, says_why_there_is_none) {
   auto brakes = brakes_of_1_and_2();
   const auto outcome = [&](double push, const in_plane& normal) {
-    const auto found = ph::least_motor_share(slides(), {0, 0}, along_the_wall, normal, brakes, push);
+    const auto found = ph::min_motor_share(slides(), {0, 0}, along_the_wall, normal, brakes, push);
     EXPECT_EQ(found.share, beyond_all);
     return found.outcome;
   };
@@ -77,13 +77,13 @@ TEST(hybrid_brakes, add_motors_to_what_can_be_displayed) {
   const ph::hybrid_brakes<slides> none = brakes_of_1_and_2(), some(brakes_of_1_and_2(), {0.5, 0});
   const auto alone = ph::displayable(slides(), {0, 0}, along_the_wall, out_of_wall, none),
              hybrid = ph::displayable(slides(), {0, 0}, along_the_wall, out_of_wall, some);
-  EXPECT_NEAR(alone.strongest, 1.6, 1e-15);
-  EXPECT_NEAR(hybrid.strongest, 1.6 + 0.6 * 0.5, 1e-15);
+  EXPECT_NEAR(alone.max_force, 1.6, 1e-15);
+  EXPECT_NEAR(hybrid.max_force, 1.6 + 0.6 * 0.5, 1e-15);
   EXPECT_EQ(hybrid.angle, alone.angle) << "class, angle and signs are those of the brakes";
-  EXPECT_EQ(hybrid.strongest_nearest, alone.strongest_nearest);
+  EXPECT_EQ(hybrid.max_approximated_force, alone.max_approximated_force);
   const auto out = ph::displayable(slides(), {0, 0}, out_of_wall, out_of_wall, some);
   EXPECT_EQ(out.display, ph::display_class::none);
-  EXPECT_NEAR(out.strongest, 0.3, 1e-15) << "a motor pushes out a handle that leaves";
+  EXPECT_NEAR(out.max_force, 0.3, 1e-15) << "a motor pushes out a handle that leaves";
   const auto path = [](double u) {
     return ph::path_point<slides>{in_plane(0.1 * u * along_the_wall), along_the_wall, out_of_wall};
   };

@@ -4,10 +4,11 @@
 #pragma once
 
 #include <passive_haptics/control/cycle_result.hpp>
-#include <passive_haptics/control/way.hpp>
-#include <passive_haptics/control/ways/one_wall.hpp>
+#include <passive_haptics/control/pipeline.hpp>
+#include <passive_haptics/control/pipelines/one_wall.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
+#include <passive_haptics/core/nth.hpp>
 
 #include <array>
 #include <cmath>
@@ -50,7 +51,7 @@ struct several_walls {
   const int governing = governing_contact(touched);  ///< The one that demands most; -1 if there is none.
 
   /// What wall j demands.
-  desired_force<T, d> Fd(int j) const { return force_of<T>(touched[j]); }
+  desired_force<T, d> Fd(int j) const { return desired_force_of<T>(touched[j]); }
 
   /// Whether one of them demands a force.
   bool demands_force() const { return governing >= 0 && is_nonzero(Fd(governing)); }
@@ -96,7 +97,7 @@ struct several_walls {
       result.saturated = passive_haptics::any_at_limit(done.td.torque, device.brakes);
       passive_haptics::report_contacts(result, touched, done.Fc_scaled.force, [&](int j) {
         return contact_report<T>{.wanted = done.scale.alpha[j] * Fd(j).magnitude,
-                                 .has_priority = done.scale.has_priority[static_cast<std::size_t>(j)]};
+                                 .has_priority = nth(done.scale.has_priority, j)};
       });
       return result;
     }
@@ -109,7 +110,7 @@ struct several_walls {
     for (int j = 0; j < touched.size(); ++j) {
       const auto wanted = Fd(j);
       const T leaving = all.leaving[j] = outward(wanted, device.v);
-      all.has_priority[static_cast<std::size_t>(j)] = nulls_normal_force<L> && leaving > T(0);
+      nth(all.has_priority, j) = nulls_normal_force<L> && leaving > T(0);
       if (is_nonzero(wanted))
         all.alpha[j] = setup.law.scale(
             contact_situation<T, d>{wanted.direction, wanted.magnitude, leaving, device.hand_force});
@@ -127,9 +128,8 @@ struct several_walls {
     for (int j = 0; j < touched.size(); ++j) {
       const auto wanted = Fd(j);
       if (!is_nonzero(wanted)) continue;
-      demands.all[static_cast<std::size_t>(demands.count++)] = {
-          wanted.direction, scale.alpha[j] * wanted.magnitude,
-          scale.has_priority[static_cast<std::size_t>(j)]};
+      nth(demands.all, demands.count++) = {wanted.direction, scale.alpha[j] * wanted.magnitude,
+                                           nth(scale.has_priority, j)};
     }
     return demands;
   }
@@ -186,7 +186,7 @@ struct several_walls {
   bool is_whole(const steps& done) const {
     bool whole = true;
     for (int j = 0; j < touched.size(); ++j)
-      whole = whole && done.scale.alpha[j] == T(1) && !done.scale.has_priority[static_cast<std::size_t>(j)];
+      whole = whole && done.scale.alpha[j] == T(1) && !nth(done.scale.has_priority, j);
     const vector<T, m>& t = done.Fc_scaled.torque;
     for (int i = 0; i < m; ++i)
       whole = whole && (t[i] == T(0) || (t[i] > done.box.lower[i] && t[i] < done.box.upper[i]));

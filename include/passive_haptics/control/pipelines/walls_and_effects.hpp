@@ -43,7 +43,7 @@ concept has_dimension_other_than = requires { requires E::dimension != D; };
 template <class Walls, class... Effects>
 struct walls_and_effects {
   using walls_type = std::remove_cvref_t<Walls>;           ///< Contacts.
-  static constexpr bool has_effects = true;                ///< For the way beside_effects.
+  static constexpr bool has_effects = true;                ///< For the pipeline beside_effects.
   static constexpr int dimension = walls_type::dimension;  ///< d
   static constexpr int capacity = walls_type::capacity;    ///< Most walls at once.
   /// What a cycle returns.

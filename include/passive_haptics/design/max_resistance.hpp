@@ -17,7 +17,7 @@ namespace passive_haptics::detail {
 
 // Largest power t . w of torques in the box at rates w. A rate of rounding size is none.
 template <class T, int Brakes>
-T largest_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& w) {
+T max_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& w) {
   const T rounding = rounding_tolerance<T>(Brakes) * w.cwiseAbs().maxCoeff();
   T sum = T(0);
   for (int i = 0; i < Brakes; ++i)
@@ -27,7 +27,7 @@ T largest_resistance(const torque_box<T, Brakes>& box, const vector<T, Brakes>& 
 
 // Largest k for which the brakes can make torques k t.
 template <class B, class T, int Brakes>
-T largest_share(const vector<T, Brakes>& t, const B& brakes) {
+T max_share(const vector<T, Brakes>& t, const B& brakes) {
   const vector<T, Brakes> bound = passive_haptics::torque_bounds_of(brakes, t);
   const auto shares = bound.array() / t.array().abs();
   return (t.array() != T(0)).select(shares, std::numeric_limits<T>::infinity()).minCoeff();
@@ -35,23 +35,23 @@ T largest_share(const vector<T, Brakes>& t, const B& brakes) {
 
 // Largest n . F of torques in a box: what they make against the easiest way. Infinite where there is none.
 template <class Motions, class T, int D, int Brakes>
-T strongest_of_box(const Motions& motions, const torque_box<T, Brakes>& box, const vector<T, D>& n) {
+T max_force_of_box(const Motions& motions, const torque_box<T, Brakes>& box, const vector<T, D>& n) {
   T least = std::numeric_limits<T>::infinity();
-  motions.for_each_way(
-      n, [&](const vector<T, Brakes>& w) { least = std::min(least, largest_resistance(box, w)); });
+  motions.for_each_way(n,
+                       [&](const vector<T, Brakes>& w) { least = std::min(least, max_resistance(box, w)); });
   return least;
 }
 
 // Largest n . F of these brakes and motors while the end effector moves with v.
 template <class Motions, class T, int D, int Brakes>
-T strongest_in_motion(const Motions& motions, const vector<T, D>& v, const vector<T, D>& n,
+T max_force_in_motion(const Motions& motions, const vector<T, D>& v, const vector<T, D>& n,
                       const hybrid_brake_parameters<T, Brakes>& brakes) {
-  T strongest = T(0);
+  T max_force = T(0);
   motions.for_each([&](const auto& W) {
     const auto box = passive_haptics::torque_box_of(motions.signs(W, v), brakes);
-    strongest = std::max(strongest, strongest_of_box(motions, box, n));
+    max_force = std::max(max_force, max_force_of_box(motions, box, n));
   });
-  return strongest;
+  return max_force;
 }
 
 // The part of a direction along a wall, as a unit vector; 0 where there is none.

@@ -2,7 +2,7 @@
 /// Effects beside walls: what a controller takes for a scene, or step() for contacts.
 #pragma once
 
-#include <passive_haptics/control/ways/beside_effects.hpp>
+#include <passive_haptics/control/pipelines/beside_effects.hpp>
 
 namespace passive_haptics {
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <passive_haptics/control/cycle_result.hpp>
-#include <passive_haptics/control/way.hpp>
-#include <passive_haptics/control/ways/one_wall.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/control/ways/walls_and_effects.hpp>
+#include <passive_haptics/control/pipeline.hpp>
+#include <passive_haptics/control/pipelines/one_wall.hpp>
+#include <passive_haptics/control/pipelines/several_walls.hpp>
+#include <passive_haptics/control/pipelines/walls_and_effects.hpp>
 #include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/core/flatten.hpp>
 #include <passive_haptics/force/torques/torques_beside.hpp>
@@ -25,12 +25,12 @@ auto as_single(const walls_and_effects<Walls, Effects...>& touched) {
 /// Walls, then effects. Touched: walls_and_effects.
 template <class Result, class Setup, class Touched>
 struct beside_effects {
-  using M = typename Setup::mechanism_type;                                  ///< Mechanism.
-  using L = typename Setup::law_type;                                        ///< Law.
-  using T = typename M::scalar;                                              ///< Scalar.
-  using way_of_walls = way_of<Result, Setup, typename Touched::walls_type>;  ///< Without effects.
-  static constexpr int d = M::task_dimension;                                ///< Task dimensions,
-  static constexpr int m = M::brake_count;                                   ///< brakes.
+  using M = typename Setup::mechanism_type;                                            ///< Mechanism.
+  using L = typename Setup::law_type;                                                  ///< Law.
+  using T = typename M::scalar;                                                        ///< Scalar.
+  using pipeline_of_walls = pipeline_of<Result, Setup, typename Touched::walls_type>;  ///< Without effects.
+  static constexpr int d = M::task_dimension;                                          ///< Task dimensions,
+  static constexpr int m = M::brake_count;                                             ///< brakes.
   static_assert(ScalingLaw<L>,
                 "passive_haptics: with_effects needs a ScalingLaw, such as direct_control: a TorqueLaw "
                 "commands the brakes itself.");
@@ -42,15 +42,15 @@ struct beside_effects {
   };
   /// From Fd to td.
   struct steps {
-    typename way_of_walls::steps walls = {};     ///< Of the walls.
-    demands effects = {};                        ///< Of the effects.
-    saturated_torque<T, m> td = walls.td;        ///< For both.
-    status outcome = status::result_not_finite;  ///< ok, or why effects could not be added.
+    typename pipeline_of_walls::steps walls = {};  ///< Of the walls.
+    demands effects = {};                          ///< Of the effects.
+    saturated_torque<T, m> td = walls.td;          ///< For both.
+    status outcome = status::result_not_finite;    ///< ok, or why effects could not be added.
   };
 
-  const Setup& setup;                              ///< Of the cycle.
-  const Touched& touched;                          ///< The walls, and the effects.
-  const way_of_walls walls{setup, touched.walls};  ///< As without effects.
+  const Setup& setup;                                   ///< Of the cycle.
+  const Touched& touched;                               ///< The walls, and the effects.
+  const pipeline_of_walls walls{setup, touched.walls};  ///< As without effects.
 
   /// Effects always may demand something.
   static bool demands_force() { return true; }
@@ -65,8 +65,8 @@ struct beside_effects {
     if (!all_finite(done.td.torque, done.effects.force, done.effects.torque)) return done;
     done.outcome = status::ok;
     // Nothing to add, and the least drag already, but where each brake was cut alone
-    const bool least_drag = !done.td.limited || setup.options.limits == saturation::keep_direction;
-    if (least_drag && done.effects.force.isZero(T(0)) && done.effects.torque.isZero(T(0))) return done;
+    const bool has_min_drag = !done.td.limited || setup.options.limits == saturation::keep_direction;
+    if (has_min_drag && done.effects.force.isZero(T(0)) && done.effects.torque.isZero(T(0))) return done;
 
     const auto map = form_of<M>::map(device.pose, device.E);
     if (!all_finite(map.G)) {
@@ -76,8 +76,9 @@ struct beside_effects {
     const vector<T, m> signs = form_of<M>::signs_beside(device, done.walls.Fc_scaled, done.walls.td.torque,
                                                         done.effects, memory.start);
     const auto box = passive_haptics::torque_box_of(signs, device.brakes);
-    done.td.torque = torques_beside(map, box, done.td.torque, normals(), demand_of(device, done.effects),
-                                    form_of<M>::units(signs, device.brakes));
+    done.td.torque =
+        torques_beside(map, box, done.td.torque, normals(), effect_demand_of(device, done.effects),
+                       form_of<M>::units(signs, device.brakes));
     done.td.limited = done.td.limited || passive_haptics::any_at_limit(done.td.torque, device.brakes);
     if (!all_finite(done.td.torque)) done.outcome = status::result_not_finite;  // demands near overflow
     return done;
@@ -144,7 +145,7 @@ struct beside_effects {
 
   // What joints with a torque of their own shall have more: that, and what forces of effects want of them
   template <class Device>
-  auto demand_of(const Device& device, const demands& wanted) const {
+  auto effect_demand_of(const Device& device, const demands& wanted) const {
     effect_demand<T, d, m, M::dof> demand{wanted.force, device.pose.transposed_transmission(), wanted.torque};
     for (int i = 0; i < M::dof; ++i)
       if (wanted.torque[i] == 0) demand.joint_rows.row(i).setZero();
@@ -162,7 +163,7 @@ struct beside_effects {
   auto normals() const {
     matrix<T, Touched::capacity, d> rows = matrix<T, Touched::capacity, d>::Zero();
     for (int j = 0; j < touched.walls.size(); ++j) {
-      const auto Fd = force_of<T>(touched.walls[j]);
+      const auto Fd = desired_force_of<T>(touched.walls[j]);
       if (is_nonzero(Fd)) rows.row(j) = Fd.direction.transpose();
     }
     return rows;

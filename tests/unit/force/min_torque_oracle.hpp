@@ -9,7 +9,7 @@ namespace oracle {
 using wide = boost::multiprecision::cpp_bin_float_100;
 using wide_column = std::vector<wide>;
 
-struct least_torque {
+struct min_torque {
   column force;          // F, of { V x : x >= 0 } the nearest to f
   wide_column x;         // >= 0, of least norm with V x = F
   double condition = 1;  // of the generators that make it
@@ -81,10 +81,9 @@ inline bool shortest_on(const std::vector<wide_column>& columns, const wide_colu
 }
 
 template <class T, int D, int M>
-least_torque least_torque_of(const passive_haptics::matrix<T, D, M>& V,
-                             const passive_haptics::vector<T, D>& f) {
+min_torque min_torque_of(const passive_haptics::matrix<T, D, M>& V, const passive_haptics::vector<T, D>& f) {
   const column beyond = project(V, f).point;
-  least_torque best;
+  min_torque best;
   for (int k = 0; k < D; ++k) best.force.push_back(real(f[k]) - beyond[static_cast<std::size_t>(k)]);
   const wide_column force(best.force.begin(), best.force.end());
   wide least = -1;
