@@ -26,7 +26,7 @@ using device = ph::random_device<tendon>;
 constexpr double rigid = 1e7, deep = 10e-3;  // [N/m], [m]
 const ph::workspace<tendon> where{{-3.1, -2.5}, {3.1, -0.6}, 0.1};
 
-tendon tendon_of(double inertia) {
+tendon tendon_with_inertia(double inertia) {
   ph::tendon_two_link_parameters<double> p;
   auto& a = p;
   for (double* mass : {&a.mass_1, &a.mass_2, &a.handle_mass, &a.rotor_inertia_1, &a.rotor_inertia_2})
@@ -45,10 +45,10 @@ struct landing {
 
 template <class Law>
 landing land(const device& d, const Law& law, double stiffness, double environment_period, double longest) {
-  const tendon real = tendon_of(d.inertia);
+  const tendon real = tendon_with_inertia(d.inertia);
   const V n = d.plane.normal;
   const ph::half_space<2> wall(d.plane.surface, n);
-  ph::controller control(tendon_of(1), d.known_brakes,
+  ph::controller control(tendon_with_inertia(1), d.known_brakes,
                          ph::held_scene(ph::scene(ph::wall(wall, stiffness)), environment_period), law);
   ph::simulated_device<tendon> plant(real, d.brakes, d.hand.mass, d.plane.q);
   plant.set_motion(d.plane.q, d.plane.qd);
@@ -90,8 +90,9 @@ ph::braked_wall wall_of(const device& d, const landing& at) {
     brakes.torque_limit[i] = real.torque_limit;
     residual[i] = real.residual.strength;
   }
-  ph::braked_wall wall = ph::braked_wall_at(tendon_of(d.inertia), at.q, at.velocity, d.plane.normal, brakes,
-                                            residual, V(V::Constant(d.run.encoder_resolution)), d.hand.mass);
+  ph::braked_wall wall =
+      ph::braked_wall_at(tendon_with_inertia(d.inertia), at.q, at.velocity, d.plane.normal, brakes, residual,
+                         V(V::Constant(d.run.encoder_resolution)), d.hand.mass);
   wall.scene_period = 1 / d.environment_rate;
   wall.push = d.hand.push + d.hand.normal_stiffness * d.hand.target_depth;
   wall.hand_stiffness = d.hand.normal_stiffness;
@@ -101,7 +102,7 @@ ph::braked_wall wall_of(const device& d, const landing& at) {
 
 // Mean over standard deviation of the rate along n that velocity_direct_control sees of a drift.
 double clearness(const device& d, const V& q0, double drift, const ph::braked_wall& wall) {
-  const tendon real = tendon_of(d.inertia);
+  const tendon real = tendon_with_inertia(d.inertia);
   const ph::matrix<double, 2, 2> J(ph::jacobian(real, q0));
   const V n = d.plane.normal, qd = J.inverse() * (drift * n);
   ph::joint_encoders<tendon> encoders(real, {d.run.encoder_resolution, d.run.rate_corner},
@@ -140,7 +141,7 @@ TEST(wall_limits, are_within_their_bands_on_90_percent_of_300_random_devices) {
   constexpr double slow_rate = 20;  // of scenes [Hz]
   tally depth, rigid_depth, stiffness, softness, slow_softness, drift, held, foreseen, warnings;
   for (std::uint64_t k = 0; stiffness.of < 300; ++k) {
-    const device d = ph::draw_device(tendon_of(1), where, seed, k);
+    const device d = ph::draw_device(tendon_with_inertia(1), where, seed, k);
     const double slow = 1 / d.environment_rate;
     const landing law = land(d, ph::velocity_direct_control({.approach_speed = 0}), rigid, slow, 0.8);
     if (!law.touched) continue;  // the residual torque keeps the hand off it so long
