@@ -110,7 +110,7 @@ TEST_F(a_driver_whose, homing_does_not_end_says_why) {
   fs::remove(log_path());
   settings gaps{.homing = 0.1};
   std::string text = gaps.text();
-  text.replace(text.find("max_gap = 5"), 15, "max_gap = 1e-4");
+  text.replace(text.find("max_gap = 5"), 11, "max_gap = 1e-4");
   file("gaps.toml", text);
   const outcome apart = run({"--config", "gaps.toml", "--seconds", "0.5", "--quiet"});
   EXPECT_TRUE(has(apart.out, "homing did not end: samples came more than [homing] max_gap apart"))

@@ -382,7 +382,7 @@ class mechanism(metaclass=_class):
     def braked_wall_at(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters, residual_torque: Numbers, resolution: Numbers, hand_mass: float) -> braked_wall:
         """The wall of this normal that the brakes can make at q, touched with a velocity [m/s], for limits_of(). residual_torque [N m] of each brake, resolution: a count of each encoder [rad or m], hand_mass [kg]. Of a mechanism with inertia; TypeError for others."""
     def design_map(self, q: Array, direction: Numbers | Array, normal: Numbers | Array, brakes: brake_parameters | None = ..., push: float = ..., *, motor_limit: Numbers | None = ...) -> Records:
-        """The figures of the device at N places of a task, an array with the fields outcome (status), display (display_class), cosine of gamma [1], drag for each newton that is displayed [1], max_force along the normal [N], sink_slope [1] and isotropy of E [1]. q: N x n joint positions; direction of the motion and normal of the wall: N x d, or one vector for all. push [N]. N is at most 100 million. Ctrl-C ends it."""
+        """The figures of the device at N places of a task, an array with the fields outcome (status), display (display_class), cosine of gamma [1], drag for each newton that is displayed [1], strongest force along the normal [N], sink_slope [1] and isotropy of E [1]. q: N x n joint positions; direction of the motion and normal of the wall: N x d, or one vector for all. push [N]. N is at most 100 million. Ctrl-C ends it."""
     def displayable(self, q: Numbers, velocity: Numbers, normal: Numbers, brakes: brake_parameters | None = ...) -> displayable_force:
         """What the brakes can display along the normal of a wall while the handle moves with a velocity (its direction counts). Brakes without limits where none are given."""
     @property
@@ -491,17 +491,17 @@ class displayable_force(metaclass=_class):
     def display(self) -> display_class:
         """How a force along the normal is displayed."""
     @property
+    def max_approximated_force(self) -> float:
+        """The most along the normal [N] of the nearest force."""
+    @property
+    def max_force(self) -> float:
+        """The most along the normal [N] of all forces."""
+    @property
     def outcome(self) -> status:
         """ok, or why nothing is known."""
     @property
     def signs(self) -> Array:
         """s of the brakes in this motion."""
-    @property
-    def max_force(self) -> float:
-        """The most along the normal [N] of all forces."""
-    @property
-    def max_approximated_force(self) -> float:
-        """The most along the normal [N] of the nearest force."""
 class batch_result(metaclass=_class):
     """What batch() stores: an array for each member of step_result, a row or a number for each state; None where it was not wanted. Arrays of rows stand in memory column by column."""
     def __init__(self, /, *args: NoReturn, **kwargs: NoReturn) -> None: ...
