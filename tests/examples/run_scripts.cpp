@@ -78,7 +78,7 @@ TEST_F(run_scripts, name_the_command_that_removes_a_build_folder_of_another_comp
       << refused.err;
   // Where the preset names its compiler, CXX does not count
   cache("full", built("full"), "clang++");
-  EXPECT_EQ(run("tests/run full", "CXX=g++").status, 0);
+  EXPECT_EQ(run("tests/run slow", "CXX=g++").status, 0);
 }
 
 TEST_F(run_scripts, look_for_packages_anew_where_the_build_folder_was_moved) {

@@ -1,3 +1,4 @@
+// optimised
 // Each effect without a force sensor, alone and on a wall: it holds a hand that pushes, and lets it back out.
 #include "closed_chain_cases.hpp"
 #include "device_cases.hpp"

@@ -1,3 +1,4 @@
+// optimised
 // A world of many walls is touched where a look at each of them says so, however few it looks at.
 #include "../../tested_types.hpp"
 #include "many_shapes.hpp"
