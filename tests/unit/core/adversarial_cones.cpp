@@ -2,10 +2,9 @@
 // However ill-conditioned the cone: the nearest force is within 8 roundings of each half-space, and as exact
 // as its condition allows; of two half-spaces in the plane and three in space exact to rounding. 1e7 problems
 // with PASSIVE_HAPTICS_STRESS=full.
-#include "../../stress/effort.hpp"
 #include "adversarial_cones.hpp"
+#include "../../stress/effort.hpp"
 #include "cone_oracle.hpp"
-#include "cone_size.hpp"
 
 #include <passive_haptics/core/linear/cone.hpp>
 
@@ -24,6 +23,13 @@ namespace {
 
 template <class T>
 constexpr double eps = static_cast<double>(std::numeric_limits<T>::epsilon());
+
+// Half-spaces { p : B^T p <= 0 } by the columns of B.
+template <class Scalar, int Rows, int Columns>
+struct size {
+  using T = Scalar;
+  static constexpr int rows = Rows, columns = Columns;
+};
 
 template <class Size>
 struct adversarial_cone : ::testing::Test {};

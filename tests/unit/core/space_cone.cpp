@@ -78,29 +78,6 @@ TYPED_TEST(space_cone, error_does_not_grow_with_the_condition) {
   }
 }
 
-TYPED_TEST(space_cone, finds_what_the_active_set_finds) {
-  ph::testing::random_source random(2);
-  std::array<int, 8> seen{};
-  for (int k = 0; k < 400; ++k) {
-    typename TestFixture::half_spaces B;
-    for (int j = 0; j < 3; ++j) B.col(j) = random.normal_vector<TypeParam, 3>();
-    const auto f = TestFixture::direction(random);
-    SCOPED_TRACE(::testing::Message() << "seed 2, trial " << k << "\nB =\n"
-                                      << B << "\nf = " << f.transpose());
-    typename TestFixture::projection answer;
-    ASSERT_TRUE(TestFixture::closed_form(B, f, answer));
-    ph::half_space_start none;
-    const auto expected = ph::detail::active_set<TypeParam, 3, 3>(B, f).nearest(none);
-    EXPECT_EQ(answer.active, expected.active);
-    const auto size = static_cast<TypeParam>(1) + expected.coefficients.norm();
-    const auto tolerance = ph::rounding_tolerance<TypeParam>(20) * size * size;
-    EXPECT_LE((answer.point - expected.point).norm(), tolerance);
-    EXPECT_LE((answer.coefficients - expected.coefficients).norm(), tolerance);
-    ++seen[answer.active];
-  }
-  for (std::size_t set = 0; set < seen.size(); ++set) EXPECT_GT(seen[set], 0) << "half-spaces " << set;
-}
-
 // The face or edge of the cycle before is the answer or is refused: flat cones and forces near edges
 // included.
 TYPED_TEST(space_cone, a_start_is_taken_where_it_is_right_alone) {
@@ -155,40 +132,6 @@ TYPED_TEST(space_cone, parallel_columns_are_one_and_columns_in_a_plane_are_left_
   }
   EXPECT_GT(refused, 0);
   EXPECT_LT(refused, 150);  // most have their answer on a face
-}
-
-TYPED_TEST(space_cone, zero_columns_restrict_nothing) {
-  ph::testing::random_source random(4);
-  for (int k = 0; k < 100; ++k) {
-    typename TestFixture::half_spaces B;
-    for (int j = 0; j < 3; ++j) B.col(j) = TestFixture::direction(random);
-    B.col(k % 3).setZero();
-    const auto f = TestFixture::direction(random);
-    SCOPED_TRACE(::testing::Message() << "seed 4, trial " << k);
-    typename TestFixture::projection answer;
-    ASSERT_TRUE(TestFixture::closed_form(B, f, answer));
-    EXPECT_EQ(answer.coefficients[k % 3], TypeParam(0));
-    EXPECT_LE(TestFixture::error_of(answer, B, f), 6 * TestFixture::eps);
-  }
-}
-
-// Products of four lengths would overflow or vanish.
-TYPED_TEST(space_cone, lengths_out_of_range_are_left_to_the_active_set) {
-  using matrix = typename TestFixture::half_spaces;
-  const matrix B = matrix::Identity();
-  const typename TestFixture::vec f(1, 1, 1);
-  typename TestFixture::projection answer;
-  for (const TypeParam scale : {std::sqrt(std::numeric_limits<TypeParam>::max()) / 4,
-                                TypeParam(4) * std::sqrt(std::numeric_limits<TypeParam>::min())}) {
-    EXPECT_FALSE(TestFixture::closed_form(scale * B, f, answer)) << scale;
-    EXPECT_TRUE(ph::project_onto_half_spaces(matrix(scale * B), f).point.isZero(TypeParam(0))) << scale;
-    const matrix scaled = scale * B;
-    const typename TestFixture::vec face(1, -1, -1), edge(1, 1, -1);
-    const ph::detail::space_cone_start<TypeParam> on_face(scaled, face), on_edge(scaled, edge);
-    EXPECT_FALSE(on_face.nearest(1, answer)) << scale;
-    EXPECT_FALSE(on_edge.nearest(3, answer)) << scale;
-  }
-  EXPECT_TRUE(TestFixture::closed_form(B, f, answer));
 }
 
 // Where products agree in all but their last digits.

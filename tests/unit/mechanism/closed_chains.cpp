@@ -196,24 +196,6 @@ TYPED_TEST(closed_chain, bias_torque_at_rest_is_the_gradient_of_the_potential_en
   }
 }
 
-TYPED_TEST(closed_chain, bias_acceleration_is_the_second_derivative_of_position) {
-  constexpr int N = TestFixture::dof;
-  for (int k = 0; k < 60; ++k) {
-    const auto q = this->closed_pose();
-    const ph::vector<double, N> qd = this->random.template normal_vector<double, N>();
-    SCOPED_TRACE(::testing::Message()
-                 << "seed " << seed << ", q = " << q.transpose() << ", qd = " << qd.transpose());
-    const auto velocity = [&](const real& t) {
-      return vec<N>(derivative([&](const real& s) { return this->handle(exact(q) + (s + t) * exact(qd)); }));
-    };
-    const vec<N> expected = derivative(velocity);
-    // Jd qd grows as type_2^-3, its relative error as 1 / type_2
-    const double type_2 = this->chain.conditioning(q).type_2;
-    ASSERT_LE((exact(this->chain.bias_acceleration(q, qd)) - expected).norm(),
-              real(64 * eps / std::pow(type_2, 4)) * this->length() * qd.squaredNorm());
-  }
-}
-
 // The solution of the inverse kinematics with elbows that the bits of `choice` name.
 ph::joint_solution<double, 2> solution(const auto& chain, const ph::vector<double, 2>& x, unsigned choice) {
   const auto side = [&](unsigned bit) { return (choice & bit) != 0 ? ph::elbow::left : ph::elbow::right; };
@@ -508,24 +490,6 @@ TEST(delta, reaches_its_workspace_far_from_singularities) {
     ASSERT_GT(chain.conditioning(s.q).type_1, 0.29);
     ASSERT_GT(chain.conditioning(s.q).type_2, 0.29);
   }
-}
-
-TEST(closed_chain_step, reports_an_undefined_pose_where_the_loop_cannot_be_closed) {
-  const five_bar chain;
-  const ph::brakes_of<five_bar> brakes;
-  const ph::direct_control law;
-  ph::contacts<2, 1> touched;
-  touched.push_back({ph::point<2>(0, 1), 1e-3, 1e4, ph::point<2>::Zero(), 0});
-  ph::step_memory<ph::direct_control> memory;
-  ph::device_state<five_bar> state;
-  state.time = 0;
-  state.q = {pi, 0};
-  state.qd = {1, 1};
-  const auto apart = ph::step(chain, brakes, touched, law, state, memory);
-  EXPECT_EQ(apart.outcome, ph::status::pose_undefined);
-  EXPECT_TRUE(apart.capacity.isZero(0));
-  state.q = {2, 1};
-  EXPECT_EQ(ph::step(chain, brakes, touched, law, state, memory).outcome, ph::status::ok);
 }
 
 TEST(closed_chain_parameters, say_which_is_wrong) {

@@ -146,19 +146,6 @@ TYPED_TEST(chain_oracle, position_is_the_product_of_exponentials) {
   }
 }
 
-TYPED_TEST(chain_oracle, jacobian_is_the_derivative_of_the_product_of_exponentials) {
-  constexpr int N = TestFixture::dof, D = TestFixture::dimension;
-  for (int k = 0; k < 50; ++k) {
-    const ph::vector<double, N> q = this->pose();
-    SCOPED_TRACE(::testing::Message() << "seed " << seed << ", q = " << q.transpose());
-    const auto handle = [&](const vec<N>& at) {
-      return this->truth.moved(N - 1, exact(this->truth.geometry.handle), at);
-    };
-    const mat<D, N> expected = gradient<D, N>(handle, exact(q));
-    ASSERT_LE((exact(this->chain.jacobian(q)) - expected).norm(), real(8 * N * eps));
-  }
-}
-
 TYPED_TEST(chain_oracle, mass_matrix_gives_the_kinetic_energy_of_the_links) {
   constexpr int N = TestFixture::dof;
   for (int k = 0; k < 20; ++k) {
@@ -248,35 +235,6 @@ TEST(serial_chain, of_slides_alone_is_a_table) {
   const ph::serial_chain<double, 2, 2> table(p);
   EXPECT_EQ(table.position(ph::vector<double, 2>(0.3, -0.4)), (ph::vector<double, 2>(0.1 + 0.3, 0.2 - 0.4)));
   EXPECT_EQ(table.jacobian({0.3, -0.4}), (ph::matrix<double, 2, 2>::Identity()));
-}
-
-// What a simulation sees: no energy comes or goes over a second of free motion (RK4).
-TEST(serial_chain, keeps_its_energy_in_free_motion) {
-  using model = chains::irregular_chain<double, 4, 3>;
-  const auto chain = model::make();
-  const oracle<double, 4, 3> truth{model::geometry(), model::inertia()};
-  struct motion {
-    ph::vector<double, 4> q, qd;
-  };
-  const auto slope = [&](const motion& m) {
-    return motion{m.qd, -chain.mass_matrix(m.q).llt().solve(chain.bias_torque(m.q, m.qd))};
-  };
-  const auto after = [](const motion& m, const motion& by, double t) {
-    return motion{m.q + t * by.q, m.qd + t * by.qd};
-  };
-  const auto energy = [&](const motion& m) {
-    return m.qd.dot(chain.mass_matrix(m.q) * m.qd) / 2 + double(truth.potential_energy(exact(m.q)));
-  };
-  motion m{{0.1, 0.2, 0.3, 0.4}, {1, -1, 0.5, 2}};
-  const double before = energy(m), kinetic = m.qd.dot(chain.mass_matrix(m.q) * m.qd) / 2;
-  const double h = 2e-4;
-  for (int k = 0; k < 5000; ++k) {
-    const motion a = slope(m), b = slope(after(m, a, h / 2)), c = slope(after(m, b, h / 2)),
-                 d = slope(after(m, c, h));
-    m = after(after(after(after(m, a, h / 6), b, h / 3), c, h / 3), d, h / 6);
-  }
-  EXPECT_GT((m.q - ph::vector<double, 4>(0.1, 0.2, 0.3, 0.4)).norm(), 0.5);
-  EXPECT_NEAR(energy(m), before, 1e-9 * kinetic);
 }
 
 TEST(serial_chain, says_which_parameter_is_wrong) {

@@ -188,18 +188,6 @@ TYPED_TEST(a_mesh, that_has_a_bubble_is_solid_between_the_two_surfaces) {
   EXPECT_EQ(shell.distance(2 * ph::point<D>::UnitX()), 1);
 }
 
-TEST(a_polyline, of_a_polygon_is_the_polygon) {
-  random_source random(seed);
-  const ph::convex_polygon polygon({{-0.9, -0.5}, {0.2, -0.8}, {0.9, 0.1}, {0.3, 0.9}, {-0.7, 0.6}});
-  const ph::mesh_solid<2> solid(
-      ph::polyline(ph::mesh_parameters<2>{{{-0.9, -0.5}, {0.2, -0.8}, {0.9, 0.1}, {0.3, 0.9}, {-0.7, 0.6}},
-                                          {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}}}));
-  for (int k = 0; k < 10'000; ++k) {
-    const auto x = anywhere<2>(random, 2);
-    ASSERT_NEAR(solid.distance(x), polygon.distance(x), 8 * eps) << "seed " << seed << ", point " << k;
-  }
-}
-
 TYPED_TEST(a_mesh, gives_no_number_for_no_number) {
   constexpr int D = TestFixture::dimension;
   random_source random(seed);

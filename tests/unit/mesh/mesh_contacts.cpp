@@ -1,10 +1,5 @@
 // slow
-// A delta in corners, wedges and slots made of triangles: the same contacts as from half-spaces, the same
-// torques, and the laws of brakes.
-#include <passive_haptics/control/direct_control.hpp>
-#include <passive_haptics/control/step.hpp>
-#include <passive_haptics/control/ways/several_walls.hpp>
-#include <passive_haptics/mechanism/models/delta.hpp>
+// A handle in corners, wedges and slots made of triangles: the contacts are those from half-spaces.
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/shapes/half_space.hpp>
 #include <passive_haptics/testing/support/random.hpp>
@@ -15,22 +10,19 @@
 
 #include <Eigen/Geometry>
 
-#include <limits>
+#include <array>
 #include <numbers>
 #include <vector>
 
 namespace ph = passive_haptics;
 using ph::testing::random_source;
-using device = ph::delta<double>;
 using plane = ph::half_space<3>;
-using touched_planes = ph::contacts<3, 4>;
 
 namespace {
 
 constexpr unsigned seed = 20040627;
-constexpr double stiffness = 1e5;
-const ph::point<3> middle(0, 0, -0.14);  // of what the delta reaches
-constexpr double reach = 0.04;           // about there
+const ph::point<3> middle(0, 0, -0.14);
+constexpr double reach = 0.04;  // about there
 
 // A rectangle: half a metre along the edge, the other half metre away from it.
 void add_rectangle(ph::mesh_parameters<3>& m, const ph::point<3>& edge, const ph::point<3>& along,
@@ -63,109 +55,46 @@ place turned(random_source& random, const Build& build) {
 }
 
 // The contacts from half-spaces, in their order.
-touched_planes behind(const std::vector<plane>& planes, const ph::point<3>& x) {
-  touched_planes touched;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const double distance = planes[i].distance(x);
-    if (distance < 0)
-      touched.push_back({.normal = planes[i].gradient(x),
-                         .depth = -distance,
-                         .stiffness = stiffness,
-                         .wall_number = int(i),
-                         .sensed_at = x});
-  }
+std::vector<tracked::touch<3>> behind(const std::vector<plane>& planes, const ph::point<3>& x) {
+  std::vector<tracked::touch<3>> touched;
+  for (const plane& p : planes)
+    if (p.distance(x) < 0) touched.push_back({p.gradient(x), -p.distance(x)});
   return touched;
 }
 
-// What the mesh says, in the order of the half-spaces.
-touched_planes sorted(const std::vector<tracked::touch<3>>& felt, const std::vector<plane>& planes,
-                      const ph::point<3>& x) {
-  touched_planes touched;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    for (const auto& c : felt) {
-      if ((c.normal - planes[i].gradient(x)).norm() < 1e-12)
-        touched.push_back({.normal = c.normal,
-                           .depth = c.depth,
-                           .stiffness = stiffness,
-                           .wall_number = int(i),
-                           .sensed_at = x});
-    }
-  }
+// Those that the mesh makes, in the order of the half-spaces.
+std::vector<tracked::touch<3>> sorted(const std::vector<tracked::touch<3>>& felt,
+                                      const std::vector<plane>& planes, const ph::point<3>& x) {
+  std::vector<tracked::touch<3>> touched;
+  for (const plane& p : planes)
+    for (const auto& c : felt)
+      if ((c.normal - p.gradient(x)).norm() < 1e-12) touched.push_back(c);
   return touched;
-}
-
-struct tally {
-  int contacts[4] = {};
-  int working = 0, saturated = 0;
-};
-
-// One cycle at q with each, random rates and a random hand.
-void compare_steps(random_source& random, const device& delta, const ph::joint_vector<device>& q,
-                   const touched_planes& from_mesh, const touched_planes& from_planes, tally& seen) {
-  ph::brakes_of<device> brakes;
-  brakes.torque_limit.setConstant(random.positive(0.05, 5.0));
-  ph::device_state<device> state;
-  state.time = 0;
-  state.q = q;
-  state.qd = random.normal_vector<double, 3>();
-  state.hand_force = 3 * random.normal_vector<double, 3>();
-  const ph::direct_control law;
-  ph::step_memory<ph::direct_control> memory, other_memory;
-  const auto result = ph::step(delta, brakes, from_mesh, law, state, memory);
-  const auto expected = ph::step(delta, brakes, from_planes, law, state, other_memory);
-  ASSERT_EQ(result.outcome, ph::status::ok);
-  ASSERT_EQ(result.contact_count, expected.contact_count);
-  const double limit = brakes.torque_limit[0];
-  EXPECT_LE((result.torque - expected.torque).norm(), 1e-9 * limit)
-      << result.torque.transpose() << ", half-spaces " << expected.torque.transpose();
-  const auto w = ph::brake_rates(delta, state.q, state.qd);
-  double power = 0, allowed = 0;
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_LE(result.signs[i] * result.torque[i], 0);
-    EXPECT_GE(result.capacity[i], 0);
-    EXPECT_LE(result.capacity[i], limit);
-    power += result.torque[i] * w[i];
-    if (!ph::slips(w[i], brakes.rate_dead_band[i]))
-      allowed += std::abs(result.torque[i]) * brakes.rate_dead_band[i];
-  }
-  EXPECT_LE(power, allowed);
-  seen.working += !result.torque.isZero(0);
-  seen.saturated += result.saturated;
 }
 
 // From a free start to any x, at once and by way of another: contacts as from the half-spaces that `expected`
-// picks.
+// picks. Returns how often there were 0, 1, 2 and 3.
 template <class Start, class Expected>
-tally press(const place& at, random_source& random, const Start& start, const Expected& expected) {
-  const device delta;
-  tally seen;
+std::array<int, 4> press(const place& at, random_source& random, const Start& start,
+                         const Expected& expected) {
+  std::array<int, 4> seen{};
   for (int k = 0; k < 1000; ++k) {
-    const ph::point<3> wanted = middle + reach * random.uniform(0.0, 1.0) * random.direction<double, 3>();
-    const auto pose = delta.inverse(wanted);
-    if (pose.outcome != ph::status::ok) continue;
-    const ph::point<3> x = delta.position(pose.q);
+    const ph::point<3> x = middle + reach * random.uniform(0.0, 1.0) * random.direction<double, 3>();
     tracked::handle<3> h(at.surface);
     h.go(start(random));
     const std::vector<plane> planes = expected(h.x, x);
     if (k % 2 == 0) h.go(h.x + random.uniform(0.0, 1.0) * (x - h.x));
     h.go(x);
     const auto from_planes = behind(planes, x), from_mesh = sorted(h.felt, planes, x);
-    const auto count = static_cast<std::size_t>(from_planes.size());
-    ++seen.contacts[count];
-    EXPECT_EQ(h.felt.size(), count) << "seed " << seed << ", press " << k;
-    if (h.felt.size() != count || from_mesh.size() != from_planes.size()) {
-      ADD_FAILURE() << "other contacts, seed " << seed << ", press " << k;
-      return seen;
-    }
-    for (int i = 0; i < from_planes.size(); ++i) {
+    ++seen[from_planes.size()];
+    EXPECT_EQ(h.felt.size(), from_planes.size()) << "seed " << seed << ", press " << k;
+    EXPECT_EQ(from_mesh.size(), from_planes.size()) << "seed " << seed << ", press " << k;
+    if (::testing::Test::HasFailure()) return seen;
+    for (std::size_t i = 0; i < from_planes.size(); ++i) {
       EXPECT_NEAR(from_mesh[i].depth, from_planes[i].depth, 1e-15);
       EXPECT_LE((from_mesh[i].normal - from_planes[i].normal).norm(), 1e-15);
     }
-    compare_steps(random, delta, pose.q, from_mesh, from_planes, seen);
-    if (::testing::Test::HasFailure()) return seen;
   }
-  EXPECT_GT(seen.working, 100);
-  EXPECT_GT(seen.saturated, 10);
   return seen;
 }
 
@@ -185,7 +114,7 @@ auto in_front_of(const std::vector<plane>& planes) {
 const ph::point<3> ex = ph::point<3>::UnitX(), ey = ph::point<3>::UnitY(), ez = ph::point<3>::UnitZ(),
                    zero = ph::point<3>::Zero();
 
-TEST(a_delta, in_the_corner_of_a_room_of_triangles) {
+TEST(a_handle, in_the_corner_of_a_room_of_triangles) {
   random_source random(seed);
   for (int turn = 0; turn < 5; ++turn) {
     const auto corner = turned(random, [](auto& m) {
@@ -195,11 +124,11 @@ TEST(a_delta, in_the_corner_of_a_room_of_triangles) {
     });
     const auto seen = press(corner, random, in_front_of(corner.planes),
                             [&](const auto&, const auto&) { return corner.planes; });
-    for (const int count : seen.contacts) EXPECT_GT(count, 50);
+    for (const int count : seen) EXPECT_GT(count, 50);
   }
 }
 
-TEST(a_delta, in_a_hollow_wedge_of_30_degrees) {
+TEST(a_handle, in_a_hollow_wedge_of_30_degrees) {
   random_source random(seed);
   const double angle = std::numbers::pi / 6;
   for (int turn = 0; turn < 5; ++turn) {
@@ -209,11 +138,11 @@ TEST(a_delta, in_a_hollow_wedge_of_30_degrees) {
     });
     const auto seen = press(wedge, random, in_front_of(wedge.planes),
                             [&](const auto&, const auto&) { return wedge.planes; });
-    for (const int i : {0, 1, 2}) EXPECT_GT(seen.contacts[i], 30);
+    for (const std::size_t i : {0u, 1u, 2u}) EXPECT_GT(seen[i], 30);
   }
 }
 
-TEST(a_delta, on_a_sharp_edge_of_30_degrees) {
+TEST(a_handle, on_a_sharp_edge_of_30_degrees) {
   random_source random(seed);
   const double angle = std::numbers::pi / 6;
   for (int turn = 0; turn < 5; ++turn) {
@@ -243,12 +172,12 @@ TEST(a_delta, on_a_sharp_edge_of_30_degrees) {
           }
         },
         pressed);
-    EXPECT_GT(seen.contacts[0], 50);
-    EXPECT_GT(seen.contacts[1], 20);
+    EXPECT_GT(seen[0], 50);
+    EXPECT_GT(seen[1], 20);
   }
 }
 
-TEST(a_delta, in_a_slot_between_two_planes) {
+TEST(a_handle, in_a_slot_between_two_planes) {
   random_source random(seed);
   for (int turn = 0; turn < 5; ++turn) {
     const auto slot = turned(random, [](auto& m) {
@@ -257,9 +186,9 @@ TEST(a_delta, in_a_slot_between_two_planes) {
     });
     const auto seen =
         press(slot, random, in_front_of(slot.planes), [&](const auto&, const auto&) { return slot.planes; });
-    EXPECT_GT(seen.contacts[0], 50);
-    EXPECT_GT(seen.contacts[1], 300);
-    EXPECT_EQ(seen.contacts[2], 0);
+    EXPECT_GT(seen[0], 50);
+    EXPECT_GT(seen[1], 300);
+    EXPECT_EQ(seen[2], 0);
   }
 }
 
