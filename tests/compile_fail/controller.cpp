@@ -6,6 +6,12 @@
 ph::controller control(ph::brakes_of<table>(), table(), room, ph::direct_control());
 #endif
 
+#ifdef scene_before_the_brakes
+// error: passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this order:
+// the second one is no brakes
+ph::controller control(table(), room, ph::brakes_of<table>(), ph::direct_control());
+#endif
+
 #ifdef law_before_the_scene
 // error: passive_haptics: the arguments of a controller are (mechanism, brakes, scene, law), in this order:
 // the third one is no scene

@@ -52,6 +52,12 @@ struct limits_of_three {
 struct limits_of_any_size {
   Eigen::VectorXd torque_limit;
 };
+struct rate_dead_band_of_three : limits {
+  ph::vector<double, 3> rate_dead_band;
+};
+struct torque_dead_band_of_three : dead_bands {
+  ph::vector<double, 3> torque_dead_band;
+};
 struct lag_as_number {
   static constexpr bool unlimited = true;
   double time_constant;
@@ -62,6 +68,7 @@ static_assert(ph::BrakesFor<dead_bands, arm> && !ph::TorqueDeadBandBrakes<dead_b
 static_assert(!ph::BrakesFor<torque_dead_band_alone, arm>);
 static_assert(!ph::BrakesFor<limits_in_float, arm> && !ph::BrakesFor<limits_of_three, arm> &&
               !ph::BrakesFor<limits_of_any_size, arm> && !ph::BrakesFor<lag_as_number, arm>);
+static_assert(!ph::BrakesFor<rate_dead_band_of_three, arm> && !ph::BrakesFor<torque_dead_band_of_three, arm>);
 struct lower_alone : limits {
   V2 torque_lower;
 };
