@@ -5,5 +5,5 @@
 
 using namespace passive_haptics::testing;
 
-INSTANTIATE_TYPED_TEST_SUITE_P(planar_chains, mechanism_properties, chains::planar);
-INSTANTIATE_TYPED_TEST_SUITE_P(planar_chains, dynamics_properties, chains::planar);
+INSTANTIATE_TYPED_TEST_SUITE_P(other_chains, mechanism_properties, chains::others);
+INSTANTIATE_TYPED_TEST_SUITE_P(other_chains, dynamics_properties, chains::others);
