@@ -113,16 +113,6 @@ TEST_F(run_scripts, go_to_their_own_folder_whatever_CDPATH_is) {
   EXPECT_EQ(o.out, "one\nexplorer\npython\n");
 }
 
-TEST_F(run_scripts, time_the_compiler_in_a_folder_of_any_name) {
-  fs::create_directory(clone / "benchmarks");
-  fs::copy_file(source + "/benchmarks/compile_time.sh", clone / "benchmarks/compile_time.sh");
-  stand_in("g++", "for word; do echo \"$word\"; done >>words; exit 0");
-  fs::create_directory(here / "two words");
-  const outcome o = shell("unset CXX; TMPDIR=$PWD/'two words' CDPATH=.:/ " + on_path() +
-                          quoted("it's a clone/benchmarks/compile_time.sh"));
-  EXPECT_NE(text_of(here / "words").find("\n-I" + clone.string() + "/include\n"), std::string::npos) << o.err;
-}
-
 // Also those that no test can run in a moment.
 TEST_F(run_scripts, that_call_cd_unset_CDPATH) {
   const std::regex relative("(^|[\n( ])cd [^/]"), unset("\n(unset CDPATH|source .*/setup.sh)");

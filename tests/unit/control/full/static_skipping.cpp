@@ -1,5 +1,5 @@
 // What a scene, a law, a state or the brakes do not need does not exist: counted on each rung of the ladder
-// (benchmarks/ladder), and its absence changes no result.
+// (benchmarks/scenes), and its absence changes no result.
 #include "../../support.hpp"
 
 #include <passive_haptics/control/controller.hpp>

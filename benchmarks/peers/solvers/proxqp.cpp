@@ -1,6 +1,6 @@
 // ProxQP, an augmented Lagrangian: dense, cold, and set to look at the duality gap, without which it may
 // stop anywhere in the cone. Otherwise as it comes: stops at residuals of 1e-5 and a gap of 1e-4.
-#include "cone_problems.hpp"
+#include "../cone_problems.hpp"
 
 #include <proxsuite/proxqp/dense/dense.hpp>
 

@@ -1,7 +1,7 @@
-// The slowest state of each device under each law, in instructions, beside the mean: worst_case [STATES
-// [DEVICE...]]. A device of your own is one line in worst_case/of_two_brakes.cpp. Every instruction of a
-// cycle is counted, of every state: worst_case/assembler adds the counting to what the compiler has made.
-#include "worst_case/devices.hpp"
+// benchmarks/run latency --worst-case [STATES [DEVICE...]]: the slowest state of each device under each law,
+// in instructions, next to the mean. A custom device is one line in of_two_brakes.cpp. Every instruction of a
+// cycle is counted, of every state: assembler/ adds the counting to the compiler's code.
+#include "devices.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -28,8 +28,9 @@ int main(int argc, char** argv) {
   };
   if ((argc > 1 && *end != '\0') || !(states >= 2 && states <= 1e12) ||
       !std::all_of(argv + std::min(argc, 2), argv + argc, names_device)) {
-    std::fprintf(stderr,
-                 "usage: worst_case [STATES [DEVICE...]], 2 to 1e12 states each (20000), of the devices\n");
+    std::fprintf(
+        stderr,
+        "usage: latency --worst-case [STATES [DEVICE...]], 2 to 1e12 states each (20000), of the devices\n");
     for (const device& one : all) std::fprintf(stderr, "  %s\n", one.name.c_str());
     return 2;
   }

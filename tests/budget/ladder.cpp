@@ -1,7 +1,6 @@
-// What callgrind counts of the ladder: one rung a run, in contact or in free space. Without an argument it
-// lists the rows, with --needs what each rung adds. benchmarks/run ladder prints it as a table, tests/budget
-// guards it.
-#include "ladder/rungs.hpp"
+// What callgrind counts of the ladder of benchmarks/scenes: one rung a run, in contact or in free space.
+// Without an argument it lists the rows.
+#include "../../benchmarks/scenes/rungs.hpp"
 
 #include <cstdio>
 #include <string>
@@ -18,7 +17,6 @@ int main(int argc, char** argv) {
   using ladder::place;
   const std::string chosen = argc == 2 ? argv[1] : "";
   for (const auto& rung : ladder::rungs()) {
-    if (chosen == "--needs") std::printf("%s %s\n", rung.name.c_str(), rung.adds.c_str());
     for (const auto& [where, name] : {std::pair{place::contact, "contact"}, std::pair{place::free, "free"}}) {
       const std::string row = "ladder/" + rung.name + "/" + name;
       if (chosen.empty()) std::printf("%s\n", row.c_str());
@@ -28,5 +26,5 @@ int main(int argc, char** argv) {
       return 0;
     }
   }
-  return chosen.empty() || chosen == "--needs" ? 0 : 2;
+  return chosen.empty() ? 0 : 2;
 }

@@ -1,6 +1,6 @@
 // KDL: the position solver and the Jacobian solver of a chain, kept from pose to pose. Gives the orientation
 // as well.
-#include "kinematics_problems.hpp"
+#include "../kinematics_problems.hpp"
 
 #include <kdl/chain.hpp>
 #include <kdl/chainfksolverpos_recursive.hpp>

@@ -1,5 +1,5 @@
 // Pinocchio: the frame's placement and Jacobian in one pass over the chain. Gives the orientation as well.
-#include "kinematics_problems.hpp"
+#include "../kinematics_problems.hpp"
 
 #include <pinocchio/algorithm/frames.hpp>
 

@@ -1,28 +1,29 @@
-// What a control cycle pays for a scene of 100 000 shapes, and for a mesh of 100 000 triangles: a look at
-// everything, the skip by hand, and ours; and where the handle jumps, a plain tree. First it is checked that
-// ours touches what a look at everything touches, in each of 20 000 cycles.
-#include "large_scene/by_hand.hpp"
-#include "large_scene/plain_tree.hpp"
+// Sensing a scene of 100 000 shapes, and a mesh of 100 000 triangles: by a look at everything, by a skip by
+// hand, and by the library; and by a plain tree when the handle jumps. The contacts are compared with those
+// of a look at everything in each of 20 000 cycles.
+#include "parts.hpp"
+#include "plain_tree.hpp"
+#include "skip_by_hand.hpp"
 
-#include "../tests/property/sample_meshes.hpp"
+#include "../../tests/property/sample_meshes.hpp"
 
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>
 #include <passive_haptics/scene/world/world.hpp>
 #include <passive_haptics/testing/support/percentile.hpp>
 
-#include <results.hpp>
-
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
+
+namespace scenes {
 
 namespace ph = passive_haptics;
 
 namespace {
 
-constexpr unsigned seed = 20040627;
 constexpr int shape_count = 100'000;
 constexpr int cycles = 20'000;        // 20 s at 1 kHz
 constexpr double step_length = 2e-4;  // [m]: 0.2 m/s
@@ -97,7 +98,7 @@ using cycle = std::function<void(const ph::point<3>&)>;
 // two looks at a clock.
 void add_row(const std::string& name, const path& hand, const std::function<cycle()>& make,
              bool whole_path = true) {
-  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& run) {
+  benchmark::RegisterBenchmark(("large/" + name).c_str(), [=](benchmark::State& run) {
     const cycle sense = make();
     std::size_t k = 0;
     if (whole_path) {
@@ -127,74 +128,96 @@ cycle sensing(Scene scene) {
   return [scene]<class X>(const X& x) mutable { benchmark::DoNotOptimize(scene.touched_at(x).size()); };
 }
 
+// Made when the first row runs.
+const many_shapes::shapes<3>& all_shapes() {
+  static const auto all = [] {
+    ph::testing::random_source random(seed);
+    return many_shapes::shapes<3>(shape_count, random);
+  }();
+  return all;
+}
+const ph::mesh<3>& globe() {
+  static const ph::mesh<3> mesh(sample_meshes::globe(320, 158, [](const auto&) { return globe_radius; }));
+  return mesh;
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-  ph::testing::random_source random(seed);
-  const many_shapes::shapes<3> all(shape_count, random);
-  const path hand = wandering(), jumps = jumping();
-
-  const ph::mesh<3> globe(sample_meshes::globe(320, 158, [](const auto&) { return globe_radius; }));
-  const path round = around_globe(globe_radius);
-
+void add_large_scenes() {
+  const path hand = wandering(), jumps = jumping(), round = around_globe(globe_radius);
   add_row(
       "shapes/scan", hand,
-      [&] {
-        return [&](const ph::point<3>& x) { benchmark::DoNotOptimize(many_shapes::scan<4>(all, x).size()); };
+      [] {
+        return [](const ph::point<3>& x) {
+          benchmark::DoNotOptimize(many_shapes::scan<4>(all_shapes(), x).size());
+        };
       },
       false);
-  add_row("shapes/by hand", hand, [&] {
-    return [scene = by_hand::skipping_scene(by_hand::shapes_of(all), 0.02)](const ph::point<3>& x) mutable {
+  add_row("shapes/by hand", hand, [] {
+    return [scene = by_hand::skipping_scene(by_hand::shapes_of(all_shapes()), 0.02)](
+               const ph::point<3>& x) mutable {
       int touched = 0;
       scene.step(x.data(), [&](int, double) { ++touched; });
       benchmark::DoNotOptimize(touched);
     };
   });
-  add_row("shapes/world", hand, [&] { return sensing(ph::world<3>(all.walls())); });
-  add_row("jumps/plain tree", jumps, [&] { return sensing(plain::tree_of_walls(all.walls())); });
-  add_row("jumps/world", jumps, [&] { return sensing(ph::world<3>(all.walls())); });
+  add_row("shapes/world", hand, [] { return sensing(ph::world<3>(all_shapes().walls())); });
+  add_row("jumps/plain tree", jumps, [] { return sensing(plain::tree_of_walls(all_shapes().walls())); });
+  add_row("jumps/world", jumps, [] { return sensing(ph::world<3>(all_shapes().walls())); });
   add_row(
       "mesh/scan", round,
-      [&] {
-        return [&](const ph::point<3>& x) {
+      [] {
+        return [](const ph::point<3>& x) {
           double nearest = std::numeric_limits<double>::infinity();
-          for (int i = 0; i < globe.size(); ++i)
-            nearest = std::min(nearest, ph::nearest_point(globe[i], x).squared_distance);
+          for (int i = 0; i < globe().size(); ++i)
+            nearest = std::min(nearest, ph::nearest_point(globe()[i], x).squared_distance);
           benchmark::DoNotOptimize(nearest);
         };
       },
       false);
-  add_row("mesh/world", round, [&] {
+  add_row("mesh/world", round, [] {
     ph::world_walls<3> walls;
-    walls.add(ph::wall(ph::mesh_surface<3>(globe)));
+    walls.add(ph::wall(ph::mesh_surface<3>(globe())));
     return sensing(ph::world<3>(walls));
   });
-  const auto rows = benchmarks::run(argc, argv, {"--benchmark_min_time=0.2", "--benchmark_repetitions=5"});
+}
 
-  std::printf("Sensing a scene of %zu shapes, and of a mesh of %d triangles, at 0.2 m/s and 1 kHz [ns]\n",
-              all.size(), globe.size());
+std::string print_large_scenes(const benchmarks::results& all) {
+  benchmarks::results rows;
+  for (const auto& [name, row] : all)
+    if (name.starts_with("large/")) rows[name.substr(6)] = row;
+  if (rows.empty()) return {};
+  std::printf(
+      "\nSensing a scene of %zu shapes, and of a mesh of %d triangles, at 0.2 m/s and 1 kHz [ns]; means of "
+      "CPU time\n",
+      all_shapes().size(), globe().size());
   std::printf("%-16s %10s %8s %8s %8s %8s\n", "", "mean", "p50", "p99", "p99.9", "max");
   for (const auto& [name, row] : rows) {
-    std::printf("%-16s %10.1f", name.c_str(), row.time);
+    std::printf("%-16s %10.1f", name.c_str(), row.cpu_time);
     for (const char* p : {"p50_ns", "p99_ns", "p99.9_ns", "max_ns"}) {
       if (row.counters.contains(p)) std::printf(" %8.0f", row.counters.at(p));
     }
     std::printf("\n");
   }
-  if (rows.size() < 7) return 0;  // filtered
-  const check found = against_a_scan(all, hand);
+  if (rows.size() < 7) return {};  // filtered
+  const check found = against_a_scan(all_shapes(), wandering());
   std::printf("in %d cycles %ld contacts%s; %.3f distances a cycle, in the worst %ld beyond the contacts\n",
               cycles, found.touched, found.same ? ", the same as by a scan" : "",
               static_cast<double>(found.looks) / cycles, found.most_looks);
   if (!found.same || found.most_looks > 64) {
     std::fprintf(stderr, "error: %s\n",
                  found.same ? "more than 64 distances in one cycle" : "not the contacts of a scan");
-    return 1;
+    std::exit(1);
   }
-  const auto ratio = [&](const char* a, const char* b) { return rows.at(a).time / rows.at(b).time; };
-  std::printf(
-      "summary: 1e5 shapes: scan %.0fx of ours, ours %.2fx of by hand, where it jumps %.2fx of a plain tree; "
-      "1e5 triangles: scan %.0fx of ours\n",
+  const auto ratio = [&](const char* a, const char* b) { return rows.at(a).cpu_time / rows.at(b).cpu_time; };
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "1e5 shapes: scan %.0fx of ours, ours %.2fx of by hand, where it jumps %.2fx of a plain tree; 1e5 "
+      "triangles: scan %.0fx of ours",
       ratio("shapes/scan", "shapes/world"), ratio("shapes/world", "shapes/by hand"),
       ratio("jumps/world", "jumps/plain tree"), ratio("mesh/scan", "mesh/world"));
+  return text;
 }
+
+}  // namespace scenes

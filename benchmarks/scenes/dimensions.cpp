@@ -1,12 +1,13 @@
 // How the nearest displayable force scales: n = 1 .. 6 dimensions; m = n, n + 1 and 2 n brakes. The
 // half-space form where m = n, the generator form with torques of least norm beyond (m between takes times
 // between, and minutes to compile). Random Gaussian problems, cold start.
+#include "parts.hpp"
+
 #include <passive_haptics/force/nearest_force.hpp>
 #include <passive_haptics/force/torques/nearest_torque.hpp>
 #include <passive_haptics/testing/support/random.hpp>
 
 #include <output.hpp>
-#include <results.hpp>
 
 #include <array>
 #include <cstdio>
@@ -14,11 +15,12 @@
 #include <string>
 #include <utility>
 
+namespace scenes {
+
 namespace ph = passive_haptics;
 
 namespace {
 
-constexpr unsigned seed = 20040627;
 constexpr int largest = 6;  // n
 constexpr int problem_count = 256;
 
@@ -52,7 +54,7 @@ ph::vector<double, N> nearest(const problem<N, M>& p) {
   }
 }
 
-std::string row_name(int n, int m) { return "n=" + std::to_string(n) + "/m=" + std::to_string(m); }
+std::string row_name(int n, int m) { return "dimensions/n=" + std::to_string(n) + "/m=" + std::to_string(m); }
 
 template <int N, int M>
 void add_row() {
@@ -77,10 +79,8 @@ void add_rows() {
 std::string line(const benchmarks::results& all, int n, const char* separator) {
   std::string text = std::to_string(n);
   for (const int m : {n, n + 1, 2 * n}) {
-    const auto row = all.find(row_name(n, m));
     char entry[32];
-    std::snprintf(entry, sizeof entry, "%s%6.0f", separator,
-                  row == all.end() ? std::numeric_limits<double>::quiet_NaN() : row->second.time);
+    std::snprintf(entry, sizeof entry, "%s%6.0f", separator, all.at(row_name(n, m)).cpu_time);
     text += entry;
   }
   return text + "\n";
@@ -89,8 +89,8 @@ std::string line(const benchmarks::results& all, int n, const char* separator) {
 void draw_picture(const benchmarks::results& all) {
   std::string data = "# n, time [ns] for m = n, m = n + 1, m = 2 n\n";
   for (int n = 1; n <= largest; ++n) data += line(all, n, ", ");
-  example::write_file("scaling.csv", data);
-  example::draw(".", "scaling", R"(
+  example::write_file("scenes.csv", data);
+  example::draw(".", "scenes", R"(
 set terminal svg size 700,480 font 'sans,12' background 'white'
 set output output
 set datafile separator ','
@@ -101,7 +101,7 @@ set xlabel 'n'
 set ylabel 'time [ns]'
 set xrange [0.7:6.3]
 set key left top
-plot 'scaling.csv' using 1:4 with linespoints lw 2 pt 5 lc rgb '#d55e00' title 'm = 2 n: generators', \
+plot 'scenes.csv' using 1:4 with linespoints lw 2 pt 5 lc rgb '#d55e00' title 'm = 2 n: generators', \
      '' using 1:3 with linespoints lw 2 pt 9 lc rgb '#009e73' title 'm = n + 1: generators', \
      '' using 1:2 with linespoints lw 2 pt 7 lc rgb '#0072b2' title 'm = n: half-spaces'
 )");
@@ -109,26 +109,28 @@ plot 'scaling.csv' using 1:4 with linespoints lw 2 pt 5 lc rgb '#d55e00' title '
 
 }  // namespace
 
-int main(int argc, char** argv) {
+void add_dimensions() {
   [&]<int... N>(std::integer_sequence<int, N...>) {
     (add_rows<N + 1>(), ...);
   }(std::make_integer_sequence<int, largest>());
-  const auto all = benchmarks::run(argc, argv,
-                                   {"--benchmark_min_time=0.03", "--benchmark_repetitions=5",
-                                    "--benchmark_enable_random_interleaving=true"});
-  std::printf("Nearest force [ns], %d problems each, seed %u\nn   m = n   n + 1     2 n\n", problem_count,
-              seed);
-  for (int n = 1; n <= largest; ++n) {
-    const bool some =
-        all.contains(row_name(n, n)) || all.contains(row_name(n, n + 1)) || all.contains(row_name(n, 2 * n));
-    if (some) std::printf("%s", line(all, n, "  ").c_str());
-  }
-  if (all.size() < 3 * largest - 1) return 0;  // filtered: no picture of a part
+}
+
+std::string print_dimensions(const benchmarks::results& all) {
+  for (int n = 1; n <= largest; ++n)
+    for (const int m : {n, n + 1, 2 * n})
+      if (!all.contains(row_name(n, m))) return {};  // filtered: no picture of a part
+  std::printf("\nNearest force [ns of CPU time], %d problems each, seed %u\nn   m = n   n + 1     2 n\n",
+              problem_count, seed);
+  for (int n = 1; n <= largest; ++n) std::printf("%s", line(all, n, "  ").c_str());
   draw_picture(all);
-  const auto time = [&](int n, int m) { return all.at(row_name(n, m)).time; };
-  std::printf(
-      "summary: m = n: %.0f ns for n = 2, %.1fx for 4, %.1fx for 6; m = 2 n: %.0fx of m = n for 2, %.0fx for "
-      "6\n",
+  const auto time = [&](int n, int m) { return all.at(row_name(n, m)).cpu_time; };
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "m = n: %.0f ns for n = 2, %.1fx for 4, %.1fx for 6; m = 2 n: %.0fx of m = n for 2, %.0fx for 6",
       time(2, 2), time(4, 4) / time(2, 2), time(6, 6) / time(2, 2), time(2, 4) / time(2, 2),
       time(6, 12) / time(6, 6));
+  return text;
 }
+
+}  // namespace scenes

@@ -1,6 +1,6 @@
 // qpOASES, a parametric active set, with its fastest options ("MPC") and the Hessian declared to be the
 // identity.
-#include "cone_problems.hpp"
+#include "../cone_problems.hpp"
 
 #include <qpOASES.hpp>
 

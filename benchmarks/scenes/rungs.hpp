@@ -1,8 +1,8 @@
 // A ladder of static scenes: each rung adds one need to the one before. What a rung does not need must cost
-// it nothing.
+// it nothing. benchmarks/scenes times it, tests/budget counts its instructions.
 #pragma once
 
-#include "by_hand.hpp"
+#include "table_by_hand.hpp"
 
 #include <passive_haptics/passive_haptics.hpp>
 #include <passive_haptics/testing/support/random.hpp>

@@ -1,6 +1,6 @@
 // eiquadprog, Goldfarb and Idnani's dual active set, in its fixed-size form: min |p|^2 / 2 - f.p, -B^T p >=
 // 0.
-#include "cone_problems.hpp"
+#include "../cone_problems.hpp"
 
 #include <eiquadprog/eiquadprog-rt.hpp>
 

@@ -1,6 +1,6 @@
 // OSQP, an operator splitting: cold (but for its step size, which adapts) and silent, otherwise as it comes:
 // stops at residuals and a duality gap of 1e-3.
-#include "cone_problems.hpp"
+#include "../cone_problems.hpp"
 
 #include <osqp.h>
 

@@ -1,11 +1,36 @@
-// The control cycle by hand with a brake in each half of a register: one branch, free space or contact, and
-// every promise of the library's cycle: NaN and infinity release, dead bands, a largest approximation angle,
-// det = 0.
+// The control cycle of the tendon device along one plane wall under direct control, written by hand for this
+// device with a brake in each half of a register: one branch, free space or contact, and every guarantee of
+// the library's cycle: NaN and infinity release, dead bands, a maximum approximation angle, det = 0.
 #pragma once
 
-#include "by_hand.hpp"
+#include <passive_haptics/core/scalar/sine_cosine.hpp>
 
 namespace by_hand {
+
+struct device {
+  double length_1, length_2, reduction_2, per_reduction_2;  // [m], [m], [1], [1]
+  // Of both brakes [rad/s], [N m], [N m]
+  double rate_dead_band, torque_limit, torque_dead_band;
+  double least_cosine, rounding;  // [1]
+};
+
+struct wall {
+  double nx, ny, offset;  // n . x = offset on the surface [m]
+  double stiffness;       // [N/m]
+};
+
+struct measurement {
+  double q1, q2, qd1, qd2;  // [rad], [rad/s]
+  double fx, fy;            // hand force [N]
+  double time;              // [s]
+};
+
+enum class region { free, exact, approximate, none, fault };
+
+struct command {
+  double capacity_1, capacity_2;  // [N m]
+  region where;
+};
 
 using pair [[gnu::vector_size(16)]] = double;       // of brake 1 and brake 2
 using truths [[gnu::vector_size(16)]] = long long;  // all bits set where true
@@ -21,7 +46,7 @@ template <class Two>
   return __builtin_shufflevector(x, x, 1, 0);
 }
 
-[[gnu::always_inline]] inline command lanes(const device& d, const wall& wall, const measurement& at) {
+[[gnu::always_inline]] inline command step(const device& d, const wall& wall, const measurement& at) {
   const pair q{at.q1, at.q2}, qd{at.qd1, at.qd2}, Fh{at.fx, at.fy}, zero{0, 0}, one{1, 1};
   const truths finite = (q * zero) * qd * Fh * at.time == zero;
   if ((finite[0] & finite[1]) == 0) return {0, 0, region::fault};

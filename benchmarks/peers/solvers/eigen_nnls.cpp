@@ -1,6 +1,6 @@
 // Eigen's non-negative least squares, which came after 3.4: mu = argmin |B mu - f|, mu >= 0; the residual is
 // the nearest point.
-#include "cone_problems.hpp"
+#include "../cone_problems.hpp"
 
 #include <unsupported/Eigen/NNLS>
 

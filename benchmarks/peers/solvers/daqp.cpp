@@ -1,6 +1,6 @@
 // DAQP, a dual active set. As a least-distance problem, which it solves fastest: x = p - f, min |x|, B^T x <=
 // -B^T f. To be built with PROFILING=OFF: else it reads a clock twice a problem.
-#include "cone_problems.hpp"
+#include "../cone_problems.hpp"
 
 #include <daqp/api.h>
 #include <daqp/utils.h>

@@ -1,7 +1,8 @@
-// The walls of a world by a tree of their boxes, searched anew in each cycle: what a world may cost where the
-// handle jumps.
+// The walls of a world by a tree of their boxes, searched in each cycle: the cost of a world when the handle
+// jumps.
 #pragma once
 
+#include <passive_haptics/core/finite.hpp>
 #include <passive_haptics/scene/bounds/bounding_volume_tree.hpp>
 #include <passive_haptics/scene/world/strongest_contacts.hpp>
 #include <passive_haptics/scene/world/world_walls.hpp>
