@@ -1,5 +1,8 @@
 // How long one control cycle takes, state in, capacities out: each shipped mechanism, each way through the
-// step, hot and cold. Times are for comparing rows of one run; a machine under load slows all of them.
+// step, hot and cold; and the tendon device's cycle by hand. Times are for comparing rows of one run; a
+// machine under load slows all of them.
+#include "latency/by_hand.hpp"
+
 #include <passive_haptics/testing/latency_of.hpp>
 
 #include <passive_haptics/passive_haptics.hpp>
@@ -7,6 +10,8 @@
 
 #include <results.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <map>
@@ -28,12 +33,21 @@ constexpr std::pair<contact_kind, const char*> kinds[] = {{contact_kind::free, "
                                                           {contact_kind::approximate, "approximate"},
                                                           {contact_kind::any_contact, "any contact"}};
 
-// A device 10 m before a plane wall, or 10 m behind it, where the wall demands 10 N.
+// Signed distance of the wall's surface from the origin along its normal [m], and the normal: a device is 10
+// m in front of the wall, or 10 m behind it, where the wall demands 10 N.
+double offset_of(contact_kind kind) { return kind == contact_kind::free ? -10 : 10; }
+template <int D>
+ph::point<D> outward() {
+  return ph::point<D>::Ones().normalized();
+}
+
 template <class M>
-auto controller_of(const M& mechanism, contact_kind kind) {
-  const ph::point<M::task_dimension> out = ph::point<M::task_dimension>::Ones().normalized();
-  const ph::half_space<M::task_dimension> plane((kind == contact_kind::free ? -10 : 10) * out, out);
-  return ph::controller(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(plane, 1)), ph::direct_control());
+auto controller_of(const M& mechanism, contact_kind kind,
+                   const ph::step_options<typename M::scalar>& options = {}) {
+  const auto out = outward<M::task_dimension>();
+  const ph::half_space<M::task_dimension> plane(offset_of(kind) * out, out);
+  return ph::controller(mechanism, ph::brakes_of<M>(), ph::scene(ph::wall(plane, 1)), ph::direct_control(),
+                        options);
 }
 
 template <class Result>
@@ -85,6 +99,69 @@ ph::serial_chain_parameters<double, 6, 3> spatial_arm() {
           .handle = ph::point<3>(0.6, 0, 0.1)};
 }
 
+using arm = ph::tendon_two_link<double>;
+
+const double reduction_2 = ph::tendon_two_link_parameters<double>().reduction_2;
+const by_hand::device device{arm().parameters().length_1,
+                             arm().parameters().length_2,
+                             reduction_2,
+                             1 / reduction_2,
+                             ph::brakes_of<arm>().rate_dead_band[0],
+                             ph::brakes_of<arm>().torque_limit[0],
+                             ph::brakes_of<arm>().torque_dead_band[0],
+                             ph::step_options<double>().min_cosine,
+                             ph::rounding_tolerance<double>(1)};
+
+by_hand::command step_by_hand(const by_hand::wall& wall, const ph::device_state<arm>& s) {
+  return by_hand::step(device, wall,
+                       {s.q[0], s.q[1], s.qd[0], s.qd[1], s.hand_force[0], s.hand_force[1], s.time});
+}
+
+template <class Cycle>
+void add_hot_row(const std::string& name, const std::vector<ph::device_state<arm>>& states, Cycle cycle) {
+  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& run) mutable {
+    std::size_t k = 0;
+    for (auto _ : run) {
+      auto result = cycle(states[k++ % state_count]);
+      benchmark::DoNotOptimize(result);
+    }
+  });
+}
+
+// Capacities only, without the account: by the library and by hand, which command the same.
+void add_rows_by_hand() {
+  const auto out = outward<2>();
+  for (const auto& [kind, label] : kinds) {
+    const by_hand::wall wall{out[0], out[1], offset_of(kind), 1};
+    ph::step_options<double> options;
+    options.limits = ph::saturation::clamp_each;
+    auto library = controller_of(arm(), kind, options);
+    const auto states = random_states(arm(), kind);
+    for (const auto& s : states) {
+      const auto expected = library.command(s).capacity;
+      const auto got = step_by_hand(wall, s);
+      const double off =
+          std::max(std::abs(got.capacity_1 - expected[0]), std::abs(got.capacity_2 - expected[1]));
+      if (!(off <= 1e-6 * expected.maxCoeff()))
+        throw std::runtime_error("the cycle by hand commands other torques");
+    }
+    add_hot_row(std::string("library/") + label, states,
+                [=](const auto& s) mutable { return library.command(s); });
+    add_hot_row(std::string("by hand/") + label, states,
+                [=](const auto& s) { return step_by_hand(wall, s); });
+  }
+}
+
+void print_rows_by_hand(const benchmarks::results& all) {
+  std::printf("\ntendon_two_link<double>, capacities only, hot [ns of CPU time]\n");
+  std::printf("%-38s %8s %8s %8s\n", "way through the step", "library", "by hand", "ratio");
+  for (const auto& [kind, label] : kinds) {
+    const double library = all.at(std::string("library/") + label).cpu_time;
+    const double by_hand = all.at(std::string("by hand/") + label).cpu_time;
+    std::printf("%-38s %8.1f %8.1f %8.2f\n", label, library, by_hand, library / by_hand);
+  }
+}
+
 // One line of the table once its three rows are there.
 class latency_table {
  public:
@@ -131,15 +208,21 @@ int main(int argc, char** argv) {
   add_rows("serial_chain<double, 3, 2>",
            ph::serial_chain<double, 3, 2>(ph::planar_arm<double, 3>({0.15, 0.15, 0.1})));
   add_rows("serial_chain<double, 6, 3>", ph::serial_chain<double, 6, 3>(spatial_arm()));
+  add_rows_by_hand();
   latency_table table;
   const auto all = benchmarks::run(argc, argv, {"--benchmark_min_time=0.2"},
                                    [&](const auto& name, const auto& row) { table.add(name, row); });
-  const std::string arm = "tendon_two_link<double>/";
-  if (all.contains(arm + "any contact/cold") && all.contains(arm + "free/hot")) {
-    const double contact = all.at(arm + "any contact/hot").cpu_time;
-    std::printf("\nsummary: tendon two_link: %.0f ns in contact, free %.2fx, chained %.2fx, cold %.0fx\n",
-                contact, all.at(arm + "free/hot").cpu_time / contact,
-                all.at(arm + "any contact/chain").cpu_time / contact,
-                all.at(arm + "any contact/cold").counters.at("p50_ns") / contact);
+  const std::string tendons = "tendon_two_link<double>/";
+  if (all.contains("by hand/any contact") && all.contains("library/free")) print_rows_by_hand(all);
+  if (all.contains(tendons + "any contact/cold") && all.contains("by hand/any contact")) {
+    const double contact = all.at(tendons + "any contact/hot").cpu_time;
+    std::printf(
+        "\nsummary: tendon_two_link: %.0f ns in contact, free %.2fx, chained %.2fx, cold %.0fx; capacities "
+        "only "
+        "%.2fx of by hand\n",
+        contact, all.at(tendons + "free/hot").cpu_time / contact,
+        all.at(tendons + "any contact/chain").cpu_time / contact,
+        all.at(tendons + "any contact/cold").counters.at("p50_ns") / contact,
+        all.at("library/any contact").cpu_time / all.at("by hand/any contact").cpu_time);
   }
 }

@@ -1,16 +1,13 @@
 # The peers of benchmark_peers. None is part of this repository: each is compared where CMake finds it (a system package,
 # CMAKE_PREFIX_PATH) and named as absent by the program elsewhere.
-
-target_sources(benchmark_peers PRIVATE peers/cone_problems.cpp peers/our_cone.cpp peers/our_kinematics.cpp
-  peers/our_six_rows.cpp)
 set(absent)
 
-# peer(SOURCE NAME PACKAGE LIBRARY...): adds peers/SOURCE.cpp where PACKAGE was found. An object library of its own, so
+# peer(SOURCE NAME PACKAGE LIBRARY...): adds peers/solvers/SOURCE.cpp where PACKAGE was found. An object library of its own, so
 # that no peer's options reach another's code or ours.
 macro(peer source name package)
   if(${package}_FOUND)
     string(STRIP "${name} ${${package}_VERSION}" solver)
-    add_library(peer_${source} OBJECT peers/${source}.cpp)
+    add_library(peer_${source} OBJECT peers/solvers/${source}.cpp)
     target_compile_definitions(peer_${source} PRIVATE PEER="${solver}")
     target_include_directories(peer_${source} SYSTEM PRIVATE ${${package}_INCLUDE_DIR} ${${package}_INCLUDE_DIRS})
     target_link_libraries(peer_${source} PRIVATE ${ARGN})

@@ -1,4 +1,4 @@
-# What callgrind counts, for the budgets and for benchmarks/run ladder.
+# What callgrind counts, for the budgets.
 
 # The rows that a program lists.
 function(rows_of program result)

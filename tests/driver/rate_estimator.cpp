@@ -313,45 +313,6 @@ TEST(rate_estimator, agrees_with_a_window_that_is_tested_line_by_line) {
   }
 }
 
-// What sgn(w) gets of a slow motion with reversals: +-0.15 rad/s at 0.5 Hz, 8192 counts a turn, edges with a
-// jitter [counts]. A rate in the dead band of the window is no sign, whoever estimates it.
-struct sign_errors {
-  int cycles = 0, differences = 0, differences_unknown = 0, windowed = 0, windowed_unknown = 0;
-
-  explicit sign_errors(double jitter) {
-    random_source random(17);
-    const double turn = 2 * std::numbers::pi, amplitude = 0.15 / turn * 8192, pulsation = 0.5 * turn;
-    const double band = ph::rate_dead_band(1, window, T);
-    ph::encoder<double, 1> encoder({.resolution = 1}, T);
-    ph::rate_estimator<1> estimator;
-    for (; cycles < 20000; ++cycles) {
-      const double t = cycles * T, x = amplitude / pulsation * std::sin(pulsation * t);
-      const double v = amplitude * std::cos(pulsation * t);
-      encoder.read(one(x + random.uniform(-jitter, jitter)), one(v));
-      count(encoder.rate()[0], band, v, differences, differences_unknown);
-      count(estimator.add(t, encoder.position())[0], band, v, windowed, windowed_unknown);
-    }
-  }
-  static void count(double rate, double band, double truth, int& wrong, int& unknown) {
-    if (std::abs(rate) <= band) ++unknown;
-    else wrong += sign(rate) != sign(truth);
-  }
-  double per_1000(int n) const { return 1000.0 * n / cycles; }
-};
-
-TEST(rate_estimator, has_fewer_wrong_signs_than_low_passed_differences) {
-  for (const double jitter : {0.0, 0.1, 0.3}) {
-    const sign_errors e(jitter);
-    std::cout << "edges +-" << jitter
-              << " counts, per 1000 cycles: differences, 50 Hz low-pass: " << e.per_1000(e.differences)
-              << " wrong, " << e.per_1000(e.differences_unknown)
-              << " in the dead band; adaptive window: " << e.per_1000(e.windowed) << " wrong, "
-              << e.per_1000(e.windowed_unknown) << " zero\n";
-    EXPECT_LE(e.windowed, e.differences);
-    EXPECT_EQ(e.windowed, 0);
-  }
-}
-
 TEST(rate_estimator, has_the_bounds_of_its_formulas) {
   // Resolution 2, windows of 8 periods of 10 ms
   EXPECT_DOUBLE_EQ(ph::rate_dead_band(2, 8, 0.01), 25);

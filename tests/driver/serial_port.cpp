@@ -272,20 +272,6 @@ TEST_F(serial_port, currents_arrive_rounded_cut_at_the_limit_and_never_below_0) 
   EXPECT_TRUE(c.currents_arrive({nan, -0.3}, 0, 0));
 }
 
-TEST_F(serial_port, release_is_0_A_and_may_be_repeated) {
-  connected c;
-  EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
-  c.host.release();
-  c.host.release();
-  EXPECT_TRUE(eventually([&] {
-    c.peer.hear();
-    return c.peer.controller.now_in() == firmware::state::released;
-  }));
-  EXPECT_EQ(c.peer.board.current(0), 0);
-  EXPECT_TRUE(c.until(port_status::ok));
-  EXPECT_TRUE(c.currents_arrive({0.2, 0.2}, 2000, 2000)) << "and currents come again after it";
-}
-
 TEST_F(serial_port, release_outlives_noise_on_one_of_its_frames) {
   connected c;
   EXPECT_TRUE(c.currents_arrive({0.1, 0.1}, 1000, 1000));
@@ -301,23 +287,6 @@ TEST_F(serial_port, release_outlives_noise_on_one_of_its_frames) {
   c.peer.heard[3] ^= 0x10;
   for (const std::uint8_t b : c.peer.heard) c.peer.controller.receive(b, c.peer.now);
   EXPECT_EQ(c.peer.controller.now_in(), firmware::state::released);
-}
-
-TEST_F(serial_port, release_before_open_and_the_destructor_are_releases) {
-  port(at("/dev/no_such_port")).release();
-  serial_peer peer;
-  auto p = std::make_unique<port>(at(peer.path()));
-  EXPECT_EQ(peer.open(*p), "");
-  EXPECT_TRUE(eventually([&] {
-    p->write({0.1, 0.1});
-    peer.hear();
-    return peer.board.current(0) == 1000;
-  }));
-  p.reset();
-  EXPECT_TRUE(eventually([&] {
-    peer.hear();
-    return peer.controller.now_in() == firmware::state::released;
-  }));
 }
 
 TEST_F(serial_port, before_open_nothing_can_be_read_or_written) {

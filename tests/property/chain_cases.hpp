@@ -52,14 +52,9 @@ struct irregular_chain {
   static ph::vector<T, N> upper() { return ph::vector<T, N>::Constant(T(2)); }
 };
 
-using some = ::testing::Types<irregular_chain<float, 6, 3>>;
-
-// Each length in the plane by one scalar, in space by the other.
-using planar = ::testing::Types<irregular_chain<double, 2, 2>, irregular_chain<float, 3, 2>,
-                                irregular_chain<double, 4, 2>, irregular_chain<float, 5, 2>,
-                                irregular_chain<double, 6, 2>, irregular_chain<float, 7, 2>>;
-using spatial = ::testing::Types<irregular_chain<double, 3, 3>, irregular_chain<float, 4, 3>,
-                                 irregular_chain<double, 5, 3>, irregular_chain<double, 6, 3>,
+// In the plane and in space, as many joints as dimensions and more, with sliding joints and without.
+using lengths = ::testing::Types<irregular_chain<double, 2, 2>, irregular_chain<float, 5, 2>,
+                                 irregular_chain<double, 3, 3>, irregular_chain<float, 6, 3>,
                                  irregular_chain<double, 7, 3>>;
 
 }  // namespace chains

@@ -69,9 +69,8 @@ struct upside_down_delta {
   static ph::vector<T, 3> upper() { return ph::vector<T, 3>::Constant(T(0.3)); }
 };
 
-using some = ::testing::Types<pantograph<double>, upside_down_delta<double>>;
-using others_in_double = ::testing::Types<lopsided_five_bar<double>, desktop_delta<double>>;
-template <class T>
-using all = ::testing::Types<pantograph<T>, lopsided_five_bar<T>, desktop_delta<T>, upside_down_delta<T>>;
+// Each by one scalar, and four brakes on two joints.
+using all = ::testing::Types<pantograph<double>, lopsided_five_bar<float>, desktop_delta<float>,
+                             upside_down_delta<double>, lopsided_five_bar<double, 4>>;
 
 }  // namespace closed_chains

@@ -1,7 +1,7 @@
 // The library's own mechanisms as cases of the property suites.
 #pragma once
 
-#include <gtest/gtest.h>
+#include "../tested_types.hpp"
 
 #include <passive_haptics/mechanism/models/tendon_two_link.hpp>
 #include <passive_haptics/mechanism/models/two_link.hpp>
@@ -16,8 +16,7 @@ struct device_case {
   static joints upper() { return joints::Constant(3); }
 };
 
-using some_devices = ::testing::Types<device_case<passive_haptics::tendon_two_link<double>>>;
-using other_devices = ::testing::Types<
-    device_case<passive_haptics::two_link<float>>, device_case<passive_haptics::two_link<double>>,
-    device_case<passive_haptics::tendon_two_link<float>>, device_case<passive_haptics::xy_table<float>>,
-    device_case<passive_haptics::xy_table<double>>>;
+// A transmission, none, a diagonal.
+using tested_devices = tested_types<device_case<passive_haptics::tendon_two_link<double>>,
+                                    device_case<passive_haptics::two_link<float>>,
+                                    device_case<passive_haptics::xy_table<double>>>;

@@ -9,8 +9,8 @@
 
 using namespace passive_haptics::testing;
 
-INSTANTIATE_TYPED_TEST_SUITE_P(devices, mechanism_properties, some_devices);
-INSTANTIATE_TYPED_TEST_SUITE_P(devices, dynamics_properties, some_devices);
-INSTANTIATE_TYPED_TEST_SUITE_P(devices, step_properties, some_devices);
-INSTANTIATE_TYPED_TEST_SUITE_P(devices, projection_properties, some_devices);
-INSTANTIATE_TYPED_TEST_SUITE_P(devices, fault_properties, some_devices);
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, mechanism_properties, tested_devices);
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, dynamics_properties, tested_devices);
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, step_properties, tested_devices);
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, projection_properties, tested_devices);
+INSTANTIATE_TYPED_TEST_SUITE_P(devices, fault_properties, tested_devices);

@@ -1,4 +1,5 @@
-// A control cycle allocates nothing, whichever way it takes; full/ has the other devices and laws.
+// A control cycle allocates nothing, whichever way it takes. no_allocation_elsewhere.cpp has the other
+// devices and laws.
 #include "allocations.hpp"
 
 #include "ways.hpp"

@@ -40,8 +40,11 @@ struct limits_in_float {
 struct limits_of_three {
   ph::vector<double, 3> torque_limit;
 };
-struct limits_of_any_size {
-  Eigen::VectorXd torque_limit;
+struct rate_dead_band_of_three : limits {
+  ph::vector<double, 3> rate_dead_band;
+};
+struct torque_dead_band_of_three : dead_bands {
+  ph::vector<double, 3> torque_dead_band;
 };
 struct lag_as_number {
   static constexpr bool unlimited = true;
@@ -52,7 +55,8 @@ static_assert(ph::BrakesFor<limits, arm> && ph::LimitedBrakes<limits, double, 2>
 static_assert(ph::BrakesFor<dead_bands, arm> && !ph::TorqueDeadBandBrakes<dead_bands, double, 2>);
 static_assert(!ph::BrakesFor<torque_dead_band_alone, arm>);
 static_assert(!ph::BrakesFor<limits_in_float, arm> && !ph::BrakesFor<limits_of_three, arm> &&
-              !ph::BrakesFor<limits_of_any_size, arm> && !ph::BrakesFor<lag_as_number, arm>);
+              !ph::BrakesFor<lag_as_number, arm>);
+static_assert(!ph::BrakesFor<rate_dead_band_of_three, arm> && !ph::BrakesFor<torque_dead_band_of_three, arm>);
 struct lower_alone : limits {
   V2 torque_lower;
 };

@@ -96,29 +96,18 @@ struct position_not_const : without_position {
 struct position_of_wrong_size : without_position {
   ph::vector<double, 3> position(const V2&) const;
 };
-struct position_as_row : without_position {
-  ph::matrix<double, 1, 2> position(const V2&) const;
-};
 struct position_in_float : without_position {
   ph::vector<float, 2> position(const V2&) const;
 };
-struct position_of_dynamic_size : without_position {
-  Eigen::VectorXd position(const V2&) const;
-};
 struct position_as_expression : without_position {
   auto position(const V2& q) const { return 2 * q; }  // would refer to a dead q
-};
-struct position_unaligned : without_position {
-  Eigen::Matrix<double, 2, 1, Eigen::DontAlign> position(const V2&) const;
 };
 struct position_takes_more : without_position {
   V2 position(const V2&, double) const;
 };
 static_assert(!ph::Mechanism<without_position> && !ph::Mechanism<position_not_const> &&
               !ph::Mechanism<position_of_wrong_size>);
-static_assert(!ph::Mechanism<position_as_row> && !ph::Mechanism<position_in_float> &&
-              !ph::Mechanism<position_of_dynamic_size>);
-static_assert(!ph::Mechanism<position_as_expression> && !ph::Mechanism<position_unaligned> &&
+static_assert(!ph::Mechanism<position_in_float> && !ph::Mechanism<position_as_expression> &&
               !ph::Mechanism<position_takes_more>);
 
 struct only_a_position : without_position {
@@ -140,12 +129,6 @@ struct jacobian_not_const : only_a_position {
 struct jacobian_in_float : only_a_position {
   ph::matrix<float, 2, 2> jacobian(const V2&) const;
 };
-struct jacobian_as_expression : only_a_position {
-  auto jacobian(const V2& q) const { return q * q.transpose(); }
-};
-struct jacobian_row_major : only_a_position {
-  Eigen::Matrix<double, 2, 2, Eigen::RowMajor> jacobian(const V2&) const;
-};
 struct jacobian_of_type_void : only_a_position {
   void jacobian(const V2&) const;
 };
@@ -155,9 +138,8 @@ struct jacobian_diagonal_but_wide : custom::sizes<double, 3, 2> {
 };
 static_assert(!ph::Mechanism<jacobian_of_wrong_shape> && !ph::Mechanism<jacobian_transposed> &&
               !ph::Mechanism<jacobian_not_const>);
-static_assert(!ph::Mechanism<jacobian_in_float> && !ph::Mechanism<jacobian_as_expression> &&
-              !ph::Mechanism<jacobian_row_major>);
-static_assert(!ph::Mechanism<jacobian_of_type_void> && !ph::Mechanism<jacobian_diagonal_but_wide>);
+static_assert(!ph::Mechanism<jacobian_in_float> && !ph::Mechanism<jacobian_of_type_void> &&
+              !ph::Mechanism<jacobian_diagonal_but_wide>);
 
 struct transmission_of_wrong_shape : complete {
   ph::matrix<double, 3, 2> transmission() const;
@@ -168,11 +150,8 @@ struct transmission_not_const : complete {
 struct transmission_in_float : complete {
   ph::diagonal_matrix<float, 2> transmission(const V2&) const;
 };
-struct transmission_as_expression : complete {
-  auto transmission() const { return M2::Identity(); }
-};
-static_assert(!ph::Mechanism<transmission_of_wrong_shape> && !ph::Mechanism<transmission_not_const>);
-static_assert(!ph::Mechanism<transmission_in_float> && !ph::Mechanism<transmission_as_expression>);
+static_assert(!ph::Mechanism<transmission_of_wrong_shape> && !ph::Mechanism<transmission_not_const> &&
+              !ph::Mechanism<transmission_in_float>);
 
 struct mass_matrix_of_wrong_shape : ph::two_link<double> {
   ph::matrix<double, 3, 3> mass_matrix(const V2&) const;

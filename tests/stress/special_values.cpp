@@ -1,33 +1,28 @@
 // Special values in every number that a step reads, two walls at once, and the options: a fault or a lawful
-// step. With one wall the suite fault_properties does this; here for the devices on which no other test runs
-// it.
+// step. With one wall the suite fault_properties does this.
 #include "broken_law.hpp"
 #include "devices.hpp"
 
+#include <passive_haptics/control/direct_control.hpp>
 #include <passive_haptics/control/laws/velocity/velocity_direct_control.hpp>
-#include <passive_haptics/testing/fault_properties.hpp>
+#include <passive_haptics/testing/support/step_samples.hpp>
+
+#include <gtest/gtest.h>
+
+#include <limits>
 
 namespace stress {
 
-using namespace ph::testing;
-using spatial_chain = ::testing::Types<chains::irregular_chain<double, 3, 3>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(spatial_chain, fault_properties, spatial_chain);
-
-template <class Case>
-struct special_values : ::testing::Test {};
-using devices =
-    ::testing::Types<device_case<ph::tendon_two_link<double>>, device_case<ph::tendon_two_link<float>>>;
-TYPED_TEST_SUITE(special_values, devices);
-
-TYPED_TEST(special_values, in_any_position_break_no_law) {
-  using M = typename TypeParam::mechanism;
-  using T = typename M::scalar;
+TEST(special_values, in_any_position_break_no_law) {
+  using device = device_case<ph::tendon_two_link<double>>;
+  using M = device::mechanism;
+  using T = M::scalar;
   using limits = std::numeric_limits<T>;
   constexpr unsigned seed = 20040627;
   constexpr int d = M::task_dimension;
-  const M mechanism = TypeParam::make();
+  const M mechanism = device::make();
   int faults = 0, lawful = 0;
-  ph::testing::for_each_sample<TypeParam>(mechanism, seed, 2, [&](ph::testing::step_sample<M> sample) {
+  ph::testing::for_each_sample<device>(mechanism, seed, 2, [&](ph::testing::step_sample<M> sample) {
     ph::contact<d> wall = sample.wall(), other = sample.wall();
     other.normal = ph::point<d>(-wall.normal.reverse());
     ph::step_options<T> options;

@@ -141,14 +141,8 @@ void walk(std::uint64_t cycles) {
 TEST(walk, of_the_tendon_device) {
   walk<device_case<ph::tendon_two_link<double>>, ph::direct_control>(effort(100000, 100000000));
 }
-TEST(walk, of_the_table) {
-  walk<device_case<ph::xy_table<double>>, ph::no_direct_control>(effort(20000, 10000000));
-}
 TEST(walk, of_the_five_bar_with_four_brakes) {
   walk<four_brakes<double>, ph::direct_control>(effort(5000, 1000000));
-}
-TEST(walk, of_the_delta) {
-  walk<closed_chains::desktop_delta<double>, ph::direct_control>(effort(5000, 1000000));
 }
 
 }  // namespace stress

@@ -1,3 +1,4 @@
+// optimised
 // A proxy on a mesh: what stops it, what it feels, and that it never gets to the other side.
 #include <passive_haptics/scene/mesh/mesh_solid.hpp>
 #include <passive_haptics/scene/mesh/mesh_surface.hpp>

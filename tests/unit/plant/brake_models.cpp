@@ -1,3 +1,4 @@
+// optimised
 // A simulated device with brakes of each model: first order, passive, and a wall to follow.
 #include "../support.hpp"
 

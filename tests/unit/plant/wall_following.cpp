@@ -1,3 +1,4 @@
+// optimised
 // The wall-following experiment (section 5): what the paper claims.
 #include "wall_experiment.hpp"
 

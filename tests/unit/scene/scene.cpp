@@ -206,14 +206,6 @@ TEST(contact_list, holds_up_to_its_capacity_and_says_when_it_is_full) {
   EXPECT_EQ(list.size(), 0);
 }
 
-TEST(contact_listDeathTest, tells_nothing_beyond_its_last) {
-  ph::contacts<2, 3> list;
-  EXPECT_DEBUG_DEATH(list[0], "size");
-  list.push_back({.depth = 1});
-  EXPECT_EQ(list[0].depth, 1);
-  EXPECT_DEBUG_DEATH(list[1], "size");
-}
-
 TEST(contact_list, shows_its_first_contact_alone) {
   ph::contacts<2, 2> list;
   list.push_back({.depth = 1, .wall_number = 3});
@@ -262,14 +254,6 @@ TEST(desired_force, is_stiffness_times_depth_along_the_normal) {
       ph::desired_force_of<float>(ph::contact<2>{.normal = {0, -1}, .depth = 5e-3, .stiffness = 1e7});
   EXPECT_EQ(Fd.magnitude, 5e4f);
   EXPECT_EQ(Fd.direction, (ph::vector<float, 2>(0, -1)));
-}
-
-TEST(contacts, have_room_for_so_many) {
-  ph::contacts<2, 2> touched;
-  for (const double depth : {1.0, 2.0}) EXPECT_TRUE(touched.push_back({.depth = depth}));
-  EXPECT_FALSE(touched.push_back({.depth = 3}));
-  EXPECT_EQ(touched.size(), 2);
-  EXPECT_EQ(touched[1].depth, 2.0);
 }
 
 template <int Capacity>

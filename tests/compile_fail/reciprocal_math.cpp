@@ -1,3 +1,0 @@
-// expect: passive_haptics needs IEEE arithmetic: compile without .*-freciprocal-math
-#define __RECIPROCAL_MATH__ 1
-#include <passive_haptics/passive_haptics.hpp>

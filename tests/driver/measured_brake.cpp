@@ -1,0 +1,254 @@
+// slow, optimised
+// From a bench to the law: what the tests of a brake found makes a controller whose hand glides along a wall.
+#include <simulated_bench.hpp>
+
+#include <passive_haptics/bench/bench_run.hpp>
+#include <passive_haptics/bench/measured_brake.hpp>
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/laws/recommended_law.hpp>
+#include <passive_haptics/driver/rate_estimator.hpp>
+#include <passive_haptics/mechanism/models/tendon_two_link.hpp>
+#include <passive_haptics/plant/brakes/delayed_brake.hpp>
+#include <passive_haptics/plant/brakes/magnetorheological_brake.hpp>
+#include <passive_haptics/plant/brakes/stribeck_brake.hpp>
+#include <passive_haptics/plant/wall_following.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+
+#include <gtest/gtest.h>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+namespace {
+
+namespace ph = passive_haptics;
+using device = ph::tendon_two_link<double>;
+using command_of_current = std::function<double(double)>;
+
+constexpr double greatest = 0.5, pause = 0.5, ramp_time = 5;  // [A, s, s]
+const double count = ph::encoder_parameters().resolution, dead_band = ph::rate_dead_band(count, 16, 1e-3);
+const ph::half_space<2> wall({0, 0.225}, {0, -1});
+
+double steady(double) { return 2; }                    // [rad/s]
+double line(double current) { return 1.6 * current; }  // [N m]
+double step_up(double t) { return t < pause ? 0 : greatest; }
+double step_down(double t) { return t < pause ? greatest : 0; }
+double ramp(double t) {
+  return greatest / ramp_time * std::clamp(std::min(t - pause, 2 * (pause + ramp_time) - t), 0.0, ramp_time);
+}
+
+// The three records of a brake.
+struct records {
+  std::vector<ph::bench_sample> up, down, ramp;
+};
+template <class Model>
+records record(const Model& brake, const command_of_current& torque_of) {
+  const auto of = [&](const auto& current_at, double duration) {
+    const auto bench = std::make_shared<example::simulated_bench<Model>>(brake, torque_of, steady);
+    example::simulated_bench_port<Model> port{bench};
+    example::simulated_torque_sensor<Model> sensor{bench};
+    ph::bench_parameters p;
+    p.radians_per_count = count;
+    p.current_limit = greatest;
+    return ph::record_on_bench(port, sensor, p, duration, current_at, [&] { return bench->wait(); });
+  };
+  return {of(step_up, 3 * pause), of(step_down, 3 * pause), of(ramp, 2 * (pause + ramp_time) + pause)};
+}
+ph::measured_brake measured(const records& all) {
+  const auto up = ph::fit_step_response(all.up), down = ph::fit_step_response(all.down);
+  const ph::ramp_delay delay{up.time_constant.value + up.dead_time.value,
+                             down.time_constant.value + down.dead_time.value};
+  return ph::measured_brake_of(up, down, ph::fit_current_ramp(all.ramp, delay), dead_band);
+}
+
+// A hand along the wall, at a device with two such brakes behind currents and their calibration.
+template <class Model>
+ph::contact_metrics along_the_wall(const Model& brake, const command_of_current& torque_of,
+                                   const ph::brakes_of<device>& brakes, const ph::brake_curves<2>& curves) {
+  const device arm;
+  const auto start = arm.inverse({0.045, 0.221}, ph::elbow::left).q;
+  const ph::following_hand<double, 2> hand({1, 0}, arm.position(start));
+  ph::simulated_device<device, Model> plant(arm, ph::brake_models_of<device, Model>{brake, brake},
+                                            hand.parameters().mass, start);
+  plant.set_motion(start, arm.jacobian(start).inverse() * ph::vector<double, 2>(0.05, 0.1));
+  ph::controller control(arm, brakes, ph::scene(ph::wall(wall)), ph::recommended_law(arm, brakes));
+  ph::brake_calibration<2> calibration(curves);
+  const auto loop = [&](const ph::device_state<device>& state) {
+    auto result = control(state);
+    const auto currents = calibration.currents(result.capacity);
+    result.capacity = {torque_of(currents[0]), torque_of(currents[1])};
+    return result;
+  };
+  return ph::follow_wall(plant, loop, wall, hand, {});
+}
+
+void expect_gliding(const ph::contact_metrics& figures) {
+  EXPECT_EQ(figures.separations, 0);
+  EXPECT_TRUE(figures.arrived);
+  EXPECT_GT(figures.depth_mean, 0.5e-3) << "it is in contact";
+  EXPECT_LT(figures.max_depth, 3e-3) << "and held";
+}
+
+ph::coulomb_brake<double> slow_brake() {
+  return {.time_constant = 0.060, .fall_ratio = 1.5, .residual = {.strength = 0.02}};
+}
+
+TEST(a_bench, fills_what_a_controller_a_driver_and_a_simulation_take) {
+  const ph::coulomb_brake<double> brake = slow_brake();
+  const auto found = measured(record(brake, line));
+  const auto brakes = ph::measured_brakes<device>({found, found});
+  const auto curves = ph::measured_curves(ph::measured_brakes_of<device>{found, found});
+  const ph::coulomb_brake<double> simulated = ph::simulated_brake(found);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(brakes.torque_limit[i], 0.82, 0.005);
+    EXPECT_NEAR(brakes.time_constant[i], 0.060, 0.001) << "that of the rise";
+    EXPECT_EQ(brakes.rate_dead_band[i], dead_band);
+    const ph::brake_curve& curve = curves[static_cast<std::size_t>(i)];
+    EXPECT_EQ(brakes.torque_limit[i], torque_of_current(curve, curve.current_limit))
+        << "as brake_driver computes it from its configuration";
+  }
+  EXPECT_EQ(brakes.torque_dead_band, ph::brakes_of<device>().torque_dead_band);
+  EXPECT_NEAR(simulated.torque_limit, 0.8, 0.005);
+  EXPECT_NEAR(simulated.time_constant, brake.time_constant, 0.001);
+  EXPECT_NEAR(simulated.fall_ratio, brake.fall_ratio, 0.03);
+  EXPECT_NEAR(simulated.residual.strength, brake.residual.strength, 0.001);
+  EXPECT_EQ(simulated.gain, 1);
+  EXPECT_EQ(validate(simulated), "");
+}
+
+TEST(a_bench, leads_to_a_hand_that_glides_along_a_wall) {
+  const auto glides = [](const auto& brake, const command_of_current& torque_of) {
+    const auto all = record(brake, torque_of);
+    const ph::measured_brake found = measured(all);
+    expect_gliding(along_the_wall(brake, torque_of, ph::measured_brakes<device>({found, found}),
+                                  {found.ramp.curve(), found.ramp.curve()}));
+  };
+  ph::delayed_brake<ph::coulomb_brake<double>> late;
+  late.model = {.fall_ratio = 2.5, .residual = {.strength = 0.02, .drag = 0.001}};
+  glides(late, line);
+  ph::stribeck_brake<double> stribeck;
+  stribeck.coulomb.residual.strength = 0.02;
+  glides(stribeck, line);
+}
+
+TEST(a_bench, leads_to_a_hand_that_glides_with_a_brake_that_has_hysteresis) {
+  ph::magnetorheological_brake<double> brake;
+  brake.residual.strength = 0.02;
+  const auto torque_of = [&](double current) { return brake.torque_of(current / greatest); };
+  const auto all = record(brake, torque_of);
+  const auto found =
+      ph::measured_brake_of(ph::fit_magnetorheological_brake(all.up, all.down, all.ramp), dead_band);
+  EXPECT_NEAR(found.time_constant.value, brake.time_constant, 0.001) << "of the coil, not of the torque";
+  expect_gliding(along_the_wall(brake, torque_of, ph::measured_brakes<device>({found, found}),
+                                {found.ramp.curve(), found.ramp.curve()}));
+}
+
+// A weak and quick brake, of which the defaults say five times the limit and four times the lag: the law
+// learns what it needs, so that the hand glides with the bench's values and with the defaults.
+TEST(a_bench, leads_to_a_hand_that_glides_with_a_weak_and_quick_brake) {
+  const ph::coulomb_brake<double> brake{.time_constant = 0.005, .residual = {.strength = 0.02}};
+  const auto torque_of = [](double current) { return 0.2 * current; };
+  const ph::measured_brake found = measured(record(brake, torque_of));
+  const ph::brake_curves<2> curves{found.ramp.curve(), found.ramp.curve()};
+  expect_gliding(along_the_wall(brake, torque_of, ph::measured_brakes<device>({found, found}), curves));
+  expect_gliding(along_the_wall(brake, torque_of, {}, curves));
+}
+
+// ---- what is refused
+
+// Rises from 0.02 N m at 0 A to 0.82 N m at 0.5 A.
+ph::measured_brake good_results() {
+  ph::measured_brake found{{0.02, 1e-4}, {0.03, 1e-4}, {}, 0.05};
+  found.ramp.max_current = 0.5;
+  found.ramp.residual_torque = {0.02, 1e-4};
+  for (std::size_t i = 0; i < found.ramp.rising.size(); ++i)
+    found.ramp.rising[i] = found.ramp.falling[i] = {0.02 + 0.08 * static_cast<double>(i), 1e-4};
+  return found;
+}
+
+std::string error_of(const std::function<void(ph::measured_brake&)>& spoil) {
+  ph::measured_brakes_of<device> found{good_results(), good_results()};
+  spoil(found[1]);
+  try {
+    ph::measured_brakes<device>(found);
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THROW(ph::measured_curves(found), std::invalid_argument);
+    EXPECT_THROW(ph::simulated_brake(found[1]), std::invalid_argument);
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(a_bench, whose_results_are_missing_or_cannot_be_is_refused_with_what_to_do) {
+  using results = ph::measured_brake;
+  const std::string second = "passive_haptics: brakes[1].";
+  EXPECT_EQ(error_of([](results&) {}), "nothing");
+  EXPECT_EQ(error_of([](results& r) { r = {}; }),
+            second +
+                "time_constant [s] = 0, expected a finite number > 0: record a larger step up, and give "
+                "its fit_step_response");
+  EXPECT_EQ(error_of([](results& r) { r.time_constant.standard_error = INFINITY; }),
+            second +
+                "time_constant [s].standard_error = inf, expected less than the value: record a larger "
+                "step up, and give its fit_step_response");
+  EXPECT_EQ(error_of([](results& r) { r.fall_time_constant.value = NAN; }),
+            second +
+                "fall_time_constant [s] = nan, expected a finite number > 0: record a larger step down, "
+                "and give its fit_step_response");
+  EXPECT_EQ(error_of([](results& r) { r.ramp = {}; }),
+            second +
+                "ramp.max_current [A] = 0, expected > 0: record a ramp, and give its "
+                "fit_current_ramp");
+  EXPECT_EQ(error_of([](results& r) { r.ramp.rising.back().value = 0.02; }),
+            second +
+                "ramp.rising[10] [N m] = 0.02, expected more than residual_torque: ramp up to a larger "
+                "current");
+  EXPECT_EQ(error_of([](results& r) { r.ramp.residual_torque.value = -0.1; }),
+            second +
+                "ramp.residual_torque [N m] = -0.1, expected >= 0: set torque_at_zero of the bench while "
+                "nothing pulls");
+  EXPECT_EQ(
+      error_of([](results& r) { r.ramp.rising.back().value = 0.02 - 0.1; }),
+      second +
+          "ramp.rising[10] [N m] = -0.08, expected more than residual_torque: give torque_per_unit of the "
+          "bench the other sign");
+  EXPECT_EQ(error_of([](results& r) { r.ramp.rising.back().value = 0.7; }),
+            second +
+                "ramp.rising[10] [N m] = 0.7, expected no less than 0.74, which is there at less current: "
+                "ramp up to "
+                "where the torque still rises, and let the brake cool before");
+  EXPECT_EQ(
+      error_of([](results& r) { r.fall_time_constant.value = 30; }),
+      second +
+          "fall_time_constant [s] = 30, expected at most 5: give the times of the samples in seconds, not "
+          "milliseconds");
+  EXPECT_EQ(error_of([](results& r) { r.rate_dead_band = results().rate_dead_band; }),
+            second +
+                "rate_dead_band [rad/s] = nan, expected a finite number > 0: give "
+                "rate_dead_band(resolution, window, period) of its encoder");
+}
+
+TEST(a_bench, whose_steps_are_mixed_up_is_refused) {
+  ph::step_response up, down;
+  up.change = {0.8, 1e-3};
+  up.time_constant = {0.02, 1e-4};
+  down = up;
+  down.change.value = -0.8;
+  const auto error = [](const auto& first, const auto& second) {
+    try {
+      ph::measured_brake_of(first, second, good_results().ramp, 0.05);
+    } catch (const std::invalid_argument& thrown) {
+      return std::string(thrown.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(error(up, down), "");
+  EXPECT_EQ(error(down, up),
+            "passive_haptics: up.change [N m] = -0.8, expected > 0: give the step up first, then that down");
+  EXPECT_EQ(error(up, up),
+            "passive_haptics: down.change [N m] = 0.8, expected < 0: give the step up first, then that down");
+}
+
+}  // namespace

@@ -1,0 +1,19 @@
+// slow
+#include "custom_cases.hpp"
+
+#include <passive_haptics/testing/dynamics_properties.hpp>
+#include <passive_haptics/testing/fault_properties.hpp>
+#include <passive_haptics/testing/mechanism_properties.hpp>
+#include <passive_haptics/testing/projection_properties.hpp>
+#include <passive_haptics/testing/step_properties.hpp>
+
+using namespace passive_haptics::testing;
+
+INSTANTIATE_TYPED_TEST_SUITE_P(custom, mechanism_properties, custom_cases);
+INSTANTIATE_TYPED_TEST_SUITE_P(custom, dynamics_properties, lever_case);
+INSTANTIATE_TYPED_TEST_SUITE_P(custom, step_properties, custom_cases);
+// One of each size: with self-motion, in space, on a line.
+using sizes = ::testing::Types<custom_case<custom::planar_arm<double>>,
+                               custom_case<custom::spatial_arm<float>>, lever_case>;
+INSTANTIATE_TYPED_TEST_SUITE_P(custom, projection_properties, sizes);
+INSTANTIATE_TYPED_TEST_SUITE_P(custom, fault_properties, sizes);

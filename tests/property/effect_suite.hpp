@@ -1,0 +1,156 @@
+// Each effect without a force sensor, alone and on a wall: it holds a hand that pushes, and lets it back out.
+#pragma once
+
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/control/pipelines/with_effects.hpp>
+#include <passive_haptics/control/sensorless/sensorless_controller.hpp>
+#include <passive_haptics/force/effects/detents.hpp>
+#include <passive_haptics/force/effects/end_stops.hpp>
+#include <passive_haptics/force/effects/guide.hpp>
+#include <passive_haptics/force/effects/rough_walls.hpp>
+#include <passive_haptics/force/effects/viscous_field.hpp>
+#include <passive_haptics/plant/simulated_device.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+#include <passive_haptics/testing/support/random.hpp>
+
+#include <gtest/gtest.h>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+#include <type_traits>
+
+namespace {
+
+namespace ph = passive_haptics;
+
+// A hand at x that pushes along u, out of each effect, and presses on a wall with the normal n [N].
+template <class M>
+struct pushing_hand {
+  ph::joint_vector<M> q;
+  ph::task_vector<M> x, u, n;
+  double push, press, hold;  // [N], [N], [s]
+};
+
+template <class M>
+ph::end_stops<double, M::dof> stops_around(const M& device, const pushing_hand<M>& h) {
+  const ph::matrix<double, M::task_dimension, M::dof> J = ph::jacobian(device, h.q);
+  const ph::joint_vector<M> out = J.transpose() * h.u;
+  ph::end_stops_parameters<double, M::dof> p;
+  for (int i = 0; i < M::dof; ++i) {
+    (out[i] > 0 ? p.upper[i] : p.lower[i]) = h.q[i];
+    p.stiffness[i] = 2000 * J.col(i).squaredNorm();
+  }
+  return ph::end_stops<double, M::dof>(p);
+}
+
+// All effects of the library, each with as much as holds the push or slows it down to 0.1 m/s.
+template <class M>
+auto all_effects(const M& device, const pushing_hand<M>& h) {
+  constexpr int d = M::task_dimension;
+  using ph::guide_along;
+  return std::tuple(
+      ph::detents<double, d>({.origin = h.x, .direction = h.u, .spacing = 0.02, .strength = 6}),
+      ph::guide<double, d>({.point = h.x, .direction = h.n, .stiffness = 2000}),
+      ph::guide<double, d>({.along = guide_along::plane, .point = h.x, .direction = h.u, .stiffness = 2000}),
+      stops_around(device, h), ph::rough_walls<double, d>({.coefficient = 1.5 * h.push / h.press}),
+      ph::viscous_field<double, d>(
+          {.viscosity = 10 * h.push * ph::matrix<double, d, d>(ph::matrix<double, d, d>::Identity())}));
+}
+
+struct hold_and_release {
+  double creep = 0;  // while it is pushed [mm/s]
+  double back = -1;  // from the reversal until it has moved back by 1 mm, or out of the wall [s]; -1: never
+};
+
+// Pushes out of the effect for the time, then pulls back with as much: off the wall if there is one.
+template <class M, class Scene>
+hold_and_release hold_and_pull_back(const M& device, const pushing_hand<M>& h, const Scene& scene,
+                                    bool on_wall) {
+  ph::brakes_of<M> brakes;
+  brakes.torque_limit.setConstant(3);
+  ph::sensorless_controller control(device, brakes, scene, ph::direct_control());
+  ph::simulated_device<M> plant(device, brakes, 0.3, h.q);
+  const int reversal = static_cast<int>(1000 * h.hold), settled = reversal / 2;
+  double from = 0, at = 0;
+  hold_and_release found;
+  for (int k = 0; k < reversal + 1500; ++k) {
+    const double s = h.u.dot(plant.position() - h.x), height = h.n.dot(plant.position() - h.x);
+    if (k == settled) from = s;
+    if (k == reversal) at = s, found.creep = 1e6 * (at - from) / (reversal - settled);
+    if (k > reversal && (on_wall ? height > 0 : s < at - 1e-3)) {
+      found.back = 1e-3 * (k - reversal);
+      break;
+    }
+    const auto told = control(ph::sensorless_device_state<M>{1e-3 * k, plant.q(), plant.qd()});
+    EXPECT_EQ(told.outcome, ph::status::ok);
+    const ph::task_vector<M> out = on_wall ? h.n : ph::task_vector<M>(-h.u);
+    const ph::task_vector<M> force = k < reversal
+                                         ? ph::task_vector<M>(h.push * h.u - (on_wall ? h.press : 0) * h.n)
+                                         : ph::task_vector<M>(h.push * out);
+    for (int i = 0; i < 10; ++i)
+      plant.advance(1e-4, told.capacity, ph::task_vector<M>(force - 5 * plant.velocity()));
+  }
+  return found;
+}
+
+template <class E>
+concept OnWallsOnly = requires(const E e, ph::contacts<E::dimension, 1> c,
+                               ph::vector<double, E::dimension> v) { e.force_at(c, v, v); };
+
+template <class Case>
+struct effects_without_a_sensor : ::testing::Test {};
+TYPED_TEST_SUITE_P(effects_without_a_sensor);
+
+// Within max_release_time, and the time to fall out of the wall. Off a wall the hand does not push along.
+TYPED_TEST_P(effects_without_a_sensor, hold_a_push_and_let_the_hand_back) {
+  using M = typename TypeParam::mechanism;
+  constexpr int d = M::task_dimension;
+  const M device = TypeParam::make();
+  const double stated = ph::max_release_time(ph::release_probe_parameters());
+  double creep = 0, back = 0, off_the_wall = 0;
+  int hands = 0;
+  for (unsigned seed = 1; hands < 8; ++seed) {
+    ph::testing::random_source random(seed);
+    const ph::joint_vector<M> q = random.between<double, M::dof>(TypeParam::lower(), TypeParam::upper());
+    const ph::matrix<double, d, d> J = ph::jacobian(device, q);
+    const double size = J.norm() / std::sqrt(d);
+    if (std::abs(J.determinant()) < 0.5 * std::pow(size, d)) continue;  // badly conditioned: it creeps
+    ++hands;
+    const auto axes = random.orthogonal_directions<d>();
+    const pushing_hand<M> h{q,
+                            device.position(q),
+                            axes.col(0),
+                            axes.col(1),
+                            random.uniform(1.0, 3.0),
+                            random.uniform(1.0, 3.0),
+                            random.uniform(0.8, 1.6)};
+    const auto wall = ph::scene(ph::wall(ph::half_space<d>(h.x, h.n), 1e4));
+    int number = 0;
+    const auto check = [&]<class E>(const E& effect) {
+      SCOPED_TRACE(::testing::Message() << "seed " << seed << ", effect " << number++);
+      const double fastest = std::is_same_v<E, ph::viscous_field<double, d>> ? 110 : 1.5;
+      const auto watch = [&](const auto& scene, bool on_wall, double within, double& worst) {
+        const auto found = hold_and_pull_back(device, h, scene, on_wall);
+        if (!(ph::JointEffect<E> && on_wall)) {  // the way off the wall may be one into the stop
+          EXPECT_GE(found.back, 0) << "locked";
+          EXPECT_LE(found.back, within);
+          worst = std::max(worst, found.back);
+        }
+        EXPECT_LE(found.creep, fastest);
+        if (fastest < 2) creep = std::max(creep, found.creep);
+      };
+      if constexpr (!OnWallsOnly<E>) watch(ph::with_effects(ph::no_walls<d>(), effect), false, stated, back);
+      watch(ph::with_effects(wall, effect), true, stated + 0.1, off_the_wall);
+    };
+    std::apply([&](const auto&... each) { (check(each), ...); }, all_effects(device, h));
+  }
+  std::printf("held with %.2f mm/s, back within %.3f s (stated %.3f), off the wall within %.3f s\n", creep,
+              back, stated, off_the_wall);
+}
+
+REGISTER_TYPED_TEST_SUITE_P(effects_without_a_sensor, hold_a_push_and_let_the_hand_back);
+
+}  // namespace

@@ -1,9 +1,0 @@
-#include "../custom_cases.hpp"
-
-#include <passive_haptics/testing/dynamics_properties.hpp>
-#include <passive_haptics/testing/mechanism_properties.hpp>
-
-using namespace passive_haptics::testing;
-
-INSTANTIATE_TYPED_TEST_SUITE_P(custom, mechanism_properties, custom_cases);
-INSTANTIATE_TYPED_TEST_SUITE_P(custom, dynamics_properties, lever_case);

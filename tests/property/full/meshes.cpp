@@ -1,8 +1,0 @@
-#include "../mesh_cases.hpp"
-
-using namespace passive_haptics::testing;
-
-using mesh_solids = ::testing::Types<meshes::solid_star<2>, meshes::room_in_a_star>;
-INSTANTIATE_TYPED_TEST_SUITE_P(other_meshes, shape_properties, mesh_solids);
-using mesh_surfaces = ::testing::Types<meshes::surface_of_a_star<2>, meshes::hills>;
-INSTANTIATE_TYPED_TEST_SUITE_P(other_meshes, tracked_shape_properties, mesh_surfaces);

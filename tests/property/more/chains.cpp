@@ -1,9 +1,0 @@
-#include "../chain_cases.hpp"
-
-#include <passive_haptics/testing/dynamics_properties.hpp>
-#include <passive_haptics/testing/mechanism_properties.hpp>
-
-using namespace passive_haptics::testing;
-
-INSTANTIATE_TYPED_TEST_SUITE_P(chains, mechanism_properties, chains::some);
-INSTANTIATE_TYPED_TEST_SUITE_P(chains, dynamics_properties, chains::some);

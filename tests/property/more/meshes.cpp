@@ -1,8 +1,0 @@
-#include "../mesh_cases.hpp"
-
-using namespace passive_haptics::testing;
-
-using mesh_solids = ::testing::Types<meshes::solid_star<3>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(meshes, shape_properties, mesh_solids);
-using mesh_surfaces = ::testing::Types<meshes::surface_of_a_star<3>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(meshes, tracked_shape_properties, mesh_surfaces);

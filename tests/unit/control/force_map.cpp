@@ -1,0 +1,89 @@
+// slow
+// The forces that torques make, without assembling the map by hand; the nearest one within limits.
+#include "../../property/custom_mechanisms.hpp"
+
+#include <passive_haptics/control/controller.hpp>
+#include <passive_haptics/control/direct_control.hpp>
+#include <passive_haptics/force/forms/form_of.hpp>
+#include <passive_haptics/mechanism/models/five_bar.hpp>
+#include <passive_haptics/mechanism/models/xy_table.hpp>
+#include <passive_haptics/scene/shapes/half_space.hpp>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace ph = passive_haptics;
+
+namespace {
+
+const custom::planar_arm<double> three_joints;
+const ph::vector<double, 3> pose(0.4, 0.9, -0.7);
+
+ph::vector<double, 3> signs(unsigned pattern) {
+  return {pattern & 1 ? 1.0 : -1.0, pattern & 2 ? 1.0 : -1.0, pattern & 4 ? 1.0 : -1.0};
+}
+
+}  // namespace
+
+TEST(force_map, of_a_device_with_self_motion_gives_the_nearest_force) {
+  const auto E = ph::brake_jacobian(three_joints, pose);
+  const auto map = ph::force_map_of(three_joints, pose);
+  for (unsigned pattern = 0; pattern < 8; ++pattern) {
+    const ph::vector<double, 3> s = signs(pattern), wide(100, 100, 100);
+    const ph::vector<double, 2> Fd(0.6, -0.8);
+    const auto found = ph::nearest_torque(map, ph::torques_within(s, wide), Fd);
+    EXPECT_LT((found.force - ph::nearest_force(E, s, Fd).force).norm(), 1e-12);
+    EXPECT_LT((found.torque - ph::brake_torque(E, found.force)).norm(), 1e-12) << "self-motion is driven";
+  }
+}
+
+TEST(force_map, gives_the_nearest_force_within_limits) {
+  const auto E = ph::brake_jacobian(three_joints, pose);
+  const auto map = ph::force_map_of(three_joints, pose);
+  const ph::vector<double, 2> Fd(0.6, -0.8);
+  const ph::vector<double, 3> limit(0.05, 0.04, 0.03), none(0, 0, 0);
+  const auto found = ph::nearest_torque(map, ph::torques_within(none, limit), Fd);
+  EXPECT_TRUE((found.torque.array().abs() <= limit.array()).all());
+  EXPECT_LT((found.torque - ph::brake_torque(E, found.force)).norm(), 1e-12);
+  // No other force within the limits comes nearer
+  std::mt19937_64 engine(20040627);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int k = 0; k < 20000; ++k) {
+    const ph::vector<double, 2> F(number(engine), number(engine));
+    if ((ph::brake_torque(E, F).array().abs() > limit.array()).any()) continue;
+    ASSERT_GE((F - Fd).norm(), (found.force - Fd).norm() - 1e-12);
+  }
+}
+
+TEST(force_map, of_redundant_brakes_is_one_call) {
+  const ph::five_bar<double, 4> device;
+  const auto q = device.inverse({0.02, 0.2}).q;
+  const auto map = ph::force_map_of(device, q);
+  EXPECT_EQ(map.G, ph::force_generators(device, q));
+  EXPECT_TRUE(map.P.isZero(0));
+}
+
+TEST(nearest_torque, takes_a_diagonal_matrix) {
+  const ph::diagonal_matrix<double, 2> G(2, 0.5);
+  const ph::vector<double, 2> s(-1, 1), Fd(1, 1), limit(0.25, 3);
+  EXPECT_EQ(ph::nearest_torque(G, s, Fd).torque, (ph::vector<double, 2>(0.5, 0)));
+  EXPECT_EQ(ph::nearest_torque(G, ph::torques_within(s, limit), Fd).torque, (ph::vector<double, 2>(0.25, 0)));
+}
+
+TEST(velocity, is_that_of_the_brakes_through_E) {
+  const ph::vector<double, 3> qd(0.3, -0.2, 0.5);
+  EXPECT_EQ(ph::velocity(three_joints, pose, qd), ph::jacobian(three_joints, pose) * qd);
+  EXPECT_EQ(ph::velocity(ph::xy_table<double>(), {0, 0}, {0.1, 0.2}), (ph::vector<double, 2>(0.1, 0.2)));
+}
+
+TEST(unlimited_brake_parameters, have_dead_bands_and_no_limit) {
+  using table = ph::xy_table<double>;
+  const ph::unlimited_brake_parameters<double, 2> brakes;
+  static_assert(ph::BrakesFor<decltype(brakes), table> && ph::StickingBrakes<decltype(brakes), double, 2>);
+  ph::controller control(table(), brakes, ph::scene(ph::wall(ph::half_space<2>({0, 1e-3}, {0, 1}), 1e7)),
+                         ph::direct_control());
+  const auto result =
+      control(ph::device_state<table>{.time = 0, .q = {0, 0}, .qd = {0, -0.1}, .hand_force = {0, -1}});
+  EXPECT_NEAR(result.capacity[1], 1e4, 1e-6);
+}

@@ -1,0 +1,237 @@
+// slow
+// Replay of a log: what it computes, that its own output replays to the last digit, and that memory does not
+// grow with the log.
+#include <log/replay.hpp>
+#include <log/replay_program.hpp>
+
+#include <passive_haptics/plant/wall_following.hpp>
+
+#include <gtest/gtest.h>
+#include <Eigen/LU>
+
+#include <sys/resource.h>
+
+#include <sstream>
+
+namespace ph = passive_haptics;
+using device = ph::tendon_two_link<double>;
+
+#if defined(__SANITIZE_ADDRESS__)  // g++
+constexpr bool address_sanitizer = true;
+#elif defined(__has_feature)  // clang++
+constexpr bool address_sanitizer = __has_feature(address_sanitizer);
+#else
+constexpr bool address_sanitizer = false;
+#endif
+
+namespace {
+
+const std::string log_header = "t,q1,q2,qd1,qd2,Fh_x,Fh_y\n";
+const std::string good = "0.5,1.9,-1.2,0.1,0.2,0.5,2\n";
+const ph::half_space<2> surface({0, 0.2}, {0, -1});
+
+// The law of the paper beside a wall; where no force is needed it has none.
+example::replay_summary replay(std::istream& in, std::ostream& out, bool needs_force = true) {
+  ph::controller control{device(), ph::brakes_of<device>(), ph::scene(ph::wall(surface)),
+                         ph::direct_control()};
+  example::log_reader log(in, "log.csv");
+  return example::replay(log, out, control, needs_force);
+}
+std::string replay(const std::string& log, bool needs_force = true) {
+  std::istringstream in(log);
+  std::ostringstream out;
+  replay(in, out, needs_force);
+  return out.str();
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> all;
+  for (std::string line; std::getline(in, line);) all.push_back(line);
+  return all;
+}
+
+// A log that is made up as it is read.
+class endless_log : public std::streambuf {
+ public:
+  explicit endless_log(std::size_t lines) : left_(lines), text_(log_header) { show(); }
+
+ protected:
+  int_type underflow() override {
+    if (left_ == 0) return traits_type::eof();
+    --left_;
+    text_ = good;
+    show();
+    return traits_type::to_int_type(text_[0]);
+  }
+
+ private:
+  void show() { setg(text_.data(), text_.data(), text_.data() + text_.size()); }
+  std::size_t left_;
+  std::string text_;
+};
+
+// Takes everything and keeps nothing.
+class nowhere : public std::streambuf {
+ public:
+  std::size_t bytes = 0;
+
+ protected:
+  std::streamsize xsputn(const char*, std::streamsize n) override {
+    bytes += static_cast<std::size_t>(n);
+    return n;
+  }
+  int_type overflow(int_type c) override { return ++bytes, traits_type::not_eof(c); }
+};
+
+long peak_memory() {  // [KiB]
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+}  // namespace
+
+// velocity_direct_control reads the curvature of a wall
+TEST(replay, at_a_round_wall_decides_what_the_library_decides) {
+  const ph::ball<2> round({0, 0.2}, 0.03, ph::filling::hollow);
+  const auto at = [](const auto& shape) {
+    return ph::controller(device(), ph::brakes_of<device>(), ph::scene(ph::wall(shape)),
+                          ph::velocity_direct_control());
+  };
+  auto read = at(example::any_shape<2>(round));
+  auto own = at(round);
+  int braking = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 0.03 * k;
+    const auto q =
+        device().inverse({0.031 * std::cos(angle), 0.2 + 0.031 * std::sin(angle)}, ph::elbow::left).q;
+    const ph::device_state<device> state{1e-3 * k, q, {std::cos(5 * angle), std::sin(7 * angle)}, {0.5, 2}};
+    const auto expected = own(state);
+    ASSERT_EQ(read(state).capacity, expected.capacity) << k;
+    braking += expected.capacity.maxCoeff() > 0;
+  }
+  EXPECT_GT(braking, 50);
+}
+
+TEST(replay, tells_what_a_controller_tells) {
+  const auto lines = lines_of(replay(log_header + good));
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0], "# passive_haptics log 1");
+  EXPECT_EQ(lines[1], "# units: s,rad,rad,rad/s,rad/s,N,N,,,,rad,1,N,N,N,N,N m,N m,N m,N m");
+  EXPECT_EQ(lines[2],
+            "t,q1,q2,qd1,qd2,Fh_x,Fh_y,status,power,display,gamma,alpha,Fd_x,Fd_y,Fc_x,Fc_y,capacity1,"
+            "capacity2,torque1,torque2");
+
+  ph::controller control{device(), ph::brakes_of<device>(), ph::scene(ph::wall(surface)),
+                         ph::direct_control()};
+  const auto r = control(ph::device_state<device>{0.5, {1.9, -1.2}, {0.1, 0.2}, {0.5, 2}});
+  std::istringstream fields(lines[3].substr(good.size() - 1));
+  const auto next = [&] {
+    std::string field;
+    std::getline(fields, field, ',');
+    return field;
+  };
+  EXPECT_EQ(next(), "");
+  EXPECT_EQ(next(), "ok");
+  EXPECT_EQ(next(), to_string(r.power));
+  EXPECT_EQ(next(), to_string(r.display));
+  for (const double value :
+       {r.approximation_angle(), r.alpha, r.desired_force[0], r.desired_force[1], r.control_force[0],
+        r.control_force[1], r.capacity[0], r.capacity[1], r.torque[0], r.torque[1]}) {
+    EXPECT_EQ(std::stod(next()), value);  // the shortest text reads back as the same number
+  }
+}
+
+TEST(replay, decides_nothing_where_a_number_is_missing) {
+  const auto lines = lines_of(replay(log_header + "0,,,,,,\n0.1,1.9,-1.2,0.1,0.2,,\n" + good));
+  ASSERT_EQ(lines.size(), 6U);
+  EXPECT_EQ(lines[3], "0,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(lines[4], "0.1,1.9,-1.2,0.1,0.2,,,,,,,,,,,,,,,");
+  EXPECT_EQ(lines[5].rfind("0.5,1.9,-1.2,0.1,0.2,0.5,2,ok,", 0), 0U);
+}
+
+TEST(replay, does_without_a_force_where_none_is_needed) {
+  const auto missing = lines_of(replay(log_header + "0,1.9,-1.2,0.1,0.2,,\n", false));
+  const auto none = lines_of(replay("t,q1,q2,qd1,qd2\n0,1.9,-1.2,0.1,0.2\n", false));
+  const auto zero = lines_of(replay(log_header + "0,1.9,-1.2,0.1,0.2,0,0\n", false));
+  const std::string decision = zero.back().substr(zero.back().find("ok"));
+  EXPECT_EQ(missing.back(), "0,1.9,-1.2,0.1,0.2,,," + decision);
+  EXPECT_EQ(none.back(), "0,1.9,-1.2,0.1,0.2,,," + decision);
+  EXPECT_THROW(replay("t,q1,q2,qd1,qd2\n"), example::log_error);
+}
+
+TEST(replay, writes_the_units_that_it_reads) {
+  const auto lines = lines_of(replay("# units: s,m,m,m/s,m/s,N,N\n" + log_header + good));
+  EXPECT_EQ(lines[1], "# units: s,m,m,m/s,m/s,N,N,,,,rad,1,N,N,N,N,N,N,N,N");
+}
+
+// What is logged, replayed and replayed again is the same, to the last digit.
+TEST(replay, of_a_simulation_makes_the_same_decisions) {
+  const device arm;
+  const auto q = arm.inverse({0.045, 0.221}, ph::elbow::left).q;
+  const ph::half_space<2> wall({0, 0.225}, {0, -1});
+  const auto controller = [&] {
+    return ph::controller(arm, ph::brakes_of<device>(), ph::scene(ph::wall(wall)),
+                          ph::velocity_direct_control());
+  };
+  auto control = controller();
+  ph::following_hand<double, 2> hand({1, 0}, {0.045, 0.221}, {});
+  ph::simulated_device plant(arm, ph::brakes_of<device>(), hand.parameters().mass, q);
+  plant.set_motion(q, arm.jacobian(q).partialPivLu().solve(ph::vector<double, 2>(0.05, 0.1)));
+  example::log_row row;
+  std::string log;
+  const auto logged = [&](const ph::device_state<device>& state) {
+    const auto decision = control(state);
+    row.start();
+    put_motion(row, {}, state);
+    put_decision(row, {}, decision);
+    if (log.empty()) log = row.header();
+    log += row.csv();
+    return decision;
+  };
+  ph::follow_wall(plant, logged, wall, hand, {.max_duration = 1});
+
+  const auto replayed = [&](const std::string& text, example::replay_summary& all) {
+    auto again = controller();
+    std::istringstream in(text);
+    std::ostringstream out;
+    example::log_reader reader(in, "log.csv");
+    all = example::replay(reader, out, again);
+    return out.str();
+  };
+  example::replay_summary first, second;
+  const std::string once = replayed(log, first);
+  EXPECT_EQ(once, log);
+  EXPECT_EQ(replayed(once, second), log);
+  EXPECT_GE(first.lines, 900U);
+  EXPECT_EQ(first.same, first.lines);
+  EXPECT_EQ(first.compared, first.lines);
+  EXPECT_EQ(first.decided, first.lines);
+}
+
+TEST(replay, counts_the_capacities_that_differ) {
+  std::istringstream in("t,q1,q2,qd1,qd2,Fh_x,Fh_y,capacity1,capacity2\n0,1.9,-1.2,0.1,0.2,0.5,2,9,9\n" +
+                        std::string("0,1.9,-1.2,0.1,0.2,0.5,2,,\n"));
+  std::ostringstream out;
+  const auto all = replay(in, out);
+  EXPECT_EQ(all.decided, 2U);
+  EXPECT_EQ(all.compared, 1U);
+  EXPECT_EQ(all.same, 0U);
+}
+
+TEST(replay, needs_no_more_memory_for_a_longer_log) {
+  const auto run = [](std::size_t count) {
+    endless_log source(count);
+    nowhere sink;
+    std::istream in(&source);
+    std::ostream out(&sink);
+    EXPECT_EQ(replay(in, out).lines, count);
+    EXPECT_GT(sink.bytes, 50 * count);
+  };
+  run(1000);
+  const long before = peak_memory();
+  run(address_sanitizer ? 30000 : 300000);
+  const long allowed = address_sanitizer ? 16384 : 1024;  // there freed memory stays in quarantine
+  EXPECT_LE(peak_memory() - before, allowed) << "KiB more for many times as many lines";
+}
